@@ -1,0 +1,36 @@
+#pragma once
+// From a program to a verdict: runs a lab's checks, one process each, and reads their records.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "grader/build.hpp"
+#include "grader/verdict.hpp"
+
+namespace mc::grader {
+
+struct JudgeOptions {
+  std::uint64_t seed = 0;
+  std::string only;            ///< a task ("1.3"): judge its checks alone; empty: all
+  unsigned workers = 2;        ///< checks at the same time
+  double lab_seconds = 60;     ///< what is not started by then is not run
+  std::string submission;      ///< the directory, for the command that repeats a check
+};
+
+/// The checks of a lab, from a run of them without a program. Throws MachineError where the lab's
+/// checks are not built.
+std::vector<Check> expected_checks(const Layout& layout, const Lab& lab);
+
+LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
+                     const JudgeOptions& options);
+
+/// One check's part of Catch2's XML report, version 2 or 3 (they differ in the root only).
+struct XmlRecord {
+  std::string name, tags;
+  bool success = false;
+  std::string message;  ///< of the first failure
+};
+std::vector<XmlRecord> read_catch_xml(std::string_view xml);
+
+}  // namespace mc::grader

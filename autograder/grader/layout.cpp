@@ -1,0 +1,39 @@
+#include "grader/layout.hpp"
+
+#include <fstream>
+
+#include "grader/errors.hpp"
+#include "runner/text.hpp"
+
+namespace mc::grader {
+
+Layout read_layout() {
+  const std::filesystem::path build = MC_BUILD_DIR;
+  std::ifstream file(build / "layout.txt");
+  if (!file) throw MachineError("the build directory is incomplete: run ./lab setup");
+  Layout layout;
+  layout.build = build;
+  std::string line;
+  while (std::getline(file, line)) {
+    const auto at = line.find('=');
+    if (at == std::string::npos) continue;
+    const std::string key = line.substr(0, at), value = line.substr(at + 1);
+    if (key == "root") layout.root = value;
+    if (key == "compiler") layout.compiler = value;
+    if (key == "compiler_id") layout.is_clang = value.find("Clang") != std::string::npos;
+    if (key == "version") layout.version = value;
+    if (key == "link_flags" || key.starts_with("objects.")) {
+      for (const std::string_view part : text::split(value, ';')) {
+        if (part.empty()) continue;
+        if (key == "link_flags") {
+          layout.link_flags.emplace_back(part);
+        } else {
+          layout.objects[key.substr(8)].emplace_back(part);
+        }
+      }
+    }
+  }
+  return layout;
+}
+
+}  // namespace mc::grader

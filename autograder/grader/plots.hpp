@@ -1,0 +1,24 @@
+#pragma once
+// A lab's plots, drawn by gnuplot from measurements.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/labs.hpp"
+#include "grader/layout.hpp"
+#include "grader/submission.hpp"
+
+namespace mc::grader {
+
+struct Plots {
+  std::vector<std::filesystem::path> pictures;  ///< SVG and PNG of each plot
+  std::vector<std::string> remarks;             ///< what could not be drawn, and why
+};
+
+/// Measures each submission and draws them side by side, into build/plots/<folder>. Without gnuplot:
+/// no pictures, and a remark.
+Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
+                 const std::string& folder);
+
+}  // namespace mc::grader

@@ -1,0 +1,29 @@
+#pragma once
+// A submission: files that stand where a student's files stand, one a lab.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "grader/labs.hpp"
+#include "grader/layout.hpp"
+
+namespace mc::grader {
+
+struct Submission {
+  std::string label;                                   ///< how it is called in reports
+  std::map<std::string, std::filesystem::path> files;  ///< lab name -> file
+  bool trusted = false;  ///< may include the repository's own sources (solutions, mistakes)
+};
+
+/// A directory with some of the labs' .cpp files. The repository's solutions are trusted. Throws
+/// UsageError where there is no such directory.
+Submission open_submission(const Layout& layout, const std::vector<Lab>& labs,
+                           const std::filesystem::path& directory);
+
+/// One file that stands for the file of `lab`; what it lacks of other labs is the solutions'.
+Submission single_file_submission(const Layout& layout, const std::vector<Lab>& labs,
+                                  const Lab& lab, const std::filesystem::path& file, bool trusted);
+
+}  // namespace mc::grader

@@ -1,0 +1,48 @@
+#pragma once
+// Whole files, read and written at once.
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace mc::grader {
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Writes beside and renames into place: whoever reads sees the old text or the new one, whole.
+/// Throws std::system_error where that fails (a full disk, no such directory); the old text stays.
+inline void write_text(const std::filesystem::path& path, std::string_view text) {
+  auto aside = path;
+  aside += ".new-" + std::to_string(getpid());
+  std::ofstream file(aside, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (!file) {
+    error = std::error_code(errno, std::generic_category());
+  } else {
+    std::filesystem::rename(aside, path, error);
+  }
+  if (error) {
+    std::error_code ignored;
+    std::filesystem::remove(aside, ignored);
+    throw std::system_error(error, "cannot write " + path.string());
+  }
+}
+
+/// FNV-1a: names for files that depend on a text. Nothing secret hangs on it.
+inline std::uint64_t hash_text(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325u) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return hash;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,54 @@
+#include "grader/verdict.hpp"
+
+#include <algorithm>
+
+namespace mc::grader {
+
+double LabVerdict::earned() const {
+  double total = 0;
+  for (const auto& result : checks) total += result.earned();
+  return total;
+}
+
+double LabVerdict::points() const {
+  double total = 0;
+  for (const auto& result : checks) total += result.check.points;
+  return total;
+}
+
+double Verdict::earned() const {
+  double total = 0;
+  for (const auto& lab : labs) total += lab.earned();
+  return total;
+}
+
+double Verdict::points() const {
+  double total = 0;
+  for (const auto& lab : labs) total += lab.points();
+  return total;
+}
+
+std::string describe(const CheckResult& result, const LabVerdict& verdict) {
+  switch (result.status) {
+    case Status::passed:
+      return "passed";
+    case Status::failed:
+      return "failed";
+    case Status::not_written:
+      return "not written yet";
+    case Status::waiting:
+      for (const std::string& need : result.check.needs) {
+        for (const auto& other : verdict.checks) {
+          if (other.check.task == need && other.status != Status::passed) return "waiting for " + need;
+        }
+      }
+      return "waiting";
+    case Status::not_run:
+      return "not run";
+    case Status::internal_error:
+      break;
+  }
+  return "internal error of the autograder";
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,71 @@
+#pragma once
+// What a judgement comes to. Every report (terminal, JSON, CSV) is drawn from this and nothing else.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grader/labs.hpp"
+
+namespace mc::grader {
+
+enum class Status {
+  passed,
+  failed,
+  not_written,     ///< the task throws mc::todo
+  waiting,         ///< failed, and so did a task that it needs: one fault, not two
+  not_run,         ///< the lab's time was used up, or there is no program
+  internal_error,  ///< the autograder's own fault: no record of this check
+};
+
+/// What the autograder expects to run: a check as it is written down.
+struct Check {
+  std::string name;                ///< "1.3 two passes keep their digits under a large mean"
+  std::string task;                ///< "1.3"
+  std::vector<std::string> needs;  ///< tasks without which it cannot pass
+  double points = 0;
+};
+
+/// A random check's word on itself: under the null hypothesis p is uniform, and it fails below alpha.
+struct PValue {
+  std::string null;
+  double p = 0, alpha = 0;
+};
+
+struct CheckResult {
+  Check check;
+  Status status = Status::internal_error;
+  std::string story;    ///< of a failure: measured, expected, because, likely
+  std::string printed;  ///< what the submission printed meanwhile
+  std::string repeat;   ///< the command that repeats this check, seed included
+  std::vector<PValue> p_values;
+  std::size_t measurements = 0;
+  double seconds = 0;
+  double earned() const { return status == Status::passed ? check.points : 0; }
+};
+
+struct LabVerdict {
+  Lab lab;
+  std::vector<CheckResult> checks;
+  std::string no_program;  ///< why there is none to judge; empty where there is
+  double seconds = 0;
+  double earned() const;
+  double points() const;
+};
+
+struct Verdict {
+  std::string submission;
+  std::uint64_t seed = 0;
+  std::string version, flags;
+  bool jail_complete = true;
+  std::vector<LabVerdict> labs;
+  std::vector<std::string> absent;  ///< labs of which there is no file
+  double seconds = 0;
+  double earned() const;
+  double points() const;
+};
+
+/// "passed", "failed", "not written yet", "waiting for 1.1", "not run", "internal error"
+std::string describe(const CheckResult& result, const LabVerdict& verdict);
+
+}  // namespace mc::grader

@@ -1,0 +1,26 @@
+# What the project stands on. The system's packages first; where one is missing, its source at a
+# version that is known to work (this needs the network; ./lab setup installs packages instead).
+include(FetchContent)
+
+# dependency(<package> <target> <repository> <tag>)
+macro(dependency package target repository tag)
+  find_package(${package} QUIET)
+  if(NOT TARGET ${target})
+    message(STATUS "${package} is not installed: fetching ${tag}")
+    FetchContent_Declare(${package} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW ON)
+    FetchContent_MakeAvailable(${package})
+  endif()
+endmacro()
+
+dependency(Catch2 Catch2::Catch2WithMain https://github.com/catchorg/Catch2 v3.5.4)
+dependency(fmt fmt::fmt https://github.com/fmtlib/fmt 10.2.1)
+dependency(nlohmann_json nlohmann_json::nlohmann_json https://github.com/nlohmann/json v3.11.3)
+dependency(pugixml pugixml::pugixml https://github.com/zeux/pugixml v1.14)
+find_package(Threads REQUIRED)
+
+# Without libseccomp the jail has a wall less, and every grade says so.
+find_library(SECCOMP_LIBRARY seccomp)
+find_path(SECCOMP_INCLUDE seccomp.h)
+
+# Programs that judge nothing: looked for when they are used.
+find_program(GIT git)

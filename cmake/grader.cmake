@@ -1,0 +1,48 @@
+# The judge: the jail, the checks of each lab, the grader.
+
+add_library(jail STATIC autograder/grader/jail.cpp autograder/grader/lockdown.cpp)
+target_include_directories(jail PUBLIC autograder labs)
+target_link_libraries(jail PUBLIC fmt::fmt)
+if(SECCOMP_LIBRARY AND SECCOMP_INCLUDE)
+  target_compile_definitions(jail PRIVATE MC_HAVE_SECCOMP)
+  target_include_directories(jail PRIVATE ${SECCOMP_INCLUDE})
+  target_link_libraries(jail PRIVATE ${SECCOMP_LIBRARY})
+endif()
+
+# Checks: what every lab's share, then one program a lab.
+add_library(checking STATIC autograder/checks/measure.cpp autograder/checks/expect.cpp
+  autograder/checks/plot_data.cpp labs/runner/text.cpp)
+target_link_libraries(checking PUBLIC jail Catch2::Catch2WithMain)
+foreach(lab ${LABS})
+  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_plots.cpp)
+  add_executable(checks_${lab} ${sources})
+  target_include_directories(checks_${lab} PRIVATE ${LAB_INCLUDES})
+  target_link_libraries(checks_${lab} PRIVATE checking)
+endforeach()
+
+add_library(grading STATIC
+  autograder/grader/arguments.cpp
+  autograder/grader/build.cpp
+  autograder/grader/diagnostics.cpp
+  autograder/grader/judge.cpp
+  autograder/grader/labs.cpp
+  autograder/grader/layout.cpp
+  autograder/grader/plots.cpp
+  autograder/grader/process.cpp
+  autograder/grader/report_files.cpp
+  autograder/grader/report_terminal.cpp
+  autograder/grader/standing.cpp
+  autograder/grader/submission.cpp
+  autograder/grader/verb_judge.cpp
+  autograder/grader/verb_work.cpp
+  autograder/grader/verdict.cpp
+  labs/runner/text.cpp)
+set_source_files_properties(autograder/grader/layout.cpp PROPERTIES
+  COMPILE_DEFINITIONS "MC_BUILD_DIR=\"${CMAKE_BINARY_DIR}\"")
+target_link_libraries(grading PUBLIC jail nlohmann_json::nlohmann_json pugixml::pugixml Threads::Threads)
+
+add_executable(grader autograder/grader/main.cpp)
+target_link_libraries(grader PRIVATE grading)
+foreach(lab ${LABS})
+  add_dependencies(grader experiments_${lab} runner)
+endforeach()

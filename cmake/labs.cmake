@@ -1,0 +1,57 @@
+# What a submission's program is linked from, compiled once: the runner and each lab's experiments. A
+# lab is found by its folder, labs/N-name.
+
+set(PROGRAM_FLAGS -O3 -ffp-contract=off)
+if(CMAKE_SYSTEM_NAME STREQUAL Linux)
+  set(PROGRAM_LINK_FLAGS -static)  # then a program needs no loader, and the jail no open()
+  file(WRITE ${CMAKE_BINARY_DIR}/static.cpp "#include <vector>\nint main() { std::vector<int> x(1); return x[0]; }\n")
+  try_compile(LINKS_STATICALLY ${CMAKE_BINARY_DIR} ${CMAKE_BINARY_DIR}/static.cpp LINK_OPTIONS -static)
+  if(NOT LINKS_STATICALLY)
+    message(FATAL_ERROR "No static C and C++ library: install glibc-static and libstdc++-static (dnf), "
+      "or libc6-dev and the compiler's libstdc++ package (apt)")
+  endif()
+endif()
+
+add_library(runner OBJECT labs/runner/main.cpp labs/runner/text.cpp)
+target_include_directories(runner PUBLIC labs)
+target_compile_options(runner PRIVATE ${PROGRAM_FLAGS})
+
+file(GLOB LAB_FOLDERS CONFIGURE_DEPENDS LIST_DIRECTORIES ON RELATIVE ${CMAKE_SOURCE_DIR}/labs
+  labs/[0-9]-*)
+foreach(folder ${LAB_FOLDERS})
+  string(REGEX REPLACE "^[0-9]+-" "" lab ${folder})
+  string(REPLACE "-" "_" lab ${lab})
+  list(APPEND LABS ${lab})
+  set(LAB_INCLUDES ${LAB_INCLUDES} ${CMAKE_SOURCE_DIR}/labs/${folder})
+
+  add_library(experiments_${lab} OBJECT labs/${folder}/experiments.cpp)
+  target_include_directories(experiments_${lab} PRIVATE labs ${LAB_INCLUDES})
+  target_compile_options(experiments_${lab} PRIVATE ${PROGRAM_FLAGS})
+  string(APPEND LAYOUT "objects.${lab}=$<TARGET_OBJECTS:experiments_${lab}>;$<TARGET_OBJECTS:runner>\n")
+
+  # The same programs for a debugger and the sanitizers (CMakePresets.json): linked dynamically, run
+  # by hand, never graded. They stand in compile_commands.json, so clangd knows the starters.
+  foreach(who starter solutions)
+    file(GLOB files CONFIGURE_DEPENDS ${who}/${lab}.cpp)
+    if(files)
+      set(program ${who}-${lab})
+      set(${who}_FILES ${${who}_FILES} ${files})
+      add_executable(${program} EXCLUDE_FROM_ALL ${${who}_FILES})
+      target_link_libraries(${program} PRIVATE experiments_${lab} runner)
+      target_include_directories(${program} PRIVATE labs ${LAB_INCLUDES})
+    endif()
+  endforeach()
+endforeach()
+
+execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} describe --always --dirty
+  OUTPUT_VARIABLE VERSION OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT VERSION)
+  set(VERSION unknown)
+endif()
+file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/layout.txt CONTENT
+"root=${CMAKE_SOURCE_DIR}
+compiler=${CMAKE_CXX_COMPILER}
+compiler_id=${CMAKE_CXX_COMPILER_ID}
+version=${VERSION}
+link_flags=${PROGRAM_LINK_FLAGS}
+${LAYOUT}")

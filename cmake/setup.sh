@@ -1,0 +1,103 @@
+# Read by ./lab: what the machine must have, and how it gets it.
+
+# The name of the target that checks a lab, given as 1, variance or 1-variance.
+lab_of() {
+  for folder in "$root"/labs/[0-9]-*; do
+    folder=${folder##*/}
+    name=$(printf %s "${folder#*-}" | tr - _)
+    case $1 in "${folder%%-*}" | "$folder" | "$name") echo "checks_$name" ;; esac
+  done
+}
+
+# One word for each thing that is not here. Asks for the thing itself, not for a package: a library
+# that was installed by hand is as good.
+missing_things() {
+  compiler=${CXX:-c++}
+  command -v "$compiler" >/dev/null 2>&1 || { echo compiler; compiler=; }
+  command -v cmake >/dev/null 2>&1 || echo cmake
+  command -v ninja >/dev/null 2>&1 || command -v make >/dev/null 2>&1 || echo make
+  command -v gnuplot >/dev/null 2>&1 || echo gnuplot
+  if [ -z "$compiler" ]; then
+    echo catch2 fmt json pugixml seccomp
+    return
+  fi
+  {
+    echo '#if !__has_include(<catch2/catch_test_macros.hpp>) && !__has_include(<catch2/catch.hpp>)'
+    printf 'missing catch2\n#endif\n'
+    for pair in fmt:fmt/format.h json:nlohmann/json.hpp pugixml:pugixml.hpp; do
+      printf '#if !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
+    done
+    printf '#if defined(__linux__) && !__has_include(<seccomp.h>)\nmissing seccomp\n#endif\n'
+  } | "$compiler" -E -P -x c++ - 2>/dev/null | sed -n 's/^missing //p'
+}
+
+package_of() {  # thing manager
+  case $1:$2 in
+    compiler:apt) echo g++ ;;
+    compiler:dnf) echo gcc-c++ glibc-static libstdc++-static ;;
+    compiler:brew) echo llvm ;;
+    catch2:dnf) echo catch-devel ;;
+    fmt:apt) echo libfmt-dev ;;
+    fmt:dnf) echo fmt-devel ;;
+    json:apt) echo nlohmann-json3-dev ;;
+    json:dnf) echo json-devel ;;
+    json:brew) echo nlohmann-json ;;
+    pugixml:apt) echo libpugixml-dev ;;
+    pugixml:dnf) echo pugixml-devel ;;
+    seccomp:apt) echo libseccomp-dev ;;
+    seccomp:dnf) echo libseccomp-devel ;;
+    gnuplot:apt) echo gnuplot-nox ;;
+    *) echo "$1" ;;
+  esac
+}
+
+# Installs the things named. Says what it runs; at a terminal it asks first. What cannot be installed
+# is left to CMake, which fetches sources where there is a network and says what is missing where not.
+install_things() {
+  manager=
+  for candidate in apt-get:apt dnf:dnf brew:brew; do
+    command -v "${candidate%%:*}" >/dev/null 2>&1 && { manager=${candidate#*:}; break; }
+  done
+  packages=
+  for thing in "$@"; do packages="$packages $(package_of "$thing" "$manager")"; done
+  as_root=
+  if [ "$(id -u)" != 0 ] && [ "$manager" != brew ]; then
+    command -v sudo >/dev/null 2>&1 && as_root="sudo "
+  fi
+  case $manager in
+    apt) command="${as_root}apt-get install -y --no-install-recommends$packages" ;;
+    dnf) command="${as_root}dnf install -y$packages" ;;
+    brew) command="brew install$packages" ;;
+    *)
+      echo "lab: missing: $*. There is no apt, dnf or brew here: install them by hand." >&2
+      only_gnuplot "$@" || exit 3
+      return 0
+      ;;
+  esac
+  echo "Missing: $*" >&2
+  echo "  $command" >&2
+  if [ -t 0 ] && [ -t 2 ] && [ "${CI:-}" != true ]; then
+    printf 'Run this? [Y/n] ' >&2
+    read -r answer
+    case $answer in [nN]*)
+      only_gnuplot "$@" && return 0
+      echo "lab: run it yourself, or install$packages in your own way, then try again" >&2
+      exit 3
+      ;;
+    esac
+  fi
+  log=$build/setup.log
+  export DEBIAN_FRONTEND=noninteractive
+  if [ "$manager" = apt ]; then ${as_root}apt-get update >"$log" 2>&1 || true; fi
+  if ! $command >>"$log" 2>&1 </dev/null; then
+    tail -n 5 "$log" >&2
+    echo "lab: that failed (the whole of it: $log)" >&2
+    only_gnuplot "$@" || case " $* " in *" compiler "* | *" cmake "* | *" make "*) exit 3 ;; esac
+  fi
+  rm -f "$build/layout.txt"  # CMake is to look again
+}
+
+# Without gnuplot there are no plots, but there is a grade.
+only_gnuplot() {
+  [ "$*" = gnuplot ] && echo "lab: going on without gnuplot: no plots" >&2
+}

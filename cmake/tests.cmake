@@ -1,0 +1,28 @@
+# The repository proves itself: `ctest`, or `./lab test`.
+enable_testing()
+
+file(GLOB sources CONFIGURE_DEPENDS autograder/tests/*_test.cpp)
+add_executable(grader_tests EXCLUDE_FROM_ALL ${sources})
+target_link_libraries(grader_tests PRIVATE grading checking)
+target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
+target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
+add_test(NAME grader COMMAND grader_tests)
+
+# Every submission of the repository, with what its first lines say must happen to it.
+add_executable(prove EXCLUDE_FROM_ALL autograder/tests/prove.cpp)
+target_link_libraries(prove PRIVATE grading)
+add_test(NAME repository COMMAND prove repository)
+foreach(lab ${LABS})
+  foreach(who starter solutions)
+    if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
+      add_test(NAME ${who}/${lab} COMMAND prove ${who}/${lab}.cpp WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    endif()
+  endforeach()
+endforeach()
+file(GLOB_RECURSE submissions CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/autograder/submissions
+  autograder/submissions/*.cpp)
+foreach(file ${submissions})
+  string(REGEX REPLACE "[.]cpp$" "" name ${file})
+  add_test(NAME ${name} COMMAND prove autograder/submissions/${file}
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+endforeach()

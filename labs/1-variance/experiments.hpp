@@ -1,0 +1,45 @@
+#pragma once
+// What lab 1 measures of a submission.
+
+#include <cstdint>
+#include <vector>
+
+#include "runner/wire.hpp"
+#include "variance.hpp"
+
+namespace mc {
+MC_FIELDS(Moments, count, mean, m2)
+}  // namespace mc
+
+namespace mc::experiments {
+
+/// 1.1, 1.2, 1.3: of the values x.
+double mean(std::vector<double> x);
+double variance_textbook(std::vector<double> x);
+double variance_two_pass(std::vector<double> x);
+
+/// 1.4: the moments after add() of each value of x in turn; and variance() of given moments.
+Moments welford(std::vector<double> x);
+double variance_of(Moments moments);
+
+/// 1.4: add() of `count` values offset + 4, 7, 13, 16, 4, 7, …
+Moments stream(std::uint64_t count, double offset);
+
+/// 1.5: of two moments; and of x added in parts of the given sizes, each merged into the whole.
+Moments merge(Moments a, Moments b);
+Moments merge_parts(std::vector<double> x, std::vector<std::uint64_t> sizes);
+
+/// 1.6: of the pairs (x[i], y[i]).
+double covariance(std::vector<double> x, std::vector<double> y);
+
+/// 1.7: of a table, row by row.
+double dependence(std::vector<double> joint, std::uint64_t columns);
+
+/// 1.8: of the values x.
+Moments moments(std::vector<double> x);
+
+/// For timing: the function of task 1.`task` (2, 3, 4, 5 or 8) over x, `rounds` times; what it
+/// returned last, as a variance. Task 5 adds to parts of 64 and merges them.
+double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds);
+
+}  // namespace mc::experiments

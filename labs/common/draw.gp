@@ -1,0 +1,18 @@
+# The look of every plot: call draw "name" width height. Colours of Okabe and Ito, which colour-blind
+# eyes tell apart, and a point and a dash of its own for each line, for those who print in grey. A
+# white ground of its own, so that it reads on dark pages too.
+if (ext eq "svg") {
+  eval sprintf('set terminal svg size %d,%d background "white" font "sans,14"', @ARG2, @ARG3)
+} else {
+  eval sprintf('set terminal pngcairo size %d,%d background "white" font "sans,11" fontscale 1.0', @ARG2, @ARG3)
+}
+set output out."-".ARG1.".".ext
+set style line 1 lc rgb "#D55E00" lw 2 pt 4  dt 2
+set style line 2 lc rgb "#0072B2" lw 2 pt 6  dt 1
+set style line 3 lc rgb "#009E73" lw 2 pt 8  dt 3
+set style line 4 lc rgb "#CC79A7" lw 2 pt 12 dt 4
+set style line 5 lc rgb "#000000" lw 2 pt 2  dt 1
+set style line 6 lc rgb "#E69F00" lw 2 pt 10 dt 5
+set style line 9 lc rgb "#999999" lw 1 dt 2
+set grid lc rgb "#DDDDDD"
+set border lc rgb "#444444"

@@ -1,0 +1,135 @@
+// main() of a submission's program. Without arguments it is being judged: one request on descriptor
+// 0, one response on descriptor 3. With arguments it is run by hand:
+//
+//   program                 (judged)
+//   program --list          the experiments of this lab
+//   program mean 1,2,4      one of them
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "common/todo.hpp"
+#include "runner/experiment.hpp"
+
+namespace {
+
+using mc::wire::Status;
+
+constexpr int request_descriptor = 0;
+constexpr int response_descriptor = 3;
+
+const mc::runner::Experiment* find(std::string_view name) {
+  for (const auto& experiment : mc::runner::experiments()) {
+    if (experiment.name == name) return &experiment;
+  }
+  return nullptr;
+}
+
+std::string read_all(int descriptor) {
+  std::string all;
+  char buffer[1 << 16];
+  for (;;) {
+    const ssize_t got = read(descriptor, buffer, sizeof buffer);
+    if (got <= 0) return all;
+    all.append(buffer, static_cast<std::size_t>(got));
+  }
+}
+
+void write_all(int descriptor, const void* data, std::size_t size) {
+  auto bytes = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t wrote = write(descriptor, bytes, size);
+    if (wrote <= 0) return;  // the judge has closed its end: it knows enough
+    bytes += wrote;
+    size -= static_cast<std::size_t>(wrote);
+  }
+}
+
+/// Runs `work` and turns whatever it throws into a status and a text.
+template <class Work>
+std::pair<Status, std::string> outcome_of(Work work) {
+  try {
+    return {Status::value, work()};
+  } catch (const mc::todo& task) {
+    return {Status::todo, task.what()};
+  } catch (const std::invalid_argument& error) {
+    return {Status::invalid_argument, error.what()};
+  } catch (const std::out_of_range& error) {
+    return {Status::out_of_range, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {Status::other_exception, "std::bad_alloc"};
+  } catch (const std::exception& error) {
+    return {Status::other_exception, error.what()};
+  } catch (...) {
+    return {Status::other_exception, "an exception that is not a std::exception"};
+  }
+}
+
+[[noreturn]] void be_judged() {
+  const std::string request = read_all(request_descriptor);
+  const auto [status, bytes] = outcome_of([&]() -> std::string {
+    mc::wire::Reader from(request);
+    const std::string name = mc::wire::get_name(from);
+    const auto* experiment = find(name);
+    if (experiment == nullptr) throw mc::wire::malformed("no experiment " + name);
+    return experiment->from_wire(from);
+  });
+  const mc::wire::Header header{mc::wire::magic, status, 0, bytes.size()};
+  std::fflush(nullptr);
+  write_all(response_descriptor, &header, sizeof header);
+  write_all(response_descriptor, bytes.data(), bytes.size());
+  _exit(0);  // what the submission registered to run at exit is not part of the measurement
+}
+
+void list() {
+  for (const auto& experiment : mc::runner::experiments()) {
+    const std::string call =
+        std::string(experiment.name) + ' ' + std::string(experiment.parameters);
+    std::printf("  %-34s %s\n", call.c_str(), std::string(experiment.description).c_str());
+  }
+}
+
+int run_by_hand(std::string_view name, std::span<char* const> arguments) {
+  const auto* experiment = find(name);
+  if (experiment == nullptr) {
+    std::fprintf(stderr, "no experiment '%s'; there are\n", std::string(name).c_str());
+    list();
+    return 2;
+  }
+  const auto [status, text] = outcome_of([&] { return experiment->by_hand(arguments); });
+  switch (status) {
+    case Status::value:
+      std::printf("%s\n", text.c_str());
+      return 0;
+    case Status::todo:
+      std::printf("not written yet: TODO(%s)\n", text.c_str());
+      return 1;
+    case Status::invalid_argument:
+      std::printf("std::invalid_argument: %s\n(%s takes: %s; numbers as 0.5, lists as 1,2,4)\n",
+                  text.c_str(), std::string(name).c_str(),
+                  std::string(experiment->parameters).c_str());
+      return 1;
+    case Status::out_of_range:
+      std::printf("std::out_of_range: %s\n", text.c_str());
+      return 1;
+    case Status::other_exception:
+      break;
+  }
+  std::printf("an exception: %s\n", text.c_str());
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc <= 1) be_judged();
+  if (std::string_view(argv[1]) == "--list") {
+    list();
+    return 0;
+  }
+  return run_by_hand(argv[1], std::span(argv + 2, static_cast<std::size_t>(argc - 2)));
+}

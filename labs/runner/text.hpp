@@ -1,0 +1,70 @@
+#pragma once
+// Arguments and results as text, for running an experiment by hand: 3 or 0.5 is a number, 1,2,4 a
+// list, 3:0.5:2 a struct field by field.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "runner/wire.hpp"
+
+namespace mc::text {
+
+/// Each throws std::invalid_argument for what is not such a number, or does not fit.
+void parse(std::string_view text, double& value);
+void parse(std::string_view text, std::uint64_t& value);
+void parse(std::string_view text, std::int64_t& value);
+void parse(std::string_view text, unsigned& value);
+void parse(std::string_view text, int& value);
+std::vector<std::string_view> split(std::string_view text, char separator);
+[[noreturn]] void wrong_number_of_fields(std::string_view names);
+
+template <class T>
+void parse(std::string_view text, std::vector<T>& values) {
+  values.clear();
+  if (text.empty()) return;
+  for (std::string_view part : split(text, ',')) parse(part, values.emplace_back());
+}
+template <wire::Listed T>
+void parse(std::string_view text, T& value) {
+  const auto parts = split(text, ':');
+  std::apply(
+      [&](auto&... field) {
+        if (parts.size() != sizeof...(field)) wrong_number_of_fields(field_names(value));
+        std::size_t i = 0;
+        (parse(parts[i++], field), ...);
+      },
+      fields(value));
+}
+
+/// The fewest digits that give back the same number.
+std::string print(double value);
+std::string print(std::uint64_t value);
+std::string print(std::int64_t value);
+std::string print(unsigned value);
+std::string print(int value);
+
+template <class T>
+std::string print(const std::vector<T>& values) {
+  std::string all;
+  for (const T& value : values) all += print(value) + '\n';
+  if (!all.empty()) all.pop_back();
+  return all;
+}
+template <wire::Listed T>
+std::string print(const T& value) {
+  std::string all;
+  const auto names = split(field_names(value), ',');
+  std::apply(
+      [&](const auto&... field) {
+        std::size_t i = 0;
+        ((all += (all.empty() ? "" : "  "), all += names[i++], all += " = ", all += print(field)),
+         ...);
+      },
+      fields(const_cast<T&>(value)));
+  return all;
+}
+
+}  // namespace mc::text

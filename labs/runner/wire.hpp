@@ -1,0 +1,137 @@
+#pragma once
+// The wire between a judge and a submission's program: how a measurement is asked for (on
+// descriptor 0) and answered (on descriptor 3). Both ends run on one machine, so numbers travel as
+// their own bytes.
+//
+//   request  = name, arguments                                   (a name is a vector of characters)
+//   response = magic, status, length, exactly `length` bytes, end
+//              the bytes are the result, or the text of the exception
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+/// Lists the fields of a struct, once, for the wire and for printing. Stands in the struct's own
+/// namespace and names every field in order: MC_FIELDS(Moments, count, mean, m2)
+#define MC_FIELDS(Type, ...)                                   \
+  inline auto fields(Type& value) {                            \
+    auto& [__VA_ARGS__] = value;                               \
+    return std::tie(__VA_ARGS__);                              \
+  }                                                            \
+  inline constexpr std::string_view field_names(const Type&) { \
+    return #__VA_ARGS__;                                       \
+  }
+
+namespace mc::wire {
+
+enum class Status : std::uint32_t { value, todo, invalid_argument, out_of_range, other_exception };
+
+constexpr std::uint64_t magic = 0x6d632d6c6162730au;  // "mc-labs\n"
+constexpr std::size_t longest_result = std::size_t{16} << 20;
+
+struct Header {
+  std::uint64_t magic;
+  Status status;
+  std::uint32_t reserved;  // zero
+  std::uint64_t length;
+};
+
+/// Bytes that are not what the types say.
+struct malformed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <class T>
+concept Arithmetic = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+
+template <class T>
+concept Listed = requires(T& value) {
+  fields(value);
+};
+
+class Writer {
+ public:
+  std::string bytes;
+
+  template <Arithmetic T>
+  void put(const T& value) {
+    append(&value, sizeof value);
+  }
+  template <class T>
+  void put(const std::vector<T>& values) {
+    put(std::uint64_t{values.size()});
+    if constexpr (Arithmetic<T>) {
+      append(values.data(), values.size() * sizeof(T));
+    } else {
+      for (const T& value : values) put(value);
+    }
+  }
+  template <Listed T>
+  void put(const T& value) {
+    std::apply([this](const auto&... field) { (put(field), ...); }, fields(const_cast<T&>(value)));
+  }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    bytes.append(static_cast<const char*>(data), size);
+  }
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : left_(bytes) {}
+
+  template <Arithmetic T>
+  void get(T& value) {
+    take(&value, sizeof value);
+  }
+  template <class T>
+  void get(std::vector<T>& values) {
+    std::uint64_t size = 0;
+    get(size);
+    if (size > left_.size()) throw malformed("a vector longer than the message");
+    values.resize(size);
+    if constexpr (Arithmetic<T>) {
+      take(values.data(), size * sizeof(T));
+    } else {
+      for (T& value : values) get(value);
+    }
+  }
+  template <Listed T>
+  void get(T& value) {
+    std::apply([this](auto&... field) { (get(field), ...); }, fields(value));
+  }
+  template <class T>
+  T get() {
+    T value{};
+    get(value);
+    return value;
+  }
+  void end() const {
+    if (!left_.empty()) throw malformed("bytes left over");
+  }
+
+ private:
+  void take(void* data, std::size_t size) {
+    if (size > left_.size()) throw malformed("too short");
+    if (size > 0) std::memcpy(data, left_.data(), size);
+    left_.remove_prefix(size);
+  }
+  std::string_view left_;
+};
+
+inline void put_name(Writer& to, std::string_view name) {
+  to.put(std::vector<char>(name.begin(), name.end()));
+}
+inline std::string get_name(Reader& from) {
+  const auto name = from.get<std::vector<char>>();
+  return {name.begin(), name.end()};
+}
+
+}  // namespace mc::wire

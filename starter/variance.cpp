@@ -1,0 +1,49 @@
+// Lab 1 · variance. What each function promises stands in labs/1-variance/variance.hpp; the story
+// is in labs/1-variance/README.md. Write the tasks in any order and try them with
+//
+//   ./lab check variance              all of it
+//   ./lab check variance --only 1.1   one task
+
+#include "variance.hpp"
+
+#include "common/todo.hpp"
+
+namespace mc {
+
+double mean(std::span<const double> /*x*/) {
+  throw todo("1.1");  // TODO(1.1): the mean; mind the sum that overflows where the mean does not
+}
+
+double variance_textbook(std::span<const double> /*x*/) {
+  throw todo("1.2");  // TODO(1.2): E{X^2} - E{X}^2, as the textbook has it
+}
+
+double variance_two_pass(std::span<const double> /*x*/) {
+  throw todo("1.3");  // TODO(1.3): the mean first, then the deviations, then the correction
+}
+
+void add(Moments& /*moments*/, double /*x*/) {
+  throw todo("1.4");  // TODO(1.4): Welford's update
+}
+
+double variance(const Moments& /*moments*/) {
+  throw todo("1.4");  // TODO(1.4): the sample variance from count, mean and m2
+}
+
+Moments merge(const Moments& /*a*/, const Moments& /*b*/) {
+  throw todo("1.5");  // TODO(1.5): Chan's update: what do the two means add to m2?
+}
+
+double covariance(std::span<const double> /*x*/, std::span<const double> /*y*/) {
+  throw todo("1.6");  // TODO(1.6): the covariance of pairs
+}
+
+double dependence(std::span<const double> /*joint*/, std::size_t /*columns*/) {
+  throw todo("1.7");  // TODO(1.7): normalise, take both marginals, compare p(x,y) with p(x) p(y)
+}
+
+Moments moments(std::span<const double> /*x*/) {
+  throw todo("1.8");  // TODO(1.8): the speed task; a loop over add() is right, how fast can you be?
+}
+
+}  // namespace mc
