@@ -41,6 +41,10 @@ set_source_files_properties(autograder/grader/layout.cpp PROPERTIES
   COMPILE_DEFINITIONS "MC_BUILD_DIR=\"${CMAKE_BINARY_DIR}\"")
 target_link_libraries(grading PUBLIC jail nlohmann_json::nlohmann_json pugixml::pugixml Threads::Threads)
 
+# Half of the time to a first verdict would go into reading these again for every file.
+target_precompile_headers(grading PRIVATE <fmt/format.h> <fmt/ranges.h> <filesystem> <fstream>
+  <algorithm> <functional> <map> <optional> <string> <string_view> <vector>)
+
 add_executable(grader autograder/grader/main.cpp)
 target_link_libraries(grader PRIVATE grading)
 foreach(lab ${LABS})

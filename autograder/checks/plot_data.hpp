@@ -12,7 +12,7 @@
 #include "checks/measure.hpp"
 
 /// A measurement that may be missing from a plot: empty where the task is not written, or fails.
-#define TRY_MEASURE(experiment, ...)                                         \
+#define TRY_MEASURE(experiment, ...)                                            \
   ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value_if_any( \
       #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
 

@@ -19,6 +19,7 @@
 
 #include "1-variance/experiments.hpp"
 #include "checks/catch.hpp"
+#include "checks/data.hpp"
 #include "checks/exact.hpp"
 #include "checks/expect.hpp"
 #include "checks/measure.hpp"
@@ -55,16 +56,6 @@ const std::string because_undefined = "what is undefined is NaN, as in numpy and
 
 // Data
 // ---------------------------------------------------------------------------------------------
-
-double uniform(Rng& rng, double low, double high) {
-  return low + (high - low) * static_cast<double>(rng() >> 11) * 0x1p-53;
-}
-
-Values uniform_values(Rng& rng, std::size_t n, double low, double high) {
-  Values x(n);
-  for (double& value : x) value = uniform(rng, low, high);
-  return x;
-}
 
 /// offset + r + {4, 7, 13, 16} over and over in random order, r a whole number below 1000. Exact in
 /// double up to offsets of 1e15; mean offset + r + 10, and 22.5 n/(n-1) for the variance.
@@ -209,8 +200,7 @@ TEST_CASE("1.1 the mean is finite wherever it is a double", "[1.1][points:4]") {
 // 1.2
 // ----------------------------------------------------------------------------------------------
 
-TEST_CASE("1.2 the textbook formula gives the variance of tame data",
-          "[1.2][points:6]") {
+TEST_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][points:6]") {
   Rng rng = check_rng();
   for (const std::size_t n : {2u, 3u, 10u, 1000u}) {
     const auto x = uniform_values(rng, n, -1, 1);

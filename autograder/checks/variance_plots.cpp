@@ -6,6 +6,7 @@
 
 #include "1-variance/experiments.hpp"
 #include "checks/catch.hpp"
+#include "checks/data.hpp"
 #include "checks/exact.hpp"
 #include "checks/expect.hpp"
 #include "checks/plot_data.hpp"
@@ -19,9 +20,7 @@ constexpr std::array<unsigned, 5> tasks{2, 3, 4, 5, 8};
 
 /// offset + values uniform in [0,1), rounded as doubles are.
 Values shifted_values(Rng& rng, double offset, std::size_t n) {
-  Values x(n);
-  for (double& value : x) value = offset + static_cast<double>(rng() >> 11) * 0x1p-53;
-  return x;
+  return uniform_values(rng, n, offset, offset + 1);
 }
 
 /// Digits of the variance that task 1.`task` keeps, from none to 16: a plot needs no more.
@@ -62,7 +61,8 @@ TEST_CASE("plot time against digits kept", "[.plot]") {
     });
     std::optional<double> nanoseconds;
     if (round) nanoseconds = *round * 1e9 / static_cast<double>(x.size());
-    plot_row(file, std::array{std::optional<double>(task), nanoseconds, digits_kept(task, x, exact)});
+    plot_row(file,
+             std::array{std::optional<double>(task), nanoseconds, digits_kept(task, x, exact)});
   }
 }
 

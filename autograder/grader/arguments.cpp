@@ -39,13 +39,15 @@ Arguments parse_arguments(const std::vector<std::string>& words,
   std::string letters = as_they_come ? "+:" : ":";
   for (const std::string& text : known) {
     const auto equals = text.find('=');
-    const char letter = equals != std::string::npos && equals + 1 < text.size() ? text[equals + 1] : '\0';
+    const char letter =
+        equals != std::string::npos && equals + 1 < text.size() ? text[equals + 1] : '\0';
     options.push_back({text.substr(0, equals), equals != std::string::npos, letter});
     if (letter != '\0') letters += std::string(1, letter) + ':';
   }
   std::vector<option> longs;
   for (const Known& one : options) {
-    longs.push_back({one.name.c_str(), one.takes_value ? required_argument : no_argument, nullptr, 0});
+    longs.push_back(
+        {one.name.c_str(), one.takes_value ? required_argument : no_argument, nullptr, 0});
   }
   longs.push_back({nullptr, 0, nullptr, 0});
 
@@ -79,7 +81,8 @@ Arguments parse_arguments(const std::vector<std::string>& words,
       }
     }
   }
-  for (int i = optind; i < count; ++i) arguments.words.emplace_back(pointers[static_cast<std::size_t>(i)]);
+  for (int i = optind; i < count; ++i)
+    arguments.words.emplace_back(pointers[static_cast<std::size_t>(i)]);
   return arguments;
 }
 

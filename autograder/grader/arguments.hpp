@@ -19,9 +19,10 @@ struct Arguments {
   std::optional<std::uint64_t> number(const std::string& option) const;
 };
 
-/// `known` lists the options: "seed=" takes a value, "no-plots" does not, "jobs=j" has a short form.
-/// With `as_they_come`, options end at the first word (for words that may be negative numbers).
-/// Throws UsageError for an option that is not known, naming the nearest, or that lacks its value.
+/// `known` lists the options: "seed=" takes a value, "no-plots" does not, "jobs=j" has a short
+/// form. With `as_they_come`, options end at the first word (for words that may be negative
+/// numbers). Throws UsageError for an option that is not known, naming the nearest, or that lacks
+/// its value.
 Arguments parse_arguments(const std::vector<std::string>& words,
                           const std::vector<std::string>& known, bool as_they_come = false);
 

@@ -31,8 +31,9 @@ constexpr std::size_t most_static_memory = std::size_t{400} << 20;
 ProcessOptions compiler_limits(const fs::path& directory) {
   ProcessOptions options;
   options.directory = directory;
-  options.environment = {{"LC_ALL", "C"},               // the messages that are recognised below
-                         {"TMPDIR", directory.string()}};  // the assembler's input lies in there too
+  options.environment = {
+      {"LC_ALL", "C"},                  // the messages that are recognised below
+      {"TMPDIR", directory.string()}};  // the assembler's input lies in there too
   options.cpu_seconds = 20;
   options.wall_seconds = 60;
   options.memory = std::size_t{1536} << 20;
@@ -69,8 +70,7 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
     if (entry.path().extension() == ".hpp") files.insert(entry.path());
   }
   if (trusted) {
-    for (const fs::path& from :
-         {layout.solutions(), layout.root / "autograder" / "submissions"}) {
+    for (const fs::path& from : {layout.solutions(), layout.root / "autograder" / "submissions"}) {
       if (!fs::exists(from)) continue;
       for (const auto& entry : fs::recursive_directory_iterator(from)) {
         if (entry.is_regular_file()) files.insert(entry.path());
@@ -88,8 +88,9 @@ std::vector<std::string> precompiled_header(const Layout& layout,
                                             const std::vector<std::string>& flags) {
   if (layout.is_clang) return {};
   const fs::path source = layout.labs() / "runner" / "standard_headers.hpp";
-  const std::string key = fmt::format("{} {} {}", layout.compiler, fmt::join(flags, " "),
-                                      fs::last_write_time(layout.compiler).time_since_epoch().count());
+  const std::string key =
+      fmt::format("{} {} {}", layout.compiler, fmt::join(flags, " "),
+                  fs::last_write_time(layout.compiler).time_since_epoch().count());
   const fs::path place = layout.build / "precompiled" /
                          fmt::format("{:016x}", hash_text(read_text(source), hash_text(key)));
   const fs::path header = place / "standard_headers.hpp";
@@ -258,13 +259,14 @@ Object compile(const Unit& unit) {
     return {{}, fmt::format("{} is empty.", unit.lab.file())};
   }
   if (text.size() > longest_file) {
-    return {{}, fmt::format("{} is {} KB long; 1 MB is the most.", unit.lab.file(), text.size() >> 10)};
+    return {{},
+            fmt::format("{} is {} KB long; 1 MB is the most.", unit.lab.file(), text.size() >> 10)};
   }
   auto flags = compile_flags(unit.layout, unit.variant);
   const auto includes = include_flags(unit);
-  const std::string key = fmt::format(
-      "{} {} {} {}", text, fmt::join(flags, " "), fmt::join(includes, " "),
-      hash_of_surroundings(unit.layout, unit.trusted));
+  const std::string key =
+      fmt::format("{} {} {} {}", text, fmt::join(flags, " "), fmt::join(includes, " "),
+                  hash_of_surroundings(unit.layout, unit.trusted));
   const fs::path slot = slot_of(unit);
   const fs::path object = slot / fmt::format("{:016x}.o", hash_text(key));
   if (is_kept(object)) return {object, {}};
@@ -313,7 +315,9 @@ Object compile(const Unit& unit) {
     return {{}, fmt::format("The compiler {} on {}.", why, unit.lab.file())};
   }
   if (!compiled.succeeded()) {
-    return {{}, fmt::format("{} does not compile:\n{}", unit.lab.file(), first_errors(compiled.errors))};
+    return {
+        {},
+        fmt::format("{} does not compile:\n{}", unit.lab.file(), first_errors(compiled.errors))};
   }
   fs::create_directories(slot);
   sweep(slot);
@@ -329,7 +333,9 @@ std::size_t static_memory(const fs::path& program) {
     if (offset + size <= bytes.size()) bytes.copy(reinterpret_cast<char*>(&value), size, offset);
     return value;
   };
-  if (!bytes.starts_with("\x7f" "ELF\2\1")) return 0;  // 64 bits, little endian
+  if (!bytes.starts_with("\x7f"
+                         "ELF\2\1"))
+    return 0;  // 64 bits, little endian
   std::size_t total = 0;
   for (std::size_t i = 0; i < at(0x38, 2); ++i) {
     const std::size_t header = at(0x20, 8) + i * at(0x36, 2);
@@ -364,9 +370,10 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
     const auto file = submission.files.find(name);
     const Lab& owner = find_lab(labs, name);
     if (file == submission.files.end()) {
-      return {{}, name == lab.name ? fmt::format("There is no {}.", owner.file())
-                                   : fmt::format("{} stands on lab {}: it needs {} too.", lab.file(),
-                                                 owner.number, owner.file())};
+      return {{},
+              name == lab.name ? fmt::format("There is no {}.", owner.file())
+                               : fmt::format("{} stands on lab {}: it needs {} too.", lab.file(),
+                                             owner.number, owner.file())};
     }
     units.push_back({layout, owner, file->second, submission.trusted, variant});
   }
@@ -410,8 +417,9 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   }
   if (!linked.succeeded()) return {{}, explain_link_errors(linked.errors, lab)};
   if (const std::size_t memory = static_memory(aside); memory > most_static_memory) {
-    return {{}, fmt::format("The global variables of {} take {} MB; {} MB is the most.", lab.file(),
-                            memory >> 20, most_static_memory >> 20)};
+    return {{},
+            fmt::format("The global variables of {} take {} MB; {} MB is the most.", lab.file(),
+                        memory >> 20, most_static_memory >> 20)};
   }
   fs::permissions(aside, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                              fs::perms::others_read | fs::perms::others_exec);

@@ -1,6 +1,6 @@
 #include "grader/diagnostics.hpp"
 
-#include <regex>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace mc::grader {
 namespace {
 
 constexpr std::size_t most_lines = 24;
-constexpr std::size_t longest_line = 400;  // std::regex recurses once a character
+constexpr std::size_t longest_line = 400;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -32,22 +32,47 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::string joined(const std::vector<std::string>& lines) {
   std::string all;
   for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) all += lines[i] + '\n';
-  if (lines.size() > most_lines) all += fmt::format("… and {} more lines\n", lines.size() - most_lines);
+  if (lines.size() > most_lines)
+    all += fmt::format("… and {} more lines\n", lines.size() - most_lines);
   if (!all.empty()) all.pop_back();
   return all;
+}
+
+/// The word behind "file:12:5: ": error, warning, note, fatal; empty where a line is not of that
+/// kind.
+std::string_view severity(std::string_view line) {
+  const auto parts = text::split(line.substr(0, line.find_first_of("`'\"")), ':');
+  const auto is_number = [](std::string_view part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  for (std::size_t i = 1; i + 2 < parts.size(); ++i) {
+    if (is_number(parts[i]) && is_number(parts[i + 1])) {
+      return parts[i + 2].substr(0, parts[i + 2].find(' '));
+    }
+  }
+  return {};
+}
+
+/// What stands behind `words` in a linker's line, up to the closing quote.
+std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
+  const auto at = line.find(words);
+  if (at == std::string_view::npos) return {};
+  line.remove_prefix(at + words.size());
+  while (!line.empty() && (line.front() == '`' || line.front() == '\'' || line.front() == ' ')) {
+    line.remove_prefix(1);
+  }
+  return std::string(line.substr(0, line.find_first_of("`';")));
 }
 
 }  // namespace
 
 std::string first_errors(const std::string& diagnostics) {
   // Warnings come first in time but not in importance: drop each with the lines that follow it.
-  static const std::regex location("^[^ ].*?:[0-9]+:[0-9]+: (\\w+).*");
   std::vector<std::string> kept;
   bool keep = true;
   for (const std::string& line : lines_of(diagnostics)) {
-    std::smatch found;
-    if (std::regex_match(line, found, location)) {
-      keep = found[1] == "error" || found[1] == "fatal" || (found[1] == "note" && keep);
+    if (const auto kind = severity(line); !kind.empty()) {
+      keep = kind == "error" || kind == "fatal" || (kind == "note" && keep);
     } else if (line.find(": In ") != std::string::npos || line.starts_with("In file included")) {
       keep = true;
     }
@@ -61,32 +86,36 @@ std::string own_lines_only(const std::string& diagnostics, const std::string& fi
   for (const std::string& line : lines_of(diagnostics)) {
     if (line.starts_with(file + ":")) kept.push_back(line);
   }
-  if (kept.empty()) return fmt::format("{} does not compile: something it includes does not.", file);
+  if (kept.empty())
+    return fmt::format("{} does not compile: something it includes does not.", file);
   return fmt::format("{} does not compile:\n{}", file, joined(kept));
 }
 
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab) {
-  static const std::regex undefined("undefined (?:reference to|symbol:) [`']?([^`']+)'?");
-  static const std::regex twice("multiple definition of [`']?([^`';]+)'?");
   std::set<std::string> missing, doubled;
   for (const std::string& line : lines_of(diagnostics)) {
-    std::smatch found;
-    if (std::regex_search(line, found, undefined)) missing.insert(found[1]);
-    if (std::regex_search(line, found, twice)) doubled.insert(found[1]);
+    for (const char* words : {"undefined reference to", "undefined symbol:"}) {  // bfd, lld
+      if (const auto name = quoted_after(line, words)) missing.insert(*name);
+    }
+    for (const char* words : {"multiple definition of", "duplicate symbol:"}) {
+      if (const auto name = quoted_after(line, words)) doubled.insert(*name);
+    }
   }
   std::vector<std::string> lines;
   for (const std::string& name : missing) {
     const std::string plain = name.substr(0, name.find('('));
-    lines.push_back(plain.starts_with("mc::")
-                        ? fmt::format("Your {} does not define `{}` with the parameters that {} "
-                                      "declares.",
-                                      lab.file(), plain, lab.header())
-                        : fmt::format("Your {} uses `{}`, which nothing defines.", lab.file(), name));
+    lines.push_back(
+        plain.starts_with("mc::")
+            ? fmt::format("Your {} does not define `{}` with the parameters that {} "
+                          "declares.",
+                          lab.file(), plain, lab.header())
+            : fmt::format("Your {} uses `{}`, which nothing defines.", lab.file(), name));
   }
   for (const std::string& name : doubled) {
-    lines.push_back(name == "main"
-                        ? fmt::format("Your {} defines `main`; the labs bring their own.", lab.file())
-                        : fmt::format("`{}` is defined twice.", name));
+    lines.push_back(
+        name == "main"
+            ? fmt::format("Your {} defines `main`; the labs bring their own.", lab.file())
+            : fmt::format("`{}` is defined twice.", name));
   }
   if (lines.empty()) {
     lines = lines_of(diagnostics);

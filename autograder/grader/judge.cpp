@@ -131,8 +131,8 @@ class Panel {
     const double left = options_.lab_seconds - seconds_since(start_);
     if (left <= 0) {
       result.status = Status::not_run;
-      result.story = fmt::format("the lab's {} s were used up before this check",
-                                 options_.lab_seconds);
+      result.story =
+          fmt::format("the lab's {} s were used up before this check", options_.lab_seconds);
       return;
     }
     std::string timed_out;
@@ -172,9 +172,10 @@ class Panel {
       result.story = fmt::format("the lab's {} s were used up in this check", options_.lab_seconds);
     } else if (record == xml.end()) {
       result.status = Status::internal_error;
-      result.story = fmt::format("the autograder has no record of this check (exit code {}, signal "
-                                 "{}): tell your instructor\n{}",
-                                 run.exit_code, run.signal, trimmed(printable(run.errors)));
+      result.story = fmt::format(
+          "the autograder has no record of this check (exit code {}, signal "
+          "{}): tell your instructor\n{}",
+          run.exit_code, run.signal, trimmed(printable(run.errors)));
     } else if (record->success) {
       result.status = Status::passed;
     } else {
@@ -248,7 +249,8 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
   std::vector<Check> checks;
   for (const XmlRecord& record : read_catch_xml(run.output)) checks.push_back(parse_check(record));
   if (checks.empty()) {
-    throw MachineError(fmt::format("the checks of lab {} are not built: run ./lab setup", lab.name));
+    throw MachineError(
+        fmt::format("the checks of lab {} are not built: run ./lab setup", lab.name));
   }
   std::stable_sort(checks.begin(), checks.end(), [](const Check& a, const Check& b) {
     return std::strtod(a.task.c_str(), nullptr) < std::strtod(b.task.c_str(), nullptr);

@@ -12,10 +12,10 @@ namespace mc::grader {
 
 struct JudgeOptions {
   std::uint64_t seed = 0;
-  std::string only;            ///< a task ("1.3"): judge its checks alone; empty: all
-  unsigned workers = 2;        ///< checks at the same time
-  double lab_seconds = 60;     ///< what is not started by then is not run
-  std::string submission;      ///< the directory, for the command that repeats a check
+  std::string only;         ///< a task ("1.3"): judge its checks alone; empty: all
+  unsigned workers = 2;     ///< checks at the same time
+  double lab_seconds = 60;  ///< what is not started by then is not run
+  std::string submission;   ///< the directory, for the command that repeats a check
 };
 
 /// The checks of a lab, from a run of them without a program. Throws MachineError where the lab's

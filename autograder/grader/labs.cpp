@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <numeric>
-#include <regex>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,19 +28,24 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
+/// The names X of a header's lines #include "X.hpp".
+std::vector<std::string> included_by(const fs::path& header) {
+  const std::string start = "#include \"", end = ".hpp\"";
+  std::vector<std::string> names;
+  std::ifstream file(header);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(start) && line.ends_with(end)) {
+      names.push_back(line.substr(start.size(), line.size() - start.size() - end.size()));
+    }
+  }
+  return names;
 }
 
 void add_ancestors(std::vector<Lab>& labs, const Layout& layout) {
-  static const std::regex include("#include \"(\\w+)\\.hpp\"");
   for (Lab& lab : labs) {  // in order: those it stands on have lower numbers and are done
-    const std::string header = text_of(layout.labs() / lab.folder / lab.header());
-    for (std::sregex_iterator found(header.begin(), header.end(), include), end; found != end;
-         ++found) {
+    for (const std::string& name : included_by(layout.labs() / lab.folder / lab.header())) {
       for (const Lab& other : labs) {
-        if (other.name != (*found)[1] || other.number >= lab.number) continue;
+        if (other.name != name || other.number >= lab.number) continue;
         lab.stands_on.insert(lab.stands_on.end(), other.stands_on.begin(), other.stands_on.end());
         lab.stands_on.push_back(other.name);
       }
@@ -62,15 +65,17 @@ std::string Lab::title() const {
 }
 
 std::vector<Lab> find_labs(const Layout& layout) {
-  static const std::regex folder_name("([0-9]+)-([a-z0-9-]+)");
   std::vector<Lab> labs;
   for (const auto& entry : fs::directory_iterator(layout.labs())) {
     const std::string folder = entry.path().filename().string();
-    std::smatch parts;
-    if (!entry.is_directory() || !std::regex_match(folder, parts, folder_name)) continue;
-    std::string name = parts[2];
+    const auto dash = folder.find('-');
+    if (!entry.is_directory() || dash == std::string::npos || dash == 0 ||
+        folder.find_first_not_of("0123456789") != dash) {
+      continue;
+    }
+    std::string name = folder.substr(dash + 1);
     std::replace(name.begin(), name.end(), '-', '_');
-    labs.push_back({std::stoi(parts[1]), name, folder, {}});
+    labs.push_back({std::stoi(folder.substr(0, dash)), name, folder, {}});
   }
   std::sort(labs.begin(), labs.end(), [](auto& a, auto& b) { return a.number < b.number; });
   add_ancestors(labs, layout);
@@ -88,9 +93,8 @@ const Lab& find_lab(const std::vector<Lab>& labs, const std::string& text) {
 }
 
 std::string nearest(const std::string& text, const std::vector<std::string>& choices) {
-  return *std::min_element(choices.begin(), choices.end(), [&](auto& a, auto& b) {
-    return distance(text, a) < distance(text, b);
-  });
+  return *std::min_element(choices.begin(), choices.end(),
+                           [&](auto& a, auto& b) { return distance(text, a) < distance(text, b); });
 }
 
 }  // namespace mc::grader

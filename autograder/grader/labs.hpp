@@ -11,8 +11,8 @@ namespace mc::grader {
 
 struct Lab {
   int number = 0;
-  std::string name;    ///< "blue_noise": of its header, its .cpp, its checks
-  std::string folder;  ///< "4-blue-noise"
+  std::string name;                    ///< "blue_noise": of its header, its .cpp, its checks
+  std::string folder;                  ///< "4-blue-noise"
   std::vector<std::string> stands_on;  ///< names of the labs whose files its program links too
 
   std::string file() const { return name + ".cpp"; }

@@ -9,13 +9,14 @@
 namespace mc::grader {
 
 struct Layout {
-  std::filesystem::path root;       ///< the checkout
-  std::filesystem::path build;      ///< CMake's build directory
-  std::string compiler;             ///< full path of the C++ compiler
+  std::filesystem::path root;   ///< the checkout
+  std::filesystem::path build;  ///< CMake's build directory
+  std::string compiler;         ///< full path of the C++ compiler
   bool is_clang = false;
-  std::string version;              ///< of the checkout: git describe, or "unknown"
+  std::string version;                  ///< of the checkout: git describe, or "unknown"
   std::vector<std::string> link_flags;  ///< -static where programs are
-  std::map<std::string, std::vector<std::filesystem::path>> objects;  ///< lab name -> experiments, runner
+  std::map<std::string, std::vector<std::filesystem::path>>
+      objects;  ///< lab name -> experiments, runner
 
   std::filesystem::path labs() const { return root / "labs"; }
   std::filesystem::path solutions() const { return root / "solutions"; }

@@ -15,28 +15,40 @@ namespace {
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all{
       {"", "", "where you stand: labs, points, what to do next", {}, "", standing},
-      {"setup", "setup", "install what is missing and build everything", {},
-       "With apt, dnf or brew; it says what it runs. At a terminal it asks first, without one or with\n"
+      {"setup",
+       "setup",
+       "install what is missing and build everything",
+       {},
+       "With apt, dnf or brew; it says what it runs. At a terminal it asks first, without one or "
+       "with\n"
        "CI=true it does not. Where nothing is missing, nothing is touched.\n",
        nullptr},
-      {"check", "check LAB [DIR] [--only TASK] [--seed S] [--json FILE]",
-       "judge one lab of starter/ (or DIR)", {"only=", "seed=", "json="},
+      {"check",
+       "check LAB [DIR] [--only TASK] [--seed S] [--json FILE]",
+       "judge one lab of starter/ (or DIR)",
+       {"only=", "seed=", "json="},
        "LAB is a number, a name or a folder: 1, variance, 1-variance.\n"
        "  --only TASK   the checks of one task: --only 1.3\n"
        "  --seed S      the run with that seed again; every report names its own\n"
        "  --json FILE   Gradescope's results.json as well\n"
-       "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks something.\n",
+       "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "
+       "something.\n",
        check},
-      {"run", "run LAB [--dir DIR] [EXPERIMENT ARGUMENT...]",
-       "run one experiment by hand and print its numbers", {"dir="},
-       "Without EXPERIMENT: the experiments of the lab. Numbers are written 0.5, lists 1,2,4, structs\n"
+      {"run",
+       "run LAB [--dir DIR] [EXPERIMENT ARGUMENT...]",
+       "run one experiment by hand and print its numbers",
+       {"dir="},
+       "Without EXPERIMENT: the experiments of the lab. Numbers are written 0.5, lists 1,2,4, "
+       "structs\n"
        "3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
        "  ./lab run variance mean 1,2,4\n",
        run},
-      {"grade", "grade DIR... [--json FILE] [--csv FILE] [--seed S] [-j N] [--no-plots]",
+      {"grade",
+       "grade DIR... [--json FILE] [--csv FILE] [--seed S] [-j N] [--no-plots]",
        "judge whole submissions",
        {"json=", "csv=", "seed=", "jobs=j", "no-plots"},
-       "Every lab that DIR has a file of. One DIR is reported check by check and its plots are drawn;\n"
+       "Every lab that DIR has a file of. One DIR is reported check by check and its plots are "
+       "drawn;\n"
        "of several, a line each.\n"
        "  --json FILE   Gradescope's results.json (one DIR)\n"
        "  --csv FILE    a row for each DIR\n"
@@ -44,14 +56,30 @@ const std::vector<Verb>& verbs() {
        "  -j N          so many checks at the same time (2)\n"
        "  --no-plots    no plots\n",
        grade},
-      {"plot", "plot LAB [DIR...]", "draw the lab's plots, several submissions side by side", {},
-       "starter/ without DIR; beside it the solutions, where the checkout has them.\n", plot},
-      {"reset", "reset LAB", "the starter of a lab again (your file is kept as a backup)", {},
-       "The newest version in git's history in which no task was begun.\n", reset},
-      {"submit", "submit LAB", "write the zip to hand in", {},
-       "submission.zip, here: your file of that lab and of the labs it stands on.\n", submit},
-      {"test", "test [--full]", "the repository's own tests", {"full"},
-       "Every submission of the repository is judged: the starter, the solutions, the mistakes, the\n"
+      {"plot",
+       "plot LAB [DIR...]",
+       "draw the lab's plots, several submissions side by side",
+       {},
+       "starter/ without DIR; beside it the solutions, where the checkout has them.\n",
+       plot},
+      {"reset",
+       "reset LAB",
+       "the starter of a lab again (your file is kept as a backup)",
+       {},
+       "The newest version in git's history in which no task was begun.\n",
+       reset},
+      {"submit",
+       "submit LAB",
+       "write the zip to hand in",
+       {},
+       "submission.zip, here: your file of that lab and of the labs it stands on.\n",
+       submit},
+      {"test",
+       "test [--full]",
+       "the repository's own tests",
+       {"full"},
+       "Every submission of the repository is judged: the starter, the solutions, the mistakes, "
+       "the\n"
        "alternatives, the attacks. With --full, right ones with 1,000 seeds (hours).\n",
        test},
   };

@@ -25,13 +25,13 @@ std::string quoted(const std::string& text) {
 /// Runs the lab's hidden plot cases on a program; true where they wrote their data.
 bool measure(const Layout& layout, const Lab& lab, const Program& program, const fs::path& data) {
   fs::create_directories(data);
-  const ProcessResult run = run_process(
-      {layout.checks(lab.name).string(), "[.plot]"},
-      {.environment = {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
-                       {"MC_PLOT_DATA", data.string()},
-                       {"MC_SEED", "1"}},
-       .descriptors = {{program.descriptor, program_descriptor}},
-       .wall_seconds = 300});
+  const ProcessResult run =
+      run_process({layout.checks(lab.name).string(), "[.plot]"},
+                  {.environment = {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
+                                   {"MC_PLOT_DATA", data.string()},
+                                   {"MC_SEED", "1"}},
+                   .descriptors = {{program.descriptor, program_descriptor}},
+                   .wall_seconds = 300});
   return run.succeeded();
 }
 

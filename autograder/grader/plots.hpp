@@ -16,8 +16,8 @@ struct Plots {
   std::vector<std::string> remarks;             ///< what could not be drawn, and why
 };
 
-/// Measures each submission and draws them side by side, into build/plots/<folder>. Without gnuplot:
-/// no pictures, and a remark.
+/// Measures each submission and draws them side by side, into build/plots/<folder>. Without
+/// gnuplot: no pictures, and a remark.
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder);
 

@@ -127,8 +127,8 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   while (watched[0].fd >= 0 || watched[1].fd >= 0) {
     int patience = -1;
     if (options.wall_seconds > 0 && !result.out_of_time) {
-      const double left = options.wall_seconds -
-                          std::chrono::duration<double>(Clock::now() - start).count();
+      const double left =
+          options.wall_seconds - std::chrono::duration<double>(Clock::now() - start).count();
       if (left <= 0) {
         result.out_of_time = true;
         kill(-pid, SIGKILL);

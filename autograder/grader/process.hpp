@@ -10,13 +10,13 @@
 namespace mc::grader {
 
 struct ProcessOptions {
-  std::filesystem::path directory = {};  ///< to run in; empty: here
+  std::filesystem::path directory = {};                               ///< to run in; empty: here
   std::vector<std::pair<std::string, std::string>> environment = {};  ///< on top of our own
   std::vector<std::pair<int, int>> descriptors = {};  ///< ours, and what it is called over there
-  double cpu_seconds = 0;                        ///< limits; 0: none
+  double cpu_seconds = 0;                             ///< limits; 0: none
   double wall_seconds = 0;
-  std::size_t memory = 0;     ///< address space
-  std::size_t file_size = 0;  ///< of each file that it writes
+  std::size_t memory = 0;                     ///< address space
+  std::size_t file_size = 0;                  ///< of each file that it writes
   std::size_t output = std::size_t{4} << 20;  ///< kept of what it says; the rest is thrown away
 };
 

@@ -60,11 +60,10 @@ std::string check_line(const CheckResult& result, const Terminal& terminal, cons
   const std::size_t room = terminal.width > 24 ? terminal.width - 14 : 10;
   std::string text = wrapped(name, room - 9, margin);
   const auto last = text.rfind('\n');
-  const std::size_t used = last == std::string::npos ? margin + columns_of(text)
-                                                     : columns_of(text.substr(last + 1));
-  const std::size_t gap = used + 1 + right.size() < terminal.width
-                              ? terminal.width - used - right.size()
-                              : 1;
+  const std::size_t used =
+      last == std::string::npos ? margin + columns_of(text) : columns_of(text.substr(last + 1));
+  const std::size_t gap =
+      used + 1 + right.size() < terminal.width ? terminal.width - used - right.size() : 1;
   (void)result;
   return fmt::format("  {} {}{}{}\n", painted(terminal, colour, mark), text,
                      std::string(gap > 0 ? gap : 1, ' '), right);
@@ -83,7 +82,9 @@ std::string printed_lines(const std::string& printed) {
   return all.empty() ? all : fmt::format("{:{}}it printed\n{}", "", margin, all);
 }
 
-std::string points_of(double earned, double points) { return fmt::format("{:g}/{:g}", earned, points); }
+std::string points_of(double earned, double points) {
+  return fmt::format("{:g}/{:g}", earned, points);
+}
 
 }  // namespace
 
@@ -129,8 +130,9 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       for (const std::string_view line : text::split(result.story, '\n')) {
         all += story_line(line, margin, terminal.width);
       }
-      all += story_line(fmt::format("read      labs/{}/README.md, section {}", lab.lab.folder,
-                                    result.check.task), margin, terminal.width);
+      all += story_line(
+          fmt::format("read      labs/{}/README.md, section {}", lab.lab.folder, result.check.task),
+          margin, terminal.width);
       all += story_line("again     " + result.repeat, margin, terminal.width);
     } else {
       // Said once for a task, however many checks it has.
@@ -140,8 +142,9 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
              lab.checks[last + 1].status == result.status) {
         together += lab.checks[++last].check.points;
       }
-      const std::string what = last > i ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
-                                        : result.check.name;
+      const std::string what = last > i
+                                   ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
+                                   : result.check.name;
       all += check_line(result, terminal, grey, "·", what + ": " + describe(result, lab),
                         points_of(0, together));
       if (result.status == Status::not_run) {
@@ -151,8 +154,9 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     }
     all += passed ? "" : printed_lines(result.printed);
   }
-  all += fmt::format("\n  {} points", painted(terminal, bold,
-                                              fmt::format("{:g} of {:g}", lab.earned(), lab.points())));
+  all +=
+      fmt::format("\n  {} points",
+                  painted(terminal, bold, fmt::format("{:g} of {:g}", lab.earned(), lab.points())));
   if (next != nullptr && lab.no_program.empty()) all += fmt::format("; next: {}", next->check.task);
   return all + "\n" + jail_warning(verdict);
 }

@@ -56,9 +56,10 @@ int standing(const House& house, const Arguments&) {
     fmt::print("  {:<24} {}\n", lab.title(), where);
   }
   if (next != nullptr) {
-    fmt::print("\nRead labs/{}/README.md, write starter/{}, and see how far you are:\n\n"
-               "  ./lab check {}\n",
-               next->folder, next->file(), next->name);
+    fmt::print(
+        "\nRead labs/{}/README.md, write starter/{}, and see how far you are:\n\n"
+        "  ./lab check {}\n",
+        next->folder, next->file(), next->name);
   } else {
     fmt::print("\nAll done.\n");
   }

@@ -66,7 +66,8 @@ std::vector<Lab> labs_in(const House& house, const Submission& submission) {
 
 void show_plots(const House& house, const Submission& submission, const std::vector<Lab>& labs) {
   std::string folder = submission.label;
-  std::replace_if(folder.begin(), folder.end(), [](char c) { return c == '/' || c == '\\'; }, '_');
+  std::replace_if(
+      folder.begin(), folder.end(), [](char c) { return c == '/' || c == '\\'; }, '_');
   for (const Lab& lab : labs) {
     const Plots plots = draw_plots(house.layout, lab, {submission}, folder);
     for (const std::string& remark : plots.remarks) fmt::print("{}\n", remark);
@@ -104,7 +105,8 @@ int check(const House& house, const Arguments& arguments) {
 }
 
 int grade(const House& house, const Arguments& arguments) {
-  if (arguments.words.empty()) throw UsageError("usage: ./lab grade DIR... (try: ./lab grade solutions)");
+  if (arguments.words.empty())
+    throw UsageError("usage: ./lab grade DIR... (try: ./lab grade solutions)");
   const auto json = arguments.get("json"), csv = arguments.get("csv");
   require_writable(json);
   require_writable(csv);
@@ -113,8 +115,8 @@ int grade(const House& house, const Arguments& arguments) {
   }
   JudgeOptions options;
   options.seed = seed_of(arguments);
-  options.workers = static_cast<unsigned>(std::clamp<std::uint64_t>(
-      arguments.number("jobs").value_or(2), 1, 64));
+  options.workers =
+      static_cast<unsigned>(std::clamp<std::uint64_t>(arguments.number("jobs").value_or(2), 1, 64));
   std::vector<Submission> submissions;
   for (const std::string& word : arguments.words) {
     submissions.push_back(open_submission(house.layout, house.labs, word));

@@ -50,7 +50,8 @@ std::string pristine(const House& house, const std::string& file) {
     }
   }
   if (best.empty()) {
-    throw MachineError(fmt::format("git has no starter/{} here: take it from the course's page", file));
+    throw MachineError(
+        fmt::format("git has no starter/{} here: take it from the course's page", file));
   }
   return best;
 }
@@ -88,8 +89,8 @@ int plot(const House& house, const Arguments& arguments) {
     submissions.push_back(open_submission(house.layout, house.labs, house.layout.starter()));
     submissions.back().label = "starter";
   }
-  const bool has_solutions = std::any_of(submissions.begin(), submissions.end(),
-                                         [](auto& one) { return one.trusted; });
+  const bool has_solutions =
+      std::any_of(submissions.begin(), submissions.end(), [](auto& one) { return one.trusted; });
   if (!has_solutions && fs::exists(house.layout.solutions() / lab.file())) {
     submissions.push_back(open_submission(house.layout, house.labs, house.layout.solutions()));
     submissions.back().label = "solutions";

@@ -20,10 +20,10 @@ struct House {
 
 struct Verb {
   std::string name;
-  std::string usage;        ///< "check LAB [DIR] [--seed S]"
-  std::string description;  ///< one line
+  std::string usage;                 ///< "check LAB [DIR] [--seed S]"
+  std::string description;           ///< one line
   std::vector<std::string> options;  ///< as arguments.hpp has them
-  std::string details;      ///< the rest of its --help
+  std::string details;               ///< the rest of its --help
   int (*run)(const House& house, const Arguments& arguments);
 };
 

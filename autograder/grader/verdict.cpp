@@ -39,7 +39,8 @@ std::string describe(const CheckResult& result, const LabVerdict& verdict) {
     case Status::waiting:
       for (const std::string& need : result.check.needs) {
         for (const auto& other : verdict.checks) {
-          if (other.check.task == need && other.status != Status::passed) return "waiting for " + need;
+          if (other.check.task == need && other.status != Status::passed)
+            return "waiting for " + need;
         }
       }
       return "waiting";

@@ -1,5 +1,6 @@
 #pragma once
-// What a judgement comes to. Every report (terminal, JSON, CSV) is drawn from this and nothing else.
+// What a judgement comes to. Every report (terminal, JSON, CSV) is drawn from this and nothing
+// else.
 
 #include <cstdint>
 #include <string>
@@ -26,7 +27,8 @@ struct Check {
   double points = 0;
 };
 
-/// A random check's word on itself: under the null hypothesis p is uniform, and it fails below alpha.
+/// A random check's word on itself: under the null hypothesis p is uniform, and it fails below
+/// alpha.
 struct PValue {
   std::string null;
   double p = 0, alpha = 0;
