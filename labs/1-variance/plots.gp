@@ -1,12 +1,13 @@
 # Draws lab 1. Called by ./lab plot with
 #   count      how many submissions stand side by side
 #   labels[i]  what they are called, data[i] the folder of their data
-#   out, ext   where a picture goes: out."-name.".ext; the terminal is set by the caller (draw.gp)
+#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
 
-array name[5] = ["1.2 textbook", "1.3 two passes", "1.4 Welford", "1.5 merged parts", "1.8 moments"]
+array way[5] = ["1.2 textbook", "1.3 two passes", "1.4 Welford", "1.5 merged parts", "1.8 moments"]
 
 # Digits kept against the offset of the data ------------------------------------------------------
-call draw "digits" 460*count 420
+name = "digits"; width = 460 * count; height = 420
+load draw
 set multiplot layout 1,count title "Digits of the variance that are right, for 1000 values in [offset, offset + 1)"
 set logscale x
 set format x "10^{%L}"
@@ -19,12 +20,13 @@ set ylabel "digits kept"
 set key at graph 0.03,0.03 left bottom Left reverse samplen 3
 do for [s=1:count] {
   set title labels[s]
-  plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title name[i]
+  plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title way[i]
 }
 unset multiplot
 
 # Time against digits -----------------------------------------------------------------------------
-call draw "speed" 460*count 420
+name = "speed"; width = 460 * count; height = 420
+load draw
 set multiplot layout 1,count title "Time against digits kept: 4096 values near 10^{9}, in cache"
 unset logscale x
 set format x "%g"
@@ -39,6 +41,6 @@ set ylabel "ns a value (less is better)"
 set key at graph 0.97,0.97 right top
 do for [s=1:count] {
   set title labels[s]
-  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2 with points ls i ps 2 title name[i]
+  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2 with points ls i ps 2 title way[i]
 }
 unset multiplot

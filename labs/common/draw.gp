@@ -1,12 +1,13 @@
-# The look of every plot: call draw "name" width height. Colours of Okabe and Ito, which colour-blind
-# eyes tell apart, and a point and a dash of its own for each line, for those who print in grey. A
-# white ground of its own, so that it reads on dark pages too.
+# The look of every plot. Set name, width and height, then load draw. Colours of Okabe and Ito, which
+# colour-blind eyes tell apart, and a point and a dash of its own for each line, for those who print
+# in grey. A white ground of its own, so that it reads on dark pages too.
+reset
 if (ext eq "svg") {
-  eval sprintf('set terminal svg size %d,%d background "white" font "sans,14"', @ARG2, @ARG3)
+  set terminal svg size width,height background "white" font "sans,14"
 } else {
-  eval sprintf('set terminal pngcairo size %d,%d background "white" font "sans,11" fontscale 1.0', @ARG2, @ARG3)
+  set terminal pngcairo size width,height background "white" font "sans,11"
 }
-set output out."-".ARG1.".".ext
+set output out."-".name.".".ext
 set style line 1 lc rgb "#D55E00" lw 2 pt 4  dt 2
 set style line 2 lc rgb "#0072B2" lw 2 pt 6  dt 1
 set style line 3 lc rgb "#009E73" lw 2 pt 8  dt 3
