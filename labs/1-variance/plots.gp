@@ -5,42 +5,47 @@
 
 array way[5] = ["1.2 textbook", "1.3 two passes", "1.4 Welford", "1.5 merged parts", "1.8 moments"]
 
-# Digits kept against the offset of the data ------------------------------------------------------
-name = "digits"; width = 460 * count; height = 420
+# Digits kept against the offset ------------------------------------------------------------------
+name = "digits"; width = 80 + 430 * count; height = 460
 load draw
-set multiplot layout 1,count title "Digits of the variance that are right, for 1000 values in [offset, offset + 1)"
+set multiplot layout 1,count title "Digits of the variance that are right: 1000 values in [offset, offset + 1)" \
+  margins 70./width, 1 - 20./width, 0.27, 0.83 spacing 70./width, 0
 set logscale x
 set format x "10^{%L}"
 set xrange [1:1e15]
-set yrange [0:16.5]
+set yrange [0:16.9]
 set ytics 0,4
 set xtics 1,1000
 set xlabel "offset"
 set ylabel "digits kept"
-set key at graph 0.03,0.03 left bottom Left reverse samplen 3
+set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
 do for [s=1:count] {
   set title labels[s]
   plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title way[i]
+  unset key
+  unset ylabel
 }
 unset multiplot
 
 # Time against digits -----------------------------------------------------------------------------
-name = "speed"; width = 460 * count; height = 420
+# Every point carries its name; Welford's above it, merged parts' below, for they lie close together.
+name = "speed"; width = 80 + 430 * count; height = 420
 load draw
-set multiplot layout 1,count title "Time against digits kept: 4096 values near 10^{9}, in cache"
-unset logscale x
-set format x "%g"
+set multiplot layout 1,count title "Time against digits kept: 4096 values near 10^{9}, in cache" \
+  margins 70./width, 1 - 20./width, 0.14, 0.83 spacing 70./width, 0
 set logscale y
-set format y "%g"
-set xrange [-0.5:16.5]
-set yrange [0.03:30]
-set ytics (0.03, 0.1, 0.3, 1, 3, 10, 30)
-set xtics 0,4
+set xrange [-3:19]
+set yrange [0.05:40]
+set ytics (0.1, 0.3, 1, 3, 10, 30)
+set xtics 0,4,16
 set xlabel "digits kept (more is better)"
 set ylabel "ns a value (less is better)"
-set key at graph 0.97,0.97 right top
+unset key
+array above[5] = [1, 1, 1, -1, 1]
 do for [s=1:count] {
   set title labels[s]
-  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2 with points ls i ps 2 title way[i]
+  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2 with points ls i ps 2, \
+       for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2:(way[i]) with labels offset 0,1.1*above[i]
+  unset ylabel
 }
 unset multiplot

@@ -15,5 +15,5 @@ set style line 4 lc rgb "#CC79A7" lw 2 pt 12 dt 4
 set style line 5 lc rgb "#000000" lw 2 pt 2  dt 1
 set style line 6 lc rgb "#E69F00" lw 2 pt 10 dt 5
 set style line 9 lc rgb "#999999" lw 1 dt 2
-set grid lc rgb "#DDDDDD"
+set grid lt 1 lw 0.5 lc rgb "#DDDDDD"
 set border lc rgb "#444444"
