@@ -63,10 +63,9 @@ Arguments parse_arguments(const std::vector<std::string>& words,
   opterr = 0;
   for (;;) {
     int index = -1;
-    const int at = optind;
     const int found = getopt_long(count, pointers.data(), letters.c_str(), longs.data(), &index);
     if (found == -1) break;
-    const std::string given = pointers[static_cast<std::size_t>(at)];
+    const std::string given = pointers[static_cast<std::size_t>(optind - 1)];
     if (found == ':') throw UsageError(fmt::format("{} takes a value", given));
     if (found == '?') {
       std::vector<std::string> names;

@@ -1,0 +1,26 @@
+#!/bin/sh
+# Writes again what documents show of real runs: the output in README.md, the pictures of the labs.
+# Run from anywhere; look at what changed with git diff.
+set -eu
+cd "$(dirname "$0")/.."
+build=${MC_BUILD:-build}
+
+./lab grade solutions --seed 1 --no-plots >"$build/grade.txt"
+./lab plot variance solutions >/dev/null  # so that the build is done
+for folder in labs/[0-9]-*; do
+  lab=$(printf %s "${folder#*-}" | tr - _)
+  ./lab plot "$lab" solutions >/dev/null
+  for picture in "$build"/plots/side-by-side/"$lab"-*.svg; do
+    name=${picture##*/}
+    target=$folder/${name#"$lab"-}
+    if [ -f "$target" ]; then cp "$picture" "$target"; fi  # only those that a handout shows
+  done
+done
+
+# Between the markers <!-- output: grade --> and <!-- end --> of README.md.
+awk -v from="$build/grade.txt" '
+  /<!-- output: grade -->/ { print; print "```"; while ((getline line < from) > 0) print line; print "```"; skip = 1 }
+  /<!-- end -->/ { skip = 0 }
+  !skip { if (!/<!-- output: grade -->/) print }
+' README.md >"$build/README.new"
+cp "$build/README.new" README.md
