@@ -43,15 +43,9 @@ foreach(folder ${LAB_FOLDERS})
   endforeach()
 endforeach()
 
-execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} describe --always --dirty
-  OUTPUT_VARIABLE VERSION OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-if(NOT VERSION)
-  set(VERSION unknown)
-endif()
 file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/layout.txt CONTENT
 "root=${CMAKE_SOURCE_DIR}
 compiler=${CMAKE_CXX_COMPILER}
 compiler_id=${CMAKE_CXX_COMPILER_ID}
-version=${VERSION}
 link_flags=${PROGRAM_LINK_FLAGS}
 ${LAYOUT}")

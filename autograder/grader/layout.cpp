@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "grader/errors.hpp"
+#include "grader/process.hpp"
 #include "runner/text.hpp"
 
 namespace mc::grader {
@@ -21,7 +22,6 @@ Layout read_layout() {
     if (key == "root") layout.root = value;
     if (key == "compiler") layout.compiler = value;
     if (key == "compiler_id") layout.is_clang = value.find("Clang") != std::string::npos;
-    if (key == "version") layout.version = value;
     if (key == "link_flags" || key.starts_with("objects.")) {
       for (const std::string_view part : text::split(value, ';')) {
         if (part.empty()) continue;
@@ -33,6 +33,10 @@ Layout read_layout() {
       }
     }
   }
+  const std::string root = layout.root.string();
+  const auto described = run_process({"git", "-C", root, "describe", "--always", "--dirty"});
+  layout.version = described.succeeded() ? described.output : "unknown";
+  while (layout.version.ends_with('\n')) layout.version.pop_back();
   return layout;
 }
 

@@ -1,0 +1,107 @@
+// What the compiler is given and what a student is told when it does not like it.
+#include <thread>
+
+#include "checks/catch.hpp"
+#include "grader/build.hpp"
+#include "tests/submissions.hpp"
+
+using namespace mc::grader;
+using mc::tests::Scratch;
+using mc::tests::text_of;
+
+namespace {
+
+struct Labs {
+  Layout layout = read_layout();
+  std::vector<Lab> labs = find_labs(layout);
+  const Lab& lab = find_lab(labs, "variance");
+
+  /// Why `text` as variance.cpp gives no program; empty where it gives one.
+  std::string failure(const std::string& text, const std::string& directory = "scratch") const {
+    const Scratch scratch(directory);
+    scratch.write("variance.cpp", text);
+    return build_program(layout, lab, open_submission(layout, labs, scratch.path())).failure;
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a file that is there in name only") {
+  const Labs labs;
+  const Scratch scratch;
+  const auto none = open_submission(labs.layout, labs.labs, scratch.path());
+  CHECK(build_program(labs.layout, labs.lab, none).failure == "There is no variance.cpp.");
+  CHECK(labs.failure("") == "variance.cpp is empty.");
+  CHECK(labs.failure("\xef\xbb\xbf \r\n\t\n") == "variance.cpp is empty.");
+}
+
+TEST_CASE("a byte order mark, carriage returns, blanks and umlauts are no mistakes") {
+  const Labs labs;
+  std::string text = "\xef\xbb\xbf";
+  for (const char c : text_of(labs.layout.starter()))
+    text += c == '\n' ? "\r\n" : std::string(1, c);
+  CHECK(labs.failure(text, "übung eins (Müller)") == "");
+}
+
+TEST_CASE("a file that does not compile is told where, under its own name") {
+  const Labs labs;
+  const std::string failure =
+      labs.failure("#include \"variance.hpp\"\n\nint x = \"no\";\nint y = z;\n");
+  CHECK(contains(failure, "variance.cpp does not compile:"));
+  CHECK(contains(failure, "variance.cpp:3:"));
+  CHECK(!contains(failure, "scratch"));
+  CHECK(contains(labs.failure("#include \"missing.hpp\"\n"), "missing.hpp"));
+  CHECK(contains(labs.failure("#error stop here\n"), "stop here"));
+}
+
+TEST_CASE("a missing function is called by its name") {
+  const Labs labs;
+  const std::string failure = labs.failure("#include \"variance.hpp\"\n");
+  CHECK(contains(failure, "Your variance.cpp does not define `mc::covariance`"));
+  CHECK(contains(failure, "variance.hpp"));
+  CHECK(
+      contains(labs.failure(text_of(labs.layout.starter()) + "int main() {}\n"), "defines `main`"));
+}
+
+TEST_CASE("a text that takes the compiler down is stopped") {
+  const Labs labs;
+  CHECK(contains(labs.failure("#include \"/dev/zero\"\n"), "variance.cpp"));
+  CHECK(contains(labs.failure("template <int n> int f() { return f<n + 1>() + f<n + 2>(); }\n"
+                              "int x = f<0>();\n"),
+                 "variance.cpp"));
+  CHECK(contains(labs.failure("char a[3000000000u] = {1};\n"), "wanted to write more than 64 MB"));
+  CHECK(contains(labs.failure("char a[1000000000u];\n" + text_of(labs.layout.starter())),
+                 "global variables"));
+}
+
+TEST_CASE("what lies outside the labs and the system's headers is not read") {
+  const Labs labs;
+  for (const char* file : {"/etc/passwd", "../../solutions/variance.cpp", "/etc/../etc/hosts"}) {
+    const std::string text = std::string("#include \"") + file + "\"\n";
+    const std::string failure = labs.failure(text);
+    CHECK(!contains(failure, "root:"));
+    CHECK(failure != "");
+  }
+  const auto solution = (labs.layout.solutions() / "variance.cpp").string();
+  CHECK(contains(labs.failure("#include \"" + solution + "\"\n"), "and nothing else"));
+  CHECK(contains(
+      labs.failure("asm(\".incbin \\\"/etc/passwd\\\"\");\n" + text_of(labs.layout.starter())),
+      "reads /etc/passwd"));
+}
+
+TEST_CASE("two builds at once do not meet") {
+  const Labs labs;
+  const Scratch scratch;
+  scratch.write("variance.cpp", text_of(labs.layout.starter()));
+  const auto submission = open_submission(labs.layout, labs.labs, scratch.path());
+  Built one, two;
+  std::thread first([&] { one = build_program(labs.layout, labs.lab, submission); });
+  two = build_program(labs.layout, labs.lab, submission);
+  first.join();
+  CHECK(one.program.has_value());
+  CHECK(two.program.has_value());
+}

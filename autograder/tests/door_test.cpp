@@ -1,0 +1,192 @@
+// What stands behind ./lab, used as a person would, right and wrong.
+#include <nlohmann/json.hpp>
+
+#include "checks/catch.hpp"
+#include "grader/process.hpp"
+#include "grader/report.hpp"
+#include "tests/submissions.hpp"
+
+using namespace mc::grader;
+using mc::tests::Scratch;
+using mc::tests::text_of;
+namespace fs = std::filesystem;
+
+namespace {
+
+ProcessResult lab(std::vector<std::string> words, ProcessOptions options = {}) {
+  words.insert(words.begin(), (read_layout().build / "bin" / "grader").string());
+  return run_process(words, options);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+struct Wrong {
+  std::vector<std::string> words;
+  std::string says;
+};
+
+}  // namespace
+
+TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
+  const Scratch empty;
+  const Scratch full;
+  full.write("variance.cpp", "\n");
+  const std::string file = (full.path() / "variance.cpp").string();
+  const Wrong cases[] = {
+      {{"chekc", "1"}, "did you mean 'check'"},
+      {{"check"}, "usage: ./lab check LAB"},
+      {{"check", "varianc"}, "did you mean 'variance'"},
+      {{"check", "99"}, "no lab '99'"},
+      {{"check", "variance", "/no/such/place"}, "no such directory: /no/such/place"},
+      {{"check", "variance", file}, "is a file"},
+      {{"check", "variance", empty.path().string()}, "has no variance.cpp"},
+      {{"check", "variance", "--only"}, "--only takes a value"},
+      {{"check", "variance", "--onyl", "1.3"}, "no option --onyl; did you mean --only?"},
+      {{"check", "variance", "--only", "7.7"}, "no task 7.7"},
+      {{"check", "variance", "--seed", "-1"}, "whole number"},
+      {{"check", "variance", "--seed", "12x"}, "whole number"},
+      {{"check", "variance", "--json", "/no/such/place/results.json"}, "no such directory"},
+      {{"grade"}, "usage: ./lab grade DIR"},
+      {{"grade", "/no/such/place"}, "no such directory"},
+      {{"grade", empty.path().string()}, "no file of any lab"},
+      {{"grade", "a", "b", "--json", "x.json"}, "--json takes one DIR"},
+      {{"plot", "vriance"}, "did you mean 'variance'"},
+      {{"run"}, "usage: ./lab run LAB"},
+      {{"reset"}, "usage: ./lab reset LAB"},
+      {{"submit", "0"}, "no lab '0'"},
+      {{"test", "everything"}, "usage: ./lab test"},
+  };
+  for (const Wrong& wrong : cases) {
+    const auto run = lab(wrong.words);
+    CAPTURE(wrong.words);
+    CHECK(run.exit_code == 2);
+    CHECK(lines(run.errors) == 1);
+    CHECK(contains(run.errors, wrong.says));
+  }
+}
+
+TEST_CASE("every verb has help") {
+  for (const char* verb : {"setup", "check", "run", "grade", "plot", "reset", "submit", "test"}) {
+    const auto run = lab({verb, "--help"});
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.output, std::string("usage: ./lab ") + verb));
+  }
+  CHECK(lab({"--help"}).exit_code == 0);
+}
+
+TEST_CASE("the same verdict in the terminal and in JSON and in CSV") {
+  const Layout layout = read_layout();
+  const Scratch scratch;
+  // The solution with one mistake, so that there are points of both kinds.
+  std::string text = text_of(layout.solutions());
+  const std::string right = "if (columns == 0) throw";
+  text.replace(text.find(right), right.size(), "if (columns == 77) throw");
+  scratch.write("variance.cpp", text);
+  const std::string json = (scratch.path() / "results.json").string();
+  const std::string csv = (scratch.path() / "table.csv").string();
+  const auto run = lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,
+                        "--no-plots", "--seed", "5"});
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "96 of 100 points"));
+  CHECK(!contains(run.output, "\x1b["));  // no colour where there is no terminal
+
+  const auto results = nlohmann::json::parse(read_text(json));
+  CHECK(results["score"] == 96);
+  CHECK(results["execution_time"] > 0);
+  CHECK(results["extra_data"]["seed"] == 5);
+  CHECK(results["extra_data"].contains("version"));
+  double score = 0, most = 0;
+  for (const auto& test : results["tests"]) {
+    for (const char* key : {"name", "number", "status", "output", "visibility"}) {
+      CHECK(test[key].is_string());
+    }
+    CHECK((test["score"] == test["max_score"]) == (test["status"] == "passed"));
+    score += test["score"].get<double>();
+    most += test["max_score"].get<double>();
+    if (test["status"] == "failed") {
+      CHECK(contains(test["output"], "./lab check variance"));
+      CHECK(contains(test["output"], "--seed 5"));
+    }
+  }
+  CHECK(score == 96);
+  CHECK(most == 100);
+  const std::string table = read_text(csv);
+  CHECK(lines(table) == 2);
+  CHECK(contains(table, ",96,100,"));
+}
+
+TEST_CASE("results are complete when nothing compiles or nothing was handed in") {
+  const Scratch scratch;
+  const std::string json = (scratch.path() / "results.json").string();
+  const Scratch empty;
+  CHECK(lab({"check", "variance", empty.path().string(), "--json", json}).exit_code == 1);
+  CHECK(nlohmann::json::parse(read_text(json))["tests"].size() > 20);
+  CHECK(lab({"grade", empty.path().string(), "--json", json}).exit_code == 0);
+  CHECK(nlohmann::json::parse(read_text(json))["score"] == 0);
+  scratch.write("variance.cpp", "not C++ at all \xff\xfe \x1b[31m\n");
+  CHECK(lab({"check", "variance", scratch.path().string(), "--json", json}).exit_code == 1);
+  const auto results = nlohmann::json::parse(read_text(json));
+  CHECK(results["tests"].size() > 20);
+  CHECK(results["score"] == 0);
+  CHECK(contains(results["output"], "does not compile"));
+}
+
+TEST_CASE("a full disk leaves the old result whole") {
+  const Scratch scratch;
+  const fs::path json = scratch.write("results.json", "old");
+  // Where the new text is written first, a device that is always full.
+  fs::create_symlink("/dev/full", json.string() + ".new-" + std::to_string(getpid()));
+  CHECK_THROWS(write_text(json, "new"));
+  CHECK(read_text(json) == "old");
+}
+
+TEST_CASE("several submissions are a line each") {
+  const Layout layout = read_layout();
+  const Scratch empty;
+  const auto run = lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"});
+  CHECK(run.exit_code == 0);
+  CHECK(lines(run.output) == 2);
+  CHECK(contains(run.output, "no lab's file in it"));
+}
+
+TEST_CASE("the zip to hand in and the starter again") {
+  const Scratch scratch;
+  const auto run = lab({"submit", "variance"}, {.directory = scratch.path()});
+  CHECK(run.exit_code == 0);
+  CHECK(fs::file_size(scratch.path() / "submission.zip") > 500);
+}
+
+TEST_CASE("an experiment by hand") {
+  const std::string solutions = read_layout().solutions().string();
+  CHECK(lab({"run", "--dir", solutions, "variance", "mean", "1,2,6"}).output == "3\n");
+  CHECK(lab({"run", "--dir", solutions, "variance", "mean", "-1,-2,-6"}).output == "-3\n");
+  CHECK(contains(lab({"run", "--dir", solutions, "variance"}).output, "welford x"));
+  CHECK(lab({"run", "--dir", solutions, "variance", "nothing"}).exit_code == 2);
+  CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
+}
+
+TEST_CASE("a report fits a small terminal") {
+  LabVerdict verdict{{1, "variance", "1-variance", {}}, {}, "", 0};
+  CheckResult failed;
+  failed.check = {"1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5};
+  failed.status = Status::failed;
+  failed.story = "measured  mean({1, 2, 3, 4, 5, … (1000 values)}) = 17\nexpected  3, with digits";
+  failed.repeat = "./lab check variance --only 1.1 --seed 1";
+  verdict.checks = {failed};
+  Verdict whole;
+  whole.submission = "starter";
+  const std::string report = report_lab(verdict, whole, {false, 48});
+  std::size_t column = 0, widest = 0;
+  for (const char c : report) {
+    if ((c & 0xc0) == 0x80) continue;
+    column = c == '\n' ? 0 : column + 1;
+    widest = std::max(widest, column);
+  }
+  CHECK(widest <= 52);  // a word that does not fit stands alone
+}

@@ -1,0 +1,41 @@
+#pragma once
+// Small submissions of lab 1, written for one test.
+
+#include <filesystem>
+#include <string>
+
+#include "grader/build.hpp"
+#include "grader/labs.hpp"
+#include "grader/layout.hpp"
+#include "grader/text_file.hpp"
+
+namespace mc::tests {
+
+/// A directory of the test's own, gone with it.
+class Scratch {
+ public:
+  explicit Scratch(const std::string& name = "scratch") {
+    std::string pattern = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path write(const std::string& file, const std::string& text) const {
+    grader::write_text(path_ / file, text);
+    return path_ / file;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The text of the starter, or of the solution, of lab 1.
+inline std::string text_of(const std::filesystem::path& directory) {
+  return grader::read_text(directory / "variance.cpp");
+}
+
+}  // namespace mc::tests
