@@ -11,6 +11,7 @@ endif()
 
 # Checks: what every lab's share, then one program a lab.
 add_library(checking STATIC autograder/checks/measure.cpp autograder/checks/expect.cpp
+  autograder/checks/distributions.cpp autograder/checks/statistics.cpp
   autograder/checks/plot_data.cpp labs/runner/text.cpp)
 target_link_libraries(checking PUBLIC jail Catch2::Catch2WithMain)
 foreach(lab ${LABS})
