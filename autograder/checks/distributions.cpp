@@ -117,11 +117,13 @@ Tails binomial_tails(std::uint64_t k, std::uint64_t n, double p) {
 // Upper tail: twice the one-sided one, which is a finite sum of positive terms (Birnbaum and Tingey
 // 1951); what is counted twice there is below 1e-4 of it for p < 0.05 (Simard and L'Ecuyer 2011,
 // "Computing the two-sided Kolmogorov-Smirnov distribution", section 2.4). Elsewhere Kolmogorov's
-// limit, at Stephens' argument (1970), which is right to three digits there.
+// limit at Vrbik's argument (2018, "Small-sample corrections to Kolmogorov-Smirnov test
+// statistic").
 Tails kolmogorov_tails(double d, std::uint64_t n) {
   if (std::isnan(d)) return {0, 0};
   const auto size = static_cast<double>(n);
-  const double t = d * (std::sqrt(size) + 0.12 + 0.11 / std::sqrt(size));
+  const double scaled = d * std::sqrt(size);
+  const double t = scaled + 1 / (6 * std::sqrt(size)) + (scaled - 1) / (4 * size);
   Tails tails{0, 1};
   if (t < 1) {  // the theta function in the form that converges for small t
     if (t > 0.04) {
