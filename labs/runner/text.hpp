@@ -45,6 +45,8 @@ std::string print(std::uint64_t value);
 std::string print(std::int64_t value);
 std::string print(unsigned value);
 std::string print(int value);
+template <wire::Listed T>
+std::string print(const T& value);
 
 template <class T>
 std::string print(const std::vector<T>& values) {

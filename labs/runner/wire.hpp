@@ -20,8 +20,8 @@
 /// Lists the fields of a struct, once, for the wire and for printing. Stands in the struct's own
 /// namespace and names every field in order: MC_FIELDS(Moments, count, mean, m2)
 #define MC_FIELDS(Type, ...)                                   \
-  inline auto fields(Type& value) {                            \
-    auto& [__VA_ARGS__] = value;                               \
+  inline auto fields(Type& object_) {                          \
+    auto& [__VA_ARGS__] = object_;                             \
     return std::tie(__VA_ARGS__);                              \
   }                                                            \
   inline constexpr std::string_view field_names(const Type&) { \

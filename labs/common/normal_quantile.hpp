@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace mc {
+
+/// The x below which a standard normal variable lies with probability `p`: 1.96 for 0.975. Within
+/// 1e-14 |x| + 1e-16 of it for p >= 1e-300; -inf at 0, inf at 1, NaN outside [0, 1].
+///
+/// A first guess from Abramowitz and Stegun 26.2.23, good to 4.5e-4, and two steps of Halley's
+/// method, which triples the digits: 3, 10, all.
+inline double normal_quantile(double p) {
+  if (!(p >= 0 && p <= 1)) return std::numeric_limits<double>::quiet_NaN();
+  if (p > 0.5) return -normal_quantile(1 - p);
+  if (p == 0) return -std::numeric_limits<double>::infinity();
+  const double t = std::sqrt(-2 * std::log(p));
+  double x = (2.515517 + t * (0.802853 + t * 0.010328)) /
+                 (1 + t * (1.432788 + t * (0.189269 + t * 0.001308))) -
+             t;
+  for (int step = 0; step < 2; ++step) {
+    const double excess = std::erfc(-x / std::numbers::sqrt2) / 2 - p;
+    const double newton = excess * std::sqrt(2 * std::numbers::pi) * std::exp(x * x / 2);
+    x -= newton / (1 + x * newton / 2);
+  }
+  return x;
+}
+
+}  // namespace mc
