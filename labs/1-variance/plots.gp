@@ -8,7 +8,7 @@ array way[5] = ["1.2 textbook", "1.3 two passes", "1.4 Welford", "1.5 merged par
 # Digits kept against the offset ------------------------------------------------------------------
 name = "digits"; width = 80 + 430 * count; height = 460
 load draw
-set multiplot layout 1,count title "Digits of the variance that are right: 1000 values in [offset, offset + 1)" \
+set multiplot layout 1,count title "Right digits of the variance, 1000 values in [offset, offset + 1)" \
   margins 70./width, 1 - 20./width, 0.27, 0.83 spacing 70./width, 0
 set logscale x
 set format x "10^{%L}"
@@ -18,7 +18,7 @@ set ytics 0,4
 set xtics 1,1000
 set xlabel "offset"
 set ylabel "digits kept"
-set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
+set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width -2
 do for [s=1:count] {
   set title labels[s]
   plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title way[i]
@@ -31,7 +31,7 @@ unset multiplot
 # Every point carries its name; Welford's above it, merged parts' below, for they lie close together.
 name = "speed"; width = 80 + 430 * count; height = 420
 load draw
-set multiplot layout 1,count title "Time against digits kept: 4096 values near 10^{9}, in cache" \
+set multiplot layout 1,count title "Time against digits, 4096 values near 10^{9}, in cache" \
   margins 70./width, 1 - 20./width, 0.14, 0.83 spacing 70./width, 0
 set logscale y
 set xrange [-3:19]
