@@ -2,7 +2,7 @@
 # lab is found by its folder, labs/N-name.
 
 set(PROGRAM_FLAGS -O3 -ffp-contract=off)
-if(CMAKE_SYSTEM_NAME STREQUAL Linux)
+if(CMAKE_SYSTEM_NAME STREQUAL Linux AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
   set(PROGRAM_LINK_FLAGS -static)  # then a program needs no loader, and the jail no open()
   file(WRITE ${CMAKE_BINARY_DIR}/static.cpp "#include <vector>\nint main() { std::vector<int> x(1); return x[0]; }\n")
   try_compile(LINKS_STATICALLY ${CMAKE_BINARY_DIR} ${CMAKE_BINARY_DIR}/static.cpp LINK_OPTIONS -static)
@@ -18,6 +18,7 @@ target_compile_options(runner PRIVATE ${PROGRAM_FLAGS})
 
 file(GLOB LAB_FOLDERS CONFIGURE_DEPENDS LIST_DIRECTORIES ON RELATIVE ${CMAKE_SOURCE_DIR}/labs
   labs/[0-9]-*)
+add_custom_target(starters)
 foreach(folder ${LAB_FOLDERS})
   string(REGEX REPLACE "^[0-9]+-" "" lab ${folder})
   string(REPLACE "-" "_" lab ${lab})
@@ -39,6 +40,9 @@ foreach(folder ${LAB_FOLDERS})
       add_executable(${program} EXCLUDE_FROM_ALL ${${who}_FILES})
       target_link_libraries(${program} PRIVATE experiments_${lab} runner)
       target_include_directories(${program} PRIVATE labs ${LAB_INCLUDES})
+      if(who STREQUAL starter)
+        add_dependencies(starters ${program})
+      endif()
     endif()
   endforeach()
 endforeach()
