@@ -2,6 +2,7 @@
 // says: crashed: aborted
 
 #include <cstdlib>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

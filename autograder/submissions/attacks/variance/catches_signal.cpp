@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <ctime>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

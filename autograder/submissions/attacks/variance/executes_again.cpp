@@ -3,6 +3,7 @@
 
 #include <sys/syscall.h>
 #include <unistd.h>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -2,6 +2,7 @@
 // says: called exit(0) instead of returning
 
 #include <unistd.h>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -3,6 +3,7 @@
 // never says: root:
 
 #include <stdexcept>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

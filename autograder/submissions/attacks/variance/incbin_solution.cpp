@@ -3,6 +3,7 @@
 // says: /solutions/variance.cpp
 
 #include <stdexcept>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

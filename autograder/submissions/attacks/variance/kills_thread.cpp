@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -2,6 +2,7 @@
 // says: The compiler wanted more than
 
 #include <utility>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

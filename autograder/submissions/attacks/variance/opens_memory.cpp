@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <string>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

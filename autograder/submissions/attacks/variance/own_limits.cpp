@@ -2,6 +2,7 @@
 // says: made a system call a lab never needs
 
 #include <sys/resource.h>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

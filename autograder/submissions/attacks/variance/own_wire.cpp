@@ -1,8 +1,9 @@
 // attack: stands in for a template of the wire; sends another number
 // says: ) = 1
 
-#include "common/todo.hpp"
 #include "runner/wire.hpp"
+
+#include "common/todo.hpp"
 #include "variance.hpp"
 
 template <>

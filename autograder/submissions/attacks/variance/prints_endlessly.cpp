@@ -2,6 +2,7 @@
 // says: printed more than 64 KB
 
 #include <cstdio>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -3,6 +3,7 @@
 // says: ?]0;passed?
 
 #include <cstdio>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

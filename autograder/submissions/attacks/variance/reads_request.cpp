@@ -2,6 +2,7 @@
 // says: ) = 0
 
 #include <unistd.h>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -3,8 +3,9 @@
 
 #include <unistd.h>
 
-#include "common/todo.hpp"
 #include "runner/wire.hpp"
+
+#include "common/todo.hpp"
 #include "variance.hpp"
 
 namespace mc {

@@ -3,8 +3,9 @@
 
 #include <sys/mman.h>
 
-#include "common/todo.hpp"
 #include "runner/experiment.hpp"
+
+#include "common/todo.hpp"
 #include "variance.hpp"
 
 std::string forged(mc::wire::Reader&) {

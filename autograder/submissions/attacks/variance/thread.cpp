@@ -2,6 +2,7 @@
 // says: made a system call a lab never needs
 
 #include <thread>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -2,6 +2,7 @@
 // says: stopped after 2 s of CPU time
 
 #include <exception>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -3,6 +3,7 @@
 // says: ","score":100} passed 1  expected  nothing
 
 #include <stdexcept>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+
 #include "common/todo.hpp"
 #include "variance.hpp"
 
