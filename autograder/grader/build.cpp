@@ -197,6 +197,7 @@ std::optional<fs::path> forbidden(const Unit& unit, const fs::path& directory,
   std::vector<fs::path> allowed = system_directories(unit.layout);
   allowed.push_back(fs::canonical(unit.layout.labs()));
   allowed.push_back(fs::canonical(directory));
+  allowed.push_back(fs::weakly_canonical(unit.layout.build / "precompiled"));
   if (unit.trusted) allowed.push_back(fs::canonical(unit.layout.root));
   for (const fs::path& file : files) {
     const fs::path real = fs::weakly_canonical(file.is_absolute() ? file : directory / file);
@@ -212,7 +213,7 @@ std::string refused(const Unit& unit, const fs::path& file) {
   return fmt::format(
       "{} reads {}.\nIt may include its lab's headers, those of labs/common and the standard "
       "library's, and nothing else.",
-      unit.lab.file(), file.string());
+      unit.lab.file(), shortened(file.string(), 200));
 }
 
 /// Why a compiler did not come to its own end; empty where it did.
@@ -252,15 +253,47 @@ std::vector<std::string> include_flags(const Unit& unit) {
   return flags;
 }
 
-/// Compiles one file in a directory that holds nothing else; judges what it reads at the same time.
+/// What a compiler run with -H has to say: the files it opened, in order, and its messages.
+struct Heard {
+  std::vector<fs::path> opened;
+  std::string messages;
+};
+
+Heard listen(const std::string& errors) {
+  Heard heard;
+  for (const std::string_view line : text::split(errors, '\n')) {
+    const auto blank = line.find_first_not_of(".!");
+    if (line.starts_with("Multiple include guards")) break;  // a list of advice, to the end
+    if (blank != std::string_view::npos && blank > 0 && line[blank] == ' ') {
+      heard.opened.emplace_back(line.substr(blank + 1));  // ".. file", "! file.gch"
+    } else if (!line.empty()) {
+      heard.messages += std::string(line) + '\n';
+    }
+  }
+  return heard;
+}
+
+/// Does the text have an #embed? Not exactly: a comment with that word has one too.
+bool may_embed(std::string text) {
+  for (const char* splice : {"\\\n", "\\\r\n"}) {
+    for (auto at = text.find(splice); at != std::string::npos; at = text.find(splice, at)) {
+      text.erase(at, std::string_view(splice).size());
+    }
+  }
+  return text.find("embed") != std::string::npos;
+}
+
+/// Compiles one file in a directory that holds nothing else, and judges what was read for it. What
+/// counts is what this very run opened: a second run that only lists could be told apart (by the
+/// precompiled header, by /proc) and shown another text.
 Object compile(const Unit& unit) {
+  const std::string name = unit.lab.file();
+  if (const auto size = fs::file_size(unit.file); size > longest_file) {  // before it is in memory
+    return {{}, fmt::format("{} is {} KB long; 1 MB is the most.", name, size >> 10)};
+  }
   const std::string text = read_text(unit.file);
   if (text.find_first_not_of(" \t\r\n\xef\xbb\xbf") == std::string::npos) {
-    return {{}, fmt::format("{} is empty.", unit.lab.file())};
-  }
-  if (text.size() > longest_file) {
-    return {{},
-            fmt::format("{} is {} KB long; 1 MB is the most.", unit.lab.file(), text.size() >> 10)};
+    return {{}, fmt::format("{} is empty.", name)};
   }
   auto flags = compile_flags(unit.layout, unit.variant);
   const auto includes = include_flags(unit);
@@ -276,48 +309,49 @@ Object compile(const Unit& unit) {
   flags.insert(flags.end(), includes.begin(), includes.end());
   const TemporaryDirectory scratch(unit.layout.build / "tmp");
   const fs::path& directory = scratch.path();
-  write_text(directory / unit.lab.file(), text);
+  write_text(directory / name, text);
   const ProcessOptions limits = compiler_limits(directory);
-
-  std::vector<std::string> list{unit.layout.compiler, "-M"};
-  list.insert(list.end(), flags.begin(), flags.end());
-  list.push_back(unit.lab.file());
-  auto listing = std::async(std::launch::async, [&] { return run_process(list, limits); });
 
   std::vector<std::string> command{unit.layout.compiler};
   command.insert(command.end(), flags.begin(), flags.end());
   command.insert(command.end(), header.begin(), header.end());
-  command.insert(command.end(), {"-c", unit.lab.file(), "-o", "unit.o", "-Wa,--MD,assembler.d",
-                                 "-fdiagnostics-color=never"});
+  // -H names each file as it is opened, also where the compilation fails in the end; -MD and --MD
+  // write their lists only where it succeeds, but leave nothing out.
+  command.insert(command.end(), {"-c", name, "-o", "unit.o", "-H", "-MD", "-MF", "preprocessor.d",
+                                 "-Wa,--MD,assembler.d", "-fdiagnostics-color=never"});
+  // No source lines in the messages: GCC would quote whatever file a #line names.
   if (unit.layout.is_clang) {
-    command.insert(command.end(), {"-fno-integrated-as", "-ferror-limit=3"});
+    command.insert(command.end(),
+                   {"-fno-integrated-as", "-ferror-limit=3", "-fno-caret-diagnostics"});
   } else {
-    command.insert(command.end(), {"-fmax-errors=3"});
+    command.insert(command.end(), {"-fmax-errors=3", "-fno-diagnostics-show-caret"});
   }
   const ProcessResult compiled = run_process(command, limits);
-  const ProcessResult listed = listing.get();
+  const auto [opened, messages] = listen(compiled.errors);
 
-  // What it may not read must not show in a message either: includes first.
-  if (const std::string why = stopped(listed, limits); !why.empty()) {
-    return {{}, fmt::format("The compiler {} on {}.", why, unit.lab.file())};
-  }
-  if (!listed.succeeded()) {
-    return {{}, own_lines_only(listed.errors, unit.lab.file())};
-  }
-  if (const auto file = forbidden(unit, directory, dependencies(listed.output))) {
+  // What it may not read must not show in a message either: this comes first.
+  if (const auto file = forbidden(unit, directory, opened)) {
     return {{}, refused(unit, *file)};
   }
-  if (const auto file =
-          forbidden(unit, directory, dependencies(read_text(directory / "assembler.d")))) {
-    return {{}, refused(unit, *file)};  // .incbin: no preprocessor sees it
-  }
   if (const std::string why = stopped(compiled, limits); !why.empty()) {
-    return {{}, fmt::format("The compiler {} on {}.", why, unit.lab.file())};
+    return {{}, fmt::format("The compiler {} on {}.", why, name)};
   }
   if (!compiled.succeeded()) {
-    return {
-        {},
-        fmt::format("{} does not compile:\n{}", unit.lab.file(), first_errors(compiled.errors))};
+    // The assembler quotes what an .include brings in, and leaves no list of it.
+    if (compiled.errors.find("Assembler messages:") != std::string::npos) {
+      return {{}, fmt::format("The assembler does not understand an asm in {}.", name)};
+    }
+    if (may_embed(text)) {  // -H does not know of those
+      return {
+          {},
+          fmt::format("{} does not compile. Take the word embed out of it to be told why.", name)};
+    }
+    return {{}, fmt::format("{} does not compile:\n{}", name, first_errors(messages, name, text))};
+  }
+  for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter knows of .incbin
+    if (const auto file = forbidden(unit, directory, dependencies(read_text(directory / list)))) {
+      return {{}, refused(unit, *file)};
+    }
   }
   fs::create_directories(slot);
   sweep(slot);
@@ -325,23 +359,31 @@ Object compile(const Unit& unit) {
   return {object, {}};
 }
 
-/// The memory that a static ELF program takes before its first line: globals and code.
-std::size_t static_memory(const fs::path& program) {
+/// What a static ELF program asks of the machine before its first line.
+struct Segments {
+  std::size_t memory = 0;  ///< globals and code, those of a thread included
+  bool loader = false;     ///< another program, to be started in its place
+};
+
+Segments segments_of(const fs::path& program) {
   const std::string bytes = read_text(program);
   const auto at = [&](std::size_t offset, std::size_t size) {
     std::uint64_t value = 0;
     if (offset + size <= bytes.size()) bytes.copy(reinterpret_cast<char*>(&value), size, offset);
     return value;
   };
+  Segments segments;
   if (!bytes.starts_with("\x7f"
                          "ELF\2\1"))
-    return 0;  // 64 bits, little endian
-  std::size_t total = 0;
+    return segments;  // 64 bits, little endian
   for (std::size_t i = 0; i < at(0x38, 2); ++i) {
     const std::size_t header = at(0x20, 8) + i * at(0x36, 2);
-    if (at(header, 4) == 1) total += at(header + 0x28, 8);  // PT_LOAD: p_memsz
+    const auto type = at(header, 4);
+    constexpr unsigned load = 1, interpreter = 3, thread_local_storage = 7;
+    if (type == load || type == thread_local_storage) segments.memory += at(header + 0x28, 8);
+    if (type == interpreter) segments.loader = true;
   }
-  return total;
+  return segments;
 }
 
 }  // namespace
@@ -406,6 +448,10 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   const TemporaryDirectory scratch(layout.build / "tmp");
   const fs::path aside = scratch.path() / "program";
   std::vector<std::string> command{layout.compiler, "-s"};
+  // An object that looks like link-time optimisation would have the linker start a compiler, whose
+  // reading nobody judges.
+  command.push_back("-fno-lto");
+  if (!layout.is_clang) command.push_back("-fno-use-linker-plugin");
   command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());
   for (const fs::path& object : objects) command.push_back(object.string());
   for (const fs::path& object : trusted_objects) command.push_back(object.string());
@@ -416,10 +462,15 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
     return {{}, fmt::format("The linker {} on {}.", why, lab.file())};
   }
   if (!linked.succeeded()) return {{}, explain_link_errors(linked.errors, lab)};
-  if (const std::size_t memory = static_memory(aside); memory > most_static_memory) {
+  const Segments segments = segments_of(aside);
+  if (segments.memory > most_static_memory) {
     return {{},
             fmt::format("The global variables of {} take {} MB; {} MB is the most.", lab.file(),
-                        memory >> 20, most_static_memory >> 20)};
+                        segments.memory >> 20, most_static_memory >> 20)};
+  }
+  // The kernel would open it on the program's behalf, jail or no jail.
+  if (segments.loader) {
+    return {{}, fmt::format("{} names a loader of its own (a section .interp).", lab.file())};
   }
   fs::permissions(aside, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                              fs::perms::others_read | fs::perms::others_exec);

@@ -1,5 +1,6 @@
 #include "grader/diagnostics.hpp"
 
+#include <charconv>
 #include <optional>
 #include <set>
 
@@ -53,6 +54,25 @@ std::string_view severity(std::string_view line) {
   return {};
 }
 
+/// Adds the source line that "file:12:5: error: …" speaks of, with a caret under the place.
+void quote(const std::string& line, const std::vector<std::string>& source,
+           std::vector<std::string>& to) {
+  const auto parts = text::split(line, ':');
+  const auto number = [&](std::size_t i) {
+    std::size_t value = 0;
+    if (i < parts.size())
+      std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), value);
+    return value;
+  };
+  const std::size_t row = number(1), column = number(2);
+  if (row == 0 || row > source.size() || column == 0 || column > source[row - 1].size() + 1) return;
+  // Blanks up to the caret; a tab stays one, so that it stands where the source's does.
+  std::string blanks = source[row - 1].substr(0, column - 1);
+  for (char& c : blanks) c = c == '\t' ? '\t' : ' ';
+  to.push_back("| " + source[row - 1]);
+  to.push_back("| " + blanks + '^');
+}
+
 /// What stands behind `words` in a linker's line, up to the closing quote.
 std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
   const auto at = line.find(words);
@@ -66,7 +86,9 @@ std::optional<std::string> quoted_after(std::string_view line, std::string_view 
 
 }  // namespace
 
-std::string first_errors(const std::string& diagnostics) {
+std::string first_errors(const std::string& diagnostics, const std::string& file,
+                         const std::string& text) {
+  const std::vector<std::string> source = lines_of(text);
   // Warnings come first in time but not in importance: drop each with the lines that follow it.
   std::vector<std::string> kept;
   bool keep = true;
@@ -76,19 +98,11 @@ std::string first_errors(const std::string& diagnostics) {
     } else if (line.find(": In ") != std::string::npos || line.starts_with("In file included")) {
       keep = true;
     }
-    if (keep && line.find("compilation terminated") == std::string::npos) kept.push_back(line);
+    if (!keep || line.find("compilation terminated") != std::string::npos) continue;
+    kept.push_back(line);
+    if (line.starts_with(file + ':')) quote(line, source, kept);
   }
   return joined(kept);
-}
-
-std::string own_lines_only(const std::string& diagnostics, const std::string& file) {
-  std::vector<std::string> kept;
-  for (const std::string& line : lines_of(diagnostics)) {
-    if (line.starts_with(file + ":")) kept.push_back(line);
-  }
-  if (kept.empty())
-    return fmt::format("{} does not compile: something it includes does not.", file);
-  return fmt::format("{} does not compile:\n{}", file, joined(kept));
 }
 
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab) {

@@ -7,12 +7,10 @@
 
 namespace mc::grader {
 
-/// The first errors of a compilation and the lines that belong to them.
-std::string first_errors(const std::string& diagnostics);
-
-/// Only the lines that speak about `file` itself: for a text that could not even be preprocessed,
-/// where other lines might quote a file that it should not see.
-std::string own_lines_only(const std::string& diagnostics, const std::string& file);
+/// The first errors of a compilation and the lines that belong to them. The compiler is not asked
+/// to quote source lines (see build.cpp); those of `file`, whose text is given, are put back in.
+std::string first_errors(const std::string& diagnostics, const std::string& file,
+                         const std::string& text);
 
 /// "your variance.cpp does not define `mc::covariance` (declared in variance.hpp)", and the like.
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab);

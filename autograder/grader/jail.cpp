@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <new>
@@ -203,7 +204,15 @@ bool read_response(std::string_view bytes, Outcome& outcome) {
   }
   outcome.answered = true;
   outcome.status = header.status;
-  outcome.bytes = header.status == wire::Status::value ? std::string(bytes) : printable(bytes);
+  outcome.bytes = std::string(bytes);
+  if (header.status != wire::Status::value) {
+    // One line of a story: 16 MB of it would drown the check's report, lines could pass for ours.
+    constexpr std::size_t longest_text = 200;
+    outcome.bytes = printable(shortened(bytes, longest_text));
+    std::replace_if(
+        outcome.bytes.begin(), outcome.bytes.end(), [](char c) { return c == '\n' || c == '\t'; },
+        ' ');
+  }
   return true;
 }
 
@@ -223,8 +232,8 @@ Outcome interpret(const Watch& child, const Limits& limits) {
     outcome.failure = fmt::format("printed more than {} KB", limits.printed >> 10);
   } else if (child.answered_too_much) {
     outcome.failure = fmt::format("sent a result of more than {} MB", wire::longest_result >> 20);
-  } else if (signal == SIGXCPU ||
-             (signal == SIGKILL && outcome.cpu_seconds >= limits.cpu_seconds)) {
+  } else if (signal == SIGXCPU || outcome.cpu_seconds > std::ceil(limits.cpu_seconds)) {
+    // Also where it caught the signal and came to an end by itself in the second until SIGKILL.
     outcome.failure = fmt::format("stopped after {} s of CPU time", limits.cpu_seconds);
     outcome.timed_out = true;
   } else if (child.out_of_time) {
@@ -311,9 +320,10 @@ std::string printable(std::string_view text) {
       point = point << 6 | (next & 0x3fu);
     }
     constexpr std::uint32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+    const bool turns = (point >= 0x2028 && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069);
     const bool allowed =
         whole && point >= smallest[length] && point <= 0x10ffff &&
-        !(point >= 0xd800 && point <= 0xdfff) &&
+        !(point >= 0xd800 && point <= 0xdfff) && (point & 0xfffe) != 0xfffe && !turns &&
         (point >= 0xa0 || (point >= 0x20 && point < 0x7f) || point == '\n' || point == '\t');
     if (allowed) {
       clean.append(text.substr(i, length));
@@ -324,6 +334,12 @@ std::string printable(std::string_view text) {
     }
   }
   return clean;
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
+  return std::string(text.substr(0, most)) + " …";
 }
 
 }  // namespace mc::grader

@@ -22,7 +22,7 @@ struct Limits {
 struct Outcome {
   bool answered = false;                      ///< a complete response came; else see `failure`
   wire::Status status = wire::Status::value;  ///< when answered: a value, or which exception
-  std::string bytes;    ///< when answered: the result, or the exception's text
+  std::string bytes;    ///< when answered: the result, or the exception's text, as one short line
   std::string failure;  ///< when not: one line, "stopped after 2 s of CPU time"
   bool timed_out = false;
   std::string printed;     ///< what it wrote to standard output and standard error, made printable
@@ -47,7 +47,12 @@ Outcome run_jailed(const Program& program, std::string_view request, const Limit
 bool jail_is_complete();
 
 /// `text` with everything that is not printable ASCII or well-formed UTF-8 replaced, so that it can
-/// stand in a terminal, in JSON and in XML.
+/// stand in a terminal, in JSON and in XML. What turns the direction of writing goes too: nobody
+/// who reads it may see another order than there is.
 std::string printable(std::string_view text);
+
+/// The beginning of `text`, `most` bytes of it at most, no UTF-8 sequence cut in two; with " …"
+/// where something is missing.
+std::string shortened(std::string_view text, std::size_t most);
 
 }  // namespace mc::grader

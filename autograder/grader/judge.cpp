@@ -236,6 +236,8 @@ std::vector<XmlRecord> read_catch_xml(std::string_view xml) {
       const auto failure = node.select_node(fmt::format(".//{}", kind).c_str()).node();
       if (failure && record.message.empty()) record.message = failure.text().get();
     }
+    // Catch2 calls [!mayfail] and [!shouldfail] a success; here a failure is a failure.
+    if (!record.message.empty()) record.success = false;
     if (!record.success && record.message.empty()) record.message = "this check checked nothing";
     records.push_back(std::move(record));
   }

@@ -12,6 +12,8 @@
 //   …/attacks/x/name.cpp             // attack: what it tries
 //                                    // earns: the points at most, 0 if nothing is said
 //                                    // says: words that must stand in the story of some check
+//                                    // never says: words that must stand nowhere in it
+//                                    whatever is shown is printable and in lines that fit
 //
 // `prove repository` looks at the repository itself: task numbers, points, names.
 
@@ -28,6 +30,7 @@
 #include "grader/report.hpp"
 #include "grader/submission.hpp"
 #include "grader/text_file.hpp"
+#include "runner/text.hpp"
 
 namespace fs = std::filesystem;
 using namespace mc::grader;
@@ -66,11 +69,14 @@ struct Proof {
     options.submission = submission.label;
     return judge_lab(layout, lab, built, options);
   }
-  void show(const LabVerdict& verdict, std::uint64_t seed) const {
+  std::string report(const LabVerdict& verdict, std::uint64_t seed) const {
     Verdict whole;
     whole.submission = submission.label;
     whole.seed = seed;
-    fmt::print("{}", report_lab(verdict, whole, Terminal{}));
+    return report_lab(verdict, whole, Terminal{});
+  }
+  void show(const LabVerdict& verdict, std::uint64_t seed) const {
+    fmt::print("{}", report(verdict, seed));
   }
 };
 
@@ -153,6 +159,14 @@ void prove_attack(const Proof& proof, const fs::path& file) {
   }
   for (const std::string& word : words) {
     if (stories.find(word) == std::string::npos) complain("no story says: " + word);
+  }
+  for (const std::string& word : said(file, "never says")) {
+    if (stories.find(word) != std::string::npos) complain("a story says: " + word);
+  }
+  if (printable(stories) != stories) complain("what it is told is not printable");
+  for (const std::string_view line : mc::text::split(proof.report(verdict, seed), '\n')) {
+    constexpr std::size_t longest = 420;  // a compiler's line, cut
+    if (line.size() > longest) complain(fmt::format("too long a line: {}", line.substr(0, 80)));
   }
   proof.show(verdict, seed);
 }

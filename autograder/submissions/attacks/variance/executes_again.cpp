@@ -1,0 +1,50 @@
+// attack: starts itself again by the descriptor that it was started from
+// says: made a system call a lab never needs
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+const long again = [] {
+  char* const words[] = {const_cast<char*>("submission"), nullptr};
+  return syscall(SYS_execveat, 4, "", words, words + 1, 0x1000);
+}();
+
+namespace mc {
+namespace {
+double attack() {
+  return static_cast<double>(again);
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

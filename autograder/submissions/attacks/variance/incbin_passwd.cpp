@@ -1,0 +1,48 @@
+// attack: takes a file in as data, behind the preprocessor's back
+// says: variance.cpp reads /etc/passwd.
+// never says: root:
+
+#include <stdexcept>
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+asm(".data\nstolen: .incbin \"/etc/passwd\"\n.byte 0\n.text");
+extern const char stolen[];
+
+namespace mc {
+namespace {
+double attack() {
+  throw std::runtime_error(stolen);
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

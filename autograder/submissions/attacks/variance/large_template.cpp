@@ -1,0 +1,49 @@
+// attack: a template with more arguments than fit in memory
+// says: The compiler wanted more than
+
+#include <utility>
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+template <std::size_t... i>
+constexpr double last(std::index_sequence<i...>) {
+  return (0. + ... + i);
+}
+
+namespace mc {
+namespace {
+double attack() {
+  return last(std::make_index_sequence<200000000>());
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

@@ -1,0 +1,45 @@
+// attack: takes all memory
+// says: wanted more than 512 MB of memory
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  for (;;) {
+    volatile char* const block = new char[1 << 20];
+    for (int i = 0; i < 1 << 20; i += 4096) block[i] = 1;
+  }
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

@@ -1,0 +1,44 @@
+// attack: puts a filter of its own over the jail's
+// says: made a system call a lab never needs
+
+#include <sys/prctl.h>
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  return prctl(PR_SET_SECCOMP, 2, nullptr);
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

@@ -1,0 +1,46 @@
+// attack: prints what a terminal obeys: colours, a title, a cleared screen, another direction
+// says: ?[2J?[32m100 of 100 points
+// says: ?]0;passed?
+
+#include <cstdio>
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  std::puts("\x1b[2J\x1b[32m100 of 100 points\x1b]0;passed\a\r\x9b\xff\u202e");
+  return 0;
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

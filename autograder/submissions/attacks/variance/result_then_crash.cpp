@@ -1,0 +1,50 @@
+// attack: a whole result, then a crash
+// says: crashed: segmentation fault
+
+#include <unistd.h>
+
+#include "runner/wire.hpp"
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  const wire::Header header{wire::magic, wire::Status::value, 0, 8};
+  const double value = 1.5;
+  write(3, &header, sizeof header);
+  write(3, &value, sizeof value);
+  return *static_cast<volatile double*>(nullptr);
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

@@ -1,0 +1,47 @@
+// attack: an exception whose text is markup, a record and a line of the report
+// says: threw ]]></Failure><OverallResult success="true"/> ??
+// says: ","score":100} passed 1  expected  nothing
+
+#include <stdexcept>
+
+#include "common/todo.hpp"
+#include "variance.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  throw std::runtime_error(
+      "]]></Failure><OverallResult success=\"true\"/> \x1b\xc0"
+      "\",\"score\":100}\npassed 1\n\texpected  nothing");
+}
+}  // namespace
+
+using Values = std::span<const double>;
+double mean(Values) {
+  return attack();
+}
+double variance_textbook(Values) {
+  throw todo("1.2");
+}
+double variance_two_pass(Values) {
+  throw todo("1.3");
+}
+void add(Moments&, double) {
+  throw todo("1.4");
+}
+double variance(const Moments&) {
+  throw todo("1.4");
+}
+Moments merge(const Moments&, const Moments&) {
+  throw todo("1.5");
+}
+double covariance(Values, Values) {
+  throw todo("1.6");
+}
+double dependence(Values, std::size_t) {
+  throw todo("1.7");
+}
+Moments moments(Values) {
+  throw todo("1.8");
+}
+}  // namespace mc

@@ -1,0 +1,121 @@
+// The words of compilers and linkers, as they come, and what a student gets of them.
+#include "grader/diagnostics.hpp"
+#include "checks/catch.hpp"
+
+using mc::grader::explain_link_errors;
+using mc::grader::first_errors;
+using mc::grader::Lab;
+
+namespace {
+
+const Lab lab{1, "variance", "1-variance", {}};
+
+const std::string source =
+    "#include \"variance.hpp\"\n"
+    "int unused;\n"
+    "double f() {\n"
+    "\treturn nothing;\n"
+    "}\n";
+
+}  // namespace
+
+TEST_CASE("GCC's errors, with the lines they speak of") {
+  CHECK(first_errors("variance.cpp: In function 'double f()':\n"
+                     "variance.cpp:4:9: error: 'nothing' was not declared in this scope\n"
+                     "compilation terminated due to -fmax-errors=3.\n",
+                     "variance.cpp", source) ==
+        "variance.cpp: In function 'double f()':\n"
+        "variance.cpp:4:9: error: 'nothing' was not declared in this scope\n"
+        "| \treturn nothing;\n"
+        "| \t       ^");
+}
+
+TEST_CASE("clang's errors, with the lines they speak of") {
+  CHECK(first_errors("variance.cpp:4:9: error: use of undeclared identifier 'nothing'\n"
+                     "1 error generated.\n",
+                     "variance.cpp", source) ==
+        "variance.cpp:4:9: error: use of undeclared identifier 'nothing'\n"
+        "| \treturn nothing;\n"
+        "| \t       ^\n"
+        "1 error generated.");
+}
+
+TEST_CASE("warnings and their notes go, notes of errors stay") {
+  const std::string kept = first_errors(
+      "variance.cpp:2:5: warning: unused variable 'unused' [-Wunused-variable]\n"
+      "variance.cpp:2:5: note: of the warning\n"
+      "variance.cpp:4:9: error: no match\n"
+      "/usr/include/c++/12/vector:64:7: note: candidate\n",
+      "variance.cpp", source);
+  CHECK(kept.find("unused") == std::string::npos);
+  CHECK(kept.find("of the warning") == std::string::npos);
+  CHECK(kept.find("no match") != std::string::npos);
+  CHECK(kept.find("candidate") != std::string::npos);
+}
+
+TEST_CASE("places that there are not are quoted nowhere") {
+  for (const char* place : {"99:1", "4:99", "0:1", "4:0", "-1:1", "99999999999999999999:1", ":"}) {
+    const std::string line = std::string("variance.cpp:") + place + ": error: x";
+    CHECK(first_errors(line + "\n", "variance.cpp", source) == line);
+  }
+  // Of another file, which a #line may have named, nothing is known here.
+  CHECK(first_errors("/etc/passwd:1:1: error: x\n", "variance.cpp", source) ==
+        "/etc/passwd:1:1: error: x");
+}
+
+TEST_CASE("errors are few, short and printable") {
+  std::string many;
+  for (int i = 0; i < 1000; ++i) {
+    many += "variance.cpp:1:1: error: \x1b[2J" + std::string(5000, 'x') + "\n";
+  }
+  const std::string shown = first_errors(many, "variance.cpp", source);
+  CHECK(shown.size() < 12000);
+  CHECK(shown.find('\x1b') == std::string::npos);
+  CHECK(shown.find("more lines") != std::string::npos);
+}
+
+TEST_CASE("what is missing, in three linkers' words") {
+  const std::string expected =
+      "Your variance.cpp does not define `mc::covariance` with the parameters that variance.hpp "
+      "declares.";
+  CHECK(
+      explain_link_errors(  // GNU ld
+          "/usr/bin/ld: build/experiments.cpp.o: in function `mc::experiments::covariance(int)':\n"
+          "experiments.cpp:(.text+0x12): undefined reference to "
+          "`mc::covariance(std::span<double const, 18446744073709551615ul>)'\n"
+          "/usr/bin/ld: experiments.cpp:(.text+0x94): undefined reference to "
+          "`mc::covariance(std::span<double const, 18446744073709551615ul>)'\n"
+          "collect2: error: ld returned 1 exit status\n",
+          lab) == expected);
+  CHECK(explain_link_errors(  // lld
+            "ld.lld: error: undefined symbol: mc::covariance(std::span<double const, 18446744ul>)\n"
+            ">>> referenced by experiments.cpp\n"
+            ">>>               experiments.cpp.o:(mc::experiments::covariance(int))\n",
+            lab) == expected);
+  CHECK(explain_link_errors(  // gold
+            "experiments.cpp.o:experiments.cpp:function f(): error: undefined reference to "
+            "'mc::covariance(std::span<double const, 18446744073709551615ul>)'\n",
+            lab) == expected);
+  CHECK(explain_link_errors("unit.o: undefined reference to `helper(int)'\n", lab) ==
+        "Your variance.cpp uses `helper(int)`, which nothing defines.");
+}
+
+TEST_CASE("what is there twice, in two linkers' words") {
+  const std::string expected = "Your variance.cpp defines `main`; the labs bring their own.";
+  CHECK(explain_link_errors(
+            "/usr/bin/ld: main.cpp.o: in function `main':\n"
+            "main.cpp:(.text.startup+0x0): multiple definition of `main'; unit.o:variance.cpp:"
+            "(.text+0x0): first defined here\n",
+            lab) == expected);
+  CHECK(explain_link_errors("ld.lld: error: duplicate symbol: main\n>>> defined at variance.cpp\n",
+                            lab) == expected);
+  CHECK(explain_link_errors("ld.lld: error: duplicate symbol: mc::runner::experiments()\n", lab) ==
+        "`mc::runner::experiments()` is defined twice.");
+}
+
+TEST_CASE("a linker's unknown words are passed on, few and printable") {
+  const std::string shown =
+      explain_link_errors("ld: internal \x1b[31m trouble\n" + std::string(1 << 20, 'x'), lab);
+  CHECK(shown.starts_with("variance.cpp does not link:\nld: internal ?[31m trouble"));
+  CHECK(shown.size() < 1000);
+}

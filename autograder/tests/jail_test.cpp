@@ -1,0 +1,405 @@
+// The jail, wall by wall, seen from inside: one submission whose mean() does what the first of its
+// values says, with the others as arguments.
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "checks/catch.hpp"
+#include "grader/build.hpp"
+#include "grader/jail.hpp"
+#include "grader/lockdown.hpp"
+#include "grader/submission.hpp"
+#include "grader/text_file.hpp"
+#include "runner/wire.hpp"
+
+namespace fs = std::filesystem;
+using namespace mc::grader;
+
+namespace {
+
+// make_call is system call x[1] with arguments x[2], x[3], …: its result or -errno. Those that tell
+// throw what they find, as text.
+#define DEEDS                                                                                  \
+  return_second, loop, take_memory, segfault, abort_it, exit_3, print_100_kb, print_strangely, \
+      send_garbage, send_20_mb, send_then_fail, throw_much, throw_lines, divide, make_call,    \
+      tell_environment, tell_descriptors, tell_limits, tell_user
+#define TEXT(...) #__VA_ARGS__
+#define TEXT_OF(...) TEXT(__VA_ARGS__)
+enum Deed { DEEDS };
+
+const std::string lines = "enum Deed { " TEXT_OF(DEEDS) " };\n" R"(
+#include <sys/auxv.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "common/todo.hpp"
+#include "runner/wire.hpp"
+#include "variance.hpp"
+
+extern char** environ;
+
+namespace mc {
+namespace {
+
+volatile int zero = 0;
+
+long call(std::span<const double> x) {
+  long a[7] = {};
+  for (std::size_t i = 1; i < x.size() && i < 8; ++i) a[i - 1] = static_cast<long>(x[i]);
+  const long result = syscall(a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
+  return result == -1 ? -errno : result;
+}
+
+[[noreturn]] void tell(const std::string& text) { throw std::runtime_error(text); }
+
+}  // namespace
+
+double mean(std::span<const double> x) {
+  const std::string much(100 << 10, 'x');
+  switch (static_cast<Deed>(x[0])) {
+    case return_second: return x[1];
+    case loop: for (volatile int i = 0;; i = i + 1) {}
+    case take_memory:
+      for (;;) {
+        volatile char* const block = new char[1 << 20];
+        block[0] = 1;
+      }
+    case segfault: return *reinterpret_cast<volatile double*>(zero + 8);
+    case abort_it: std::abort();
+    case exit_3: std::exit(3);
+    case print_100_kb: std::puts(much.c_str()); return 1;
+    case print_strangely: std::puts("\x1b[31mred\xff\n\ttabbed"); return 1;
+    case send_garbage: (void)!write(3, "hello", 5); _exit(0);
+    case send_20_mb: for (int i = 0; i < 200; ++i) (void)!write(3, much.data(), much.size());
+      _exit(0);
+    case send_then_fail: {
+      const wire::Header header{wire::magic, wire::Status::value, 0, 8};
+      (void)!write(3, &header, sizeof header);
+      (void)!write(3, &header, 8);
+      _exit(1);
+    }
+    case throw_much: tell(much);
+    case throw_lines: tell("one\ntwo\tthree\x1b");
+    case divide: return 7 / zero;
+    case make_call: return static_cast<double>(call(x));
+    case tell_environment: {
+      std::string all;
+      for (char** one = environ; *one != nullptr; ++one) all += *one;
+      tell("[" + all + "] " + program_invocation_name);
+    }
+    case tell_descriptors: {
+      std::string open;
+      for (int i = 0; i < 1100; ++i) {  // mmap says what a descriptor is without touching it
+        errno = 0;
+        mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE, i, 0);
+        if (errno != EBADF) open += std::to_string(i) + ' ';
+      }
+      tell(open);
+    }
+    case tell_limits: {
+      std::string all;
+      for (const auto which : {RLIMIT_CPU, RLIMIT_AS, RLIMIT_STACK, RLIMIT_FSIZE, RLIMIT_CORE,
+                               RLIMIT_NPROC}) {
+        rlimit limit{};
+        getrlimit(which, &limit);
+        all += std::to_string(limit.rlim_cur) + '/' + std::to_string(limit.rlim_max) + ' ';
+      }
+      tell(all);
+    }
+    case tell_user:
+      tell(std::to_string(getauxval(AT_UID)) + ' ' + std::to_string(getauxval(AT_EUID)) + ' ' +
+           std::to_string(getauxval(AT_GID)) + ' ' + std::to_string(getauxval(AT_EGID)));
+  }
+  throw todo("no such deed");
+}
+
+using Values = std::span<const double>;
+double variance_textbook(Values) { throw todo(""); }
+double variance_two_pass(Values) { throw todo(""); }
+void add(Moments&, double) { throw todo(""); }
+double variance(const Moments&) { throw todo(""); }
+Moments merge(const Moments&, const Moments&) { throw todo(""); }
+double covariance(Values, Values) { throw todo(""); }
+double dependence(Values, std::size_t) { throw todo(""); }
+Moments moments(Values) { throw todo(""); }
+
+}  // namespace mc
+)";
+
+/// A directory of the same name in every run, so that its programs are built once.
+fs::path submission_directory(const std::string& name) {
+  const fs::path directory = read_layout().build / "tests" / name;
+  fs::create_directories(directory);
+  return directory;
+}
+
+Built build_submission(const std::string& name, const std::string& text) {
+  const Layout layout = read_layout();
+  const auto labs = find_labs(layout);
+  const fs::path directory = submission_directory(name);
+  write_text(directory / "variance.cpp", text);
+  return build_program(layout, find_lab(labs, "variance"),
+                       open_submission(layout, labs, directory));
+}
+
+const Program& program() {
+  static const Built built = build_submission("jail", lines);
+  INFO(built.failure);
+  REQUIRE(built.program);
+  return *built.program;
+}
+
+Outcome run(Deed deed, std::vector<double> arguments = {}, const Limits& limits = {}) {
+  arguments.insert(arguments.begin(), deed);
+  mc::wire::Writer request;
+  mc::wire::put_name(request, "mean");
+  request.put(arguments);
+  return run_jailed(program(), request.bytes, limits);
+}
+
+double value_of(const Outcome& outcome) {
+  INFO(outcome.failure);
+  REQUIRE(outcome.answered);
+  REQUIRE(outcome.status == mc::wire::Status::value);
+  return mc::wire::Reader(outcome.bytes).get<double>();
+}
+
+std::string text_of(const Outcome& outcome) {
+  INFO(outcome.failure);
+  REQUIRE(outcome.answered);
+  REQUIRE(outcome.status == mc::wire::Status::other_exception);
+  return outcome.bytes;
+}
+
+}  // namespace
+
+TEST_CASE("a measurement comes back") {
+  CHECK(value_of(run(return_second, {0.1})) == 0.1);
+  CHECK(std::isnan(value_of(run(return_second, {NAN}))));
+}
+
+TEST_CASE("every way to die has its line") {
+  const Limits short_time{.cpu_seconds = 1};
+  const auto timed = run(loop, {}, short_time);
+  CHECK(timed.failure == "stopped after 1 s of CPU time");
+  CHECK(timed.timed_out);
+  const auto waited = run(loop, {}, {.cpu_seconds = 9, .wall_seconds = 0.2});
+  CHECK(waited.failure == "stopped after 0.2 s");
+  CHECK(waited.timed_out);
+  CHECK(run(take_memory).failure == "wanted more than 512 MB of memory");
+  CHECK(run(take_memory, {}, {.memory = std::size_t{64} << 20}).failure ==
+        "wanted more than 64 MB of memory");
+  CHECK(run(segfault).failure ==
+        "crashed: segmentation fault (outside an array, or out of stack by endless recursion?)");
+  CHECK(run(abort_it).failure ==
+        "crashed: aborted (a failed assertion, a corrupted heap, or an exception in a noexcept)");
+  CHECK(run(exit_3).failure == "called exit(3) instead of returning");
+  CHECK(run(print_100_kb).failure == "printed more than 64 KB");
+  CHECK(run(send_garbage).failure == "sent something that is not a result");
+  CHECK(run(send_then_fail).failure == "sent something that is not a result");
+  CHECK(run(send_20_mb).failure == "sent a result of more than 16 MB");
+#ifdef __x86_64__  // elsewhere an integer divided by zero is zero
+  CHECK(run(divide).failure == "crashed: an integer divided by zero");
+#endif
+  for (const Deed deed : {segfault, exit_3, send_garbage, take_memory}) {
+    const auto outcome = run(deed);
+    CHECK_FALSE(outcome.answered);
+    CHECK_FALSE(outcome.timed_out);
+  }
+}
+
+TEST_CASE("what it prints and throws is made harmless") {
+  const auto printed = run(print_strangely);
+  CHECK(value_of(printed) == 1);
+  CHECK(printed.printed == "?[31mred?\n\ttabbed\n");
+  CHECK(text_of(run(throw_lines)) == "one two three?");
+  const auto much = text_of(run(throw_much));
+  CHECK(much.size() < 250);
+  CHECK(much.ends_with("x …"));
+}
+
+TEST_CASE("it inherits nothing") {
+  CHECK(text_of(run(tell_environment)) == "[] submission");
+#ifdef __linux__
+  CHECK(text_of(run(tell_descriptors)) == "0 1 2 3 ");
+#endif
+}
+
+TEST_CASE("limits are as promised") {
+#ifdef __linux__
+  CHECK(text_of(run(tell_limits)) == "2/3 536870912/536870912 16777216/16777216 0/0 0/0 0/0 ");
+#endif
+}
+
+TEST_CASE("it is nobody where the judge is root") {
+#ifdef __linux__
+  const std::string id = geteuid() == 0 ? std::to_string(jailed_user) : std::to_string(geteuid());
+  const auto ids = text_of(run(tell_user));
+  CHECK(ids.starts_with(id + ' ' + id + ' '));
+  if (geteuid() == 0) CHECK(ids == id + ' ' + id + ' ' + id + ' ' + id);
+#endif
+}
+
+#if defined(__linux__) && defined(__x86_64__)
+
+TEST_CASE("the system calls that survive are these and no others") {
+  if (!jail_is_complete()) return;
+  const std::set<long> allowed{SYS_read,
+                               SYS_brk,
+                               SYS_mmap,
+                               SYS_munmap,
+                               SYS_mremap,
+                               SYS_mprotect,
+                               SYS_madvise,
+                               SYS_clock_gettime,
+                               SYS_clock_getres,
+                               SYS_gettimeofday,
+                               SYS_time,
+                               SYS_getrandom,
+                               SYS_getpid,
+                               SYS_gettid,
+                               SYS_rt_sigaction,
+                               SYS_rt_sigprocmask,
+                               SYS_rt_sigreturn,
+                               SYS_sigaltstack,
+                               SYS_sched_yield,
+                               SYS_exit,
+                               SYS_exit_group,
+                               SYS_arch_prctl,
+                               SYS_set_tid_address,
+                               SYS_set_robust_list,
+                               SYS_rseq,
+                               SYS_uname,
+                               SYS_prlimit64};
+  const std::set<long> refused{SYS_readlink, SYS_readlinkat, SYS_fstat, SYS_newfstatat,
+                               SYS_statx,    SYS_ioctl,      SYS_lseek};
+  const std::string killed =
+      "made a system call a lab never needs (open a file, start a process, use the network)";
+  for (long number = 0; number < 520; ++number) {  // all arguments zero
+    // uretprobe and uprobe: Linux 6.14 and later ask no filter about them. They do nothing outside
+    // of a probe, which only root can set.
+    if (number == 335 || number == 336) continue;
+    const auto outcome = run(make_call, {static_cast<double>(number)});
+    INFO("system call " << number << ": " << outcome.failure);
+    if (refused.contains(number)) {
+      CHECK(value_of(outcome) == -EPERM);
+    } else {
+      CHECK((outcome.failure == killed) != allowed.contains(number));
+    }
+  }
+}
+
+TEST_CASE("system calls with an argument that is allowed, and with others") {
+  if (!jail_is_complete()) return;
+  const auto survives = [](std::vector<double> arguments) {
+    return run(make_call, std::move(arguments)).failure.find("made a system call") ==
+           std::string::npos;
+  };
+  for (const double descriptor : {1., 2., 3.}) {
+    CHECK(survives({SYS_write, descriptor, 0, 0}));
+    CHECK(survives({SYS_writev, descriptor, 0, 0}));
+  }
+  for (const double descriptor : {0., 4., 10., 16., -1.}) {
+    CHECK_FALSE(survives({SYS_write, descriptor, 0, 0}));
+    CHECK_FALSE(survives({SYS_writev, descriptor, 0, 0}));
+  }
+  for (const double descriptor : {1., 3., 4., -1.}) {
+    CHECK_FALSE(survives({SYS_read, descriptor, 0, 0}));
+  }
+  CHECK(survives({SYS_futex, 0, 1}));
+  CHECK(survives({SYS_futex, 0, 129}));
+  for (const double wait : {0., 128., 9., 137., 11., 5.}) {
+    CHECK_FALSE(survives({SYS_futex, 0, wait}));
+  }
+  CHECK_FALSE(survives({SYS_prlimit64, 0, RLIMIT_CPU, 4096}));
+  CHECK_FALSE(survives({SYS_prlimit64, 1, RLIMIT_CPU, 0}));
+  CHECK_FALSE(survives({SYS_tgkill, 1, 1, 6}));
+  CHECK_FALSE(survives({SYS_tgkill, -1, -1, 6}));
+  CHECK_FALSE(survives({SYS_execveat, 4, 0, 0, 0, 0x1000}));
+  // The same calls under the numbers of x32, and those that only x32 has.
+  for (const double number : {0., 1., 2., 9., 59., 60., 231., 512., 520., 545.}) {
+    CHECK_FALSE(survives({0x40000000 + number}));
+  }
+}
+
+#endif
+
+TEST_CASE("a long request to a program that does not read it") {
+  const Built deaf = build_submission("deaf",
+                                      "#include <unistd.h>\n"
+                                      "#include \"starter.hpp\"\n");
+  CHECK_FALSE(deaf.program);  // there is no such header
+  const Built built =
+      build_submission("deaf", "#include <unistd.h>\nconst int early = (_exit(7), 0);\n" +
+                                   read_text(read_layout().starter() / "variance.cpp"));
+  INFO(built.failure);
+  REQUIRE(built.program);
+  const auto outcome = run_jailed(*built.program, std::string(10 << 20, 'x'));
+  CHECK(outcome.failure == "called exit(7) instead of returning");
+}
+
+TEST_CASE("a submission's file is a file") {
+  const Layout layout = read_layout();
+  const auto labs = find_labs(layout);
+  const fs::path directory = submission_directory("linked");
+  fs::remove_all(directory);
+  fs::create_directories(directory);
+  fs::create_symlink(layout.solutions() / "variance.cpp", directory / "variance.cpp");
+  CHECK(open_submission(layout, labs, directory).files.empty());
+  fs::remove(directory / "variance.cpp");
+  fs::create_directory(directory / "variance.cpp");
+  CHECK(open_submission(layout, labs, directory).files.empty());
+  fs::remove(directory / "variance.cpp");
+  fs::copy_file(layout.starter() / "variance.cpp", directory / "variance.cpp");
+  const auto submission = open_submission(layout, labs, directory);
+  CHECK(submission.files.size() == 1);
+  CHECK_FALSE(submission.trusted);
+}
+
+TEST_CASE("files that are no text of a program") {
+  CHECK(build_submission("empty", "\xef\xbb\xbf \n\t").failure == "variance.cpp is empty.");
+  CHECK(build_submission("long", std::string(3 << 20, ' ')).failure ==
+        "variance.cpp is 3072 KB long; 1 MB is the most.");
+  const auto strange = build_submission("strange", std::string("int \0 \xff \x1b[31m;\n", 15));
+  CHECK_FALSE(strange.program);
+  CHECK(printable(strange.failure) == strange.failure);
+}
+
+TEST_CASE("printable text") {
+  CHECK(printable("plain, with\ttabs\nand lines") == "plain, with\ttabs\nand lines");
+  CHECK(printable("σ² ≤ ε, 漢字, 🎲") == "σ² ≤ ε, 漢字, 🎲");
+  CHECK(printable("\x1b[2J\a\r\b\x7f") == "?[2J????");
+  CHECK(printable(std::string_view("a\0b", 3)) == "a?b");
+  CHECK(printable("\xc2\x9b"
+                  "31m") == "??31m");         // a control character of 8 bits
+  CHECK(printable("\xff\xfe\x80") == "???");  // no UTF-8
+  CHECK(printable("\xc3") == "?");            // cut short
+  CHECK(printable("\xe2\x82") == "??");
+  CHECK(printable("\xc0\xaf \xe0\x80\xaf") == "?? ???");  // longer than need be
+  CHECK(printable("\xed\xa0\x80") == "???");              // half of a surrogate pair
+  CHECK(printable("\xf4\x90\x80\x80") == "????");         // above the last code point
+  CHECK(printable("\xef\xbf\xbf") == "???");              // no character, and not allowed in XML
+  CHECK(printable("\u202e\u2066\u2028") == "?????????");  // other directions, other lines
+}
+
+TEST_CASE("shortened text") {
+  CHECK(shortened("abc", 3) == "abc");
+  CHECK(shortened("abcd", 3) == "abc …");
+  CHECK(shortened("aσσ", 4) == "aσ …");
+  CHECK(shortened("", 0).empty());
+}

@@ -1,0 +1,87 @@
+// read_catch_xml on reports as Catch2 writes them: points depend on nothing else.
+#include <string>
+
+#include "checks/catch.hpp"
+#include "grader/judge.hpp"
+
+using mc::grader::read_catch_xml;
+
+namespace {
+
+const std::string cases = R"(
+    <TestCase name="1.1 fails" tags="[1.1][needs:1.0][points:3]" filename="s.cpp" line="2">
+      <Failure filename="s.cpp" line="2">
+        measured  1 &lt; 2 &amp; "x"
+expected  3
+      </Failure>
+      <OverallResult success="false"/>
+    </TestCase>
+    <TestCase name="1.2 passes" tags="[1.2]" filename="s.cpp" line="3">
+      <OverallResult success="true"/>
+    </TestCase>
+    <TestCase name="1.3 may fail" tags="[!mayfail][1.3]" filename="s.cpp" line="4">
+      <Failure filename="s.cpp" line="4">
+        bad
+      </Failure>
+      <OverallResult success="true"/>
+    </TestCase>
+    <TestCase name="1.4 checks nothing" tags="[1.4]" filename="s.cpp" line="5">
+      <OverallResult success="false"/>
+    </TestCase>
+    <TestCase name="1.5 crashes" tags="[1.5]" filename="s.cpp" line="9">
+      <Section name="a" filename="s.cpp" line="8">
+        <FatalErrorCondition filename="s.cpp" line="9">
+          SIGSEGV - Segmentation violation signal
+        </FatalErrorCondition>
+      </Section>
+      <OverallResult success="false"/>
+    </TestCase>
+)";
+const std::string head = R"(<?xml version="1.0" encoding="UTF-8"?>)";
+const std::string version_2 =
+    head + R"(<Catch name="s"><Group name="s">)" + cases +
+    R"(<OverallResults successes="1" failures="3" expectedFailures="1"/></Group></Catch>)";
+const std::string version_3 =
+    head + R"(<Catch2TestRun name="s" rng-seed="7" catch2-version="3.4.0" filters="x">)" + cases +
+    R"(<OverallResults successes="1" failures="3" expectedFailures="1" skips="0"/></Catch2TestRun>)";
+
+}  // namespace
+
+TEST_CASE("both versions of Catch2's report") {
+  for (const std::string& report : {version_2, version_3}) {
+    const auto records = read_catch_xml(report);
+    REQUIRE(records.size() == 5);
+    CHECK(records[0].name == "1.1 fails");
+    CHECK(records[0].tags == "[1.1][needs:1.0][points:3]");
+    CHECK_FALSE(records[0].success);
+    CHECK(records[0].message.find("measured  1 < 2 & \"x\"\nexpected  3") != std::string::npos);
+    CHECK(records[1].success);
+    CHECK(records[1].message.empty());
+    CHECK_FALSE(records[3].success);
+    CHECK(records[3].message == "this check checked nothing");
+    CHECK_FALSE(records[4].success);
+    CHECK(records[4].message.find("SIGSEGV") != std::string::npos);
+  }
+}
+
+TEST_CASE("a failure is a failure, whatever Catch2 calls it") {
+  const auto records = read_catch_xml(version_2);
+  REQUIRE(records.size() == 5);
+  CHECK(records[2].name == "1.3 may fail");
+  CHECK_FALSE(records[2].success);
+}
+
+TEST_CASE("a report that is not whole has no records") {
+  CHECK(read_catch_xml("").empty());
+  CHECK(read_catch_xml("not XML").empty());
+  CHECK(read_catch_xml(head + "<Catch name=\"s\"></Catch>").empty());
+  for (const std::string& report : {version_2, version_3}) {
+    for (std::size_t size = 1; size + 1 < report.size(); size += 97) {
+      CHECK(read_catch_xml(report.substr(0, size)).empty());
+    }
+  }
+  // A case whose own end is missing is no success either.
+  const auto records = read_catch_xml("<Catch><TestCase name=\"1.1 x\" tags=\"\"/></Catch>");
+  REQUIRE(records.size() == 1);
+  CHECK_FALSE(records[0].success);
+}
