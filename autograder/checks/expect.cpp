@@ -8,11 +8,17 @@
 namespace mc::checks {
 namespace {
 
-std::string hint_for(double got, const Hints& hints) {
+/// The measured value counts as a suspect's from nine digits on: few enough for additions in
+/// another order, too many for chance. One that would have met the expectation is no suspect.
+template <class Meets>
+std::string hint_for(double got, const Hints& hints, Meets meets) {
   for (const Suspect& suspect : hints.suspects) {
-    if (digits(got, suspect.value) >= 9) return suspect.hint;
+    const double apart = std::abs(got - suspect.value);
+    const bool equal = std::isfinite(suspect.value) ? apart <= 1e-9 * std::abs(suspect.value)
+                                                    : got == suspect.value;
+    if (equal && !meets(suspect.value)) return suspect.hint;
   }
-  return hints.otherwise;
+  return std::isnan(got) && !hints.for_nan.empty() ? hints.for_nan : hints.otherwise;
 }
 
 [[noreturn]] void tell(const std::string& measured, const std::string& expected,
@@ -34,7 +40,7 @@ bool names_argument(const std::string& text, const std::string& argument) {
 
 double digits(double got, double exact) {
   if (got == exact) return 17;
-  if (!std::isfinite(got)) return -99;
+  if (!std::isfinite(got) || !std::isfinite(exact)) return -99;
   const double error = std::abs(got - exact);
   return std::min(17.0, -std::log10(exact == 0 ? error : error / std::abs(exact)));
 }
@@ -47,16 +53,17 @@ void expect_digits(const std::string& what, double got, double exact, double flo
       std::isfinite(got) ? fmt::format("; {:.1f} are", std::max(0.0, kept)) : "";
   tell(fmt::format("{} = {}", what, got),
        fmt::format("{}, with at least {:.1f} digits right{}", exact, floor, how_many), because,
-       hint_for(got, hints));
+       hint_for(got, hints, [=](double value) { return digits(value, exact) >= floor; }));
 }
 
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Hints& hints) {
-  if (std::abs(got - exact) <= tolerance) return pass();
+  const auto meets = [=](double value) { return std::abs(value - exact) <= tolerance; };
+  if (meets(got)) return pass();
   tell(fmt::format("{} = {}", what, got),
        exact == 0 ? fmt::format("0, or at most {:.3g} away from it", tolerance)
                   : fmt::format("{}, give or take {:.3g}", exact, tolerance),
-       because, hint_for(got, hints));
+       because, hint_for(got, hints, meets));
 }
 
 void expect_that(bool holds, const std::string& measured, const std::string& expected,

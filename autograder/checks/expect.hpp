@@ -15,14 +15,16 @@ struct Suspect {
   std::string hint;
 };
 
-/// Hints for a failure: those of the suspects that the measured value equals, else the last one.
+/// Hints for a failure: that of the first suspect that the measured value equals; for a NaN, the
+/// one for NaNs, if there is one; else `otherwise`.
 struct Hints {
   std::vector<Suspect> suspects;
   std::string otherwise;
+  std::string for_nan = {};
 };
 
 /// The digits of `exact` that `got` has: -log10 of the relative error (of the error, where `exact`
-/// is 0). 17 where they are equal, -99 where `got` is not finite.
+/// is 0). 17 where they are equal, else -99 where one of them is not finite.
 double digits(double got, double exact);
 
 /// `got` has at least `floor` digits of `exact`; `because` says where the floor comes from. `what`
