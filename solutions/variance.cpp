@@ -67,7 +67,7 @@ double variance_two_pass(std::span<const double> x) {
     m2 += deviation * deviation;
     correction += deviation;
   }
-  return std::max(0.0, m2 - correction * correction / n) / (n - 1);
+  return std::max(m2 - correction * correction / n, 0.0) / (n - 1);  // of NaN and 0, NaN
 }
 
 // 1.4 --------------------------------------------------------------------------------------------
@@ -223,7 +223,7 @@ Moments moments_from(double shift, std::span<const double> block) {
     all_squares += (value - shift) * (value - shift);
   }
   const double offset = all / static_cast<double>(block.size());
-  return {block.size(), offset, std::max(0.0, all_squares - all * offset)};
+  return {block.size(), offset, std::max(all_squares - all * offset, 0.0)};
 }
 
 }  // namespace

@@ -373,6 +373,15 @@ TEST_CASE("1.3 the variance of constant data is zero", "[1.3][points:4][needs:1.
   expect_not_negative(MEASURE(variance_two_pass, x));
 }
 
+/// Finite values whose variance, 1e600 and more, is none.
+const Values beyond_double[] = {{1e300, 2e300, 3e300}, {1.7e308, -1.7e308, 1.7e308, -1.7e308}};
+
+void expect_overflow(const std::string& call, double got) {
+  expect_that(!std::isfinite(got), fmt::format("{} = {}", call, got), "inf or NaN",
+              "the variance is 1e600 or more, which no double holds",
+              "a finite number here is made up; is it std::max(0.0, NaN), which is 0?");
+}
+
 /// The hard cases that any sample variance of a list must get through, by whatever way.
 struct Algorithm {
   std::function<Measured<double>(const Values&)> variance;
@@ -392,10 +401,10 @@ void expect_hard_variance(Rng& rng, const Algorithm& by) {
                 "the variance of {c, 2c, 3c} is c^2, a double here",
                 by.hints(large_values, exact_moments(large_values),
                          "does anything overflow that need not: a product, a float?"));
-  const auto overflow = by.variance({1e300, 2e300, 3e300});
-  expect_that(!std::isfinite(overflow.value), fmt::format("{} = {}", overflow.call, overflow.value),
-              "inf or NaN", "the variance is 1e600, which no double holds",
-              "a finite number here is made up; is it std::max(0.0, NaN), which is 0?");
+  for (const Values& x : beyond_double) {
+    const auto overflow = by.variance(x);
+    expect_overflow(overflow.call, overflow.value);
+  }
   const Values tiny_values{tiny, 2 * tiny, 3 * tiny};
   const auto small = by.variance(tiny_values);
   expect_within(small.call, small.value, tiny * tiny, 4 * std::numeric_limits<double>::denorm_min(),
@@ -897,6 +906,10 @@ TEST_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:5]") {
   Values sorted = uniform_values(rng, 10000, 1e9, 1e9 + 1);
   std::sort(sorted.begin(), sorted.end());
   expect_digits_of_two_passes("sorted", sorted, rounded_means);
+  for (const Values& x : beyond_double) {
+    const auto overflow = MEASURE(moments, x);
+    expect_overflow(overflow.call + ".m2", overflow.value.m2);
+  }
 }
 
 }  // namespace

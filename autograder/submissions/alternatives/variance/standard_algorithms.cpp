@@ -52,7 +52,7 @@ double variance_textbook(std::span<const double> x) {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
   const auto d = deviations(x);
-  return std::max(0.0, corrected(d, d)) / (size_of(x) - 1);
+  return std::max(corrected(d, d), 0.0) / (size_of(x) - 1);
 }
 
 void add(Moments& moments, double x) {
@@ -101,7 +101,7 @@ Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
   const auto d = deviations(x);
   const double off = std::reduce(d.begin(), d.end()) / size_of(x);
-  return {x.size(), mean(x) + off, std::max(0.0, corrected(d, d))};
+  return {x.size(), mean(x) + off, std::max(corrected(d, d), 0.0)};
 }
 
 }  // namespace mc
