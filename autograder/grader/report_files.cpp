@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "grader/jail.hpp"
 #include "grader/report.hpp"
 
 namespace mc::grader {
@@ -17,7 +18,7 @@ std::string output_of(const CheckResult& result, const LabVerdict& lab) {
     text += fmt::format("\nread      labs/{}/README.md, section {}\nagain     {}", lab.lab.folder,
                         result.check.task, result.repeat);
   }
-  if (!result.printed.empty()) text += "\nit printed\n" + result.printed.substr(0, 2000);
+  if (!result.printed.empty()) text += "\nit printed\n" + shortened(result.printed, 2000);
   return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/jail.hpp"
 #include "grader/report.hpp"
 #include "runner/text.hpp"
 
@@ -76,7 +77,7 @@ std::string printed_lines(const std::string& printed) {
   std::size_t count = 0;
   for (const std::string_view line : lines) {
     if (line.empty()) continue;
-    if (count++ < most) all += fmt::format("{:{}}| {}\n", "", margin, line.substr(0, 160));
+    if (count++ < most) all += fmt::format("{:{}}| {}\n", "", margin, shortened(line, 160));
   }
   if (count > most) all += fmt::format("{:{}}| … {} more lines\n", "", margin, count - most);
   return all.empty() ? all : fmt::format("{:{}}it printed\n{}", "", margin, all);
