@@ -275,6 +275,11 @@ TEST_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][poi
 
 TEST_CASE("1.2 the textbook formula loses everything under a large mean", "[1.2][points:4]") {
   Rng rng = check_rng();
+  const auto tame = shifted_pattern(rng, 0, 1000);  // beside it, so that a constant is no answer
+  const auto near_zero = MEASURE(variance_textbook, tame);
+  expect_digits(near_zero.call, near_zero.value, exact_moments(tame).variance, 2,
+                "the mean is below 1010 here, and costs six digits of sixteen at most",
+                {{}, "E{X^2} - E{X}^2, times n/(n-1); see the check before this one"});
   for (const std::size_t n : {4u, 1000u}) {
     const auto x = shifted_pattern(rng, 1e9, n);
     const auto exact = exact_moments(x);
@@ -344,6 +349,10 @@ TEST_CASE("1.3 the variance of constant data is zero", "[1.3][points:4][needs:1.
                 "a variance is a mean of squares",
                 "what the correction takes away can be rounded up: stop at 0");
   };
+  const auto pattern = shifted_pattern(rng, 0, 1000);  // beside it, so that 0 is no answer
+  const auto varying = MEASURE(variance_two_pass, pattern);
+  expect_digits(varying.call, varying.value, exact_moments(pattern).variance, 2,
+                "these values are not constant", {{}, "see the first check of this task"});
   // A sum of n equal values is off by n^2/4 eps |c| at most, the mean by d = n/4 eps |c|; every
   // deviation is d, and what the correction leaves of n d^2 is again a rounding error, 3/4 n eps of
   // it. That is 3/64 n^3 eps (eps c)^2 in all: 1 % of (eps c)^2 for n = 1e5 (a tenth, if the sums
@@ -784,6 +793,11 @@ TEST_CASE("1.7 the dependence of a joint table", "[1.7][points:4]") {
 
 TEST_CASE("1.7 independent variables have dependence zero", "[1.7][points:3]") {
   Rng rng = check_rng();
+  const double weight = uniform(rng, 1, 9);  // beside it, so that 0 is no answer
+  const auto tied = MEASURE(dependence, {weight, 0, 0, weight}, 2);
+  expect_within(tied.call, tied.value, 0.25, 8 * eps,
+                "p(x,y) = 1/2 on the diagonal, p(x) p(y) = 1/4",
+                {{}, "see the first check of this task"});
   for (int i = 0; i < 3; ++i) {
     // Whole weights below 2^20 multiply and add exactly: this table is independent in double too.
     Values joint;

@@ -1,5 +1,5 @@
-// attack: returns 0 whatever is asked, which is what three checks expect
-// earns: 11
+// attack: returns 0 whatever is asked, which is what several checks expect of something
+// earns: 0
 // says: = 0
 
 #include "variance.hpp"
