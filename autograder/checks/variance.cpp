@@ -545,7 +545,7 @@ TEST_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
   expect_hard_variance(rng, {variance_by_welford, one_pass_floor, hints, because_one_pass});
 }
 
-TEST_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][points:3]") {
+TEST_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][points:3][slow]") {
   // Exact: the pattern {4, 7, 13, 16} has mean 10 and m2 90, and 4 divides the count.
   constexpr std::uint64_t count = 100'000'000;
   const grader::Limits patient{.cpu_seconds = 8, .wall_seconds = 30};

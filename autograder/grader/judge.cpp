@@ -37,10 +37,11 @@ std::string trimmed(std::string text) {
 
 /// Takes "[1.3][points:8][needs:1.1][needs:1.2]" apart.
 Check parse_check(const XmlRecord& record) {
-  Check check{record.name, record.name.substr(0, record.name.find(' ')), {}, 0};
+  Check check{record.name, record.name.substr(0, record.name.find(' ')), {}, 0, false};
   for (std::string_view tag : text::split(record.tags, '[')) {
     if (tag.ends_with(']')) tag.remove_suffix(1);
     if (tag.starts_with("points:")) check.points = std::strtod(tag.data() + 7, nullptr);
+    if (tag == "slow") check.is_slow = true;
     if (tag.starts_with("needs:")) check.needs.emplace_back(tag.substr(6));
   }
   return check;
@@ -112,19 +113,22 @@ class Panel {
       : layout_(layout), lab_(lab), program_(program), options_(options), start_(Clock::now()) {}
 
   void run(std::vector<CheckResult>& results) {
+    for (CheckResult& result : results) queue_.push_back(&result);
+    std::stable_partition(queue_.begin(), queue_.end(),
+                          [](const CheckResult* result) { return result->check.is_slow; });
     std::vector<std::thread> workers;
     for (unsigned i = 0; i < std::max(1u, options_.workers); ++i) {
       workers.emplace_back([&] {
-        while (CheckResult* const result = take(results)) run_one(*result);
+        while (CheckResult* const result = take()) run_one(*result);
       });
     }
     for (auto& worker : workers) worker.join();
   }
 
  private:
-  CheckResult* take(std::vector<CheckResult>& results) {
+  CheckResult* take() {
     const std::lock_guard lock(mutex_);
-    return next_ < results.size() ? &results[next_++] : nullptr;
+    return next_ < queue_.size() ? queue_[next_++] : nullptr;
   }
 
   void run_one(CheckResult& result) {
@@ -192,6 +196,7 @@ class Panel {
   const JudgeOptions& options_;
   const Clock::time_point start_;
   std::mutex mutex_;
+  std::vector<CheckResult*> queue_;
   std::size_t next_ = 0;
   std::vector<std::string> timed_out_;
 };

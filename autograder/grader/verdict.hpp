@@ -25,6 +25,7 @@ struct Check {
   std::string task;                ///< "1.3"
   std::vector<std::string> needs;  ///< tasks without which it cannot pass
   double points = 0;
+  bool is_slow = false;  ///< takes a good part of the lab's time: begun first, beside the others
 };
 
 /// A random check's word on itself: under the null hypothesis p is uniform, and it fails below

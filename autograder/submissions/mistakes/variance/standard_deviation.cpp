@@ -1,4 +1,5 @@
 // mistake: the standard deviation where the variance is asked for
+// caught by: 1.3 the variance of constant data is zero
 // caught by: 1.3 the two-pass variance of tame data
 // caught by: 1.3 two passes keep their digits under a large mean
 // caught by: 1.3 two passes on hard cases
