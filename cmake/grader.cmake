@@ -30,8 +30,10 @@ add_library(grading STATIC
   autograder/grader/layout.cpp
   autograder/grader/plots.cpp
   autograder/grader/process.cpp
+  autograder/grader/reading.cpp
   autograder/grader/report_files.cpp
   autograder/grader/report_terminal.cpp
+  autograder/grader/segments.cpp
   autograder/grader/standing.cpp
   autograder/grader/submission.cpp
   autograder/grader/verb_judge.cpp

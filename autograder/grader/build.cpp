@@ -17,12 +17,17 @@
 #include "grader/diagnostics.hpp"
 #include "grader/errors.hpp"
 #include "grader/process.hpp"
+#include "grader/reading.hpp"
+#include "grader/segments.hpp"
 #include "grader/text_file.hpp"
-#include "runner/text.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
+
+/// Raised when the rules of what a submission may read change: objects made by older rules are then
+/// not taken from the cache.
+constexpr int rules = 1;
 
 constexpr std::size_t longest_file = std::size_t{1} << 20;
 constexpr std::size_t most_static_memory = std::size_t{400} << 20;
@@ -141,74 +146,6 @@ void sweep(const fs::path& slot) {
   }
 }
 
-/// Is `path` below `directory`? Both canonical.
-bool is_below(const fs::path& path, const fs::path& directory) {
-  return std::mismatch(directory.begin(), directory.end(), path.begin(), path.end()).first ==
-         directory.end();
-}
-
-/// The files that a make rule ("a.o: b.cpp c.hpp \") depends on.
-std::vector<fs::path> dependencies(const std::string& rule) {
-  std::vector<fs::path> files;
-  std::string word;
-  const auto colon = rule.find(": ");
-  if (colon == std::string::npos) return files;
-  for (std::size_t i = colon + 2; i <= rule.size(); ++i) {
-    const char c = i < rule.size() ? rule[i] : '\n';
-    const char next = i + 1 < rule.size() ? rule[i + 1] : '\n';
-    if (c == '\\' && (next == ' ' || next == '#' || next == '\\')) {
-      word += rule[++i];
-    } else if (c == '$' && next == '$') {
-      word += rule[++i];
-    } else if (c == ' ' || c == '\n' || (c == '\\' && next == '\n')) {
-      if (!word.empty()) files.emplace_back(word);
-      word.clear();
-    } else {
-      word += c;
-    }
-  }
-  return files;
-}
-
-/// Where the compiler looks for the system's headers.
-std::vector<fs::path> system_directories(const Layout& layout) {
-  static std::mutex mutex;
-  static std::map<std::string, std::vector<fs::path>> known;
-  const std::lock_guard lock(mutex);
-  auto& directories = known[layout.compiler];
-  if (!directories.empty()) return directories;
-  const auto listed = run_process({layout.compiler, "-E", "-x", "c++", "-v", "/dev/null"}).errors;
-  bool inside = false;
-  for (const std::string_view line : text::split(listed, '\n')) {
-    if (line.starts_with("End of search list")) inside = false;
-    if (inside) {
-      std::error_code missing;
-      auto directory = fs::canonical(line.substr(0, line.find(" (")), missing);
-      if (!missing) directories.push_back(std::move(directory));
-    }
-    if (line.starts_with("#include <...>")) inside = true;
-  }
-  return directories;
-}
-
-/// The first file that this unit must not read. `directory` is the one it is compiled in.
-std::optional<fs::path> forbidden(const Unit& unit, const fs::path& directory,
-                                  const std::vector<fs::path>& files) {
-  std::vector<fs::path> allowed = system_directories(unit.layout);
-  allowed.push_back(fs::canonical(unit.layout.labs()));
-  allowed.push_back(fs::canonical(directory));
-  allowed.push_back(fs::weakly_canonical(unit.layout.build / "precompiled"));
-  if (unit.trusted) allowed.push_back(fs::canonical(unit.layout.root));
-  for (const fs::path& file : files) {
-    const fs::path real = fs::weakly_canonical(file.is_absolute() ? file : directory / file);
-    if (std::none_of(allowed.begin(), allowed.end(),
-                     [&](auto& place) { return is_below(real, place); })) {
-      return file;
-    }
-  }
-  return {};
-}
-
 std::string refused(const Unit& unit, const fs::path& file) {
   return fmt::format(
       "{} reads {}.\nIt may include its lab's headers, those of labs/common and the standard "
@@ -253,36 +190,6 @@ std::vector<std::string> include_flags(const Unit& unit) {
   return flags;
 }
 
-/// What a compiler run with -H has to say: the files it opened, in order, and its messages.
-struct Heard {
-  std::vector<fs::path> opened;
-  std::string messages;
-};
-
-Heard listen(const std::string& errors) {
-  Heard heard;
-  for (const std::string_view line : text::split(errors, '\n')) {
-    const auto blank = line.find_first_not_of(".!");
-    if (line.starts_with("Multiple include guards")) break;  // a list of advice, to the end
-    if (blank != std::string_view::npos && blank > 0 && line[blank] == ' ') {
-      heard.opened.emplace_back(line.substr(blank + 1));  // ".. file", "! file.gch"
-    } else if (!line.empty()) {
-      heard.messages += std::string(line) + '\n';
-    }
-  }
-  return heard;
-}
-
-/// Does the text have an #embed? Not exactly: a comment with that word has one too.
-bool may_embed(std::string text) {
-  for (const char* splice : {"\\\n", "\\\r\n"}) {
-    for (auto at = text.find(splice); at != std::string::npos; at = text.find(splice, at)) {
-      text.erase(at, std::string_view(splice).size());
-    }
-  }
-  return text.find("embed") != std::string::npos;
-}
-
 /// Compiles one file in a directory that holds nothing else, and judges what was read for it. What
 /// counts is what this very run opened: a second run that only lists could be told apart (by the
 /// precompiled header, by /proc) and shown another text.
@@ -298,11 +205,13 @@ Object compile(const Unit& unit) {
   auto flags = compile_flags(unit.layout, unit.variant);
   const auto includes = include_flags(unit);
   const std::string key =
-      fmt::format("{} {} {} {}", text, fmt::join(flags, " "), fmt::join(includes, " "),
-                  hash_of_surroundings(unit.layout, unit.trusted));
+      fmt::format("{} {} {} {} {}", rules, fmt::join(flags, " "), fmt::join(includes, " "),
+                  hash_of_surroundings(unit.layout, unit.trusted), text);
   const fs::path slot = slot_of(unit);
   const fs::path object = slot / fmt::format("{:016x}.o", hash_text(key));
-  if (is_kept(object)) return {object, {}};
+  const fs::path whole_key = slot / fmt::format("{:016x}.key", hash_text(key));
+  // The hash is only a name, and one can make texts to fit it: what counts is the whole key.
+  if (is_kept(whole_key) && read_text(whole_key) == key && is_kept(object)) return {object, {}};
 
   const auto header = unit.variant == Variant::judged ? precompiled_header(unit.layout, flags)
                                                       : std::vector<std::string>{};
@@ -330,7 +239,7 @@ Object compile(const Unit& unit) {
   const auto [opened, messages] = listen(compiled.errors);
 
   // What it may not read must not show in a message either: this comes first.
-  if (const auto file = forbidden(unit, directory, opened)) {
+  if (const auto file = forbidden(unit.layout, unit.trusted, directory, opened)) {
     return {{}, refused(unit, *file)};
   }
   if (const std::string why = stopped(compiled, limits); !why.empty()) {
@@ -349,41 +258,16 @@ Object compile(const Unit& unit) {
     return {{}, fmt::format("{} does not compile:\n{}", name, first_errors(messages, name, text))};
   }
   for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter knows of .incbin
-    if (const auto file = forbidden(unit, directory, dependencies(read_text(directory / list)))) {
+    if (const auto file = forbidden(unit.layout, unit.trusted, directory,
+                                    dependencies(read_text(directory / list)))) {
       return {{}, refused(unit, *file)};
     }
   }
   fs::create_directories(slot);
   sweep(slot);
   fs::rename(directory / "unit.o", object);
+  write_text(whole_key, key);
   return {object, {}};
-}
-
-/// What a static ELF program asks of the machine before its first line.
-struct Segments {
-  std::size_t memory = 0;  ///< globals and code, those of a thread included
-  bool loader = false;     ///< another program, to be started in its place
-};
-
-Segments segments_of(const fs::path& program) {
-  const std::string bytes = read_text(program);
-  const auto at = [&](std::size_t offset, std::size_t size) {
-    std::uint64_t value = 0;
-    if (offset + size <= bytes.size()) bytes.copy(reinterpret_cast<char*>(&value), size, offset);
-    return value;
-  };
-  Segments segments;
-  if (!bytes.starts_with("\x7f"
-                         "ELF\2\1"))
-    return segments;  // 64 bits, little endian
-  for (std::size_t i = 0; i < at(0x38, 2); ++i) {
-    const std::size_t header = at(0x20, 8) + i * at(0x36, 2);
-    const auto type = at(header, 4);
-    constexpr unsigned load = 1, interpreter = 3, thread_local_storage = 7;
-    if (type == load || type == thread_local_storage) segments.memory += at(header + 0x28, 8);
-    if (type == interpreter) segments.loader = true;
-  }
-  return segments;
 }
 
 }  // namespace
