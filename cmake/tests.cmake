@@ -9,7 +9,7 @@ target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab"
 add_test(NAME grader COMMAND grader_tests)
 
 # Every submission of the repository, with what its first lines say must happen to it.
-add_executable(prove EXCLUDE_FROM_ALL autograder/tests/prove.cpp)
+add_executable(prove EXCLUDE_FROM_ALL autograder/tests/prove.cpp autograder/checks/distributions.cpp)
 target_link_libraries(prove PRIVATE grading)
 add_test(NAME repository COMMAND prove repository)
 foreach(lab ${LABS})

@@ -21,10 +21,12 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "checks/distributions.hpp"
 #include "grader/build.hpp"
 #include "grader/judge.hpp"
 #include "grader/report.hpp"
@@ -80,17 +82,75 @@ struct Proof {
   }
 };
 
+/// What the random checks of a lab say of themselves, run after run of a right answer.
+class PValues {
+ public:
+  /// One run: may it fail a right answer more than once in a million?
+  void add(const LabVerdict& verdict) {
+    double alphas = 0;
+    for (const CheckResult& result : verdict.checks) {
+      for (const PValue& value : result.p_values) {
+        alphas += value.alpha;
+        of_null_[value.null].push_back(value.p);
+        all_.push_back(value.p);
+      }
+    }
+    most_ = std::max(most_, alphas);
+  }
+
+  /// All runs: their p-values are uniform, together and test by test.
+  void conclude() const {
+    if (all_.empty()) return;
+    if (most_ >= 1e-6) complain(fmt::format("its alphas add up to {:.2g}: 1e-6 or more", most_));
+    double least = 1;
+    for (const auto& [null, values] : of_null_) {
+      const double p = uniformity(values);
+      if (p < least) least = p;
+      if (p < 1e-6 / static_cast<double>(of_null_.size())) {
+        complain(fmt::format("p-values that are not uniform (p = {:.2g}): {}", p, null));
+      }
+    }
+    const double together = uniformity(all_);
+    if (together < 1e-6) complain(fmt::format("p-values are not uniform (p = {:.2g})", together));
+    fmt::print(
+        "{} p-values of {} tests, alphas of one run {:.2g} in all; smallest {:.2g}; uniform "
+        "together with p = {:.2g}, test by test with {:.2g} at least\n",
+        all_.size(), of_null_.size(), most_, *std::min_element(all_.begin(), all_.end()), together,
+        least);
+  }
+
+ private:
+  /// p-value of Kolmogorov and Smirnov's test that `p` is uniform.
+  static double uniformity(std::vector<double> p) {
+    std::sort(p.begin(), p.end());
+    const auto n = static_cast<double>(p.size());
+    double distance = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double below = static_cast<double>(i) / n;
+      distance = std::max({distance, p[i] - below, below + 1 / n - p[i]});
+    }
+    return mc::checks::kolmogorov_tails(distance, p.size()).upper;
+  }
+
+  double most_ = 0;
+  std::map<std::string, std::vector<double>> of_null_;
+  std::vector<double> all_;
+};
+
 void prove_right(const Proof& proof) {
   const char* wanted = std::getenv("MC_SEEDS");
   const std::uint64_t seeds = wanted == nullptr ? 10 : std::strtoull(wanted, nullptr, 10);
+  PValues p_values;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const LabVerdict verdict = proof.judge(seed);
+    p_values.add(verdict);
     if (verdict.earned() == verdict.points()) continue;
     proof.show(verdict, seed);
     complain(fmt::format("seed {}: a right answer without full marks", seed));
     return;
   }
   fmt::print("full marks with {} seeds\n", seeds);
+  p_values.conclude();
 }
 
 void prove_starter(const Proof& proof) {

@@ -1,0 +1,288 @@
+#include "experiments.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "runner/experiment.hpp"
+
+namespace mc::experiments {
+namespace {
+
+constexpr std::array<std::size_t, 9> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5};
+
+double value_of(const Function& function, std::span<const double> x) {
+  switch (function.g) {
+    case 0:
+      return 1;
+    case 1:
+      return std::exp(x[0]);
+    case 2:
+      return x[0] * x[1];
+    case 3:
+      return x[0] < function.parameter ? 1 : 0;
+    case 4:
+      return std::pow(x[0], function.parameter);
+    case 5: {
+      const double dx = x[0] - 0.3, dy = x[1] - 0.7;
+      return std::exp(-(dx * dx + dy * dy) / (2 * function.parameter * function.parameter));
+    }
+    case 6:
+      return normal_quantile(x[0]);
+    case 7:
+      return x[0] * std::exp(-x[0]);
+    default:
+      return x[0] * x[1] * x[2] * x[3] * x[4];
+  }
+}
+
+Integrand integrand(const Function& function) {
+  if (function.g >= dimensions.size()) throw std::out_of_range("g: 0 to 8");
+  const std::size_t dims = dimensions[function.g];
+  return {dims, [=](std::span<const double> x) {
+            if (x.size() != dims) {
+              throw std::logic_error("the integrand of " + std::to_string(dims) +
+                                     " dimensions was given a point of " +
+                                     std::to_string(x.size()));
+            }
+            return function.scale * value_of(function, x) + function.offset;
+          }};
+}
+
+Density density(const Sampling& sampling) {
+  const double parameter = sampling.parameter;
+  switch (sampling.p) {
+    case 0:
+      return {[](double u) { return u; }, [](double x) { return x >= 0 && x <= 1 ? 1.0 : 0.0; }};
+    case 1:
+      return {[=](double u) { return std::pow(u, 1 / (parameter + 1)); },
+              [=](double x) { return (parameter + 1) * std::pow(x, parameter); }};
+    case 2:
+      return {[=](double u) { return -std::log1p(-u) / parameter; },
+              [=](double x) { return parameter * std::exp(-parameter * x); }};
+    case 3:
+      return {[](double u) { return u; },
+              [=](double x) {
+                if (x < parameter / 2) return 0.0;
+                return x < parameter ? std::numeric_limits<double>::infinity() : 1.0;
+              }};
+    default:
+      throw std::out_of_range("p: 0 to 3");
+  }
+}
+
+template <class Make>
+auto replicate(std::uint64_t seed, std::uint64_t replicates, Make make) {
+  Rng rng(seed);
+  std::vector<decltype(make(rng))> all;
+  for (std::uint64_t i = 0; i < replicates; ++i) all.push_back(make(rng));
+  return all;
+}
+
+template <class Function>
+std::vector<double> each(const std::vector<double>& x, Function function) {
+  std::vector<double> all;
+  for (const double value : x) all.push_back(function(value));
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> to_unit(std::vector<std::uint64_t> words) {
+  std::vector<double> all;
+  for (const std::uint64_t word : words) all.push_back(mc::to_unit(word));
+  return all;
+}
+
+std::vector<Estimate> estimates(Function g, std::uint64_t n, std::uint64_t seed,
+                                std::uint64_t replicates) {
+  const Integrand f = integrand(g);
+  return replicate(seed, replicates, [&](Rng& rng) { return estimate(f, n, rng); });
+}
+
+Trace trace(Function g, std::uint64_t n, std::uint64_t seed) {
+  Trace seen;
+  const Integrand f = integrand(g);
+  const Integrand watched{f.dims, [&](std::span<const double> x) {
+                            seen.points.insert(seen.points.end(), x.begin(), x.end());
+                            seen.values.push_back(f.f(x));
+                            return seen.values.back();
+                          }};
+  Rng rng(seed);
+  seen.estimate = estimate(watched, n, rng);
+  return seen;
+}
+
+std::vector<double> sample_exponential(std::vector<double> u, double rate) {
+  return each(u, [=](double value) { return mc::sample_exponential(value, rate); });
+}
+std::vector<double> sample_power(std::vector<double> u, double a) {
+  return each(u, [=](double value) { return mc::sample_power(value, a); });
+}
+std::vector<double> pdf_exponential(std::vector<double> x, double rate) {
+  return each(x, [=](double value) { return mc::pdf_exponential(value, rate); });
+}
+std::vector<double> pdf_power(std::vector<double> x, double a) {
+  return each(x, [=](double value) { return mc::pdf_power(value, a); });
+}
+
+std::vector<Estimate> importance_estimates(Function g, Sampling p, std::uint64_t n,
+                                           std::uint64_t seed, std::uint64_t replicates) {
+  const Integrand f = integrand(g);
+  const Density by = density(p);
+  return replicate(seed, replicates, [&](Rng& rng) { return estimate_importance(f, by, n, rng); });
+}
+
+Trace importance_trace(Function g, Sampling p, std::uint64_t n, std::uint64_t seed) {
+  Trace seen;
+  const Integrand f = integrand(g);
+  const Density by = density(p);
+  const Integrand watched{f.dims, [&](std::span<const double> x) {
+                            const double value = f.f(x);
+                            seen.points.insert(seen.points.end(), x.begin(), x.end());
+                            seen.values.push_back(value / by.pdf(x[0]));
+                            return value;
+                          }};
+  const Density counted{[&](double u) {
+                          ++seen.samples;
+                          return by.sample(u);
+                        },
+                        by.pdf};
+  Rng rng(seed);
+  seen.estimate = estimate_importance(watched, counted, n, rng);
+  return seen;
+}
+
+Interval confidence_interval(Estimate estimate, double level) {
+  return mc::confidence_interval(estimate, level);
+}
+
+std::vector<Interval> confidence_intervals(Function g, std::uint64_t n, double level,
+                                           std::uint64_t seed, std::uint64_t replicates) {
+  const Integrand f = integrand(g);
+  return replicate(seed, replicates,
+                   [&](Rng& rng) { return mc::confidence_interval(estimate(f, n, rng), level); });
+}
+
+std::uint64_t samples_for(Estimate pilot, double target_error) {
+  return mc::samples_for(pilot, target_error);
+}
+
+std::vector<Estimate> irradiance_area(RectLight light, std::uint64_t n, std::uint64_t seed,
+                                      std::uint64_t replicates) {
+  return replicate(seed, replicates, [&](Rng& rng) { return mc::irradiance_area(light, n, rng); });
+}
+std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, std::uint64_t seed,
+                                            std::uint64_t replicates) {
+  return replicate(seed, replicates,
+                   [&](Rng& rng) { return mc::irradiance_hemisphere(light, n, rng); });
+}
+
+std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes) {
+  Rng rng(seed);
+  std::vector<double> all;
+  for (const std::uint64_t size : sizes) {
+    all.resize(all.size() + size, 2.0);
+    mc::uniforms(rng, std::span(all).last(size));
+  }
+  return all;
+}
+
+std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size) {
+  Rng rng = Rng::constant(word);
+  std::vector<double> all(size, 2.0);
+  mc::uniforms(rng, all);
+  return all;
+}
+
+namespace {
+
+/// Fills a block from a source of means_of().
+class Source {
+ public:
+  Source(unsigned source, std::uint64_t seed) : source_(source), rng_(seed), twister_(seed) {
+    if (source > 2) throw std::out_of_range("source: 0 to 2");
+  }
+  void fill(std::span<double> out) {
+    if (source_ == 0) {
+      for (double& u : out) u = uniform_(twister_);
+    } else if (source_ == 1) {
+      for (double& u : out) u = mc::to_unit(rng_());
+    } else {
+      mc::uniforms(rng_, out);
+    }
+  }
+
+ private:
+  unsigned source_;
+  Rng rng_;
+  std::mt19937_64 twister_;
+  std::uniform_real_distribution<double> uniform_{0, 1};
+};
+
+}  // namespace
+
+std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t seed,
+                             std::uint64_t replicates) {
+  Source from(source, seed);
+  std::vector<double> block(size), all;
+  for (std::uint64_t i = 0; i < replicates; ++i) {
+    from.fill(block);
+    double sum = 0;
+    for (const double u : block) sum += u;
+    all.push_back(sum / static_cast<double>(size));
+  }
+  return all;
+}
+
+double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds) {
+  Source from(source, 1);
+  std::vector<double> block(size);
+  for (std::uint64_t round = 0; round < rounds; ++round) from.fill(block);
+  return block.back();
+}
+
+double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds) {
+  Rng rng(1);
+  double last = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    last = (way == 0 ? mc::irradiance_area : mc::irradiance_hemisphere)({}, n, rng).value;
+  }
+  return last;
+}
+
+}  // namespace mc::experiments
+
+std::span<const mc::runner::Experiment> mc::runner::experiments() {
+  static constexpr Experiment all[] = {
+      MC_EXPERIMENT(to_unit, "words", "2.1  a number in [0, 1) from each word"),
+      MC_EXPERIMENT(estimates, "g:parameter:scale:offset n seed replicates",
+                    "2.2  estimates from n samples each (1:0:1:0 is exp)"),
+      MC_EXPERIMENT(trace, "g:parameter:scale:offset n seed",
+                    "2.2  one of them, with the points and values it saw"),
+      MC_EXPERIMENT(sample_exponential, "u rate", "2.3  at each u"),
+      MC_EXPERIMENT(sample_power, "u a", "2.3  at each u"),
+      MC_EXPERIMENT(pdf_exponential, "x rate", "2.3  at each x"),
+      MC_EXPERIMENT(pdf_power, "x a", "2.3  at each x"),
+      MC_EXPERIMENT(importance_estimates, "g:parameter:scale:offset p:parameter n seed replicates",
+                    "2.4  estimates with samples from a density"),
+      MC_EXPERIMENT(importance_trace, "g:parameter:scale:offset p:parameter n seed",
+                    "2.4  one of them, with the points and weights it saw"),
+      MC_EXPERIMENT(confidence_interval, "value:standard_error:n level", "2.5"),
+      MC_EXPERIMENT(confidence_intervals, "g:parameter:scale:offset n level seed replicates",
+                    "2.5  of estimates from n samples each"),
+      MC_EXPERIMENT(samples_for, "value:standard_error:n target_error", "2.6"),
+      MC_EXPERIMENT(irradiance_area, "x0:x1:y0:y1:height:radiance n seed replicates", "2.7"),
+      MC_EXPERIMENT(irradiance_hemisphere, "x0:x1:y0:y1:height:radiance n seed replicates", "2.7"),
+      MC_EXPERIMENT(uniforms, "seed sizes", "2.8  calls for so many numbers, all of them"),
+      MC_EXPERIMENT(uniforms_constant, "word size", "2.8  from a generator of one word"),
+      MC_EXPERIMENT(means_of, "source size seed replicates",
+                    "means of numbers from mt19937_64 (0), to_unit (1), uniforms (2)"),
+      MC_EXPERIMENT(repeat_source, "source size rounds", "the same, rounds times (timing)"),
+      MC_EXPERIMENT(repeat_irradiance, "way n rounds",
+                    "2.7 by area (0) or hemisphere (1), rounds times (timing)"),
+  };
+  return all;
+}

@@ -1,0 +1,100 @@
+#pragma once
+// What lab 2 measures of a submission. Where an experiment has a seed, its numbers come from one
+// Rng(seed), and replicates are drawn from it one after the other.
+
+#include <cstdint>
+#include <vector>
+
+#include "independent.hpp"
+#include "runner/wire.hpp"
+
+namespace mc {
+MC_FIELDS(Estimate, value, standard_error, n)
+MC_FIELDS(Interval, low, high)
+MC_FIELDS(RectLight, x0, x1, y0, y1, height, radiance)
+}  // namespace mc
+
+namespace mc::experiments {
+
+/// scale · g + offset, g of one to five dimensions:
+///
+///   0  1                     3  1 if x < parameter, else 0     6  a normal variable, by inversion
+///   1  exp(x)                4  x^parameter                    7  x exp(-x)
+///   2  x y                   5  a Gaussian peak of width       8  v w x y z
+///                               `parameter` at (0.3, 0.7)
+struct Function {
+  unsigned g = 0;
+  double parameter = 0, scale = 1, offset = 0;
+};
+MC_FIELDS(Function, g, parameter, scale, offset)
+
+/// A density to sample by, written here and not by the submission:
+///
+///   0  uniform on [0, 1]     2  parameter exp(-parameter x) for x >= 0
+///   1  (parameter + 1) x^parameter on [0, 1]
+///   3  uniform on [0, 1], but its pdf says 0 below parameter / 2 and infinity from there to
+///      parameter: points that must not count
+struct Sampling {
+  unsigned p = 0;
+  double parameter = 0;
+};
+MC_FIELDS(Sampling, p, parameter)
+
+/// One estimate, and what the integrand saw and said on the way.
+struct Trace {
+  Estimate estimate;
+  std::vector<double> points;  ///< where it was evaluated, coordinate by coordinate
+  std::vector<double> values;  ///< there: of g; with a density, of g / p
+  std::uint64_t samples = 0;   ///< points that were drawn from the density, if there is one
+};
+MC_FIELDS(Trace, estimate, points, values, samples)
+
+/// 2.1: of each word.
+std::vector<double> to_unit(std::vector<std::uint64_t> words);
+
+/// 2.2: replicates of n samples each; and one of them, looked at closely.
+std::vector<Estimate> estimates(Function g, std::uint64_t n, std::uint64_t seed,
+                                std::uint64_t replicates);
+Trace trace(Function g, std::uint64_t n, std::uint64_t seed);
+
+/// 2.3: at each u, at each x.
+std::vector<double> sample_exponential(std::vector<double> u, double rate);
+std::vector<double> sample_power(std::vector<double> u, double a);
+std::vector<double> pdf_exponential(std::vector<double> x, double rate);
+std::vector<double> pdf_power(std::vector<double> x, double a);
+
+/// 2.4: as 2.2, with a density.
+std::vector<Estimate> importance_estimates(Function g, Sampling p, std::uint64_t n,
+                                           std::uint64_t seed, std::uint64_t replicates);
+Trace importance_trace(Function g, Sampling p, std::uint64_t n, std::uint64_t seed);
+
+/// 2.5: of one estimate; and of replicates of 2.2.
+Interval confidence_interval(Estimate estimate, double level);
+std::vector<Interval> confidence_intervals(Function g, std::uint64_t n, double level,
+                                           std::uint64_t seed, std::uint64_t replicates);
+
+/// 2.6
+std::uint64_t samples_for(Estimate pilot, double target_error);
+
+/// 2.7: replicates of n samples each.
+std::vector<Estimate> irradiance_area(RectLight light, std::uint64_t n, std::uint64_t seed,
+                                      std::uint64_t replicates);
+std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, std::uint64_t seed,
+                                            std::uint64_t replicates);
+
+/// 2.8: calls for these many numbers, one after the other, all of them; what was not filled is 2.
+/// And `size` numbers from a generator that only knows one word.
+std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes);
+std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);
+
+/// Means of `size` numbers made by a source: 0 std::mt19937_64 and std::uniform_real_distribution,
+/// 1 to_unit(rng()) number by number, 2 uniforms.
+std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t seed,
+                             std::uint64_t replicates);
+
+/// For timing: the same numbers, `rounds` times; and 2.7 by way of the area (0) or the hemisphere
+/// (1) with n samples, `rounds` times. What came last.
+double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds);
+double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);
+
+}  // namespace mc::experiments

@@ -1,0 +1,204 @@
+// Lab 2 · independent sampling: the reference solution. Each function is its definition first;
+// where a faster way stands below, its reason stands with it.
+
+#include "independent.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace mc {
+namespace {
+
+void require_samples(std::uint64_t n) {
+  if (n == 0) throw std::invalid_argument("n: an estimate needs at least one sample");
+}
+
+/// What n values say about their expectation: their mean, and how far it is likely to be off.
+Estimate mean_of(const Moments& values) {
+  const double error = std::sqrt(variance(values) / static_cast<double>(values.count));
+  return {values.mean, error, values.count};
+}
+
+}  // namespace
+
+// 2.1 --------------------------------------------------------------------------------------------
+
+double to_unit(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11) * 0x1p-53;  // 53 bits are exact; 64 would round up to 1
+}
+
+// 2.2 --------------------------------------------------------------------------------------------
+
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    add(values, g.f(x));
+  }
+  return mean_of(values);
+}
+
+// 2.3 --------------------------------------------------------------------------------------------
+
+namespace {
+
+void require_rate(double rate) {
+  if (!(rate > 0)) throw std::invalid_argument("rate: must be positive");  // NaN is not either
+}
+
+void require_power(double a) {
+  if (!(a > -1)) throw std::invalid_argument("a: x^a has no finite integral unless a > -1");
+}
+
+}  // namespace
+
+double sample_exponential(double u, double rate) {
+  require_rate(rate);
+  return -std::log1p(-u) / rate;  // P(x) = 1 - exp(-rate x)
+}
+
+double sample_power(double u, double a) {
+  require_power(a);
+  return std::pow(u, 1 / (a + 1));  // P(x) = x^(a+1)
+}
+
+double pdf_exponential(double x, double rate) {
+  require_rate(rate);
+  return x < 0 ? 0 : rate * std::exp(-rate * x);
+}
+
+double pdf_power(double x, double a) {
+  require_power(a);
+  return x < 0 || x > 1 ? 0 : (a + 1) * std::pow(x, a);
+}
+
+// 2.4 --------------------------------------------------------------------------------------------
+
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    const double density = p.pdf(x);
+    const bool counts = density > 0 && std::isfinite(density);
+    add(weights, counts ? g.f({&x, 1}) / density : 0);
+  }
+  return mean_of(weights);
+}
+
+// 2.5 --------------------------------------------------------------------------------------------
+
+Interval confidence_interval(const Estimate& estimate, double level) {
+  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
+  const double outside = (1 - level) / 2;  // on either side
+  const double reach = -normal_quantile(outside) * estimate.standard_error;
+  return {estimate.value - reach, estimate.value + reach};
+}
+
+// 2.6 --------------------------------------------------------------------------------------------
+
+std::uint64_t samples_for(const Estimate& pilot, double target_error) {
+  if (!(target_error > 0)) throw std::invalid_argument("target_error: must be positive");
+  if (pilot.n == 0 || std::isnan(pilot.standard_error)) {
+    throw std::invalid_argument("pilot: its standard error is not known");
+  }
+  const double ratio = pilot.standard_error / target_error;
+  const double n = std::ceil(static_cast<double>(pilot.n) * ratio * ratio);
+  if (!(n < 0x1p64)) throw std::invalid_argument("target_error: would take 2^64 samples or more");
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(n));
+}
+
+// 2.7 --------------------------------------------------------------------------------------------
+
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = light.x0 + width * to_unit(rng());
+    const double y = light.y0 + depth * to_unit(rng());
+    const double distance2 = x * x + y * y + light.height * light.height;
+    const double cosines = light.height * light.height / distance2;  // one at each end, equal
+    add(values, width * depth * light.radiance * cosines / distance2);
+  }
+  return mean_of(values);
+}
+
+Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    // A uniform point of the unit disk, lifted to the hemisphere, has density cos / pi (Malley).
+    const double u = to_unit(rng());
+    const double radius = std::sqrt(u), angle = 2 * std::numbers::pi * to_unit(rng());
+    const double scale = light.height / std::sqrt(1 - u);  // to where it meets the light's plane
+    const double x = radius * std::cos(angle) * scale;
+    const double y = radius * std::sin(angle) * scale;
+    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
+    add(values, meets ? std::numbers::pi * light.radiance : 0);
+  }
+  return mean_of(values);
+}
+
+// 2.8 --------------------------------------------------------------------------------------------
+//
+// The definition would be
+//
+//   for (double& u : out) u = to_unit(rng());
+//
+// Two things hold it up: the generator multiplies 64-bit words, which vector units (before AVX-512)
+// cannot do, and so cannot convert them to double either. Both have a way round:
+//
+// * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only
+// adds,
+//   shifts and xors; its upper 53 bits are what it was made for. Sixteen of them run side by side,
+//   each from 256 random bits of its own, so that nothing waits and four lanes fill a register.
+// * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper
+// 21
+//   next to 2^31, whose last place is 2^-21, the lower 32 next to 1/2, whose last place is 2^-53.
+//   Subtracting the powers is exact.
+
+namespace {
+
+constexpr std::size_t lanes = 16;
+
+/// floor(bits / 2^11) 2^-53, without a conversion.
+double to_unit_by_mantissa(std::uint64_t bits) {
+  const std::uint64_t upper = bits >> 43, lower = (bits >> 11) & 0xffffffffu;
+  return (std::bit_cast<double>(std::bit_cast<std::uint64_t>(0x1p31) | upper) - (0x1p31 + 0.5)) +
+         std::bit_cast<double>(std::bit_cast<std::uint64_t>(0.5) | lower);
+}
+
+}  // namespace
+
+void uniforms(Rng& rng, std::span<double> out) {
+  std::size_t i = 0;
+  if (out.size() >= 8 * lanes) {  // below that, the seeds cost more than the numbers
+    std::array<std::uint64_t, lanes> a, b, c, d;
+    for (auto* const word : {&a, &b, &c, &d}) {
+      for (std::uint64_t& seed : *word) seed = rng();
+    }
+    for (; i + lanes <= out.size(); i += lanes) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        out[i + lane] = to_unit_by_mantissa(a[lane] + d[lane]);
+        const std::uint64_t shifted = b[lane] << 17;
+        c[lane] ^= a[lane];
+        d[lane] ^= b[lane];
+        b[lane] ^= c[lane];
+        a[lane] ^= d[lane];
+        c[lane] ^= shifted;
+        d[lane] = std::rotl(d[lane], 45);
+      }
+    }
+  }
+  for (; i < out.size(); ++i) out[i] = to_unit(rng());
+}
+
+}  // namespace mc

@@ -1,0 +1,64 @@
+// Lab 2 · independent sampling. What each function promises stands in
+// labs/2-independent/independent.hpp; the story is in labs/2-independent/README.md. Lab 1's
+// functions (your own) are there to be used. Write the tasks in any order and try them with
+//
+//   ./lab check independent              all of it
+//   ./lab check independent --only 2.1   one task
+
+#include "independent.hpp"
+
+#include "common/todo.hpp"
+
+namespace mc {
+
+double to_unit(std::uint64_t /*bits*/) {
+  throw todo("2.1");  // TODO(2.1): 53 bits fit into a double without rounding; 64 do not
+}
+
+Estimate estimate(const Integrand& /*g*/, std::uint64_t /*n*/, Rng& /*rng*/) {
+  throw todo("2.2");  // TODO(2.2): n points, n values, their mean, and s / sqrt(n)
+}
+
+double sample_exponential(double /*u*/, double /*rate*/) {
+  throw todo("2.3");  // TODO(2.3): solve P(x) = u for x; std::log1p keeps the digits of a small u
+}
+
+double sample_power(double /*u*/, double /*a*/) {
+  throw todo("2.3");  // TODO(2.3): the same for P(x) = x^(a+1)
+}
+
+double pdf_exponential(double /*x*/, double /*rate*/) {
+  throw todo("2.3");  // TODO(2.3): the derivative of P, and 0 where nothing is
+}
+
+double pdf_power(double /*x*/, double /*a*/) {
+  throw todo("2.3");  // TODO(2.3): the same
+}
+
+Estimate estimate_importance(const Integrand& /*g*/, const Density& /*p*/, std::uint64_t /*n*/,
+                             Rng& /*rng*/) {
+  throw todo("2.4");  // TODO(2.4): x = p.sample(u), and the mean of g(x) / p(x)
+}
+
+Interval confidence_interval(const Estimate& /*estimate*/, double /*level*/) {
+  throw todo("2.5");  // TODO(2.5): half of what the interval leaves out lies on either side
+}
+
+std::uint64_t samples_for(const Estimate& /*pilot*/, double /*target_error*/) {
+  throw todo("2.6");  // TODO(2.6): half the error costs four times the samples
+}
+
+Estimate irradiance_area(const RectLight& /*light*/, std::uint64_t /*n*/, Rng& /*rng*/) {
+  throw todo(
+      "2.7");  // TODO(2.7): a point on the light, two cosines, the distance squared, the area
+}
+
+Estimate irradiance_hemisphere(const RectLight& /*light*/, std::uint64_t /*n*/, Rng& /*rng*/) {
+  throw todo("2.7");  // TODO(2.7): a direction, and whether it meets the light
+}
+
+void uniforms(Rng& /*rng*/, std::span<double> /*out*/) {
+  throw todo("2.8");  // TODO(2.8): the speed task; a loop over to_unit(rng()) is right
+}
+
+}  // namespace mc
