@@ -2,6 +2,7 @@
 # colour-blind eyes tell apart, and a point and a dash of its own for each line, for those who print
 # in grey. A white ground of its own, so that it reads on dark pages too.
 reset
+set datafile missing "NaN"  # what could not be measured; gnuplot 5.4 crashes on labels at NaN
 if (ext eq "svg") {
   set terminal svg size width,height background "white" font "sans,14"
 } else {

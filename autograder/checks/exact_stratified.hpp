@@ -1,0 +1,159 @@
+#pragma once
+// Exact variances of stratified estimates at finite N, from the means and variances that a function
+// has within the strata. Nothing here is asymptotic: at N = 64 as at N = 1024 it is known what a
+// right answer's error is.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "common/points.hpp"
+
+namespace mc::checks {
+
+/// What a function does in each of N strata of equal volume.
+struct WithinStrata {
+  std::vector<double> mean, variance;
+  std::size_t size() const { return mean.size(); }
+};
+
+inline double sum_of(const std::vector<double>& x) {
+  return std::accumulate(x.begin(), x.end(), 0.0);
+}
+inline double sum_of_squares_of(const std::vector<double>& x) {
+  return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
+}
+
+/// The mean of the function: its integral over the cube.
+inline double mean_of(const WithinStrata& strata) {
+  return sum_of(strata.mean) / static_cast<double>(strata.size());
+}
+
+/// Sum of squared deviations of the strata's means from their mean.
+inline double between(const WithinStrata& strata) {
+  const double mean = mean_of(strata);
+  double sum = 0;
+  for (const double one : strata.mean) sum += (one - mean) * (one - mean);
+  return sum;
+}
+
+/// Of h, smooth, over n equal parts of [0,1): Gauss and Legendre's rule of 8 points on each
+/// (Abramowitz, Stegun, table 25.4), exact for polynomials up to degree 15.
+template <class Function>
+WithinStrata strata_of(Function h, std::size_t n) {
+  constexpr std::array<double, 4> node{0.183434642495649805, 0.525532409916328986,
+                                       0.796666477413626740, 0.960289856497536232};
+  constexpr std::array<double, 4> weight{0.362683783378361983, 0.313706645877887287,
+                                         0.222381034453374471, 0.101228536290376259};
+  WithinStrata strata;
+  const double half = 0.5 / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double centre = half * static_cast<double>(2 * i + 1);
+    double mean = 0, variance = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      mean += weight[k] / 2 * (h(centre - half * node[k]) + h(centre + half * node[k]));
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double low = h(centre - half * node[k]) - mean,
+                   high = h(centre + half * node[k]) - mean;
+      variance += weight[k] / 2 * (low * low + high * high);
+    }
+    strata.mean.push_back(mean);
+    strata.variance.push_back(variance);
+  }
+  return strata;
+}
+
+/// Of f(x) g(y), and of f(x) + g(y), over the grid of f's strata and g's: a cell is a pair of them.
+inline WithinStrata product_of(const WithinStrata& f, const WithinStrata& g) {
+  WithinStrata cells;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const double f_squared = f.mean[i] * f.mean[i], g_squared = g.mean[j] * g.mean[j];
+      cells.mean.push_back(f.mean[i] * g.mean[j]);
+      cells.variance.push_back(f.variance[i] * g.variance[j] + f.variance[i] * g_squared +
+                               g.variance[j] * f_squared);
+    }
+  }
+  return cells;
+}
+inline WithinStrata sum_of(const WithinStrata& f, const WithinStrata& g) {
+  WithinStrata cells;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      cells.mean.push_back(f.mean[i] + g.mean[j]);
+      cells.variance.push_back(f.variance[i] + g.variance[j]);
+    }
+  }
+  return cells;
+}
+
+/// The part of the square [0,s)^2 in which cx + sy < t, for c, s > 0: of the four corners'
+/// triangles, those that stick out are taken off again.
+inline double area_below(double c, double s, double t, double side) {
+  const auto triangle = [](double rest) { return rest > 0 ? rest * rest : 0.0; };
+  return (triangle(t) - triangle(t - c * side) - triangle(t - s * side) +
+          triangle(t - (c + s) * side)) /
+         (2 * c * s);
+}
+
+/// Of an edge across side x side cells: 1 where cos(1)(x - 1/2) + sin(1)(y - 1/2) < edge, else 0. A
+/// cell that it covers to a part p has variance p (1 - p).
+inline WithinStrata edge_strata(double edge, std::size_t side) {
+  const double c = std::cos(1.0), s = std::sin(1.0), width = 1 / static_cast<double>(side);
+  WithinStrata cells;
+  for (std::size_t j = 0; j < side; ++j) {
+    for (std::size_t i = 0; i < side; ++i) {
+      const double t = edge - c * (static_cast<double>(i) * width - 0.5) -
+                       s * (static_cast<double>(j) * width - 0.5);
+      const double p = area_below(c, s, t, width) / (width * width);
+      cells.mean.push_back(p);
+      cells.variance.push_back(std::max(0.0, p * (1 - p)));
+    }
+  }
+  return cells;
+}
+
+/// Variance of the mean of one point in each stratum (Cochran, "Sampling techniques", theorem 5.3).
+inline double stratified_variance(const WithinStrata& strata) {
+  const auto n = static_cast<double>(strata.size());
+  return sum_of(strata.variance) / (n * n);
+}
+
+/// Kurtosis of that mean for an edge, whose cells are Bernoulli: fourth cumulants add up as
+/// variances do.
+inline double edge_kurtosis(const WithinStrata& strata) {
+  double fourth = 0;
+  for (const double variance : strata.variance) fourth += variance * (1 - 6 * variance);
+  return 3 + fourth / (sum_of(strata.variance) * sum_of(strata.variance));
+}
+
+/// Variance of the mean of n independent points.
+inline double independent_variance(const WithinStrata& strata, std::size_t n) {
+  return (sum_of(strata.variance) + between(strata)) / static_cast<double>(strata.size()) /
+         static_cast<double>(n);
+}
+
+/// Variance of the mean of the first `used` of one point in each stratum, in random order: strata
+/// drawn without replacement (Cochran, theorem 2.2), and the variance within each of them.
+inline double variance_of_first(const WithinStrata& strata, std::size_t used) {
+  const auto size = static_cast<double>(strata.size()), n = static_cast<double>(used);
+  const double within = sum_of(strata.variance) / size, around = between(strata) / size;
+  return (within + around * (size - n) / (size - 1)) / n;
+}
+
+/// Variance of the mean of f(p) g(q) over N points, p stratified by f's N strata and q by g's,
+/// their orders independent (two columns of a Latin hypercube, two padded patterns). Of the sum of
+/// f.mean[i] g.mean[pi(i)] over a random permutation pi the variance is between(f) between(g)/(N -
+/// 1) (Hoeffding 1951, "A combinatorial central limit theorem", theorem 2).
+inline double shuffled_product_variance(const WithinStrata& f, const WithinStrata& g) {
+  const auto n = static_cast<double>(f.size());
+  const double within_f = sum_of(f.variance), within_g = sum_of(g.variance);
+  const double within = within_f * within_g + within_f * sum_of_squares_of(g.mean) +
+                        within_g * sum_of_squares_of(f.mean);
+  return (within / n + between(f) * between(g) / (n - 1)) / (n * n);
+}
+
+}  // namespace mc::checks

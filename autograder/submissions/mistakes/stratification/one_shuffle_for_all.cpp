@@ -1,0 +1,24 @@
+// mistake: shuffles every pattern into the same order
+// caught by: 3.4 patterns are put side by side in independent orders
+// hint: each wants a shuffle of its own
+#include "stratification.hpp"
+#define stratified right_stratified
+#include "solutions/stratification.cpp"
+#undef stratified
+
+namespace mc {
+
+void stratified(PointSet& points, Rng& rng) {
+  std::size_t d = 0;
+  for (; d + 1 < points.dims(); d += 2) {
+    stratified_2d(points.column(d), points.column(d + 1), strata(points.size()), rng);
+  }
+  if (d < points.dims()) stratified_1d(points.column(d), rng);
+  const Rng same = rng;
+  for (std::size_t axis = 0; axis < points.dims(); ++axis) {
+    rng = same;
+    shuffle(points.column(axis), rng);
+  }
+}
+
+}  // namespace mc

@@ -1,0 +1,18 @@
+// mistake: each value changes places with any of the n, which favours some orders
+// caught by: 3.4 every order is as likely as any other
+// hint: itself included
+#include "stratification.hpp"
+
+#include <random>
+
+#define shuffle right_shuffle
+#include "solutions/stratification.cpp"
+#undef shuffle
+
+namespace mc {
+
+void shuffle(std::span<double> x, Rng& rng) {
+  for (double& value : x) std::swap(value, x[rng() % x.size()]);
+}
+
+}  // namespace mc

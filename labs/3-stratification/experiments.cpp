@@ -1,0 +1,318 @@
+#include "experiments.hpp"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "runner/experiment.hpp"
+
+namespace mc::experiments {
+namespace {
+
+/// The whole number nearest to the d-th root of n.
+std::size_t root(std::size_t n, std::size_t d) {
+  return static_cast<std::size_t>(
+      std::llround(std::pow(static_cast<double>(n), 1 / static_cast<double>(d))));
+}
+
+/// Points of task 3.`task`. Two-dimensional patterns take the first two columns.
+void make_points(unsigned task, PointSet& points, Rng& rng) {
+  const std::size_t n = points.size();
+  switch (task) {
+    case 0:
+      for (std::size_t d = 0; d < points.dims(); ++d) {
+        mc::uniforms(rng, points.column(d));
+      }
+      return;
+    case 1:
+      return mc::stratified_1d(points.column(0), rng);
+    case 3:
+      return mc::stratified_2d(points.column(0), points.column(1), {root(n, 2), root(n, 2)}, rng);
+    case 4:
+      return mc::stratified(points, rng);
+    case 5:
+      return mc::stratified_nd(points, root(n, points.dims()), rng);
+    case 6:
+      return mc::latin_hypercube(points, rng);
+    case 7:
+      return mc::multi_jittered(points.column(0), points.column(1), {root(n, 2), root(n, 2)}, rng);
+    default:
+      throw std::out_of_range("task: 0, 1, 3, 4, 5, 6 or 7");
+  }
+}
+
+/// g at one point.
+template <class Coordinate>
+double evaluate(const Function& function, std::size_t dims, Coordinate x) {
+  double g = 0;
+  switch (function.kind) {
+    case 1:
+      for (std::size_t d = 0; d < dims; ++d) g += std::exp(x(d));
+      break;
+    case 2:
+      for (std::size_t d = 0; d < dims; ++d) g += x(d) - 0.5;
+      g = std::exp(g);
+      break;
+    case 3:
+      for (std::size_t d = 0; d < dims; ++d) g -= x(d) * x(d);
+      g = std::exp(g);
+      break;
+    case 4:
+      g = 1;
+      for (std::size_t d = 0; d < dims; ++d) g *= x(d) - 0.5;
+      break;
+    case 5:
+      g = std::cos(1.0) * (x(0) - 0.5) + std::sin(1.0) * (x(1) - 0.5) < function.edge ? 1 : 0;
+      break;
+    default:
+      throw std::out_of_range("kind: 1 to 5");
+  }
+  return function.a * g + function.b;
+}
+
+double mean_of(const Function& g, const PointSet& points, std::size_t used) {
+  double sum = 0;
+  for (std::size_t i = 0; i < used; ++i) {
+    sum += evaluate(g, points.dims(), [&](std::size_t d) { return points.column(d)[i]; });
+  }
+  return sum / static_cast<double>(used);
+}
+
+/// `sets` sets of points, each column by column, one after the other.
+template <class Fill>
+std::vector<double> many(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
+                         std::uint64_t seed, Fill fill) {
+  Rng rng(seed);
+  std::vector<double> all;
+  all.reserve(n * dims * sets);
+  PointSet points(n, dims);
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    fill(points, rng);
+    for (std::size_t d = 0; d < dims; ++d) {
+      const auto column = points.column(d);
+      all.insert(all.end(), column.begin(), column.end());
+    }
+  }
+  return all;
+}
+
+using Pattern2D = void(std::span<double>, std::span<double>, Grid, Rng&);
+
+Points many_2d(Pattern2D pattern, Grid grid, std::uint64_t sets, std::uint64_t seed) {
+  Rng rng(seed);
+  const std::size_t n = grid.nx * grid.ny;
+  Points all{std::vector<double>(n * sets), std::vector<double>(n * sets)};
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    pattern(std::span(all.x).subspan(set * n, n), std::span(all.y).subspan(set * n, n), grid, rng);
+  }
+  return all;
+}
+
+Points one_2d(Pattern2D pattern, std::uint64_t size_x, std::uint64_t size_y, Grid grid, Rng rng) {
+  Points one{std::vector<double>(size_x), std::vector<double>(size_y)};
+  pattern(one.x, one.y, grid, rng);
+  return one;
+}
+
+Replicated with_counts(const Integrand& g, const Generator& generator, std::uint64_t n,
+                       std::uint64_t replicates, Rng& rng) {
+  Replicated got;
+  const Integrand counted{g.dims, [&](std::span<const double> x) {
+                            ++got.evaluated;
+                            return g.f(x);
+                          }};
+  const Generator counting = [&](PointSet& points, Rng& from) {
+    ++got.generated;
+    generator(points, from);
+  };
+  const Estimate estimate = mc::estimate_replicated(counted, counting, n, replicates, rng);
+  got.value = estimate.value;
+  got.standard_error = estimate.standard_error;
+  got.n = estimate.n;
+  return got;
+}
+
+}  // namespace
+
+std::vector<double> stratified_1d(std::uint64_t n, std::uint64_t sets, std::uint64_t seed) {
+  return many(n, 1, sets, seed,
+              [](PointSet& points, Rng& rng) { mc::stratified_1d(points.column(0), rng); });
+}
+
+std::vector<double> stratified_1d_constant(std::uint64_t n, std::uint64_t word) {
+  std::vector<double> x(n);
+  Rng rng = Rng::constant(word);
+  mc::stratified_1d(x, rng);
+  return x;
+}
+
+std::vector<Grid> strata(std::vector<std::uint64_t> n) {
+  std::vector<Grid> grids;
+  for (const std::uint64_t cells : n) grids.push_back(mc::strata(cells));
+  return grids;
+}
+
+Points stratified_2d(Grid grid, std::uint64_t sets, std::uint64_t seed) {
+  return many_2d(mc::stratified_2d, grid, sets, seed);
+}
+Points stratified_2d_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
+  return one_2d(mc::stratified_2d, size_x, size_y, grid, Rng(1));
+}
+Points stratified_2d_constant(Grid grid, std::uint64_t word) {
+  const std::uint64_t n = grid.nx * grid.ny;
+  return one_2d(mc::stratified_2d, n, n, grid, Rng::constant(word));
+}
+
+std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed) {
+  return many(x.size(), 1, times, seed, [&](PointSet& points, Rng& rng) {
+    const auto column = points.column(0);
+    std::copy(x.begin(), x.end(), column.begin());
+    mc::shuffle(column, rng);
+  });
+}
+
+std::vector<double> stratified(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
+                               std::uint64_t seed) {
+  return many(n, dims, sets, seed, mc::stratified);
+}
+
+std::vector<double> stratified_nd(std::uint64_t n, std::uint64_t dims, std::uint64_t per_axis,
+                                  std::uint64_t sets, std::uint64_t seed) {
+  return many(n, dims, sets, seed,
+              [&](PointSet& points, Rng& rng) { mc::stratified_nd(points, per_axis, rng); });
+}
+
+std::vector<double> latin_hypercube(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
+                                    std::uint64_t seed) {
+  return many(n, dims, sets, seed, mc::latin_hypercube);
+}
+
+Points multi_jittered(Grid grid, std::uint64_t sets, std::uint64_t seed) {
+  return many_2d(mc::multi_jittered, grid, sets, seed);
+}
+Points multi_jittered_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
+  return one_2d(mc::multi_jittered, size_x, size_y, grid, Rng(1));
+}
+
+std::vector<double> estimates(unsigned task, Function g, std::uint64_t dims, std::uint64_t n,
+                              std::uint64_t used, std::uint64_t sets, std::uint64_t seed) {
+  Rng rng(seed);
+  PointSet points(n, dims);
+  std::vector<double> means;
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    make_points(task, points, rng);
+    means.push_back(mean_of(g, points, used));
+  }
+  return means;
+}
+
+Replicated estimate_replicated(std::vector<double> values, std::uint64_t n,
+                               std::uint64_t replicates) {
+  std::size_t next = 0;
+  const Generator dealing = [&](PointSet& points, Rng&) {
+    for (double& value : points.column(0)) value = values[next++ % values.size()];
+  };
+  Rng rng(1);
+  return with_counts({1, [](std::span<const double> x) { return x[0]; }}, dealing, n, replicates,
+                     rng);
+}
+
+std::vector<Replicated> estimates_replicated(unsigned task, Function g, std::uint64_t dims,
+                                             std::uint64_t n, std::uint64_t replicates,
+                                             std::uint64_t times, std::uint64_t seed) {
+  Rng rng(seed);
+  const Integrand integrand{dims, [&](std::span<const double> x) {
+                              return evaluate(g, dims, [&](std::size_t d) { return x[d]; });
+                            }};
+  const Generator generator = [&](PointSet& points, Rng& from) { make_points(task, points, from); };
+  std::vector<Replicated> all;
+  for (std::uint64_t i = 0; i < times; ++i) {
+    all.push_back(with_counts(integrand, generator, n, replicates, rng));
+  }
+  return all;
+}
+
+std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n,
+                           std::uint64_t seed) {
+  // The floor is the unit square, the light another of the same size 1.2 above it; between them a
+  // ball. A point of the light is hidden where the way to it passes the ball's centre within r.
+  constexpr double height = 1.2, ball[] = {0.5, 0.5, 0.35}, r = 0.22;
+  Rng rng(seed);
+  PointSet points(n, 2);
+  std::vector<double> picture;
+  for (std::uint64_t row = 0; row < width; ++row) {
+    for (std::uint64_t column = 0; column < width; ++column) {
+      const double floor_x = (static_cast<double>(column) + 0.5) / static_cast<double>(width);
+      const double floor_y = (static_cast<double>(row) + 0.5) / static_cast<double>(width);
+      const double cx = ball[0] - floor_x, cy = ball[1] - floor_y, cz = ball[2];
+      make_points(task, points, rng);
+      double seen = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const double wx = points.column(0)[i] - floor_x, wy = points.column(1)[i] - floor_y;
+        const double along = cx * wx + cy * wy + cz * height;
+        const double length = wx * wx + wy * wy + height * height;
+        const bool hidden = cx * cx + cy * cy + cz * cz - along * along / length < r * r;
+        seen += hidden ? 0 : 1;
+      }
+      picture.push_back(seen / static_cast<double>(n));
+    }
+  }
+  return picture;
+}
+
+double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds) {
+  Rng rng(1);
+  PointSet points(n, task == 1 ? 1 : 2);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    make_points(task, points, rng);
+  }
+  return points.column(points.dims() - 1)[n - 1];
+}
+
+double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds) {
+  if (dims != 1 && dims != 2) throw std::out_of_range("dims: 1 or 2");
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> random(0.0, 1.0);
+  const std::size_t nx = root(n, dims), ny = dims == 1 ? 1 : nx;
+  std::vector<double> x(nx * ny), y(nx * ny);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    for (std::size_t j = 0; j < ny; ++j) {
+      for (std::size_t i = 0; i < nx; ++i) {
+        x[j * nx + i] = (static_cast<double>(i) + random(engine)) / static_cast<double>(nx);
+        if (dims == 1) continue;
+        y[j * nx + i] = (static_cast<double>(j) + random(engine)) / static_cast<double>(ny);
+      }
+    }
+  }
+  return x.back() + y.back();
+}
+
+}  // namespace mc::experiments
+
+std::span<const mc::runner::Experiment> mc::runner::experiments() {
+  static constexpr Experiment all[] = {
+      MC_EXPERIMENT(stratified_1d, "n sets seed", "3.1  sets of n points"),
+      MC_EXPERIMENT(stratified_1d_constant, "n word", "3.1  n points from a constant generator"),
+      MC_EXPERIMENT(strata, "n,…", "3.2  the grid of each n"),
+      MC_EXPERIMENT(stratified_2d, "nx:ny sets seed", "3.3  sets of points on a grid"),
+      MC_EXPERIMENT(stratified_2d_into, "size_x size_y nx:ny", "3.3  x and y of given sizes"),
+      MC_EXPERIMENT(stratified_2d_constant, "nx:ny word", "3.3  points from a constant generator"),
+      MC_EXPERIMENT(shuffle, "x times seed", "3.4  x in random orders"),
+      MC_EXPERIMENT(stratified, "n dims sets seed", "3.4  sets of n points, column by column"),
+      MC_EXPERIMENT(stratified_nd, "n dims per_axis sets seed",
+                    "3.5  sets of n points, column by column"),
+      MC_EXPERIMENT(latin_hypercube, "n dims sets seed", "3.6  sets of n points, column by column"),
+      MC_EXPERIMENT(multi_jittered, "nx:ny sets seed", "3.7  sets of points on a grid"),
+      MC_EXPERIMENT(multi_jittered_into, "size_x size_y nx:ny", "3.7  x and y of given sizes"),
+      MC_EXPERIMENT(estimates, "task kind:a:b:edge dims n used sets seed",
+                    "means over the first used of n points of task 3.task, set by set"),
+      MC_EXPERIMENT(estimate_replicated, "values n replicates",
+                    "3.8  replicated means of the values, dealt out in turn"),
+      MC_EXPERIMENT(estimates_replicated, "task kind:a:b:edge dims n replicates times seed",
+                    "3.8  replicated estimates with points of task 3.task"),
+      MC_EXPERIMENT(shadow, "task width n seed", "a picture of a soft shadow, row by row"),
+      MC_EXPERIMENT(repeat, "task n rounds", "n points of task 3.task, rounds times (timing)"),
+      MC_EXPERIMENT(repeat_textbook, "dims n rounds", "the same by a textbook's loop (timing)"),
+  };
+  return all;
+}

@@ -1,0 +1,216 @@
+// Lab 3 · stratification: the reference solution. Each function is its definition first; where a
+// faster way stands below, its reason stands with it.
+
+#include "stratification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace mc {
+
+// 3.9 --------------------------------------------------------------------------------------------
+//
+// The definition of a point in stratum i of n, for u uniform in [0,1), would be
+//
+//   std::min((i + u) / n, below((i + 1) / n))      with below(x) the double before x
+//
+// because the sum and the quotient may each be rounded up to the edge. That is two divisions and a
+// call of the generator for every number, one after the other. Here nothing is divided, clamped or
+// waited for:
+//
+// * The jitter keeps away from both edges of its stratum, by 2^-50 of the whole axis: more than all
+//   its roundings together. Then nothing can reach an edge, and multiplying by 1/n, rounded, will
+//   do.
+// * Random numbers are drawn many at a time (2.8), in blocks that stay in the first-level cache
+//   until they have been moved to their strata.
+// * A stratum's number is an int within its block: vector registers convert those to double.
+
+namespace {
+
+constexpr std::size_t block_size = 1024;  // 8 KB
+
+/// The n strata of [0,1).
+class Strata {
+ public:
+  explicit Strata(std::size_t n)
+      : margin_(static_cast<double>(n) * 0x1p-50),
+        scale_(1 - 2 * margin_),
+        width_(1 / static_cast<double>(n)) {}
+
+  /// The point of stratum i that u in [0,1) leads to. Jitter, sum, width, product, and the edge
+  /// that it must not reach, are rounded by 2^-53 of the axis each, at most: 5 of the margin's 8.
+  double place(double i, double u) const { return (i + (margin_ + scale_ * u)) * width_; }
+
+ private:
+  double margin_, scale_, width_;  // the first two in strata, the last one of [0,1)
+};
+
+/// Moves the values of `u`, in [0,1), to the strata first, first + 1, …
+void move_into(const Strata& strata, std::size_t first, std::span<double> u) {
+  const auto start = static_cast<double>(first);
+  for (int i = 0; i < static_cast<int>(u.size()); ++i) u[i] = strata.place(start + i, u[i]);
+}
+
+}  // namespace
+
+// 3.1 --------------------------------------------------------------------------------------------
+
+void stratified_1d(std::span<double> x, Rng& rng) {
+  const Strata strata(x.size());
+  for (std::size_t first = 0; first < x.size(); first += block_size) {
+    const auto block = x.subspan(first, std::min(block_size, x.size() - first));
+    uniforms(rng, block);
+    move_into(strata, first, block);
+  }
+}
+
+// 3.2 --------------------------------------------------------------------------------------------
+
+Grid strata(std::size_t n) {
+  if (n == 0) throw std::invalid_argument("n: there are no strata");
+  auto ny = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
+  while (n % ny != 0) --ny;  // 1 divides everything
+  return {n / ny, ny};
+}
+
+// 3.3 --------------------------------------------------------------------------------------------
+
+namespace {
+
+void require_grid(std::span<const double> x, std::span<const double> y, Grid grid) {
+  if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
+  if (grid.nx == 0 || grid.ny == 0) throw std::invalid_argument("grid: it has no cells");
+  // Not by their product, which may be too large for 64 bits and look right.
+  if (x.size() % grid.nx != 0 || x.size() / grid.nx != grid.ny) {
+    throw std::invalid_argument("grid: nx * ny is not the number of points");
+  }
+}
+
+}  // namespace
+
+void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  require_grid(x, y, grid);
+  const Strata columns(grid.nx), rows(grid.ny);
+  for (std::size_t first = 0; first < x.size(); first += block_size) {
+    const std::size_t end = std::min(first + block_size, x.size());
+    uniforms(rng, x.subspan(first, end - first));
+    uniforms(rng, y.subspan(first, end - first));
+    for (std::size_t k = first; k < end;) {  // row by row: cell k is (k % nx, k / nx)
+      const std::size_t column = k % grid.nx, row = k / grid.nx;
+      const std::size_t size = std::min(grid.nx - column, end - k);
+      move_into(columns, column, x.subspan(k, size));
+      for (double& value : y.subspan(k, size)) {
+        value = rows.place(static_cast<double>(row), value);
+      }
+      k += size;
+    }
+  }
+}
+
+// 3.4 --------------------------------------------------------------------------------------------
+
+void shuffle(std::span<double> x, Rng& rng) {
+  for (std::size_t left = x.size(); left > 1; --left) {
+    std::uniform_int_distribution<std::size_t> any(0, left - 1);
+    std::swap(x[left - 1], x[any(rng)]);
+  }
+}
+
+void stratified(PointSet& points, Rng& rng) {
+  std::size_t d = 0;
+  for (; d + 1 < points.dims(); d += 2) {
+    const auto x = points.column(d), y = points.column(d + 1);
+    stratified_2d(x, y, strata(points.size()), rng);
+    Rng again = rng;
+    shuffle(x, rng);
+    shuffle(y, again);  // the same numbers, so the same order: pairs stay together
+  }
+  if (d < points.dims()) {
+    stratified_1d(points.column(d), rng);
+    shuffle(points.column(d), rng);
+  }
+}
+
+// 3.5 --------------------------------------------------------------------------------------------
+
+void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
+  if (per_axis == 0) throw std::invalid_argument("per_axis: there are no strata");
+  std::size_t rest = points.size();  // divided, since the power may be too large for 64 bits
+  bool divides = true;
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    divides = divides && rest % per_axis == 0;
+    rest /= per_axis;
+  }
+  if (!divides || rest != 1) {
+    throw std::invalid_argument("per_axis: per_axis^dims is not the number of points");
+  }
+
+  // Point k lies in cell k: its stratum along axis d is digit d of k in base per_axis, which stays
+  // for per_axis^d points and then moves on.
+  const Strata strata(per_axis);
+  std::size_t stride = 1;
+  for (std::size_t d = 0; d < points.dims(); ++d, stride *= per_axis) {
+    const auto column = points.column(d);
+    uniforms(rng, column);
+    std::size_t digit = 0;
+    for (std::size_t first = 0; first < column.size(); first += stride) {
+      for (double& value : column.subspan(first, stride)) {
+        value = strata.place(static_cast<double>(digit), value);
+      }
+      if (++digit == per_axis) digit = 0;
+    }
+  }
+}
+
+// 3.6 --------------------------------------------------------------------------------------------
+
+void latin_hypercube(PointSet& points, Rng& rng) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    stratified_1d(points.column(d), rng);
+    shuffle(points.column(d), rng);
+  }
+}
+
+// 3.7 --------------------------------------------------------------------------------------------
+
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  require_grid(x, y, grid);
+  // N strata of x in order: ny of them to each column of cells. Which cell of the column gets which
+  // is left to chance. And so for y, nx of its strata to each row.
+  std::vector<double> by_row(y.size());
+  stratified_1d(x, rng);
+  stratified_1d(by_row, rng);
+  for (std::size_t i = 0; i < grid.nx; ++i) shuffle(x.subspan(i * grid.ny, grid.ny), rng);
+  for (std::size_t j = 0; j < grid.ny; ++j) {
+    shuffle(std::span(by_row).subspan(j * grid.nx, grid.nx), rng);
+  }
+  for (std::size_t i = 0; i < grid.nx; ++i) {  // x goes by columns, so y must too
+    for (std::size_t j = 0; j < grid.ny; ++j) y[i * grid.ny + j] = by_row[j * grid.nx + i];
+  }
+}
+
+// 3.8 --------------------------------------------------------------------------------------------
+
+Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
+                             std::uint64_t replicates, Rng& rng) {
+  if (n == 0) throw std::invalid_argument("n: there are no points");
+  if (replicates == 0) throw std::invalid_argument("replicates: there are none");
+  PointSet points(n, g.dims);
+  std::vector<double> point(g.dims);
+  Moments means;  // of the replicates: their means are independent, the points in them are not
+  for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
+    generator(points, rng);
+    Moments values;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t d = 0; d < g.dims; ++d) point[d] = points.column(d)[i];
+      add(values, g.f(point));
+    }
+    add(means, values.mean);
+  }
+  return {means.mean, std::sqrt(variance(means) / static_cast<double>(replicates)), n * replicates};
+}
+
+}  // namespace mc
