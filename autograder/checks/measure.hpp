@@ -64,10 +64,19 @@ void require_value(const Call& call);
 /// Writes one line to whoever runs this check (the grader): a kind and a text.
 void record(std::string_view kind, std::string_view text);
 
-/// A value as it stands in a call: lists as {1, 2, 4, …}, with their length when cut.
+/// A value as it stands in a call: lists as {1, 2, 4, …}, with their length when cut; structs as
+/// {count = 3, mean = 0.5}.
 template <class T>
 std::string shown(const T& value) {
   return text::print(value);
+}
+template <wire::Listed T>
+std::string shown(const T& value) {
+  std::string all = '{' + text::print(value) + '}';
+  for (auto at = all.find("  "); at != std::string::npos; at = all.find("  ")) {
+    all.replace(at, 2, ", ");
+  }
+  return all;
 }
 template <class T>
 std::string shown(const std::vector<T>& values) {
