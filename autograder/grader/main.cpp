@@ -80,7 +80,9 @@ const std::vector<Verb>& verbs() {
        {"full"},
        "Every submission of the repository is judged: the starter, the solutions, the mistakes, "
        "the\n"
-       "alternatives, the attacks. With --full, right ones with 1,000 seeds (hours).\n",
+       "alternatives, the attacks. With --full, right ones with 1,000 seeds: hours, but it goes on "
+       "where\n"
+       "it was interrupted.\n",
        test},
   };
   return all;

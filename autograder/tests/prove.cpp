@@ -138,12 +138,64 @@ class PValues {
   std::vector<double> all_;
 };
 
+/// Seeds that went well, with their p-values, kept in the build directory: a thousand seeds take
+/// hours, and what interrupts them should not cost what is done. Another program, or other checks,
+/// begin anew.
+class Progress {
+ public:
+  explicit Progress(const Proof& proof)
+      : file_(proof.layout.build / "proved" /
+              fmt::format("{}-{:016x}", fs::path(proof.built.program->path).stem().string(),
+                          hash_text(read_text(proof.layout.checks(proof.lab.name))))) {
+    fs::create_directories(file_.parent_path());
+  }
+
+  /// The first seed that is still to be judged.
+  std::uint64_t resume(PValues& p_values) const {
+    std::uint64_t next = 1;
+    LabVerdict verdict;
+    verdict.checks.resize(1);
+    std::ifstream file(file_);
+    for (std::string line; std::getline(file, line);) {
+      char* rest = nullptr;
+      PValue value;
+      value.p = std::strtod(line.c_str(), &rest);
+      value.alpha = std::strtod(rest, &rest);
+      if (line == "seed done") {
+        p_values.add(verdict);
+        verdict.checks[0].p_values.clear();
+        ++next;
+      } else {
+        value.null = rest;
+        verdict.checks[0].p_values.push_back(value);
+      }
+    }
+    return next;
+  }
+
+  void keep(const LabVerdict& verdict) const {
+    std::string lines;
+    for (const CheckResult& result : verdict.checks) {
+      for (const PValue& value : result.p_values) {
+        lines += fmt::format("{} {}{}\n", value.p, value.alpha, value.null);
+      }
+    }
+    std::ofstream(file_, std::ios::app) << lines << "seed done\n";
+  }
+
+ private:
+  fs::path file_;
+};
+
 void prove_right(const Proof& proof) {
   const char* wanted = std::getenv("MC_SEEDS");
   const std::uint64_t seeds = wanted == nullptr ? 10 : std::strtoull(wanted, nullptr, 10);
   PValues p_values;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  const Progress progress(proof);
+  std::uint64_t seed = wanted == nullptr ? 1 : progress.resume(p_values);
+  for (; seed <= seeds; ++seed) {
     const LabVerdict verdict = proof.judge(seed, seed > 1);  // those depend on no seed
+    if (wanted != nullptr && verdict.earned() == verdict.points()) progress.keep(verdict);
     p_values.add(verdict);
     if (verdict.earned() == verdict.points()) continue;
     proof.show(verdict, seed);
