@@ -26,13 +26,13 @@ Estimate mean_of(const Moments& values) {
 
 }  // namespace
 
-// 2.1 --------------------------------------------------------------------------------------------
+// 2.1 ---------------------------------------------------------------------------------------------
 
 double to_unit(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;  // 53 bits are exact; 64 would round up to 1
 }
 
-// 2.2 --------------------------------------------------------------------------------------------
+// 2.2 ---------------------------------------------------------------------------------------------
 
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -45,7 +45,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_of(values);
 }
 
-// 2.3 --------------------------------------------------------------------------------------------
+// 2.3 ---------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -79,7 +79,7 @@ double pdf_power(double x, double a) {
   return x < 0 || x > 1 ? 0 : (a + 1) * std::pow(x, a);
 }
 
-// 2.4 --------------------------------------------------------------------------------------------
+// 2.4 ---------------------------------------------------------------------------------------------
 
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -93,7 +93,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
   return mean_of(weights);
 }
 
-// 2.5 --------------------------------------------------------------------------------------------
+// 2.5 ---------------------------------------------------------------------------------------------
 
 Interval confidence_interval(const Estimate& estimate, double level) {
   if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
@@ -102,7 +102,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
   return {estimate.value - reach, estimate.value + reach};
 }
 
-// 2.6 --------------------------------------------------------------------------------------------
+// 2.6 ---------------------------------------------------------------------------------------------
 
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   if (!(target_error > 0)) throw std::invalid_argument("target_error: must be positive");
@@ -115,7 +115,7 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(n));
 }
 
-// 2.7 --------------------------------------------------------------------------------------------
+// 2.7 ---------------------------------------------------------------------------------------------
 
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -147,7 +147,7 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
   return mean_of(values);
 }
 
-// 2.8 --------------------------------------------------------------------------------------------
+// 2.8 ---------------------------------------------------------------------------------------------
 //
 // The definition would be
 //
@@ -156,12 +156,10 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 // Two things hold it up: the generator multiplies 64-bit words, which vector units (before AVX-512)
 // cannot do, and so cannot convert them to double either. Both have a way round:
 //
-// * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only
-// adds,
+// * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only adds,
 //   shifts and xors; its upper 53 bits are what it was made for. Sixteen of them run side by side,
 //   each from 256 random bits of its own, so that nothing waits and four lanes fill a register.
-// * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper
-// 21
+// * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper 21
 //   next to 2^31, whose last place is 2^-21, the lower 32 next to 1/2, whose last place is 2^-53.
 //   Subtracting the powers is exact.
 

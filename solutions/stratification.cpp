@@ -11,7 +11,7 @@
 
 namespace mc {
 
-// 3.9 --------------------------------------------------------------------------------------------
+// 3.9 ---------------------------------------------------------------------------------------------
 //
 // The definition of a point in stratum i of n, for u uniform in [0,1), would be
 //
@@ -56,7 +56,7 @@ void move_into(const Strata& strata, std::size_t first, std::span<double> u) {
 
 }  // namespace
 
-// 3.1 --------------------------------------------------------------------------------------------
+// 3.1 ---------------------------------------------------------------------------------------------
 
 void stratified_1d(std::span<double> x, Rng& rng) {
   const Strata strata(x.size());
@@ -67,7 +67,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
   }
 }
 
-// 3.2 --------------------------------------------------------------------------------------------
+// 3.2 ---------------------------------------------------------------------------------------------
 
 Grid strata(std::size_t n) {
   if (n == 0) throw std::invalid_argument("n: there are no strata");
@@ -76,7 +76,7 @@ Grid strata(std::size_t n) {
   return {n / ny, ny};
 }
 
-// 3.3 --------------------------------------------------------------------------------------------
+// 3.3 ---------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -110,7 +110,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
   }
 }
 
-// 3.4 --------------------------------------------------------------------------------------------
+// 3.4 ---------------------------------------------------------------------------------------------
 
 void shuffle(std::span<double> x, Rng& rng) {
   for (std::size_t left = x.size(); left > 1; --left) {
@@ -134,7 +134,7 @@ void stratified(PointSet& points, Rng& rng) {
   }
 }
 
-// 3.5 --------------------------------------------------------------------------------------------
+// 3.5 ---------------------------------------------------------------------------------------------
 
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
   if (per_axis == 0) throw std::invalid_argument("per_axis: there are no strata");
@@ -165,7 +165,7 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
   }
 }
 
-// 3.6 --------------------------------------------------------------------------------------------
+// 3.6 ---------------------------------------------------------------------------------------------
 
 void latin_hypercube(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) {
@@ -174,7 +174,7 @@ void latin_hypercube(PointSet& points, Rng& rng) {
   }
 }
 
-// 3.7 --------------------------------------------------------------------------------------------
+// 3.7 ---------------------------------------------------------------------------------------------
 
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
@@ -192,7 +192,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
   }
 }
 
-// 3.8 --------------------------------------------------------------------------------------------
+// 3.8 ---------------------------------------------------------------------------------------------
 
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {

@@ -17,7 +17,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-// 1.1 --------------------------------------------------------------------------------------------
+// 1.1 ---------------------------------------------------------------------------------------------
 
 double mean(std::span<const double> x) {
   const auto n = static_cast<double>(x.size());
@@ -31,7 +31,7 @@ double mean(std::span<const double> x) {
   return shares;
 }
 
-// 1.2 --------------------------------------------------------------------------------------------
+// 1.2 ---------------------------------------------------------------------------------------------
 
 double variance_textbook(std::span<const double> x) {
   const auto n = static_cast<double>(x.size());
@@ -46,7 +46,7 @@ double variance_textbook(std::span<const double> x) {
   return (sum_of_squares / n - mean * mean) * (n / (n - 1));  // two large numbers, nearly equal
 }
 
-// 1.3 --------------------------------------------------------------------------------------------
+// 1.3 ---------------------------------------------------------------------------------------------
 
 double variance_two_pass(std::span<const double> x) {
   const auto n = static_cast<double>(x.size());
@@ -70,7 +70,7 @@ double variance_two_pass(std::span<const double> x) {
   return std::max(m2 - correction * correction / n, 0.0) / (n - 1);  // of NaN and 0, NaN
 }
 
-// 1.4 --------------------------------------------------------------------------------------------
+// 1.4 ---------------------------------------------------------------------------------------------
 
 void add(Moments& moments, double x) {
   ++moments.count;
@@ -85,7 +85,7 @@ double variance(const Moments& moments) {
   return moments.m2 / static_cast<double>(moments.count - 1);
 }
 
-// 1.5 --------------------------------------------------------------------------------------------
+// 1.5 ---------------------------------------------------------------------------------------------
 
 Moments merge(const Moments& a, const Moments& b) {
   if (a.count == 0) return b;
@@ -100,7 +100,7 @@ Moments merge(const Moments& a, const Moments& b) {
           a.m2 + b.m2 + apart * apart * (n_a / n * n_b)};
 }
 
-// 1.6 --------------------------------------------------------------------------------------------
+// 1.6 ---------------------------------------------------------------------------------------------
 
 double covariance(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
@@ -119,7 +119,7 @@ double covariance(std::span<const double> x, std::span<const double> y) {
   return (products - deviations_x * deviations_y / n) / (n - 1);  // corrected as 1.3 is
 }
 
-// 1.7 --------------------------------------------------------------------------------------------
+// 1.7 ---------------------------------------------------------------------------------------------
 
 double dependence(std::span<const double> joint, std::size_t columns) {
   if (columns == 0) throw std::invalid_argument("columns: there are none");
@@ -144,7 +144,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   return largest;
 }
 
-// 1.8 --------------------------------------------------------------------------------------------
+// 1.8 ---------------------------------------------------------------------------------------------
 //
 // The definition would be
 //

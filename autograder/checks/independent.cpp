@@ -106,7 +106,7 @@ void expect_each(const std::string& call, const std::string& name, const Values&
   pass();
 }
 
-// 2.1 --------------------------------------------------------------------------------------------
+// 2.1 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("2.1 the upper 53 bits of a word become a number", "[2.1][points:5]") {
   Rng rng = check_rng();
@@ -162,7 +162,7 @@ TEST_CASE("2.1 no word becomes one", "[2.1][points:3]") {
   }
 }
 
-// 2.2 --------------------------------------------------------------------------------------------
+// 2.2 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:4][needs:2.1]") {
   Rng rng = check_rng();
@@ -421,7 +421,7 @@ TEST_CASE("2.2 rare events and a narrow peak", "[2.2][points:3][needs:2.1]") {
               {{}, "uniform points, in x and in y"});
 }
 
-// 2.3 --------------------------------------------------------------------------------------------
+// 2.3 ---------------------------------------------------------------------------------------------
 
 /// Sorted numbers of [0, 1): ordinary ones, tiny ones, and those that are nearly 1.
 Values shares(Rng& rng) {
@@ -559,7 +559,7 @@ TEST_CASE("2.3 parameters that make no density are refused", "[2.3][points:2]") 
   }
 }
 
-// 2.4 --------------------------------------------------------------------------------------------
+// 2.4 ---------------------------------------------------------------------------------------------
 
 /// Sampling::p
 enum : unsigned { by_uniform, by_power, by_exponential, by_holes };
@@ -702,7 +702,7 @@ TEST_CASE("2.4 points without a usable density add nothing", "[2.4][points:2][ne
                  "g / 0 is no weight: where the pdf is 0 or infinite, add 0"});
 }
 
-// 2.5 --------------------------------------------------------------------------------------------
+// 2.5 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("2.5 a confidence interval of a given level", "[2.5][points:4]") {
   Rng rng = check_rng();
@@ -798,7 +798,7 @@ TEST_CASE("2.5 intervals of rare events cover as rarely as they must",
   }
 }
 
-// 2.6 --------------------------------------------------------------------------------------------
+// 2.6 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("2.6 the samples that bring the error down", "[2.6][points:6]") {
   Rng rng = check_rng();
@@ -860,7 +860,7 @@ TEST_CASE("2.6 pilots and targets that say nothing", "[2.6][points:2]") {
                           "target|pilot|samples", "1e27 does not fit into 64 bits");
 }
 
-// 2.7 --------------------------------------------------------------------------------------------
+// 2.7 ---------------------------------------------------------------------------------------------
 
 /// One light over the receiver, and one anywhere. Not so near that a few points carry everything.
 std::vector<RectLight> fresh_lights(Rng& rng) {
@@ -1020,7 +1020,7 @@ TEST_CASE("2.7 both estimates know their error", "[2.7][points:3][needs:2.1]") {
              because);
 }
 
-// 2.8 --------------------------------------------------------------------------------------------
+// 2.8 ---------------------------------------------------------------------------------------------
 
 void expect_in_unit(const std::string& call, const Values& u) {
   const auto outside =

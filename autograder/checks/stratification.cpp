@@ -49,8 +49,7 @@ std::span<const T> part(const std::vector<T>& all, std::size_t first, std::size_
   return std::span(all).subspan(first, size);
 }
 
-// Strata
-// --------------------------------------------------------------------------------------------
+// Strata ------------------------------------------------------------------------------------------
 
 /// The stratum i of n with double(i) / n <= x < double(i+1) / n; nothing outside [0,1).
 std::optional<std::size_t> stratum_of(double x, std::size_t n) {
@@ -179,8 +178,7 @@ std::vector<std::size_t> expect_one_in_each_cell(const std::string& call, View x
   return {};
 }
 
-// Jitter
-// --------------------------------------------------------------------------------------------
+// Jitter ------------------------------------------------------------------------------------------
 
 /// What is wrong with jitters that are not uniform and independent, from looking at them.
 std::string jitter_hint(Values jitters) {
@@ -234,8 +232,7 @@ void expect_independent(const std::string& call, const Values& u, const Values& 
 
 const std::string one_for_all = "the same random number moves both: draw one for every coordinate";
 
-// Orders
-// --------------------------------------------------------------------------------------------
+// Orders ------------------------------------------------------------------------------------------
 
 /// The number, below n!, of a permutation of 0 … n-1 (Lehmer's code).
 std::size_t rank_of(std::span<const std::size_t> order) {
@@ -272,8 +269,7 @@ std::vector<std::size_t> relative_orders(const std::vector<std::size_t>& from,
   return orders;
 }
 
-// Functions
-// --------------------------------------------------------------------------------------------
+// Functions ---------------------------------------------------------------------------------------
 
 double exponential(double x) {
   return std::exp(x);
@@ -348,8 +344,7 @@ Expected expected_of(const WithinStrata& strata, double kurtosis = 3) {
           independent_variance(strata, strata.size())};
 }
 
-// 3.1
-// ----------------------------------------------------------------------------------------------
+// 3.1 ---------------------------------------------------------------------------------------------
 
 const std::string one_each = "one point in each stratum: (i + u) / N for i = 0 … N-1";
 
@@ -422,8 +417,7 @@ TEST_CASE("3.1 the error falls as N^-1.5", "[3.1][points:3]") {
                "errors for a exp(x) + b fall as N^-1.5", otherwise);
 }
 
-// 3.2
-// ----------------------------------------------------------------------------------------------
+// 3.2 ---------------------------------------------------------------------------------------------
 
 Grid squarest(std::size_t n) {
   Grid best{n, 1};
@@ -466,8 +460,7 @@ TEST_CASE("3.2 a prime number of cells is a row", "[3.2][points:2]") {
                           "there is no grid without cells");
 }
 
-// 3.3
-// ----------------------------------------------------------------------------------------------
+// 3.3 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("3.3 one point in each cell", "[3.3][points:5]") {
   Rng rng = check_rng();
@@ -584,8 +577,7 @@ TEST_CASE("3.3 the error falls as N^-3/4 across an edge", "[3.3][points:2]") {
                cell_otherwise);
 }
 
-// 3.4
-// ----------------------------------------------------------------------------------------------
+// 3.4 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("3.4 shuffle keeps every value", "[3.4][points:2]") {
   Rng rng = check_rng();
@@ -727,8 +719,7 @@ TEST_CASE("3.4 the first n of N are a fair sample", "[3.4][points:3][needs:3.3]"
                "the first 20 of 64 points are 20 strata drawn without replacement", shuffled);
 }
 
-// 3.5
-// ----------------------------------------------------------------------------------------------
+// 3.5 ---------------------------------------------------------------------------------------------
 
 /// The stratum of each point along each axis, as one number; nothing where a cell has not one
 /// point.
@@ -836,8 +827,7 @@ TEST_CASE("3.5 the curse of dimension", "[3.5][points:3]") {
                "in four dimensions errors fall as N^-1/2-1/4", otherwise);
 }
 
-// 3.6
-// ----------------------------------------------------------------------------------------------
+// 3.6 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("3.6 every axis is stratified", "[3.6][points:4][needs:3.1]") {
   Rng rng = check_rng();
@@ -903,8 +893,7 @@ TEST_CASE("3.6 sums gain everything and products little", "[3.6][points:3][needs
                "(x-1/2)(y-1/2) is no sum at all: nothing is gained", otherwise);
 }
 
-// 3.7
-// ----------------------------------------------------------------------------------------------
+// 3.7 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("3.7 strata of the plane and of both axes at once", "[3.7][points:5]") {
   Rng rng = check_rng();
@@ -972,8 +961,7 @@ TEST_CASE("3.7 what is no grid of these points is refused", "[3.7][points:1]") {
   });
 }
 
-// 3.8
-// ----------------------------------------------------------------------------------------------
+// 3.8 ---------------------------------------------------------------------------------------------
 
 /// Sums of at most 2000 values of size one lose 2000 eps of them; 1e-12 is twice that.
 constexpr double rounding = 1e-12;
@@ -1073,8 +1061,7 @@ TEST_CASE("3.8 the error bar is honest for stratified points", "[3.8][points:1][
                   {"squared error bars are the exact variance on average", alpha}, {{}, fresh});
 }
 
-// 3.9
-// ----------------------------------------------------------------------------------------------
+// 3.9 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("3.9 blocks of any length have their strata", "[3.9][points:3][needs:3.1][needs:3.3]") {
   Rng rng = check_rng();

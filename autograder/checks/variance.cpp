@@ -55,8 +55,7 @@ const std::string because_one_pass =
     "eps |mean| / sigma; a digit is left beyond that";
 const std::string because_undefined = "what is undefined is NaN, as in numpy and R";
 
-// Data
-// ---------------------------------------------------------------------------------------------
+// Data --------------------------------------------------------------------------------------------
 
 /// offset + r + {4, 7, 13, 16} over and over in random order, r a whole number below 1000. Exact in
 /// double up to offsets of 1e15; mean offset + r + 10, and 22.5 n/(n-1) for the variance.
@@ -128,8 +127,7 @@ Welford welford_here(const Values& x) {
   return sums;
 }
 
-// Hints
-// --------------------------------------------------------------------------------------------
+// Hints -------------------------------------------------------------------------------------------
 
 const std::string late_count = "the first value was divided by a count of 0: count it before";
 const std::string empty_part = "0/0 is NaN: look for an empty part first";
@@ -198,8 +196,7 @@ void expect_moments(const std::string& call, const Moments& got, const ExactMome
   }
 }
 
-// 1.1
-// ----------------------------------------------------------------------------------------------
+// 1.1 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("1.1 the mean of a list of values", "[1.1][points:6]") {
   Rng rng = check_rng();
@@ -251,8 +248,7 @@ TEST_CASE("1.1 the mean is finite wherever it is a double", "[1.1][points:4]") {
                 two_pass_floor(1000), because, hints);
 }
 
-// 1.2
-// ----------------------------------------------------------------------------------------------
+// 1.2 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][points:6]") {
   Rng rng = check_rng();
@@ -296,8 +292,7 @@ TEST_CASE("1.2 the textbook formula loses everything under a large mean", "[1.2]
   }
 }
 
-// 1.3
-// ----------------------------------------------------------------------------------------------
+// 1.3 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("1.3 the two-pass variance of tame data", "[1.3][points:5][needs:1.1]") {
   Rng rng = check_rng();
@@ -450,8 +445,7 @@ TEST_CASE("1.3 two passes on hard cases", "[1.3][points:3][needs:1.1]") {
                              hard_variance_hints, because_two_pass});
 }
 
-// 1.4
-// ----------------------------------------------------------------------------------------------
+// 1.4 ---------------------------------------------------------------------------------------------
 
 TEST_CASE("1.4 add keeps count and mean and m2", "[1.4][points:5]") {
   Rng rng = check_rng();
@@ -565,8 +559,7 @@ TEST_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][points:3][slow]"
   expect_digits(got.call + ".m2", got.value.m2, 22.5 * 1e8, 11.6 - room, because, hints);
 }
 
-// 1.5
-// ----------------------------------------------------------------------------------------------
+// 1.5 ---------------------------------------------------------------------------------------------
 
 ExactMoments exact_merge(const Moments& a, const Moments& b) {
   const Exact n_a(static_cast<double>(a.count)), n_b(static_cast<double>(b.count));
@@ -665,8 +658,7 @@ TEST_CASE("1.5 merging very unequal and very long parts", "[1.5][points:4]") {
   expect_merge({trillion * 1000, 10, 2.25e16}, {7, 0, 0});
 }
 
-// 1.6
-// ----------------------------------------------------------------------------------------------
+// 1.6 ---------------------------------------------------------------------------------------------
 
 Hints covariance_hints(double exact, double n, double scale, const std::string& otherwise) {
   return {{{exact * (n - 1) / n, "this divides by n; a sample covariance divides by n - 1"},
@@ -718,8 +710,7 @@ TEST_CASE("1.6 the covariance keeps its digits under large means", "[1.6][points
   }
 }
 
-// 1.7
-// ----------------------------------------------------------------------------------------------
+// 1.7 ---------------------------------------------------------------------------------------------
 
 /// p(x,y) - p(x) p(y) of every cell, by the definition. A total other than the table's own shows
 /// what becomes of weights that were not normalised.
@@ -838,8 +829,7 @@ TEST_CASE("1.7 what is no distribution is refused", "[1.7][points:1]") {
                           "nothing cannot be normalised");
 }
 
-// 1.8
-// ----------------------------------------------------------------------------------------------
+// 1.8 ---------------------------------------------------------------------------------------------
 
 void expect_fast(const std::string& name, const Values& x, double m2_floor,
                  const std::string& because, const std::string& otherwise) {

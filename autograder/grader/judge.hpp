@@ -12,7 +12,7 @@ namespace mc::grader {
 
 struct JudgeOptions {
   std::uint64_t seed = 0;
-  bool skip_slow = false;      ///< leave out checks tagged [slow]
+  bool skip_slow = false;   ///< leave out checks tagged [slow]
   std::string only;         ///< a task ("1.3"): judge its checks alone; empty: all
   unsigned workers = 2;     ///< checks at the same time
   double lab_seconds = 60;  ///< what is not started by then is not run

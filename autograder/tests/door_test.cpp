@@ -174,7 +174,8 @@ TEST_CASE("an experiment by hand") {
 TEST_CASE("a report fits a small terminal") {
   LabVerdict verdict{{1, "variance", "1-variance", {}}, {}, "", 0};
   CheckResult failed;
-  failed.check = {"1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5, false};
+  failed.check = {
+      "1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5, false};
   failed.status = Status::failed;
   failed.story = "measured  mean({1, 2, 3, 4, 5, … (1000 values)}) = 17\nexpected  3, with digits";
   failed.repeat = "./lab check variance --only 1.1 --seed 1";

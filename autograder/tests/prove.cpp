@@ -284,8 +284,7 @@ void prove_attack(const Proof& proof, const fs::path& file) {
   proof.show(verdict, seed);
 }
 
-// The repository
-// -----------------------------------------------------------------------------------
+// The repository ----------------------------------------------------------------------------------
 
 /// The task numbers "N.k" that follow `before` in a text.
 std::set<std::string> tasks_in(const std::string& text, const std::string& before, int number) {

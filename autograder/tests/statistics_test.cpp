@@ -78,8 +78,7 @@ TEST_CASE("NaN is impossible") {
   CHECK(kolmogorov_tails(nan, 3).two_sided() == 0);
 }
 
-// Uniform p-values
-// ---------------------------------------------------------------------------------
+// Uniform p-values --------------------------------------------------------------------------------
 
 namespace {
 
