@@ -4,7 +4,10 @@
 // (exact_stratified.hpp). All sets are fresh in each run, and nothing depends on the order in which
 // a submission draws or visits its cells.
 //
-// Every random test has the same alpha; there are about sixty of them.
+// Every random test has the same alpha; there are 55 of them. What they see nearly always (999
+// times in 1000, by the quantiles of their distributions): a mean squared error 1.5 times the exact
+// one, or 0.66 times (1000 replicates); an exponent off by 0.15 (500 replicates, sizes 16 times
+// apart); jitter that leaves out a fiftieth of its stratum.
 
 #include <algorithm>
 #include <array>
