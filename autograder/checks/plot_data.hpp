@@ -3,6 +3,7 @@
 // "[.plot]"), with the same measurements in the same jail as a check; labs/N-name/plots.gp draws
 // them.
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <span>
@@ -25,25 +26,26 @@ std::ofstream plot_file(const std::string& name);
 void plot_row(std::ostream& file, std::span<const std::optional<double>> values);
 
 /// Seconds a round, seen from outside the program: the CPU time of 2R rounds less that of R, R so
-/// large that the difference is 50 ms at least; the least of three such figures, since noise only
-/// adds. `run` gives the CPU time of so many rounds, or nothing.
+/// large that the difference is 50 ms at least; the median of five such figures, since noise falls on
+/// either run. `run` gives the CPU time of so many rounds, or nothing.
 template <class Run>
 std::optional<double> seconds_a_round(Run run) {
   constexpr double least = 0.05;
-  for (std::uint64_t rounds = 1; rounds < (std::uint64_t{1} << 40); rounds *= 2) {
+  std::uint64_t rounds = 1;
+  for (;; rounds *= 2) {
     const std::optional<double> once = run(rounds);
     if (!once) return {};
-    if (*once < least) continue;
-    std::optional<double> best;
-    for (int i = 0; i < 3; ++i) {
-      const auto one = run(rounds), two = run(2 * rounds);
-      if (!one || !two) return {};
-      const double difference = (*two - *one) / static_cast<double>(rounds);
-      if (difference > 0 && (!best || difference < *best)) best = difference;
-    }
-    return best;
+    if (*once >= least) break;
   }
-  return {};
+  std::vector<double> differences;
+  for (int i = 0; i < 5; ++i) {
+    const auto one = run(rounds), two = run(2 * rounds);
+    if (!one || !two) return {};
+    differences.push_back((*two - *one) / static_cast<double>(rounds));
+  }
+  std::sort(differences.begin(), differences.end());
+  if (differences[2] <= 0) return {};
+  return differences[2];
 }
 
 }  // namespace mc::checks
