@@ -27,10 +27,10 @@ unset multiplot
 
 # Discrepancy against N ---------------------------------------------------------------------------
 array way[6] = ["random", "stratified", "5.3 Halton", "5.4 Hammersley", "5.5 Sobol'", "5.8 scrambled Sobol'"]
-name = "discrepancy"; width = 80 + 500 * count; height = 540
+name = "discrepancy"; width = 80 + 500 * count; height = 570
 load draw
 set multiplot layout 1,count title "Star discrepancy in the plane" \
-  margins 80./width, 1 - 20./width, 0.27, 0.86 spacing 80./width, 0
+  margins 80./width, 1 - 20./width, 0.30, 0.86 spacing 80./width, 0
 set logscale xy
 set xrange [12:5500]
 set yrange [0.0005:0.7]
@@ -38,7 +38,7 @@ set format y "10^{%L}"
 set xtics (16, 64, 256, 1024, 4096)
 set xlabel "N"
 set ylabel "D*"
-set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3 width -1
+set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 3 width -1
 do for [s=1:count] {
   set title labels[s]
   plot 0.85/sqrt(x) with lines ls 9 lw 2 title "N^{-1/2}", \
