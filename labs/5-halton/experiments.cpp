@@ -1,0 +1,151 @@
+#include "experiments.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runner/experiment.hpp"
+
+namespace mc::experiments {
+namespace {
+
+std::vector<double> columns_of(const PointSet& points) {
+  std::vector<double> all;
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    const auto column = points.column(d);
+    all.insert(all.end(), column.begin(), column.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> radical_inverse(unsigned base, std::vector<std::uint64_t> indices) {
+  std::vector<double> values;
+  for (const std::uint64_t index : indices) values.push_back(mc::radical_inverse(base, index));
+  return values;
+}
+
+std::vector<double> radical_inverses(unsigned base, std::uint64_t first, std::uint64_t count) {
+  std::vector<double> column(count);
+  mc::radical_inverses(base, first, column);
+  return column;
+}
+
+std::vector<unsigned> primes(std::uint64_t count) {
+  return mc::primes(count);
+}
+
+std::vector<double> halton(std::uint64_t n, std::uint64_t dims, std::uint64_t first) {
+  PointSet points(n, dims);
+  mc::halton(points, first);
+  return columns_of(points);
+}
+
+std::vector<double> hammersley(std::uint64_t n, std::uint64_t dims) {
+  PointSet points(n, dims);
+  mc::hammersley(points);
+  return columns_of(points);
+}
+
+std::vector<double> sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
+  std::vector<double> column(count);
+  mc::sobol(dimension, first, column);
+  return column;
+}
+
+double star_discrepancy_1d(std::vector<double> x) {
+  return mc::star_discrepancy(x);
+}
+
+double star_discrepancy_2d(std::vector<double> x, std::vector<double> y) {
+  return mc::star_discrepancy(x, y);
+}
+
+std::vector<double> random_shift(std::vector<double> points, std::uint64_t dims,
+                                 std::uint64_t times, std::uint64_t seed) {
+  const std::size_t n = dims == 0 ? 0 : points.size() / dims;
+  Rng rng(seed);
+  std::vector<double> all;
+  for (std::uint64_t time = 0; time < times; ++time) {
+    PointSet set(n, dims);
+    for (std::size_t d = 0; d < dims; ++d) {
+      std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(d * n), n, set.column(d).begin());
+    }
+    mc::random_shift(set, rng);
+    const auto shifted = columns_of(set);
+    all.insert(all.end(), shifted.begin(), shifted.end());
+  }
+  return all;
+}
+
+std::vector<double> owen_scramble(std::vector<double> x, std::vector<std::uint64_t> seeds) {
+  std::vector<double> all;
+  for (const std::uint64_t seed : seeds) {
+    std::vector<double> column = x;
+    mc::owen_scramble(column, seed);
+    all.insert(all.end(), column.begin(), column.end());
+  }
+  return all;
+}
+
+std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t first,
+                                               std::uint64_t count,
+                                               std::vector<std::uint64_t> seeds) {
+  std::vector<double> all;
+  for (const std::uint64_t seed : seeds) {
+    std::vector<double> column(count);
+    mc::radical_inverses_scrambled(base, first, column, seed);
+    all.insert(all.end(), column.begin(), column.end());
+  }
+  return all;
+}
+
+double repeat(unsigned task, unsigned of, std::uint64_t n, std::uint64_t rounds) {
+  std::vector<double> column(n, 0.0);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    switch (task) {
+      case 1:
+        for (std::uint64_t i = 0; i < n; ++i) column[i] = mc::radical_inverse(of, i);
+        break;
+      case 2:
+        mc::radical_inverses(of, 0, column);
+        break;
+      case 5:
+        mc::sobol(of, 0, column);
+        break;
+      case 8:
+        mc::sobol(of, 0, column);
+        mc::owen_scramble(column, round);
+        break;
+      case 9:
+        mc::radical_inverses_scrambled(of, 0, column, round);
+        break;
+      default:
+        throw std::out_of_range("task: 1, 2, 5, 8 or 9");
+    }
+  }
+  return column.empty() ? 0 : column.back();
+}
+
+}  // namespace mc::experiments
+
+std::span<const mc::runner::Experiment> mc::runner::experiments() {
+  static constexpr Experiment all[] = {
+      MC_EXPERIMENT(radical_inverse, "base indices", "5.1  radical inverses of indices"),
+      MC_EXPERIMENT(radical_inverses, "base first count",
+                    "5.2  radical inverses of first, first + 1, ..."),
+      MC_EXPERIMENT(primes, "count", "5.3  the first primes"),
+      MC_EXPERIMENT(halton, "n dims first", "5.3  n Halton points, column by column"),
+      MC_EXPERIMENT(hammersley, "n dims", "5.4  n Hammersley points, column by column"),
+      MC_EXPERIMENT(sobol, "dimension first count", "5.5  one coordinate of Sobol' points"),
+      MC_EXPERIMENT(star_discrepancy_1d, "x", "5.6  star discrepancy of points of the line"),
+      MC_EXPERIMENT(star_discrepancy_2d, "x y", "5.6  star discrepancy of points of the plane"),
+      MC_EXPERIMENT(random_shift, "points dims times seed",
+                    "5.7  points shifted, from the start each time"),
+      MC_EXPERIMENT(owen_scramble, "x seeds", "5.8  x scrambled by each seed"),
+      MC_EXPERIMENT(radical_inverses_scrambled, "base first count seeds",
+                    "5.9  scrambled radical inverses, by each seed"),
+      MC_EXPERIMENT(repeat, "task of n rounds", "a column of task 5.task, rounds times (timing)"),
+  };
+  return all;
+}

@@ -1,0 +1,49 @@
+#pragma once
+// What lab 5 measures of a submission. Point sets are returned column by column.
+
+#include <cstdint>
+#include <vector>
+
+#include "halton.hpp"
+#include "runner/wire.hpp"
+
+namespace mc::experiments {
+
+/// 5.1: of each of `indices`.
+std::vector<double> radical_inverse(unsigned base, std::vector<std::uint64_t> indices);
+
+/// 5.2: of first … first + count - 1.
+std::vector<double> radical_inverses(unsigned base, std::uint64_t first, std::uint64_t count);
+
+/// 5.3: the first `count` primes; n Halton points of `dims` dimensions.
+std::vector<unsigned> primes(std::uint64_t count);
+std::vector<double> halton(std::uint64_t n, std::uint64_t dims, std::uint64_t first);
+
+/// 5.4: n points of `dims` dimensions.
+std::vector<double> hammersley(std::uint64_t n, std::uint64_t dims);
+
+/// 5.5: points first … first + count - 1 of one dimension.
+std::vector<double> sobol(unsigned dimension, std::uint64_t first, std::uint64_t count);
+
+/// 5.6: of the points x; of the points (x[i], y[i]).
+double star_discrepancy_1d(std::vector<double> x);
+double star_discrepancy_2d(std::vector<double> x, std::vector<double> y);
+
+/// 5.7: `points`, of `dims` dimensions, shifted `times` times with one generator, each time from
+/// where they were first: `times` sets, one after the other.
+std::vector<double> random_shift(std::vector<double> points, std::uint64_t dims,
+                                 std::uint64_t times, std::uint64_t seed);
+
+/// 5.8: the column x scrambled by each of `seeds`: as many columns, one after the other.
+std::vector<double> owen_scramble(std::vector<double> x, std::vector<std::uint64_t> seeds);
+
+/// 5.9: of first … first + count - 1, by each of `seeds`: as many columns, one after the other.
+std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t first,
+                                               std::uint64_t count,
+                                               std::vector<std::uint64_t> seeds);
+
+/// For timing: a column of n values, `rounds` times, by task 5.`task`: 1 and 2 radical inverses, 9
+/// scrambled ones, in base `of`; 5 Sobol', 8 Sobol' scrambled, dimension `of`. The last value.
+double repeat(unsigned task, unsigned of, std::uint64_t n, std::uint64_t rounds);
+
+}  // namespace mc::experiments

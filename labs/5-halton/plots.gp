@@ -1,0 +1,115 @@
+# Draws lab 5. Called by ./lab plot with
+#   count      how many submissions stand side by side
+#   labels[i]  what they are called, data[i] the folder of their data
+#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+
+# The label of submission s, where there is more than one.
+who(s) = count > 1 ? ", ".labels[s] : ""
+
+# The lecture's points, and others ----------------------------------------------------------------
+array pattern[6] = ["256 random", "256 stratified", "5.3 the first 216 Halton points", "5.4 256 Hammersley points", "5.5 256 Sobol' points", "5.8 256 Sobol' points, scrambled"]
+name = "points"; width = 1060; height = 730 * count
+load draw
+set multiplot layout 2*count,3 margins 0.015, 0.985, 10./height, 1 - 36./height spacing 0.02, 40./height
+set size square
+set xrange [0:1]
+set yrange [0:1]
+set xtics 0,0.125 format ""
+set ytics 0,0.125 format ""
+unset key
+do for [s=1:count] {
+  do for [i=1:6] {
+    set title pattern[i].who(s)
+    plot data[s]."/points-".i.".tsv" using 1:2 with points pt 7 ps 0.6 lc rgb "#0072B2"
+  }
+}
+unset multiplot
+
+# Discrepancy against N ---------------------------------------------------------------------------
+array way[6] = ["random", "stratified", "5.3 Halton", "5.4 Hammersley", "5.5 Sobol'", "5.8 scrambled Sobol'"]
+name = "discrepancy"; width = 80 + 500 * count; height = 570
+load draw
+set multiplot layout 1,count title "Star discrepancy in the plane" \
+  margins 80./width, 1 - 20./width, 0.30, 0.86 spacing 80./width, 0
+set logscale xy
+set xrange [12:5500]
+set yrange [0.0005:0.7]
+set format y "10^{%L}"
+set xtics (16, 64, 256, 1024, 4096)
+set xlabel "N"
+set ylabel "D*"
+set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 3 width -1
+do for [s=1:count] {
+  set title labels[s]
+  plot 0.85/sqrt(x) with lines ls 9 lw 2 title "N^{-1/2}", \
+       0.42*log(x)/x with lines ls 9 lw 2 dt 3 title "log N / N", \
+       for [i=1:6] data[s]."/discrepancy.tsv" using 1:(column(i+1)) with linespoints ls i title way[i]
+  unset key
+  unset ylabel
+}
+unset multiplot
+
+# Error against N ---------------------------------------------------------------------------------
+array what[3] = ["exp(x + y)", "two kinks", "an edge: a quarter of a disk"]
+array rate[3] = [1.5, 1.5, 0.75]
+name = "convergence"; width = 1180; height = 60 + 440 * count
+load draw
+set multiplot layout count,3 margins 75./width, 1 - 15./width, 120./height, 1 - 36./height spacing 65./width, 90./height
+set logscale xy
+set format "10^{%L}"
+set xrange [10:100000]
+set xlabel "N"
+set key at screen 0.5, 8./height center bottom vertical maxrows 2 Left reverse samplen 3 width -1
+do for [s=1:count] {
+  set ylabel "error"
+  do for [i=1:3] {
+    set title what[i].who(s)
+    plot 0.5*x**-0.5 with lines ls 9 lw 2 title "N^{-1/2}", \
+         0.5*x**-rate[i] with lines ls 9 lw 2 dt 3 title "N^{-3/2}, N^{-3/2}, N^{-3/4}", \
+         for [k=1:6] data[s]."/convergence-".i.".tsv" using 1:(column(k+1)) with linespoints ls k ps 0.8 title way[k]
+    unset key
+    unset ylabel
+  }
+}
+unset multiplot
+
+# The bad pair ------------------------------------------------------------------------------------
+array pair[3] = ["bases 29 and 31", "5.7 shifted", "5.9 digits permuted"]
+name = "pair"; width = 1060; height = 20 + 370 * count
+load draw
+set multiplot layout count,3 margins 0.015, 0.985, 10./height, 1 - 36./height spacing 0.02, 40./height
+set size square
+set xrange [0:1]
+set yrange [0:1]
+set xtics 0,0.125 format ""
+set ytics 0,0.125 format ""
+unset key
+do for [s=1:count] {
+  do for [i=1:3] {
+    set title pair[i].who(s)
+    plot data[s]."/pair-".i.".tsv" using 1:2 with points pt 7 ps 0.8 lc rgb "#0072B2"
+  }
+}
+unset multiplot
+
+# Error against time ------------------------------------------------------------------------------
+array task[5] = ["5.1 Halton", "5.2 Halton", "5.5 Sobol'", "5.8 scrambled Sobol'", "5.9 scrambled Halton"]
+name = "speed"; width = 80 + 500 * count; height = 420
+load draw
+set multiplot layout 1,count title "Error of exp(x + y) against time, 4096 points, in cache" \
+  margins 80./width, 1 - 20./width, 0.14, 0.83 spacing 80./width, 0
+set logscale xy
+set xrange [0.1:2000]
+set yrange [5e-6:2e-2]
+set format y "10^{%L}"
+set xlabel "ns a point (less is better)"
+set ylabel "error (less is better)"
+unset key
+array above[5] = [1, 1, -1, 1, -1]
+do for [s=1:count] {
+  set title labels[s]
+  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3 with points ls i ps 2, \
+       for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3:(task[i]) with labels offset 0,1.1*above[i]
+  unset ylabel
+}
+unset multiplot

@@ -1,0 +1,426 @@
+// Lab 5 · Halton and quasi-Monte Carlo: the reference solution. Each function is its definition
+// first; where a faster way stands below, its reason stands with it.
+
+#include "halton.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace mc {
+namespace {
+
+constexpr double below_one = 1 - 0x1p-53;  // the largest double that is
+
+void require_base(unsigned base) {
+  if (base < 2) throw std::invalid_argument("base: there are no digits below base 2");
+}
+
+void require_indices(std::uint64_t first, std::size_t count, std::uint64_t last) {
+  if (first > last || (count > 0 && count - 1 > last - first)) {
+    throw std::invalid_argument("first: the indices run past the end of the sequence");
+  }
+}
+
+constexpr std::uint64_t last_index = std::numeric_limits<std::uint64_t>::max();
+
+}  // namespace
+
+// 5.1 --------------------------------------------------------------------------------------------
+
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  if (index == 0) return 0;
+  // The last digit first, behind it the radical inverse of all the others. So small terms are added
+  // before large ones, and each division by the base divides the errors made before it too: no more
+  // than 2 * 2^-53 are left. In base 2, more than 53 ones would round up to 1.
+  const double others = radical_inverse(base, index / base);
+  return std::min(below_one, (static_cast<double>(index % base) + others) / base);
+}
+
+// 5.2 --------------------------------------------------------------------------------------------
+//
+// The definition would be
+//
+//   for (std::size_t i = 0; i < column.size(); ++i) column[i] = radical_inverse(base, first + i);
+//
+// with a division of integers and one of doubles for every digit of every index. But indices that
+// follow each other differ in their last digits only, and in all their ways: in base 3, every block
+// of 3^5 indices takes the last five digits through the same 243 values. So
+//
+// * the radical inverses of the last digits are a table, made once;
+// * the digits before them add one number, the same for the whole block;
+// * from block to block these count up by one, which changes 1 + 1/b + 1/b^2 + … digits on average.
+//
+// One load, one addition, one store are left for a value, four values to a vector register.
+//
+// 5.9 is the same with other digits, so it is written for any digits.
+
+namespace {
+
+/// What stands at each position of a radical inverse in place of the index's digit there.
+struct Digits {
+  unsigned base;
+  std::vector<unsigned> permutations;  ///< one of `base` digits for each position; none: the digit
+
+  double operator()(std::size_t position, std::uint64_t digit) const {
+    return static_cast<double>(permutations.empty() ? digit
+                                                    : permutations[position * base + digit]);
+  }
+};
+
+/// How many digits the longest index has.
+unsigned positions_in(unsigned base) {
+  unsigned positions = 0;
+  for (std::uint64_t rest = last_index; rest > 0; rest /= base) ++positions;
+  return positions;
+}
+
+/// Counts up from `number`, whose last digit stands at the position `lowest`, and knows the radical
+/// inverse of where it is.
+class Counter {
+ public:
+  Counter(const Digits& digits, unsigned lowest, std::uint64_t number)
+      : digits_(digits), lowest_(lowest), base_(digits.base) {
+    const unsigned positions = positions_in(digits.base) - lowest;
+    for (unsigned j = 0; j < positions; ++j, number /= digits.base)
+      digit_[j] = number % digits.base;
+    for (unsigned j = positions; j-- > 0;) take(j);
+  }
+
+  double radical_inverse() const { return from_[0]; }
+
+  void advance() {
+    unsigned j = 0;
+    while (digit_[j] == digits_.base - 1) digit_[j++] = 0;
+    ++digit_[j];
+    do take(j);
+    while (j-- > 0);
+  }
+
+ private:
+  void take(unsigned j) { from_[j] = (digits_(lowest_ + j, digit_[j]) + from_[j + 1]) / base_; }
+
+  const Digits& digits_;
+  unsigned lowest_;
+  double base_;
+  std::array<std::uint64_t, 64> digit_{};
+  std::array<double, 65> from_{};  ///< the radical inverse of the digits from j on
+};
+
+/// The radical inverses of 0 … base^low - 1: whole numbers up to the one division.
+std::vector<double> inverses_of(const Digits& digits, unsigned low) {
+  std::vector<double> values{0};
+  for (unsigned position = 0; position < low; ++position) {
+    const std::size_t size = values.size();
+    values.resize(size * digits.base);
+    for (unsigned digit = digits.base; digit-- > 0;) {  // digit 0 last: it overwrites what is read
+      const double last = digits(position, digit);
+      double* const to = values.data() + digit * size;
+      for (std::size_t i = 0; i < size; ++i) to[i] = values[i] * digits.base + last;
+    }
+  }
+  const auto size = static_cast<double>(values.size());
+  for (double& value : values) value /= size;
+  return values;
+}
+
+void fill(std::span<double> column, std::uint64_t first, const Digits& digits) {
+  // As many digits as a small part of the column pays for, and the first-level cache holds.
+  unsigned low = 0;
+  std::uint64_t block = 1;
+  while (block * digits.base <= std::min<std::uint64_t>(1024, column.size() / 4)) {
+    block *= digits.base;
+    ++low;
+  }
+  const std::vector<double> table = inverses_of(digits, low);
+  const auto size = static_cast<double>(block);
+  const double room = below_one - (size - 1) / size;  // above the largest value in the table
+
+  Counter before(digits, low, first / block);
+  for (std::size_t done = 0, skip = first % block; done < column.size(); skip = 0) {
+    const double offset = std::min(room, before.radical_inverse() / size);
+    const std::size_t count = std::min<std::size_t>(block - skip, column.size() - done);
+    const double* const from = table.data() + skip;
+    double* const to = column.data() + done;
+    for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + offset;
+    done += count;
+    if (done < column.size()) before.advance();
+  }
+}
+
+}  // namespace
+
+void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
+  require_base(base);
+  require_indices(first, column.size(), last_index);
+  fill(column, first, {base, {}});
+}
+
+// 5.3 --------------------------------------------------------------------------------------------
+
+std::vector<unsigned> primes(std::size_t count) {
+  std::vector<unsigned> found;
+  for (unsigned n = 2; found.size() < count; ++n) {
+    const bool composite =
+        std::any_of(found.begin(), found.end(), [&](unsigned prime) { return n % prime == 0; });
+    if (!composite) found.push_back(n);
+  }
+  return found;
+}
+
+void halton(PointSet& points, std::uint64_t first) {
+  require_indices(first, points.size(), last_index);
+  const auto bases = primes(points.dims());
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    radical_inverses(bases[d], first, points.column(d));
+  }
+}
+
+// 5.4 --------------------------------------------------------------------------------------------
+
+void hammersley(PointSet& points) {
+  if (points.dims() == 0) return;
+  const auto size = static_cast<double>(points.size());
+  const auto column = points.column(0);
+  for (std::size_t i = 0; i < points.size(); ++i) column[i] = static_cast<double>(i) / size;
+  const auto bases = primes(points.dims() - 1);
+  for (std::size_t d = 1; d < points.dims(); ++d) {
+    radical_inverses(bases[d - 1], 0, points.column(d));
+  }
+}
+
+// 5.5 --------------------------------------------------------------------------------------------
+
+namespace {
+
+using Directions = std::array<std::uint32_t, 32>;
+
+/// The direction numbers of a dimension: number k is what bit k of the index contributes. Bratley
+/// and Fox 1988, "Algorithm 659", eq. 2 and 3.
+constexpr Directions directions_of(const JoeKuo& given) {
+  Directions v{};
+  const unsigned s = given.degree;
+  for (unsigned k = 0; k < 32; ++k) {
+    if (s == 0 || k < s) {
+      v[k] = (s == 0 ? 1u : given.m[k]) << (31 - k);
+      continue;
+    }
+    v[k] = v[k - s] ^ (v[k - s] >> s);
+    for (unsigned j = 1; j < s; ++j) {
+      if (given.coefficients >> (s - 1 - j) & 1) v[k] ^= v[k - j];
+    }
+  }
+  return v;
+}
+
+constexpr auto all_directions = [] {
+  std::array<Directions, joe_kuo.size()> all{};
+  for (std::size_t d = 0; d < all.size(); ++d) all[d] = directions_of(joe_kuo[d]);
+  return all;
+}();
+
+/// The coordinate that the bits of `index` choose: the definition.
+std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
+  std::uint32_t word = 0;
+  for (unsigned k = 0; index >> k != 0; ++k) {
+    if (index >> k & 1) word ^= v[k];
+  }
+  return word;
+}
+
+}  // namespace
+
+// The definition would be column[i] = sobol_word(v, first + i) * 2^-32. As in 5.2, the low bits of
+// the index go through the same table in every block, and the bits above contribute one word to the
+// whole block. From block number n to n + 1 a run of ones at the end of n becomes zeros and the
+// zero before it a one: the word changes by v_0 ^ v_1 ^ … ^ v_t, t being the zeros at the end of
+// n + 1. Exclusive or works on whole words, and a double in [1, 2) *is* a word: 20 zero bits behind
+// the 32 of the coordinate, the exponent of 1 before them. So the table holds such doubles, and
+// what is left for a value is one load, one exclusive or, the subtraction of 1 and one store.
+
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  if (dimension >= joe_kuo.size()) {
+    throw std::invalid_argument("dimension: there are direction numbers for 32 of them");
+  }
+  require_indices(first, column.size(), 0xffffffffu);
+  const Directions& v = all_directions[dimension];
+
+  constexpr unsigned low = 8;
+  constexpr std::size_t block = std::size_t{1} << low;
+  std::array<std::uint64_t, block> table;
+  table[0] = std::bit_cast<std::uint64_t>(1.0);
+  for (unsigned k = 0; k < low; ++k) {
+    const std::size_t size = std::size_t{1} << k;
+    for (std::size_t i = 0; i < size; ++i) table[size + i] = table[i] ^ std::uint64_t{v[k]} << 20;
+  }
+  std::array<std::uint64_t, 32 - low> step;  // v_low ^ v_(low+1) ^ …
+  std::uint64_t sum = 0;
+  for (unsigned t = 0; t < step.size(); ++t) step[t] = sum ^= std::uint64_t{v[low + t]} << 20;
+
+  std::uint64_t number = first >> low;
+  std::uint64_t above = std::uint64_t{sobol_word(v, number << low)} << 20;
+  for (std::size_t done = 0, skip = first % block; done < column.size(); skip = 0) {
+    const std::size_t count = std::min(block - skip, column.size() - done);
+    const std::uint64_t* const from = table.data() + skip;
+    double* const to = column.data() + done;
+    for (std::size_t i = 0; i < count; ++i) to[i] = std::bit_cast<double>(from[i] ^ above) - 1;
+    done += count;
+    if (done < column.size()) above ^= step[static_cast<unsigned>(std::countr_zero(++number))];
+  }
+}
+
+// 5.6 --------------------------------------------------------------------------------------------
+
+namespace {
+
+void require_points(std::span<const double> x, const char* name) {
+  if (x.empty()) throw std::invalid_argument(std::string(name) + ": there are no points");
+  for (const double value : x) {
+    if (!(value >= 0 && value <= 1)) {
+      throw std::invalid_argument(std::string(name) + ": a value lies outside [0, 1]");
+    }
+  }
+}
+
+}  // namespace
+
+double star_discrepancy(std::span<const double> x) {
+  require_points(x, "x");
+  std::vector<double> sorted(x.begin(), x.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto n = static_cast<double>(x.size());
+  // The worst interval ends at a point: just before it, with i points inside, or just behind it.
+  double worst = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto inside = static_cast<double>(i);
+    worst = std::max({worst, sorted[i] - inside / n, (inside + 1) / n - sorted[i]});
+  }
+  return worst;
+}
+
+double star_discrepancy(std::span<const double> x, std::span<const double> y) {
+  if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
+  require_points(x, "x");
+  require_points(y, "y");
+  std::vector<std::size_t> order(x.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+
+  // The worst box has its corner on the coordinates of points, or on 1. From left to right, `ys`
+  // are the points so far, sorted: up to the k-th of them a closed box that ends at `here` holds
+  // k points or more, and an open one that ends at `next` and at the k + 1st, k or fewer. (They
+  // are more and fewer only where coordinates repeat, and there the last of the equal ones has
+  // them all.)
+  const auto n = static_cast<double>(x.size());
+  std::vector<double> ys{0, 1};
+  ys.reserve(x.size() + 2);
+  double worst = 0;
+  for (std::size_t seen = 0; seen <= x.size(); ++seen) {
+    const double here = seen == 0 ? 0 : x[order[seen - 1]];
+    const double next = seen == x.size() ? 1 : x[order[seen]];
+    for (std::size_t k = 0; k <= seen; ++k) {
+      const double inside = static_cast<double>(k) / n;
+      worst = std::max(worst, std::max(inside - here * ys[k], next * ys[k + 1] - inside));
+    }
+    if (seen == x.size()) break;
+    const double value = y[order[seen]];
+    ys.insert(std::upper_bound(ys.begin() + 1, ys.end() - 1, value), value);
+  }
+  return worst;
+}
+
+// 5.7 --------------------------------------------------------------------------------------------
+
+void random_shift(PointSet& points, Rng& rng) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    const double shift = static_cast<double>(rng() >> 11) * 0x1p-53;
+    for (double& value : points.column(d)) {
+      value += shift;
+      if (value >= 1) value -= 1;  // also where the sum was rounded up to 1
+    }
+  }
+}
+
+// 5.8 --------------------------------------------------------------------------------------------
+//
+// The definition, for one value:
+//
+//   for (int k = 0; k < 53; ++k) {
+//     const std::uint64_t before = k == 0 ? 0 : word >> (64 - k);
+//     flips |= (mix_bits(mix_bits(seed ^ before) + k) >> 63) << (63 - k);
+//   }
+//   word ^= flips;
+//
+// 53 times two hashes. Mirror the word, so that its first bit becomes the lowest: now whatever is
+// made of additions and multiplications flips each bit depending on those before it only, since
+// carries run upwards (Laine, Karras 2011, "Stratified sampling for stochastic transparency").
+//
+// Which additions and multiplications? Take z -> m z + s with a random odd m and a random s, all 64
+// bits of each. Two words that agree in their first k bits and differ in the next have a difference
+// of 2^k times an odd number; m makes it 2^k times *any* odd number with equal chance, and s moves
+// the pair anywhere. That is just what nested uniform scrambling does to two points. The variance
+// of an estimate is made of pairs, so this one has Owen's variance exactly, for every integrand and
+// every set of points. The fixed steps around it change nothing of that, for they too keep what two
+// words have in common; they are there for three points and more, which m and s alone would leave
+// on a lattice. (m and s are hashes of the seed, so «random» is as true as it is of those.)
+
+namespace {
+
+constexpr std::uint64_t mirrored(std::uint64_t word) {
+  word = (word >> 1 & 0x5555555555555555u) | (word & 0x5555555555555555u) << 1;
+  word = (word >> 2 & 0x3333333333333333u) | (word & 0x3333333333333333u) << 2;
+  word = (word >> 4 & 0x0f0f0f0f0f0f0f0fu) | (word & 0x0f0f0f0f0f0f0f0fu) << 4;
+  return __builtin_bswap64(word);
+}
+
+}  // namespace
+
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  Rng rng(seed);
+  const std::uint64_t s = rng();
+  const std::uint64_t m = rng() | 1;
+  // Doubles to words, words to words, words to doubles: the middle loop runs in vector registers
+  // only by itself, for they cannot convert 64-bit integers.
+  std::array<std::uint64_t, 256> words;
+  for (std::size_t first = 0; first < column.size(); first += words.size()) {
+    const auto part = column.subspan(first, std::min(words.size(), column.size() - first));
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      words[i] = static_cast<std::uint64_t>(static_cast<std::int64_t>(part[i] * 0x1p53)) << 11;
+    }
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      std::uint64_t z = mirrored(words[i]);
+      z ^= z * 0x6c50b47c9fb21c66u;  // even factors: a bit is changed by those below it
+      z = z * m + s;
+      z ^= z * 0xb82f1e52d1342544u;
+      z ^= z * 0xc7afe638a0761d66u;
+      words[i] = mirrored(z);
+    }
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      part[i] = static_cast<double>(static_cast<std::int64_t>(words[i] >> 11)) * 0x1p-53;
+    }
+  }
+}
+
+// 5.9 --------------------------------------------------------------------------------------------
+
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  // Digits enough for every index are digits enough for 2^-64, so the zeros end there.
+  Digits digits{base, std::vector<unsigned>(std::size_t{positions_in(base)} * base)};
+  Rng rng(seed ^ mix_bits(base));
+  for (auto row = digits.permutations.begin(); row != digits.permutations.end(); row += base) {
+    std::iota(row, row + base, 0u);
+    std::shuffle(row, row + base, rng);
+  }
+  fill(column, first, digits);
+}
+
+}  // namespace mc

@@ -1,0 +1,59 @@
+// Lab 5 · Halton and quasi-Monte Carlo. What each function promises stands in
+// labs/5-halton/halton.hpp; the story is in labs/5-halton/README.md. Write the tasks in any order
+// and try them with
+//
+//   ./lab check halton              all of it
+//   ./lab check halton --only 5.1   one task
+
+#include "halton.hpp"
+
+#include "common/todo.hpp"
+
+namespace mc {
+
+double radical_inverse(unsigned /*base*/, std::uint64_t /*index*/) {
+  throw todo("5.1");  // TODO(5.1): the digits of the index, mirrored at the point
+}
+
+void radical_inverses(unsigned /*base*/, std::uint64_t /*first*/, std::span<double> /*column*/) {
+  throw todo("5.2");  // TODO(5.2): many in a row; a loop over 5.1 is right, how fast can you be?
+}
+
+std::vector<unsigned> primes(std::size_t /*count*/) {
+  throw todo("5.3");  // TODO(5.3): 2, 3, 5, …
+}
+
+void halton(PointSet& /*points*/, std::uint64_t /*first*/) {
+  throw todo("5.3");  // TODO(5.3): one prime an axis
+}
+
+void hammersley(PointSet& /*points*/) {
+  throw todo("5.4");  // TODO(5.4): i/N, then the primes from 2
+}
+
+void sobol(unsigned /*dimension*/, std::uint64_t /*first*/, std::span<double> /*column*/) {
+  throw todo("5.5");  // TODO(5.5): direction numbers, and the bits of the index that choose them
+}
+
+double star_discrepancy(std::span<const double> /*x*/) {
+  throw todo("5.6");  // TODO(5.6): sort; which intervals can be the worst?
+}
+
+double star_discrepancy(std::span<const double> /*x*/, std::span<const double> /*y*/) {
+  throw todo("5.6");  // TODO(5.6): which corners can be the worst? Open boxes, and closed ones
+}
+
+void random_shift(PointSet& /*points*/, Rng& /*rng*/) {
+  throw todo("5.7");  // TODO(5.7): one random number an axis; wrap around
+}
+
+void owen_scramble(std::span<double> /*column*/, std::uint64_t /*seed*/) {
+  throw todo("5.8");  // TODO(5.8): flip each bit by a hash of the seed and the bits before it
+}
+
+void radical_inverses_scrambled(unsigned /*base*/, std::uint64_t /*first*/,
+                                std::span<double> /*column*/, std::uint64_t /*seed*/) {
+  throw todo("5.9");  // TODO(5.9): a random permutation of the digits for each position
+}
+
+}  // namespace mc
