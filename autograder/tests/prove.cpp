@@ -199,7 +199,7 @@ void prove_repository() {
     const std::pair<fs::path, std::string> places[] = {
         {layout.labs() / lab.folder / lab.header(), "/// "},
         {layout.labs() / lab.folder / "README.md", "\n### "},
-        {layout.starter() / lab.file(), "todo(\""},
+        {layout.starter() / lab.file(), "TODO("},
         {layout.solutions() / lab.file(), "// "}};
     for (const auto& [file, before] : places) {
       const auto here = tasks_in(read_text(file), before, lab.number);
