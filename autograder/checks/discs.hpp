@@ -17,7 +17,10 @@ namespace mc::checks {
 inline double uncovered_area(std::span<const double> x, std::span<const double> y, double radius,
                              std::size_t rows, double start = 0.5) {
   if (radius >= std::sqrt(0.5)) return x.empty() ? 1 : 0;
-  std::vector<std::vector<std::pair<double, double>>> covered(rows);
+  // Kept between calls: thousands of small lists are dear to make.
+  static std::vector<std::vector<std::pair<double, double>>> covered;
+  covered.resize(std::max(covered.size(), rows));
+  for (std::size_t row = 0; row < rows; ++row) covered[row].clear();
   const auto count = static_cast<double>(rows);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double first = std::ceil((y[i] - radius) * count - start);
@@ -34,7 +37,8 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
     }
   }
   double area = 0;
-  for (auto& line : covered) {
+  for (std::size_t row = 0; row < rows; ++row) {
+    auto& line = covered[row];
     std::sort(line.begin(), line.end());
     double at = 0;
     for (const auto& [low, high] : line) {
