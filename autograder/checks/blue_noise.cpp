@@ -679,6 +679,8 @@ TEST_CASE("4.6 copies lie side by side", "[4.6][points:5]") {
                 "each copy has every point once");
     // The sum of a cell and a coordinate is rounded to eps copies / 2, the quotient to eps / 4.
     std::vector<bool> taken(got.value.x.size());
+    const double seam = least_distance(got.value.x, got.value.y);
+    const double inside = least_distance(pattern.x, pattern.y) / copies;
     for (int row = 0; row < copies; ++row) {
       for (int column = 0; column < copies; ++column) {
         for (std::size_t p = 0; p < 20; ++p) {
@@ -689,8 +691,6 @@ TEST_CASE("4.6 copies lie side by side", "[4.6][points:5]") {
                     std::abs(got.value.y[i] - y) <= eps;
             if (found) taken[i] = true;
           }
-          const double seam = least_distance(got.value.x, got.value.y);
-          const double inside = least_distance(pattern.x, pattern.y) / copies;
           expect_that(
               found,
               fmt::format("{}: no point at ({}, {}); the closest two are {} apart", got.call, x, y,
