@@ -1,0 +1,146 @@
+#include "experiments.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "runner/experiment.hpp"
+
+namespace mc::experiments {
+namespace {
+
+constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
+
+/// How often a generator was called since it was as `before`: its words never repeat, so its next
+/// one says where it stands. `most` where it was called more often than that.
+std::uint64_t draws_between(Rng before, Rng after) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 27;
+  const std::uint64_t next = after();
+  std::uint64_t draws = 0;
+  while (draws < most && before() != next) ++draws;
+  return draws;
+}
+
+void append(PointSets& sets, std::span<const double> x, std::span<const double> y) {
+  sets.x.insert(sets.x.end(), x.begin(), x.end());
+  sets.y.insert(sets.y.end(), y.begin(), y.end());
+  sets.sizes.push_back(x.size());
+}
+
+}  // namespace
+
+std::vector<double> toroidal_distances_squared(Points a, Points b) {
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
+    distances.push_back(toroidal_distance_squared({a.x[i], a.y[i]}, {b.x[i], b.y[i]}));
+  }
+  return distances;
+}
+
+PointSets best_candidate(std::uint64_t n, double c, std::uint64_t sets, std::uint64_t seed) {
+  Rng rng(seed);
+  const Rng before = rng;
+  PointSets all;
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    std::vector<double> x(n, unwritten), y(n, unwritten);
+    mc::best_candidate(x, y, c, rng);
+    append(all, x, y);
+  }
+  all.draws = draws_between(before, rng);
+  return all;
+}
+
+Points best_candidate_into(std::uint64_t size_x, std::uint64_t size_y, double c) {
+  Rng rng(1);
+  Points points{std::vector<double>(size_x), std::vector<double>(size_y)};
+  mc::best_candidate(points.x, points.y, c, rng);
+  return points;
+}
+
+PointSets poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed) {
+  Rng rng(seed);
+  const Rng before = rng;
+  PointSets all;
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    const PointSet points = mc::poisson_disk(radius, rng);
+    append(all, points.column(0), points.column(1));
+  }
+  all.draws = draws_between(before, rng);
+  return all;
+}
+
+std::vector<double> periodogram(Points points, std::uint64_t sets, int kmax) {
+  const std::size_t n = points.x.size() / sets, side = 2 * static_cast<std::size_t>(kmax) + 1;
+  std::vector<double> all(sets * side * side, unwritten);
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    mc::periodogram(std::span(points.x).subspan(set * n, n),
+                    std::span(points.y).subspan(set * n, n), kmax,
+                    std::span(all).subspan(set * side * side, side * side));
+  }
+  return all;
+}
+
+std::vector<double> periodogram_into(std::uint64_t size_x, std::uint64_t size_y, int kmax,
+                                     std::uint64_t size_power) {
+  const std::vector<double> x(size_x), y(size_y);
+  std::vector<double> power(size_power, unwritten);
+  mc::periodogram(x, y, kmax, power);
+  return power;
+}
+
+std::vector<double> radial_power(std::vector<double> power, int kmax) {
+  return mc::radial_power(power, kmax);
+}
+
+Points tile(Points pattern, int copies) {
+  PointSet points(pattern.x.size(), 2);
+  std::copy(pattern.x.begin(), pattern.x.end(), points.column(0).begin());
+  std::copy(pattern.y.begin(), pattern.y.end(), points.column(1).begin());
+  const PointSet tiled = mc::tile(points, copies);
+  const auto x = tiled.column(0), y = tiled.column(1);
+  return {{x.begin(), x.end()}, {y.begin(), y.end()}};
+}
+
+Points tile_of(std::uint64_t size, std::uint64_t dims, int copies) {
+  const PointSet tiled = mc::tile(PointSet(size, dims), copies);
+  const auto x = tiled.column(0), y = tiled.column(1);
+  return {{x.begin(), x.end()}, {y.begin(), y.end()}};
+}
+
+double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds) {
+  Rng rng(n);
+  double last = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    if (task == 2) {
+      std::vector<double> x(n), y(n);
+      mc::best_candidate(x, y, 1, rng);
+      last = y.back();
+    } else if (task == 3) {
+      const double radius = std::sqrt(0.7 / static_cast<double>(n));
+      const PointSet points = mc::poisson_disk(radius, rng);
+      last = points.column(1).back();
+    } else {
+      throw std::out_of_range("task: 2 or 3");
+    }
+  }
+  return last;
+}
+
+}  // namespace mc::experiments
+
+std::span<const mc::runner::Experiment> mc::runner::experiments() {
+  static constexpr Experiment all[] = {
+      MC_EXPERIMENT(toroidal_distances_squared, "x:y x:y", "4.1  from each point to another"),
+      MC_EXPERIMENT(best_candidate, "n c sets seed", "4.2  sets of n points"),
+      MC_EXPERIMENT(best_candidate_into, "size_x size_y c", "4.2  x and y of these sizes"),
+      MC_EXPERIMENT(poisson_disk, "radius sets seed", "4.3  sets of points"),
+      MC_EXPERIMENT(periodogram, "x:y sets kmax", "4.4  of each of the sets"),
+      MC_EXPERIMENT(periodogram_into, "size_x size_y kmax size_power",
+                    "4.4  x, y and power of these sizes"),
+      MC_EXPERIMENT(radial_power, "power kmax", "4.5  means over rings of a periodogram"),
+      MC_EXPERIMENT(tile, "x:y copies", "4.6  a pattern repeated"),
+      MC_EXPERIMENT(tile_of, "size dims copies", "4.6  points at the origin, repeated"),
+      MC_EXPERIMENT(repeat, "task n rounds", "4.2 or 4.3, about n points, rounds times (timing)"),
+  };
+  return all;
+}

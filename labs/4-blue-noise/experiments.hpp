@@ -1,0 +1,54 @@
+#pragma once
+// What lab 4 measures of a submission. Where an experiment makes several sets of points, they are
+// made in turn with one generator, and stand one after the other in what it returns.
+
+#include <cstdint>
+#include <vector>
+
+#include "blue_noise.hpp"
+#include "runner/wire.hpp"
+
+namespace mc::experiments {
+
+/// Points of the plane.
+struct Points {
+  std::vector<double> x, y;
+};
+MC_FIELDS(Points, x, y)
+
+/// Sets of points: how many each of them has, and how often the generator was called for all.
+struct PointSets {
+  std::vector<double> x, y;
+  std::vector<std::uint64_t> sizes;
+  std::uint64_t draws = 0;
+};
+MC_FIELDS(PointSets, x, y, sizes, draws)
+
+/// 4.1: from each point of a to that of b.
+std::vector<double> toroidal_distances_squared(Points a, Points b);
+
+/// 4.2: `sets` sets of n points; and one set, for x and y of given sizes.
+PointSets best_candidate(std::uint64_t n, double c, std::uint64_t sets, std::uint64_t seed);
+Points best_candidate_into(std::uint64_t size_x, std::uint64_t size_y, double c);
+
+/// 4.3: `sets` sets.
+PointSets poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed);
+
+/// 4.4: of each of `sets` sets of points, as many in one as in another; and of points at the
+/// origin, for x, y and power of given sizes.
+std::vector<double> periodogram(Points points, std::uint64_t sets, int kmax);
+std::vector<double> periodogram_into(std::uint64_t size_x, std::uint64_t size_y, int kmax,
+                                     std::uint64_t size_power);
+
+/// 4.5: of a periodogram.
+std::vector<double> radial_power(std::vector<double> power, int kmax);
+
+/// 4.6: of a pattern; and of `size` points at the origin in `dims` dimensions.
+Points tile(Points pattern, int copies);
+Points tile_of(std::uint64_t size, std::uint64_t dims, int copies);
+
+/// For timing: 4.2 with c = 1 (task 2) or 4.3 (task 3), about n points, `rounds` times; the last
+/// coordinate of all.
+double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds);
+
+}  // namespace mc::experiments

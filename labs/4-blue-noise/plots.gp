@@ -1,0 +1,109 @@
+# Draws lab 4. Called by ./lab plot with
+#   count      how many submissions stand side by side
+#   labels[i]  what they are called, data[i] the folder of their data
+#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+
+array way[5] = ["random", "jittered", "fixed", "candidates", "discs"]
+array called[5] = ["random", "jittered", "4.2, c = 20/N", "4.2, c = 1", "4.3 Poisson disk"]
+
+# Patterns over their periodograms ----------------------------------------------------------------
+# As pictures: one pixel a frequency, white at twice the power of independent points.
+name = "spectra"; width = 1120; height = 40 + 470 * count
+load draw
+set multiplot title "256 points, and the mean periodogram of 40 such patterns (black 0, white 2)"
+set size square
+unset key
+unset xtics
+unset ytics
+unset grid
+unset colorbox
+set palette gray
+set cbrange [0:2]
+do for [s=1:count] {
+  bottom = 470. * (count - s) / height
+  do for [i=1:5] {
+    left = (i - 1) / 5. + 0.008
+    set lmargin at screen left
+    set rmargin at screen left + 0.184
+    set bmargin at screen bottom + 226./height
+    set tmargin at screen bottom + 432./height
+    set title called[i].(count > 1 && i == 1 ? ", ".labels[s] : "")
+    set xrange [0:1]
+    set yrange [0:1]
+    plot data[s]."/pattern-".way[i].".tsv" using 1:2 with points pt 7 ps 0.4 lc rgb "#0072B2"
+    set bmargin at screen bottom + 10./height
+    set tmargin at screen bottom + 216./height
+    unset title
+    set xrange [-0.5:96.5]
+    set yrange [-0.5:96.5]
+    plot data[s]."/spectrum-".way[i].".tsv" matrix with image
+  }
+}
+unset multiplot
+
+# Power over rings --------------------------------------------------------------------------------
+name = "radial"; width = 80 + 520 * count; height = 460
+load draw
+set multiplot layout 1,count title "Mean power over rings, N = 256" \
+  margins 70./width, 1 - 20./width, 0.26, 0.84 spacing 70./width, 0
+set xrange [0:3]
+set yrange [0:2]
+set xtics 0,0.5
+set ytics 0,0.5
+set xlabel "frequency abs(k) / sqrt(N)"
+set ylabel "power (independent points: 1)"
+set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 3 width 1
+do for [s=1:count] {
+  set title labels[s]
+  plot for [i=1:5] data[s]."/radial.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title called[i]
+  unset key
+  unset ylabel
+}
+unset multiplot
+
+# Error against N ---------------------------------------------------------------------------------
+array of[2] = ["bump", "edge"]
+array what[2] = ["exp(-x² - y²)", "a slanted edge"]
+array shown[4] = ["random", "jittered", "4.2, c = 1", "4.3 Poisson disk"]
+array style[4] = [1, 2, 4, 5]
+name = "convergence"; width = 1000; height = 40 + 440 * count
+load draw
+set multiplot layout count,2 title "Error of integration, root mean square of 100 patterns" \
+  margins 80./width, 1 - 20./width, 60./height, 1 - 70./height spacing 80./width, 110./height
+set logscale xy
+set xrange [3:1400]
+set xtics (4, 16, 64, 256, 1024)
+set format y "10^{%L}"
+set xlabel "N"
+set ylabel "RMSE"
+set key left bottom Left reverse samplen 3
+do for [s=1:count] {
+  do for [f=1:2] {
+    set title what[f].(count > 1 ? ", ".labels[s] : "")
+    file = data[s]."/error-".of[f].".tsv"
+    plot file using 1:(0.3*column(2)) with lines ls 9 lw 2 title "N^{-1/2}", \
+         file using 1:(0.5*column(2)**2) with lines ls 9 lw 2 dt 3 title "N^{-1}", \
+         for [i=1:4] file using 1:(column(i+2)) with linespoints ls style[i] title shown[i]
+  }
+}
+unset multiplot
+
+# Time against N ----------------------------------------------------------------------------------
+name = "speed"; width = 80 + 480 * count; height = 420
+load draw
+set multiplot layout 1,count title "Time a point against N" \
+  margins 80./width, 1 - 20./width, 0.16, 0.83 spacing 80./width, 0
+set logscale xy
+set xrange [40:100000]
+set xtics (64, 256, 1024, 4096, 16384, 65536)
+set yrange [0.5:1000]
+set xlabel "N points"
+set ylabel "µs a point"
+set key left top Left reverse samplen 3
+do for [s=1:count] {
+  set title labels[s]
+  plot data[s]."/speed.tsv" using 1:2 with linespoints ls 4 title "4.2 best candidate, c = 1", \
+       data[s]."/speed.tsv" using 1:3 with linespoints ls 5 title "4.3 Poisson disk"
+  unset ylabel
+}
+unset multiplot
