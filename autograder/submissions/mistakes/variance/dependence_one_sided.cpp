@@ -1,7 +1,7 @@
 // mistake: looks for the largest p(x,y) - p(x)p(y) and leaves the absolute value out
 // caught by: 1.7 the dependence of a joint table
 // caught by: 1.7 the circle
-// hint: a cell may hold too little as well as too much
+// hint: abs()
 #include "variance.hpp"
 #define dependence right_dependence
 #include "solutions/variance.cpp"
