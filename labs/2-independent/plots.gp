@@ -68,17 +68,18 @@ do for [s=1:count] {
   }
 }
 set multiplot layout 2,count columnsfirst title "Sixty estimates from 1000 samples each, with their 95 % intervals" \
-  margins 80./width, 1 - 20./width, 0.1, 0.86 spacing 70./width, 0.14
+  margins 80./width, 1 - 20./width, 0.1, 0.86 spacing 70./width, 0.06
 set xrange [0:61]
 unset xtics
 unset key
 array integrand_of[2] = ["exp(x)", "x^{−0.75}"]
 do for [s=1:count] {
   do for [k=0:1] {
-    set title sprintf("%s, %s: %.0f of 60 miss", labels[s], integrand_of[k+1], misses[2 * (s - 1) + k + 1])
+    if (k == 0) { set title labels[s] noenhanced } else { unset title }
+    set label 1 sprintf("%s: %.0f of 60 miss", integrand_of[k+1], misses[2 * (s - 1) + k + 1]) at graph 0.02,0.9
     if (k == 0) { set yrange [0.945:1.055]; set ytics 0.95,0.05; set format y "%.2f" }
     if (k == 1) { set yrange [0.35:1.95]; set ytics 0.5,0.5; set format y "%.1f"; set xlabel "estimates, sorted (orange squares: intervals that miss the truth)" }
-    set ylabel "value / truth"
+    if (s == 1) { set ylabel "value / truth" } else { unset ylabel }
     plot 1 lt 1 lw 1 lc rgb "#666666" notitle, \
       data[s]."/intervals.tsv" index k using 1:($4 == 1 ? $2 : NaN):3 with yerrorbars lt 1 lw 1 pt 7 ps 0.4 lc rgb "#0072B2", \
       data[s]."/intervals.tsv" index k using 1:($4 == 0 ? $2 : NaN):3 with yerrorbars lt 1 lw 1.5 pt 5 ps 0.7 lc rgb "#D55E00"
