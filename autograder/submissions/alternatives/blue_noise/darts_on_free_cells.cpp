@@ -8,14 +8,14 @@
 namespace mc {
 
 /// Cells of radius / sqrt(2) that hold no point yet get darts in turn, sweep after sweep; one that
-/// has had 400 without a hit is given up. The order of a sweep is shuffled.
+/// has had 72 without a hit is given up. The order of a sweep is shuffled.
 PointSet poisson_disk(double radius, Rng& rng) {
   if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
   const int side = std::max(1, static_cast<int>(std::ceil(std::numbers::sqrt2 / radius)));
   std::vector<Point2> in_cell(static_cast<std::size_t>(side) * side, Point2{-1, -1});
   std::vector<std::uint32_t> open(in_cell.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = static_cast<std::uint32_t>(i);
-  const int reach = std::min(side, 3);
+  const int reach = std::min(side, static_cast<int>(std::ceil(radius * side)));
   const auto fits = [&](Point2 p, int i, int j) {
     for (int dj = -reach; dj <= reach; ++dj) {
       for (int di = -reach; di <= reach; ++di) {
@@ -27,13 +27,13 @@ PointSet poisson_disk(double radius, Rng& rng) {
     return true;
   };
   std::vector<Point2> points;
-  for (int sweep = 0; sweep < 100 && !open.empty(); ++sweep) {
+  for (int sweep = 0; sweep < 24 && !open.empty(); ++sweep) {
     for (std::size_t k = open.size(); k > 1; --k) std::swap(open[k - 1], open[rng() % k]);
     std::size_t left = 0;
     for (const std::uint32_t cell : open) {
       const int i = static_cast<int>(cell) % side, j = static_cast<int>(cell) / side;
       bool hit = false;
-      for (int darts = sweep < 10 ? 1 : 4; darts > 0 && !hit; --darts) {
+      for (int darts = sweep < 8 ? 1 : 4; darts > 0 && !hit; --darts) {
         const Point2 p{std::min((i + uniform(rng)) / side, 1 - 0x1p-53),
                        std::min((j + uniform(rng)) / side, 1 - 0x1p-53)};
         hit = fits(p, i, j);
