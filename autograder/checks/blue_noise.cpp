@@ -5,18 +5,21 @@
 // between right and wrong, in standard deviations of the judged mean (200 sets of each kind
 // measured for the figures; "poisson" keeps going until nothing fits):
 //
-//                             best candidate   poisson        fixed 10   jittered   Halton   bound
-//   low band, mean            .0890            .0761          .1912      .3254      .2654    < .13
-//   low band, sd of one set   .0075            .0068          .0192      .0367      0
-//   sd of the mean of 64, 40  .0009            .0011          .0024      .0046
-//   to the bound              44 sigma         50 sigma       25 sigma   42 sigma   certain
-//   relative radius, mean     .667             .763           .453       .118       .344     > .6
-//   sd of one set, of 64      .015, .0019      .0094          .042, .0053
-//   to the bound              35 sigma                        28 sigma
-//   peak                      1.61             1.70           1.23       1.0        3.0   1.4
-//   to 1.9 its sd (40 sets)                           .03: 7 and 10 sigma to the bounds
+//                             best candidate   poisson       fixed 10   jittered   Halton   bound
+//   low band, mean            .0890            .0741         .1912      .3254      .2654    < .13
+//   low band, sd of one set   .0075            .0068         .0192      .0367      0
+//   sets; sd of their mean    64; .0009        160; .0007    64; .0024  64; .0046
+//   to the bound              44 sigma         80 sigma      25 sigma   42 sigma   certain
+//   relative radius, mean     .667             .763          .453       .118       .344     > .6
+//   sd of one set, of 64      .014, .0018                    .042, .0053
+//   to the bound              37 sigma                       28 sigma
+//   peak of 160 sets, sd                       1.752, .019                      3.0  1.4 to 1.9
+//   to the bounds                              18 and 8 sigma
 //
-// At 7 sigma a Gaussian errs once in 10^12. The tests with an alpha of their own are about ten.
+// (Bridson's algorithm with its gaps filled has a peak of 1.53, seven sigma from the lower bound
+// with as few as 40 sets.)
+//
+// At 7 sigma a Gaussian errs once in 10^12. Fourteen tests have an alpha of their own, 1e-8 each.
 
 #include <algorithm>
 #include <array>
@@ -124,7 +127,7 @@ TEST_CASE("4.1 the distance to the nearest copy", "[4.1][points:6]") {
       b.x.push_back(y), b.y.push_back(uniform(rng) < 0.5 ? x : 0);
     }
   }
-  const auto got = MEASURE(toroidal_distances_squared, a, b);
+  const auto got = MEASURE(toroidal_distances_squared, a.x, a.y, b.x, b.y);
   for (std::size_t i = 0; i < a.x.size(); ++i) {
     const long double dx = static_cast<long double>(a.x[i]) - b.x[i];
     const long double dy = static_cast<long double>(a.y[i]) - b.y[i];
@@ -185,29 +188,6 @@ double distance_from_uniform(Values u) {
 
 /// What was done instead, if it is one of the things that are often done.
 std::string candidates_hint(std::span<const Nearness> all, double c, View x, View y) {
-  const std::pair<std::function<double(double)>, std::string> guesses[] = {
-      {[&](double i) { return std::max(1.0, std::ceil(c * i)); },
-       "these are ceil(c i) candidates: one is missing"},
-      {[&](double i) { return std::floor(c * i) + 1; },
-       "these are floor(c i) + 1 candidates: c i is rounded up"},
-      {[&](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
-      {[&](double i) { return i + 1; }, "the number of candidates does not depend on c"},
-      {[&](double) { return 1; }, "one candidate, or the first of them whatever comes after"},
-      {[&](double) { return 5; }, "the number of candidates is the same for all points"},
-      {[&](double) { return 10; }, "the number of candidates is the same for all points"},
-      {[&](double) { return 20; }, "the number of candidates is the same for all points"}};
-  const double close = 2.2 / std::sqrt(static_cast<double>(all.size()));  // once in 8,000
-  for (const auto& [guess, hint] : guesses) {
-    if (distance_from_uniform(by_candidates(all, guess)) < close) return hint;
-  }
-  Values nearest;
-  for (const auto& [i, part] : all) {
-    nearest.push_back(
-        std::clamp(std::pow(1 - part, std::ceil(c * static_cast<double>(i)) + 1), 0.0, below_one));
-  }
-  if (distance_from_uniform(nearest) < close) {
-    return "this keeps the candidate that is nearest to the others: keep the farthest";
-  }
   // 0.36 of the square lies within 0.1 of its edges.
   double at_edges = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -216,6 +196,33 @@ std::string candidates_hint(std::span<const Nearness> all, double c, View x, Vie
   if (at_edges / static_cast<double>(x.size()) > 0.42) {
     return "points crowd at the edges of the square, where they see no neighbour on the other "
            "side: measure distances round the torus";
+  }
+  const std::pair<std::function<double(double)>, std::string> guesses[] = {
+      {[&](double i) { return std::floor(c * i) + 1; },
+       "these are floor(c i) + 1 candidates: c i is rounded up"},
+      {[&](double i) { return std::max(1.0, std::ceil(c * i)); },
+       "these are ceil(c i) candidates: one is missing"},
+      {[&](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
+      {[&](double i) { return i + 1; }, "the number of candidates does not depend on c"},
+      {[&](double) { return 1; }, "one candidate, or the first of them whatever comes after"},
+      {[&](double) { return 5; }, "the number of candidates is the same for all points"},
+      {[&](double) { return 10; }, "the number of candidates is the same for all points"},
+      {[&](double) { return 20; }, "the number of candidates is the same for all points"}};
+  const double close = 2.2 / std::sqrt(static_cast<double>(all.size()));  // once in 8,000
+  double closest = close;
+  std::string likely;
+  for (const auto& [guess, hint] : guesses) {
+    const double distance = distance_from_uniform(by_candidates(all, guess));
+    if (distance < closest) closest = distance, likely = hint;
+  }
+  if (!likely.empty()) return likely;
+  Values nearest;
+  for (const auto& [i, part] : all) {
+    nearest.push_back(
+        std::clamp(std::pow(1 - part, std::ceil(c * static_cast<double>(i)) + 1), 0.0, below_one));
+  }
+  if (distance_from_uniform(nearest) < close) {
+    return "this keeps the candidate that is nearest to the others: keep the farthest";
   }
   return "for each candidate its nearest point, of all points before; keep the candidate for which "
          "that is farthest";
@@ -227,7 +234,8 @@ const std::string because_candidates =
 
 TEST_CASE("4.2 each point is the best of its candidates", "[4.2][points:10]") {
   Rng rng = check_rng();
-  for (const double c : {0.4, 1.0, uniform(rng, 2.5, 3)}) {
+  // c = 1 tells a candidate that is missing from c i rounded down; for other c they are the same.
+  for (const double c : {1.0, 0.4, uniform(rng, 2.5, 3)}) {
     constexpr std::size_t n = 5, sets = 400;
     const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
     const auto all = sets_of(got.call, got.value);
@@ -263,17 +271,19 @@ TEST_CASE("4.2 best candidates are blue", "[4.2][points:6]") {
   const std::string fixed =
       "as blue as a fixed number of candidates: later points need more of them, c i and one";
   const std::string white = "as white as independent points: are candidates compared at all?";
+  const std::string clumps =
+      "points clump: candidates must be far from all points before, not from the last one only";
   const std::string far_from_it =
       "is the distance measured round the torus, to all points before, and the farthest kept?";
+  const std::string& likely = low > 1.5                  ? clumps
+                              : low > 0.9                ? white
+                              : low > 0.15 && low < 0.23 ? fixed
+                                                         : far_from_it;
   expect_that(
-      low<0.13,
-          fmt::format("{}: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", got.call, low,
-                      sets),
-          "less than 0.13; 0.089 on average",
-          "independent points have 1, jittered ones 0.33, ten candidates each 0.19", low> 0.9
-          ? white
-      : low > 0.15 && low < 0.23 ? fixed
-                                 : far_from_it);
+      low < 0.13,
+      fmt::format("{}: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", got.call, low, sets),
+      "less than 0.13; 0.089 on average",
+      "independent points have 1, jittered ones 0.33, ten candidates each 0.19", likely);
   expect_that(radius > 0.6,
               fmt::format("{}: the closest two are {:.3f} of the densest pattern's distance apart, "
                           "mean of {} sets",
@@ -312,7 +322,7 @@ TEST_CASE("4.3 no two points are closer than the radius", "[4.3][points:7]") {
   const std::pair<double, std::size_t> cases[] = {{uniform(rng, 0.5, 0.7), 20},
                                                   {uniform(rng, 0.2, 0.4), 20},
                                                   {uniform(rng, 0.05, 0.1), 5},
-                                                  {uniform(rng, 0.01, 0.012), 1}};
+                                                  {uniform(rng, 0.025, 0.03), 1}};
   for (const auto& [radius, sets] : cases) {
     const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
     for (const Set& set : sets_of(got.call, got.value)) {
@@ -342,10 +352,11 @@ TEST_CASE("4.3 no two points are closer than the radius", "[4.3][points:7]") {
 
 TEST_CASE("4.3 hardly any room is left", "[4.3][points:7]") {
   Rng rng = check_rng();
-  const std::pair<double, std::size_t> cases[] = {{uniform(rng, 0.28, 0.32), 60},
+  const std::pair<double, std::size_t> cases[] = {{uniform(rng, 0.61, 0.65), 200},
+                                                  {uniform(rng, 0.28, 0.32), 60},
                                                   {uniform(rng, 0.14, 0.16), 40},
                                                   {uniform(rng, 0.04, 0.05), 6},
-                                                  {uniform(rng, 0.01, 0.012), 1}};
+                                                  {uniform(rng, 0.025, 0.03), 1}};
   for (const auto& [radius, sets] : cases) {
     const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
     double uncovered = 0, size = 0;
@@ -373,11 +384,15 @@ TEST_CASE("4.3 hardly any room is left", "[4.3][points:7]") {
 
 TEST_CASE("4.3 Poisson disks are blue", "[4.3][points:5]") {
   Rng rng = check_rng();
-  constexpr std::size_t sets = 40;
+  constexpr std::size_t sets = 160, calls = 4;  // so many that the peak of the mean is known well
   const double radius = radius_for(256);
-  const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
+  std::vector<Measured<PointSets>> parts;
   double size = 0;
-  for (const std::uint64_t n : got.value.sizes) size += static_cast<double>(n) / sets;
+  for (std::size_t call = 0; call < calls; ++call) {
+    parts.push_back(MEASURE(poisson_disk, radius, sets / calls, fresh_seed(rng)));
+    size += static_cast<double>(parts.back().value.x.size()) / sets;
+  }
+  const auto& got = parts[0];
   // The densest pattern has 440 points here; a spectrum beyond that is not of a Poisson disk.
   expect_that(size > 100 && size < 500,
               fmt::format("{}: {:.1f} points a set on average", got.call, size), "about 256",
@@ -385,10 +400,12 @@ TEST_CASE("4.3 Poisson disks are blue", "[4.3][points:5]") {
               "no two points closer than radius, and no room for another");
   const int kmax = static_cast<int>(std::ceil(2 * std::sqrt(size)));
   Spectrum mean{kmax, {}};
-  for (const Set& set : sets_of(got.call, got.value)) {
-    const Spectrum one = spectrum_of(set.x, set.y, kmax);
-    mean.power.resize(one.power.size());
-    for (std::size_t k = 0; k < one.power.size(); ++k) mean.power[k] += one.power[k] / sets;
+  for (const auto& part : parts) {
+    for (const Set& set : sets_of(part.call, part.value)) {
+      const Spectrum one = spectrum_of(set.x, set.y, kmax);
+      mean.power.resize(one.power.size());
+      for (std::size_t k = 0; k < one.power.size(); ++k) mean.power[k] += one.power[k] / sets;
+    }
   }
   const double low = low_band(mean, size), top = peak(mean, size);
   expect_that(low < 0.13,
@@ -397,7 +414,7 @@ TEST_CASE("4.3 Poisson disks are blue", "[4.3][points:5]") {
               "is the distance kept, and the square filled, everywhere alike?");
   expect_that(top > 1.4 && top < 1.9,
               fmt::format("{}: the largest mean power of a ring is {:.3f}", got.call, top),
-              "1.4 to 1.9; 1.70 on average",
+              "1.4 to 1.9; 1.75 on average",
               "points just outside each other's discs are common, but not the rule",
               top < 1.4 ? "the pattern is loose: too few neighbours at the radius"
                         : "too regular: new points lie at the rim of a disc, or on a lattice, and "
@@ -490,7 +507,7 @@ TEST_CASE("4.4 spectra that are known exactly", "[4.4][points:7]") {
   Rng rng = check_rng();
   for (const int kmax : {1, 2, 7, 20}) {
     const Points one = uniform_points(rng, 1);
-    const auto got = MEASURE(periodogram, one, 1, kmax);
+    const auto got = MEASURE(periodogram, one.x, one.y, 1, kmax);
     expect_power(
         got.call, got.value, 1, kmax, [](int, int) { return 1; },
         "one wave has the absolute value 1");
@@ -498,13 +515,13 @@ TEST_CASE("4.4 spectra that are known exactly", "[4.4][points:7]") {
   for (const std::size_t n : {2u, 3u, 50u}) {
     const Points one = uniform_points(rng, 1);
     const Points same{Values(n, one.x[0]), Values(n, one.y[0])};
-    const auto got = MEASURE(periodogram, same, 1, 5);
+    const auto got = MEASURE(periodogram, same.x, same.y, 1, 5);
     expect_power(
         got.call, got.value, n, 5, [&](int, int) { return static_cast<double>(n); },
         "N points in one place are in phase at any k: N^2 / N");
   }
   const Points two = uniform_points(rng, 2);
-  const auto pair = MEASURE(periodogram, two, 1, 6);
+  const auto pair = MEASURE(periodogram, two.x, two.y, 1, 6);
   expect_power(
       pair.call, pair.value, 2, 6,
       [&](int kx, int ky) {
@@ -522,7 +539,7 @@ TEST_CASE("4.4 spectra that are known exactly", "[4.4][points:7]") {
         grid.y.push_back(y + static_cast<double>(j) / rows);
       }
     }
-    const auto got = MEASURE(periodogram, grid, 1, 9);
+    const auto got = MEASURE(periodogram, grid.x, grid.y, 1, 9);
     expect_power(
         fmt::format("{}, a grid of {} x {}", got.call, columns, rows), got.value, grid.x.size(), 9,
         [&, columns = columns, rows = rows](int kx, int ky) {
@@ -538,7 +555,7 @@ TEST_CASE("4.4 random points by the definition", "[4.4][points:5]") {
   for (const auto& [n, kmax] : cases) {
     const Points points = uniform_points(rng, n);
     const Spectrum exact = spectrum_of(points.x, points.y, kmax);
-    const auto got = MEASURE(periodogram, points, 1, kmax);
+    const auto got = MEASURE(periodogram, points.x, points.y, 1, kmax);
     expect_power(
         got.call, got.value, n, kmax, [&](int kx, int ky) { return exact.at(kx, ky); },
         "waves are right to 32 (kmax + 1) eps, sums to N eps");
@@ -554,7 +571,7 @@ TEST_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
     jittered.x.push_back((static_cast<double>(i % side) + uniform(rng)) / side);
     jittered.y.push_back((static_cast<double>(i / side % side) + uniform(rng)) / side);
   }
-  const auto got = MEASURE(periodogram, jittered, sets, kmax);
+  const auto got = MEASURE(periodogram, jittered.x, jittered.y, sets, kmax);
   const auto sinc = [](int k) {
     const double turn = std::numbers::pi * k / side;
     return k == 0 ? 1 : std::sin(turn) / turn;
@@ -607,7 +624,7 @@ TEST_CASE("4.4 misuse of periodogram is refused", "[4.4][points:3]") {
 
 TEST_CASE("4.5 the mean over each ring", "[4.5][points:5]") {
   Rng rng = check_rng();
-  for (const int kmax : {1, 2, 5, 24}) {
+  for (const int kmax : {5, 1, 2, 24}) {
     const auto side = static_cast<std::size_t>(2 * kmax + 1);
     const Values power = uniform_values(rng, side * side, 0, 3);
     const auto rings = static_cast<std::size_t>(kmax + 1);
@@ -670,7 +687,7 @@ TEST_CASE("4.6 copies lie side by side", "[4.6][points:5]") {
     pattern.x[0] = below_one;
     pattern.y[1] = below_one;
     pattern.x[2] = pattern.y[3] = 0;
-    const auto got = MEASURE(tile, pattern, copies);
+    const auto got = MEASURE(tile, pattern.x, pattern.y, copies);
     expect_inside(got.call, got.value.x, got.value.y);
     const auto repeats = static_cast<std::size_t>(copies);
     expect_that(got.value.x.size() == repeats * repeats * 20,
@@ -713,7 +730,7 @@ TEST_CASE("4.6 a tiled pattern has power at multiples only", "[4.6][points:3]") 
     const int kmax = 3 * copies;
     const Points pattern = uniform_points(rng, n);
     const Spectrum of_pattern = spectrum_of(pattern.x, pattern.y, 3);
-    const auto got = MEASURE(tile, pattern, copies);
+    const auto got = MEASURE(tile, pattern.x, pattern.y, copies);
     expect_that(
         got.value.x.size() == got.value.y.size() && !got.value.x.empty(),
         fmt::format("{}: {} and {} values", got.call, got.value.x.size(), got.value.y.size()),

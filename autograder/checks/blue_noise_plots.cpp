@@ -89,7 +89,7 @@ TEST_CASE("plot periodograms, as pictures and over rings", "[.plot]") {
   for (std::size_t w = 0; w < ways.size(); ++w) {
     std::vector<double> mean;
     for (const Points& points : patterns(ways[w], 16, sets)) {
-      const auto power = TRY_MEASURE(periodogram, points, 1, kmax);
+      const auto power = TRY_MEASURE(periodogram, points.x, points.y, 1, kmax);
       if (!power) break;
       mean.resize(power->value.size());
       for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += power->value[k] / sets;

@@ -1,5 +1,6 @@
 #include "experiments.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -27,12 +28,18 @@ void append(PointSets& sets, std::span<const double> x, std::span<const double> 
   sets.sizes.push_back(x.size());
 }
 
+Points columns_of(const PointSet& points) {
+  const auto x = points.column(0), y = points.column(1);
+  return {{x.begin(), x.end()}, {y.begin(), y.end()}};
+}
+
 }  // namespace
 
-std::vector<double> toroidal_distances_squared(Points a, Points b) {
+std::vector<double> toroidal_distances_squared(std::vector<double> ax, std::vector<double> ay,
+                                               std::vector<double> bx, std::vector<double> by) {
   std::vector<double> distances;
-  for (std::size_t i = 0; i < a.x.size(); ++i) {
-    distances.push_back(toroidal_distance_squared({a.x[i], a.y[i]}, {b.x[i], b.y[i]}));
+  for (std::size_t i = 0; i < ax.size(); ++i) {
+    distances.push_back(toroidal_distance_squared({ax[i], ay[i]}, {bx[i], by[i]}));
   }
   return distances;
 }
@@ -69,12 +76,12 @@ PointSets poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed) {
   return all;
 }
 
-std::vector<double> periodogram(Points points, std::uint64_t sets, int kmax) {
-  const std::size_t n = points.x.size() / sets, side = 2 * static_cast<std::size_t>(kmax) + 1;
+std::vector<double> periodogram(std::vector<double> x, std::vector<double> y, std::uint64_t sets,
+                                int kmax) {
+  const std::size_t n = x.size() / sets, side = 2 * static_cast<std::size_t>(kmax) + 1;
   std::vector<double> all(sets * side * side, unwritten);
   for (std::uint64_t set = 0; set < sets; ++set) {
-    mc::periodogram(std::span(points.x).subspan(set * n, n),
-                    std::span(points.y).subspan(set * n, n), kmax,
+    mc::periodogram(std::span(x).subspan(set * n, n), std::span(y).subspan(set * n, n), kmax,
                     std::span(all).subspan(set * side * side, side * side));
   }
   return all;
@@ -92,19 +99,15 @@ std::vector<double> radial_power(std::vector<double> power, int kmax) {
   return mc::radial_power(power, kmax);
 }
 
-Points tile(Points pattern, int copies) {
-  PointSet points(pattern.x.size(), 2);
-  std::copy(pattern.x.begin(), pattern.x.end(), points.column(0).begin());
-  std::copy(pattern.y.begin(), pattern.y.end(), points.column(1).begin());
-  const PointSet tiled = mc::tile(points, copies);
-  const auto x = tiled.column(0), y = tiled.column(1);
-  return {{x.begin(), x.end()}, {y.begin(), y.end()}};
+Points tile(std::vector<double> x, std::vector<double> y, int copies) {
+  PointSet pattern(x.size(), 2);
+  std::copy(x.begin(), x.end(), pattern.column(0).begin());
+  std::copy(y.begin(), y.end(), pattern.column(1).begin());
+  return columns_of(mc::tile(pattern, copies));
 }
 
 Points tile_of(std::uint64_t size, std::uint64_t dims, int copies) {
-  const PointSet tiled = mc::tile(PointSet(size, dims), copies);
-  const auto x = tiled.column(0), y = tiled.column(1);
-  return {{x.begin(), x.end()}, {y.begin(), y.end()}};
+  return columns_of(mc::tile(PointSet(size, dims), copies));
 }
 
 double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds) {
@@ -130,15 +133,15 @@ double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds) {
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
-      MC_EXPERIMENT(toroidal_distances_squared, "x:y x:y", "4.1  from each point to another"),
+      MC_EXPERIMENT(toroidal_distances_squared, "ax ay bx by", "4.1  from each point to another"),
       MC_EXPERIMENT(best_candidate, "n c sets seed", "4.2  sets of n points"),
       MC_EXPERIMENT(best_candidate_into, "size_x size_y c", "4.2  x and y of these sizes"),
       MC_EXPERIMENT(poisson_disk, "radius sets seed", "4.3  sets of points"),
-      MC_EXPERIMENT(periodogram, "x:y sets kmax", "4.4  of each of the sets"),
+      MC_EXPERIMENT(periodogram, "x y sets kmax", "4.4  of each of the sets"),
       MC_EXPERIMENT(periodogram_into, "size_x size_y kmax size_power",
                     "4.4  x, y and power of these sizes"),
       MC_EXPERIMENT(radial_power, "power kmax", "4.5  means over rings of a periodogram"),
-      MC_EXPERIMENT(tile, "x:y copies", "4.6  a pattern repeated"),
+      MC_EXPERIMENT(tile, "x y copies", "4.6  a pattern repeated"),
       MC_EXPERIMENT(tile_of, "size dims copies", "4.6  points at the origin, repeated"),
       MC_EXPERIMENT(repeat, "task n rounds", "4.2 or 4.3, about n points, rounds times (timing)"),
   };

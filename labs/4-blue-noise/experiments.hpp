@@ -24,8 +24,9 @@ struct PointSets {
 };
 MC_FIELDS(PointSets, x, y, sizes, draws)
 
-/// 4.1: from each point of a to that of b.
-std::vector<double> toroidal_distances_squared(Points a, Points b);
+/// 4.1: from each point (ax[i], ay[i]) to (bx[i], by[i]).
+std::vector<double> toroidal_distances_squared(std::vector<double> ax, std::vector<double> ay,
+                                               std::vector<double> bx, std::vector<double> by);
 
 /// 4.2: `sets` sets of n points; and one set, for x and y of given sizes.
 PointSets best_candidate(std::uint64_t n, double c, std::uint64_t sets, std::uint64_t seed);
@@ -36,7 +37,8 @@ PointSets poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed);
 
 /// 4.4: of each of `sets` sets of points, as many in one as in another; and of points at the
 /// origin, for x, y and power of given sizes.
-std::vector<double> periodogram(Points points, std::uint64_t sets, int kmax);
+std::vector<double> periodogram(std::vector<double> x, std::vector<double> y, std::uint64_t sets,
+                                int kmax);
 std::vector<double> periodogram_into(std::uint64_t size_x, std::uint64_t size_y, int kmax,
                                      std::uint64_t size_power);
 
@@ -44,7 +46,7 @@ std::vector<double> periodogram_into(std::uint64_t size_x, std::uint64_t size_y,
 std::vector<double> radial_power(std::vector<double> power, int kmax);
 
 /// 4.6: of a pattern; and of `size` points at the origin in `dims` dimensions.
-Points tile(Points pattern, int copies);
+Points tile(std::vector<double> x, std::vector<double> y, int copies);
 Points tile_of(std::uint64_t size, std::uint64_t dims, int copies);
 
 /// For timing: 4.2 with c = 1 (task 2) or 4.3 (task 3), about n points, `rounds` times; the last
