@@ -394,10 +394,9 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     }
     for (std::size_t i = 0; i < part.size(); ++i) {
       std::uint64_t z = mirrored(words[i]);
-      z ^= z * 0x6c50b47c9fb21c66u;  // even factors: a bit is changed by those below it
+      z ^= z << 5;  // a left shift and an even factor alike: a bit is changed by those below it
       z = z * m + s;
       z ^= z * 0xb82f1e52d1342544u;
-      z ^= z * 0xc7afe638a0761d66u;
       words[i] = mirrored(z);
     }
     for (std::size_t i = 0; i < part.size(); ++i) {

@@ -117,7 +117,8 @@ std::string inverse_hint(double got, unsigned base, std::uint64_t index,
        "the mirrored digits do not fit in 32 bits: 64 are not "
        "enough for every index either"}};
   for (const auto& [value, hint] : suspects) {
-    if (std::abs(got - value) <= 1e-14) return hint;
+    const bool tells = std::abs(value - inverse(base, index)) > 1e-14;
+    if (tells && std::abs(got - value) <= 1e-14) return hint;
   }
   if (got >= 1) return "it was rounded up to 1: hold it below";
   const double error = std::abs(got - inverse(base, index));
@@ -1051,6 +1052,9 @@ Scrambled scrambled_estimates(Rng& rng, std::size_t n, std::size_t replicates) {
 TEST_CASE("5.8 a scrambled net has Owen's variance", "[5.8][points:4]") {
   Rng rng = check_rng();
   constexpr std::size_t replicates = 600;
+  // Of these estimates, measured with 10^4 to 10^6 seeds: 3.0 to 3.3 where every flip is hashed by
+  // itself, up to 3.9 where flips are only pairwise independent, as a short hash has them.
+  constexpr double kurtosis = 4;
   const auto few = scrambled_estimates(rng, 16, replicates);
   const auto many = scrambled_estimates(rng, 256, replicates);
   const Replicates of_few{few.call, few.estimates, 16}, of_many{many.call, many.estimates, 256};
@@ -1061,13 +1065,14 @@ TEST_CASE("5.8 a scrambled net has Owen's variance", "[5.8][points:4]") {
                       "must depend on the bits before it"},
                      {0.5, "an error that falls as N^-1/2 is that of independent points"}},
                     otherwise};
-  expect_rate(of_few, {few.exact, few.variance}, of_many, {many.exact, many.variance},
+  expect_rate(of_few, {few.exact, few.variance, kurtosis}, of_many,
+              {many.exact, many.variance, kurtosis},
               {"the error of a scrambled net falls by Owen's rate", alpha}, hints);
   for (const auto* each : {&few, &many}) {
     const Replicates estimates{each->call, each->estimates, each == &few ? 16. : 256.};
     expect_mean(estimates, each->exact, each->variance, {"a scrambled net is unbiased", alpha},
                 {{}, otherwise});
-    expect_variance(estimates, each->exact, each->variance, 3,
+    expect_variance(estimates, each->exact, each->variance, kurtosis,
                     {"the variance of a scrambled net is Owen's", alpha}, {{}, otherwise});
   }
 }

@@ -99,13 +99,13 @@ load draw
 set multiplot layout 1,count title "Error of exp(x + y) against time, 4096 points, in cache" \
   margins 80./width, 1 - 20./width, 0.14, 0.83 spacing 80./width, 0
 set logscale xy
-set xrange [0.1:2000]
+set xrange [0.05:2000]
 set yrange [5e-6:2e-2]
 set format y "10^{%L}"
 set xlabel "ns a point (less is better)"
 set ylabel "error (less is better)"
 unset key
-array above[5] = [1, 1, -1, 1, -1]
+array above[5] = [1, 1, 1, 1, -1]
 do for [s=1:count] {
   set title labels[s]
   plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3 with points ls i ps 2, \
