@@ -1,5 +1,5 @@
-// alternative: updates by Youngs and Cramer 1971, which keep a sum in place of a mean (Chan, Golub,
-// LeVeque 1983, eq. 1.3); covariance in one pass in the same way
+// alternative: updates by Youngs and Cramer 1971, who keep a sum in place of a mean; covariance in
+// one pass, with updates like Welford's
 
 #include "variance.hpp"
 #define variance_two_pass solution_variance_two_pass
