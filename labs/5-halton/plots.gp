@@ -50,26 +50,26 @@ do for [s=1:count] {
 unset multiplot
 
 # Error against N ---------------------------------------------------------------------------------
-array what[3] = ["exp(x + y)", "two kinks", "an edge: a quarter of a disk"]
-array rate[3] = [1.5, 1.5, 0.75]
-name = "convergence"; width = 1180; height = 60 + 440 * count
+array what[5] = ["exp(x)", "exp(x + y)", "exp(x + y + z + w)", "two kinks", "an edge: a quarter of a disk"]
+array rate[5] = [1.5, 1.5, 1.5, 1.5, 0.75]
+name = "convergence"; width = 1180; height = 60 + 760 * count
 load draw
-set multiplot layout count,3 margins 75./width, 1 - 15./width, 120./height, 1 - 36./height spacing 65./width, 90./height
+set multiplot layout 2*count,3 margins 75./width, 1 - 15./width, 50./height, 1 - 36./height spacing 65./width, 90./height
 set logscale xy
 set format "10^{%L}"
 set xrange [10:100000]
 set xlabel "N"
-set key at screen 0.5, 8./height center bottom vertical maxrows 2 Left reverse samplen 3 width -1
 do for [s=1:count] {
-  set ylabel "error"
-  do for [i=1:3] {
+  do for [i=1:5] {
     set title what[i].who(s)
+    set ylabel (i % 3 == 1 ? "error" : "")
+    # The last panel of a submission leaves room on its right, where the key stands.
+    if (i == 5) { set key at graph 1.25, 0.9 left top Left reverse samplen 3 } else { unset key }
     plot 0.5*x**-0.5 with lines ls 9 lw 2 title "N^{-1/2}", \
-         0.5*x**-rate[i] with lines ls 9 lw 2 dt 3 title "N^{-3/2}, N^{-3/2}, N^{-3/4}", \
+         0.5*x**-rate[i] with lines ls 9 lw 2 dt 3 title "N^{-3/2}; across an edge N^{-3/4}", \
          for [k=1:6] data[s]."/convergence-".i.".tsv" using 1:(column(k+1)) with linespoints ls k ps 0.8 title way[k]
-    unset key
-    unset ylabel
   }
+  set multiplot next
 }
 unset multiplot
 
