@@ -378,30 +378,47 @@ constexpr std::uint64_t mirrored(std::uint64_t word) {
   return __builtin_bswap64(word);
 }
 
+// Vector registers cannot convert 64-bit integers to doubles or back, but a sum can put bits where
+// they are wanted: a double near 2^31 has 2^-21 as its last place, one near 1/2 has 2^-53. Doubles
+// of one binade, read as integers, count last places.
+
+constexpr std::uint64_t bits(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+/// x 2^53, for x in [0, 1) of 53 bits: the nearest multiple of 2^-21, and what is left, of any sign.
+std::uint64_t to_word(double x) {
+  const double high = x + 0x1p31;
+  const double low = x - (high - 0x1p31);
+  return ((bits(high) - bits(0x1p31)) << 32) + (bits(low + 0.75) - bits(0.75));
+}
+
+/// word 2^-53, for words below 2^53.
+double to_double(std::uint64_t word) {
+  const double high = std::bit_cast<double>(bits(0x1p31) | word >> 32);
+  const double low = std::bit_cast<double>(bits(0.5) | (word & 0xffffffffu));
+  return (high - (0x1p31 + 0.5)) + low;
+}
+
 }  // namespace
 
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
   const std::uint64_t s = rng();
   const std::uint64_t m = rng() | 1;
-  // Doubles to words, words to words, words to doubles: the middle loop runs in vector registers
-  // only by itself, for they cannot convert 64-bit integers.
+  // In three short loops: a processor works on as many values at once as fit into its window of some
+  // two hundred operations, and each value is a chain of eighty.
   std::array<std::uint64_t, 256> words;
   for (std::size_t first = 0; first < column.size(); first += words.size()) {
     const auto part = column.subspan(first, std::min(words.size(), column.size() - first));
+    for (std::size_t i = 0; i < part.size(); ++i) words[i] = mirrored(to_word(part[i]) << 11);
     for (std::size_t i = 0; i < part.size(); ++i) {
-      words[i] = static_cast<std::uint64_t>(static_cast<std::int64_t>(part[i] * 0x1p53)) << 11;
-    }
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      std::uint64_t z = mirrored(words[i]);
+      std::uint64_t z = words[i];
       z ^= z << 5;  // a left shift and an even factor alike: a bit is changed by those below it
       z = z * m + s;
-      z ^= z * 0xb82f1e52d1342544u;
-      words[i] = mirrored(z);
+      words[i] = z ^ z * 0xb82f1e52d1342544u;
     }
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      part[i] = static_cast<double>(static_cast<std::int64_t>(words[i] >> 11)) * 0x1p-53;
-    }
+    for (std::size_t i = 0; i < part.size(); ++i) part[i] = to_double(mirrored(words[i]) >> 11);
   }
 }
 
