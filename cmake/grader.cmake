@@ -19,6 +19,7 @@ foreach(lab ${LABS})
   add_executable(checks_${lab} ${sources})
   target_include_directories(checks_${lab} PRIVATE ${LAB_INCLUDES})
   target_link_libraries(checks_${lab} PRIVATE checking)
+  add_dependencies(checks_${lab} experiments_${lab} runner)  # what it asks for, it asks of a program
 endforeach()
 
 add_library(grading STATIC
@@ -50,6 +51,3 @@ target_precompile_headers(grading PRIVATE <fmt/format.h> <fmt/ranges.h> <filesys
 
 add_executable(grader autograder/grader/main.cpp)
 target_link_libraries(grader PRIVATE grading)
-foreach(lab ${LABS})
-  add_dependencies(grader experiments_${lab} runner)
-endforeach()

@@ -1,11 +1,11 @@
 # Read by ./lab: what the machine must have, and how it gets it.
 
-# The name of the target that checks a lab, given as 1, variance or 1-variance.
+# The name of a lab that is given as 1, variance or 1-variance.
 lab_of() {
   for folder in "$root"/labs/[0-9]-*; do
     folder=${folder##*/}
     name=$(printf %s "${folder#*-}" | tr - _)
-    case $1 in "${folder%%-*}" | "$folder" | "$name") echo "checks_$name" ;; esac
+    case $1 in "${folder%%-*}" | "$folder" | "$name") echo "$name" ;; esac
   done
 }
 
