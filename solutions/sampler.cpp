@@ -102,8 +102,11 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 // 6.4 and 6.8 -------------------------------------------------------------------------------------
 
 // A column is made whole when its use is first asked for, by the vectorised loops of labs 2 to 5.
-// After that a number costs its virtual call, a look at where the sample stands, and two loads.
-// Columns keep their memory from one integration to the next: a picture has one for each pixel.
+// After that a number costs its virtual call, one comparison and two loads: `ready_` says how many
+// uses there are columns for, and that it is none where there is no sample, so that both questions
+// are one. What happens rarely stands in functions of its own, or the compiler would have next()
+// save registers for it in every call. Columns keep their memory from one integration to the next:
+// a picture has one for each pixel.
 
 class ColumnSampler final : public Sampler {
  public:
@@ -114,25 +117,23 @@ class ColumnSampler final : public Sampler {
     if (samples > most_samples) throw std::invalid_argument("samples: more than memory may hold");
     samples_ = samples;
     rng_ = Rng(seed);
-    sample_ = next_ = next2_ = made_ = made2_ = 0;
+    sample_ = next_ = next2_ = ready_ = ready2_ = 0;
   }
 
   double next() override {
-    require_sample();
-    if (next_ == made_) make();
+    if (next_ == ready_) return first_next();
     return ones_[next_++][sample_];
   }
 
   Point2 next2() override {
-    require_sample();
-    if (next2_ == made2_) make2();
+    if (next2_ == ready2_) return first_next2();
     const Pair& pair = twos_[next2_++];
     return {pair.x[sample_], pair.y[sample_]};
   }
 
   void advance() override {
-    if (sample_ < samples_) ++sample_;
     next_ = next2_ = 0;
+    if (sample_ < samples_ && ++sample_ == samples_) ready_ = ready2_ = 0;
   }
 
  private:
@@ -140,32 +141,37 @@ class ColumnSampler final : public Sampler {
     std::vector<double> x, y;
   };
 
+  [[gnu::noinline]] double first_next() {
+    require_sample();
+    if (ready_ == ones_.size()) ones_.emplace_back();
+    ones_[ready_].resize(samples_);
+    kind_.one({ready_, ready_ + 2 * ready2_}, ones_[ready_], rng_);
+    ++ready_;
+    return next();
+  }
+
+  [[gnu::noinline]] Point2 first_next2() {
+    require_sample();
+    if (ready2_ == twos_.size()) twos_.emplace_back();
+    Pair& pair = twos_[ready2_];
+    pair.x.resize(samples_);
+    pair.y.resize(samples_);
+    kind_.two({ready2_, ready_ + 2 * ready2_}, pair.x, pair.y, rng_);
+    ++ready2_;
+    return next2();
+  }
+
   void require_sample() const {
     if (sample_ < samples_) return;
     throw std::out_of_range(samples_ == 0 ? "no samples yet: generate() comes first"
                                           : "all samples are done: generate() makes new ones");
   }
 
-  void make() {
-    if (made_ == ones_.size()) ones_.emplace_back();
-    ones_[made_].resize(samples_);
-    kind_.one({made_, made_ + 2 * made2_}, ones_[made_], rng_);
-    ++made_;
-  }
-  void make2() {
-    if (made2_ == twos_.size()) twos_.emplace_back();
-    Pair& pair = twos_[made2_];
-    pair.x.resize(samples_);
-    pair.y.resize(samples_);
-    kind_.two({made2_, made_ + 2 * made2_}, pair.x, pair.y, rng_);
-    ++made2_;
-  }
-
   const Kind& kind_;
   Rng rng_{0};
-  std::size_t samples_ = 0, sample_ = 0;
-  std::size_t next_ = 0, next2_ = 0;   // uses that this sample has asked for
-  std::size_t made_ = 0, made2_ = 0;   // uses that any sample has asked for
+  std::size_t samples_ = 0, sample_ = 0;  // how many there are, and which this is
+  std::size_t next_ = 0, next2_ = 0;      // uses that this sample has asked for
+  std::size_t ready_ = 0, ready2_ = 0;    // uses that have columns; none after the last sample
   std::vector<std::vector<double>> ones_;
   std::vector<Pair> twos_;
 };
