@@ -160,7 +160,7 @@ FirstSamples first_samples(const std::string& kind, const Uses& uses, std::size_
 
 // 6.1 ---------------------------------------------------------------------------------------------
 
-TEST_CASE("6.1 numbers are uniform and independent", "[6.1][points:4]") {
+TEST_CASE("6.1 numbers are uniform and independent", "[6.1][points:4][needs:2]") {
   Rng rng = check_rng();
   const std::size_t n = 16384;
   const Columns got = columns_of("independent", n, fresh_seed(rng), {1, 2, 1});
@@ -183,7 +183,7 @@ TEST_CASE("6.1 numbers are uniform and independent", "[6.1][points:4]") {
   }
 }
 
-TEST_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs:6.5]") {
+TEST_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs:6.5][needs:2]") {
   Rng rng = check_rng();
   const std::uint64_t n = 16;
   for (const std::string scene : {"rect_light", "motion_edge", "pixel_time_lens"}) {
@@ -228,7 +228,7 @@ Grid grid_of(std::size_t n) {
   return {n / ny, ny};
 }
 
-TEST_CASE("6.2 next has one number in each of N strata", "[6.2][points:4]") {
+TEST_CASE("6.2 next has one number in each of N strata", "[6.2][points:4][needs:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : sizes) {
     const Columns got = columns_of("stratified", n, fresh_seed(rng), {1, 1, 1});
@@ -239,7 +239,7 @@ TEST_CASE("6.2 next has one number in each of N strata", "[6.2][points:4]") {
   }
 }
 
-TEST_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][points:5]") {
+TEST_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][points:5][needs:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : sizes) {
     const Columns got = columns_of("stratified", n, fresh_seed(rng), {2, 2});
@@ -254,7 +254,7 @@ TEST_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][points:5]")
   }
 }
 
-TEST_CASE("6.2 every use has a random order of its own", "[6.2][points:5][needs:6.4]") {
+TEST_CASE("6.2 every use has a random order of its own", "[6.2][points:5][needs:6.4][needs:3]") {
   Rng rng = check_rng();
   const std::size_t n = 10007;
   const Columns got = columns_of("stratified", n, fresh_seed(rng), repeated(6, {1, 2}));
@@ -321,7 +321,7 @@ Left left_of_stripes(const scenes::Stripes& pixel, std::size_t n) {
   return {variance / (size * size), 3 + fourth / (variance * variance)};
 }
 
-TEST_CASE("6.2 the error is that of stratified samples", "[6.2][points:4][needs:6.5]") {
+TEST_CASE("6.2 the error is that of stratified samples", "[6.2][points:4][needs:6.5][needs:3]") {
   Rng rng = check_rng();
   // A dozen stripes in the pixel: with 64 strata and more, one edge in a few of them.
   scenes::Stripes pixel;
@@ -445,7 +445,7 @@ void expect_dimensions(const Columns& got, const std::string& what, const std::s
   pass();
 }
 
-TEST_CASE("6.3 the uses of sobol are Sobol' dimensions", "[6.3][points:5]") {
+TEST_CASE("6.3 the uses of sobol are Sobol' dimensions", "[6.3][points:5][needs:5]") {
   Rng rng = check_rng();
   for (const Uses& uses : {repeated(10, {1, 2}), repeated(8, {2}), repeated(32, {1})}) {
     const Columns got = columns_of("sobol", 61, fresh_seed(rng), uses);
@@ -455,7 +455,7 @@ TEST_CASE("6.3 the uses of sobol are Sobol' dimensions", "[6.3][points:5]") {
   }
 }
 
-TEST_CASE("6.3 the uses of halton are Halton dimensions", "[6.3][points:5]") {
+TEST_CASE("6.3 the uses of halton are Halton dimensions", "[6.3][points:5][needs:5]") {
   Rng rng = check_rng();
   for (const Uses& uses : {repeated(10, {1, 2}), repeated(8, {2}), repeated(32, {1})}) {
     const Columns got = columns_of("halton", 61, fresh_seed(rng), uses);
@@ -465,7 +465,8 @@ TEST_CASE("6.3 the uses of halton are Halton dimensions", "[6.3][points:5]") {
   }
 }
 
-TEST_CASE("6.3 each seed and each dimension is randomised anew", "[6.3][points:4][needs:6.4]") {
+TEST_CASE("6.3 each seed and each dimension is randomised anew",
+          "[6.3][points:4][needs:6.4][needs:5]") {
   Rng rng = check_rng();
   for (const std::string kind : {"halton", "sobol"}) {
     const std::size_t seeds = 800;
@@ -501,7 +502,7 @@ void expect_net(const std::string& call, View x, View y, const std::string& whic
   pass();
 }
 
-TEST_CASE("6.3 sobol has any number of uses", "[6.3][points:4]") {
+TEST_CASE("6.3 sobol has any number of uses", "[6.3][points:4][needs:5]") {
   Rng rng = check_rng();
   const std::size_t n = 1024;
   // 31 dimensions are gone, and two are asked for; then sixty uses more.
@@ -535,7 +536,7 @@ TEST_CASE("6.3 sobol has any number of uses", "[6.3][points:4]") {
   pass();
 }
 
-TEST_CASE("6.3 halton has any number of uses", "[6.3][points:2]") {
+TEST_CASE("6.3 halton has any number of uses", "[6.3][points:2][needs:5]") {
   Rng rng = check_rng();
   const std::size_t seeds = 500;
   const auto last = first_samples("halton", repeated(40, {1, 2}), 3, fresh_seed(rng), seeds);
@@ -559,7 +560,7 @@ TEST_CASE("6.3 halton has any number of uses", "[6.3][points:2]") {
 // squared with 100 degrees at five times its mean has a probability below 1e-50).
 
 TEST_CASE("6.3 halton and sobol are better than independent samples",
-          "[6.3][points:2][needs:6.5]") {
+          "[6.3][points:2][needs:6.5][needs:5]") {
   Rng rng = check_rng();
   const std::string hint =
       "are they the points of lab 5, and the pair of a next2() two dimensions?";
@@ -937,7 +938,7 @@ TEST_CASE("6.6 pictures that cannot be are refused", "[6.6][points:2]") {
 
 // 6.7 ---------------------------------------------------------------------------------------------
 
-TEST_CASE("6.7 the first next2 is blue noise", "[6.7][points:4]") {
+TEST_CASE("6.7 the first next2 is blue noise", "[6.7][points:4][needs:4]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 256, sets = 40;
   double low = 0, radius = 0;
@@ -975,7 +976,7 @@ TEST_CASE("6.7 the first next2 is blue noise", "[6.7][points:4]") {
               "a fixed number of candidates lets the last points come close", "");
 }
 
-TEST_CASE("6.7 blue noise has exactly N points for any N", "[6.7][points:2]") {
+TEST_CASE("6.7 blue noise has exactly N points for any N", "[6.7][points:2][needs:4]") {
   Rng rng = check_rng();
   for (const std::size_t n : {1u, 2u, 3u, 7u, 1009u}) {
     const Columns got = columns_of("blue_noise", n, fresh_seed(rng), {2});
@@ -986,7 +987,7 @@ TEST_CASE("6.7 blue noise has exactly N points for any N", "[6.7][points:2]") {
   }
 }
 
-TEST_CASE("6.7 all else of blue_noise is stratified", "[6.7][points:2]") {
+TEST_CASE("6.7 all else of blue_noise is stratified", "[6.7][points:2][needs:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : {3u, 12u, 1009u}) {
     const Columns got = columns_of("blue_noise", n, fresh_seed(rng), {2, 1, 2, 1});
@@ -1006,7 +1007,7 @@ TEST_CASE("6.7 all else of blue_noise is stratified", "[6.7][points:2]") {
 
 // 6.8 ---------------------------------------------------------------------------------------------
 
-TEST_CASE("6.8 many samples are right too", "[6.8][points:2][needs:6.2][needs:6.3]") {
+TEST_CASE("6.8 many samples are right too", "[6.8][points:2][needs:6.2][needs:6.3][needs:3]") {
   Rng rng = check_rng();
   const std::size_t n = std::size_t{1} << 17;
   for (const std::string kind : {"stratified", "sobol"}) {
