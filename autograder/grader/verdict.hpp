@@ -42,7 +42,6 @@ struct CheckResult {
   std::string printed;  ///< what the submission printed meanwhile
   std::string repeat;   ///< the command that repeats this check, seed included
   std::vector<PValue> p_values;
-  std::size_t measurements = 0;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }
 };
