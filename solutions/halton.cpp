@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 
 namespace mc {
@@ -66,13 +67,14 @@ namespace {
 struct Digits {
   unsigned base;
   std::vector<unsigned> permutations;  ///< one of `base` digits for each position; none: the digit
+  double zeros = 0;                    ///< what the zeros at all positions behind them come to
 
   double operator()(std::size_t position, std::uint64_t digit) const {
     return static_cast<double>(permutations.empty() ? digit
                                                     : permutations[position * base + digit]);
   }
 
-  /// Whether all digits from `position` on are zeros that contribute nothing.
+  /// Whether all digits from `position` on are zeros.
   bool end_at(std::size_t position, std::uint64_t number) const {
     return permutations.empty() ? number == 0 : position * base == permutations.size();
   }
@@ -80,7 +82,7 @@ struct Digits {
 
 /// As 5.1, of a number whose last digit stands at `position`.
 double inverse(const Digits& digits, unsigned position, std::uint64_t number) {
-  if (digits.end_at(position, number)) return 0;
+  if (digits.end_at(position, number)) return digits.zeros;
   const double others = inverse(digits, position + 1, number / digits.base);
   return std::min(below_one, (digits(position, number % digits.base) + others) / digits.base);
 }
@@ -419,14 +421,23 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
+//
+// A permutation for each of the 64 digits that an index may have in base 2, of which a column of a
+// thousand uses ten: in the others it has nothing but zeros. So each position has a generator of its
+// own, and its permutation is made from the front: what becomes of 0 is decided first, and for the
+// zeros behind all digits no more of it is made.
 
 namespace {
 
-/// How many digits the longest index has.
-unsigned positions_in(unsigned base) {
-  unsigned positions = 0;
-  for (std::uint64_t rest = last_index; rest > 0; rest /= base) ++positions;
-  return positions;
+/// One of the digits first … base - 1.
+unsigned any_digit(unsigned first, unsigned base, Rng& rng) {
+  return std::uniform_int_distribution<unsigned>(first, base - 1)(rng);
+}
+
+unsigned digits_of(std::uint64_t number, unsigned base) {
+  unsigned count = 0;
+  for (; number > 0; number /= base) ++count;
+  return count;
 }
 
 }  // namespace
@@ -436,12 +447,20 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   require_base(base);
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
   require_indices(first, column.size(), last_index);
-  // Digits enough for every index are digits enough for 2^-64, so the zeros end there.
-  Digits digits{base, std::vector<unsigned>(std::size_t{positions_in(base)} * base)};
-  Rng rng(seed ^ mix_bits(base));
-  for (auto row = digits.permutations.begin(); row != digits.permutations.end(); row += base) {
+  if (column.empty()) return;
+  const std::uint64_t key = mix_bits(seed ^ mix_bits(base));
+  const unsigned used = std::max(1u, digits_of(first + (column.size() - 1), base));
+  Digits digits{base, std::vector<unsigned>(std::size_t{used} * base)};
+  for (unsigned position = 0; position < used; ++position) {
+    Rng rng(key + position);
+    unsigned* const row = digits.permutations.data() + std::size_t{position} * base;
     std::iota(row, row + base, 0u);
-    std::shuffle(row, row + base, rng);
+    for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
+  }
+  // Digits enough for every index are digits enough for 2^-64, so the zeros end there.
+  for (unsigned position = digits_of(last_index, base); position-- > used;) {
+    Rng rng(key + position);
+    digits.zeros = (any_digit(0, base, rng) + digits.zeros) / base;
   }
   fill(column, first, digits);
 }
