@@ -1,0 +1,1 @@
+# Draws lab 6.
