@@ -58,7 +58,7 @@ ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Progr
                      {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
                       {"MC_PLOT_DATA", data.string()},
                       {"MC_SEED", "1"}});
-  return run_process({layout.checks(lab.name).string(), tag},
+  return run_process({layout.checks(lab.name).string(), tag, "--reporter", "xml"},
                      {.environment = std::move(environment),
                       .descriptors = {{program.descriptor, program_descriptor}},
                       .wall_seconds = 300});

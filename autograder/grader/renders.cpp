@@ -8,6 +8,7 @@
 
 #include "grader/build.hpp"
 #include "grader/jail.hpp"
+#include "grader/judge.hpp"
 #include "grader/plots.hpp"
 #include "runner/text.hpp"
 
@@ -15,12 +16,12 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// The line of a failed case's report that says why.
+/// The first line of what a failed case says.
 std::string reason_of(const ProcessResult& run) {
-  for (std::string_view line : text::split(run.output, '\n')) {
-    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    if (line.starts_with("not written yet") || line.starts_with("measured")) {
-      return shortened(printable(std::string(line)), 200);
+  for (const XmlRecord& record : read_catch_xml(run.output)) {
+    for (std::string_view line : text::split(record.message, '\n')) {
+      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+      if (!line.empty()) return printable(line);
     }
   }
   return "its measurements failed";
@@ -38,17 +39,19 @@ struct Rendering {
         layout, lab, program, "[.render]", data,
         {{"MC_RENDER", fmt::format("{} {} {} {}", row.picture, row.kind, spp, seconds)}});
     std::ifstream figures(data / (row.kind + ".txt"));
-    figures >> row.seconds >> row.rmse >> row.large_error >> row.spp_in_time >>
-        row.seconds_in_time >> row.rmse_in_time;
+    for (Rendered::Drawn* drawn : {&row.samples, &row.time}) {
+      figures >> drawn->spp >> drawn->seconds >> drawn->rmse >> drawn->large_error;
+    }
     if (!run.succeeded() || !figures) row.failure = reason_of(run);
     row.timed = row.failure.empty() && (seconds > 0 || row.kind == sampler_kinds[0]);
   }
 };
 
-std::string title_of(const Rendered& row, std::uint64_t spp, bool in_time) {
+/// The title of a row's picture; "" where there is none.
+std::string title_of(const Rendered& row, bool in_time) {
   if (!row.failure.empty() || (in_time && !row.timed)) return "";
-  return fmt::format("{}, {} spp\nRMSE {:.3g}", row.kind, in_time ? row.spp_in_time : spp,
-                     in_time ? row.rmse_in_time : row.rmse);
+  const Rendered::Drawn& drawn = in_time ? row.time : row.samples;
+  return fmt::format("{}, {} spp\nRMSE {:.3g}", row.kind, drawn.spp, drawn.rmse);
 }
 
 /// A picture of all submissions.
@@ -101,10 +104,9 @@ Renders draw_renders(
   for (const std::string& picture : options.pictures) {
     sheets.push_back(
         {picture, "samples", fmt::format("{}, {} samples a pixel", picture, options.spp)});
-    sheets.push_back({picture, "time",
-                      fmt::format("{}, in the CPU time of {} independent samples a pixel: pictures "
-                                  "and errors",
-                                  picture, options.spp)});
+    sheets.push_back(
+        {picture, "time",
+         fmt::format("{}, in the time of {} independent samples a pixel", picture, options.spp)});
   }
   for (const Submission& submission : submissions) {
     step(done, steps, "compiling " + submission.label);
@@ -133,14 +135,16 @@ Renders draw_renders(
         if (kind == reference.kind) continue;
         rows.back() = {submission.label, picture, kind};
         rendering.measure(rows.back(), options.spp,
-                          reference.failure.empty() ? reference.seconds : 0);
+                          reference.failure.empty() ? reference.samples.seconds : 0);
       }
       for (const std::size_t s : {2 * p, 2 * p + 1}) {
         Sheet& sheet = sheets[s];
+        const bool in_time = s % 2 == 1;
         std::vector<std::string> titles;
         for (const Rendered& row : rows) {
-          titles.push_back(title_of(row, options.spp, s % 2 == 1));
-          if (!titles.back().empty()) sheet.range = std::max(sheet.range, row.large_error);
+          titles.push_back(title_of(row, in_time));
+          if (!titles.back().empty())
+            sheet.range = std::max(sheet.range, (in_time ? row.time : row.samples).large_error);
         }
         if (std::all_of(titles.begin(), titles.end(), [](auto& title) { return title.empty(); })) {
           continue;

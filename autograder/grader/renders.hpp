@@ -32,12 +32,15 @@ struct RenderOptions {
 struct Rendered {
   std::string submission, picture, kind;
   std::string failure;  ///< why there is nothing, in one line
-  double seconds = 0;   ///< with the samples that were asked for
-  double rmse = 0;
-  double large_error = 0;         ///< the 95th percentile
-  bool timed = false;             ///< is there a time to keep to?
-  std::uint64_t spp_in_time = 0;  ///< in the time of "independent"
-  double seconds_in_time = 0, rmse_in_time = 0;
+  /// With a number of samples a pixel: CPU time, error of the picture, 95th percentile of the error
+  /// of those pixels that have one.
+  struct Drawn {
+    std::uint64_t spp = 0;
+    double seconds = 0, rmse = 0, large_error = 0;
+  };
+  Drawn samples;       ///< with as many as were asked for
+  Drawn time;          ///< with as many as fit into the time that "independent" takes for those
+  bool timed = false;  ///< is there such a time?
 };
 
 struct Renders {

@@ -88,10 +88,9 @@ void print_table(const std::vector<Rendered>& table, std::uint64_t spp) {
       fmt::print("  {:<22}   {}\n", row.kind, row.failure);
       continue;
     }
-    fmt::print("  {:<22}{:>11.3g}{:>8.3g}", row.kind, row.rmse, 1e3 * row.seconds);
+    fmt::print("  {:<22}{:>11.3g}{:>8.3g}", row.kind, row.samples.rmse, 1e3 * row.samples.seconds);
     if (row.timed) {
-      fmt::print("{:>10}{:>8.3g}{:>11.3g}", row.spp_in_time, 1e3 * row.seconds_in_time,
-                 row.rmse_in_time);
+      fmt::print("{:>10}{:>8.3g}{:>11.3g}", row.time.spp, 1e3 * row.time.seconds, row.time.rmse);
     }
     fmt::print("\n");
   }

@@ -45,7 +45,7 @@ do for [s=1:count] {
       @diverging
       unset title
       if (first) {  # below the exact image there is no error: there stands the scale of the others
-        set colorbox user horizontal origin (left+20.)/width, 1-(y+0.55*h)/height size (w-40.)/width, 16./height
+        set colorbox user horizontal origin (left+35.)/width, 1-(y+0.55*h)/height size (w-70.)/width, 16./height
         set cbtics nomirror out (sprintf("%.2g", -range) -range, "0" 0, sprintf("+%.2g", range) range) textcolor rgb "black"
         set label 3 "error" at screen (left+0.5*w)/width, 1-(y+0.4*h)/height center
       }
