@@ -15,48 +15,59 @@ namespace {
 
 constexpr int program_descriptor = 10;
 
-/// A string as gnuplot reads it between single quotes.
-std::string quoted(const std::string& text) {
+std::string script_of(const Layout& layout, const Lab& lab, const std::vector<std::string>& labels,
+                      const std::vector<fs::path>& data, const fs::path& out,
+                      const std::string& extension) {
+  return fmt::format("count = {}\n{}{}out = {}\next = {}\ndraw = {}\nload {}\n", labels.size(),
+                     gnuplot_array("labels", labels),
+                     gnuplot_array("data", std::vector<std::string>(data.begin(), data.end())),
+                     gnuplot_string(out.string()), gnuplot_string(extension),
+                     gnuplot_string((layout.labs() / "common" / "draw.gp").string()),
+                     gnuplot_string((layout.labs() / lab.folder / "plots.gp").string()));
+}
+
+}  // namespace
+
+bool gnuplot_is_there() {
+  return run_process({"gnuplot", "--version"}).exit_code == 0;
+}
+
+std::string gnuplot_string(const std::string& text) {
   std::string all = "'";
   for (const char c : text) all += c == '\'' ? "''" : std::string(1, c);
   return all + "'";
 }
 
-/// Runs the lab's hidden plot cases on a program; true where they wrote their data.
-bool measure(const Layout& layout, const Lab& lab, const Program& program, const fs::path& data) {
+std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + gnuplot_string(text);
+  return fmt::format("array {}[{}] = [{}]\n", name, texts.size(), list);
+}
+
+std::string run_gnuplot(const fs::path& script, const std::string& text) {
+  write_text(script, "set encoding utf8\nset termoption noenhanced\n" + text);
+  const ProcessResult drawn = run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
+  return drawn.succeeded() ? "" : "gnuplot failed: " + printable(drawn.errors);
+}
+
+ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Program& program,
+                               const std::string& tag, const fs::path& data,
+                               std::vector<std::pair<std::string, std::string>> environment) {
   fs::create_directories(data);
-  const ProcessResult run =
-      run_process({layout.checks(lab.name).string(), "[.plot]"},
-                  {.environment = {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
-                                   {"MC_PLOT_DATA", data.string()},
-                                   {"MC_SEED", "1"}},
-                   .descriptors = {{program.descriptor, program_descriptor}},
-                   .wall_seconds = 300});
-  return run.succeeded();
+  environment.insert(environment.end(),
+                     {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
+                      {"MC_PLOT_DATA", data.string()},
+                      {"MC_SEED", "1"}});
+  return run_process({layout.checks(lab.name).string(), tag, "--reporter", "xml"},
+                     {.environment = std::move(environment),
+                      .descriptors = {{program.descriptor, program_descriptor}},
+                      .wall_seconds = 300});
 }
-
-std::string script_of(const Layout& layout, const Lab& lab, const std::vector<std::string>& labels,
-                      const std::vector<fs::path>& data, const fs::path& out,
-                      const std::string& extension) {
-  std::string labels_list, data_list;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    labels_list += (i > 0 ? ", " : "") + quoted(labels[i]);
-    data_list += (i > 0 ? ", " : "") + quoted(data[i].string());
-  }
-  return fmt::format(
-      "set encoding utf8\nset termoption noenhanced\ncount = {}\narray labels[count] = [{}]\n"
-      "array data[count] = [{}]\nout = {}\next = {}\ndraw = {}\nload {}\n",
-      labels.size(), labels_list, data_list, quoted(out.string()), quoted(extension),
-      quoted((layout.labs() / "common" / "draw.gp").string()),
-      quoted((layout.labs() / lab.folder / "plots.gp").string()));
-}
-
-}  // namespace
 
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder) {
   Plots plots;
-  if (run_process({"gnuplot", "--version"}).exit_code != 0) {
+  if (!gnuplot_is_there()) {
     plots.remarks.push_back("no plots: gnuplot is not installed (./lab setup)");
     return plots;
   }
@@ -70,7 +81,7 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
       continue;
     }
     const fs::path measured = place / "data" / fmt::format("{}-{}", lab.name, labels.size());
-    if (measure(layout, lab, *built.program, measured)) {
+    if (run_hidden_cases(layout, lab, *built.program, "[.plot]", measured).succeeded()) {
       labels.push_back(submission.label);
       data.push_back(measured);
     } else {
@@ -80,12 +91,9 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   if (labels.empty()) return plots;
   for (const std::string extension : {"svg", "png"}) {
     const fs::path script = place / "data" / fmt::format("{}.{}.gp", lab.name, extension);
-    write_text(script, script_of(layout, lab, labels, data, place / lab.name, extension));
-    const ProcessResult drawn = run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
-    if (!drawn.succeeded()) {
-      plots.remarks.push_back("gnuplot failed: " + printable(drawn.errors));
-      continue;
-    }
+    const std::string failure =
+        run_gnuplot(script, script_of(layout, lab, labels, data, place / lab.name, extension));
+    if (!failure.empty()) plots.remarks.push_back(failure);
   }
   for (const auto& entry : fs::directory_iterator(place)) {
     if (entry.path().filename().string().starts_with(lab.name + "-")) {

@@ -10,6 +10,7 @@
 namespace mc::grader {
 
 struct Terminal {
+  bool interactive = false;  ///< is there one? Then a line may be written again and again
   bool colour = false;
   std::size_t width = 100;
 };

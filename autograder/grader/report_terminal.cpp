@@ -92,8 +92,9 @@ Terminal this_terminal() {
   Terminal terminal;
   const char* no_colour = std::getenv("NO_COLOR");
   const char* kind = std::getenv("TERM");
-  terminal.colour = isatty(STDOUT_FILENO) != 0 && (no_colour == nullptr || *no_colour == '\0') &&
-                    (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.interactive =
+      isatty(STDOUT_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.colour = terminal.interactive && (no_colour == nullptr || *no_colour == '\0');
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
     terminal.width = std::clamp<std::size_t>(size.ws_col, 40, 100);
