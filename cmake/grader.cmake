@@ -12,10 +12,14 @@ endif()
 # Checks: what every lab's share, then one program a lab.
 add_library(checking STATIC autograder/checks/measure.cpp autograder/checks/expect.cpp
   autograder/checks/distributions.cpp autograder/checks/statistics.cpp
-  autograder/checks/plot_data.cpp labs/runner/text.cpp)
+  autograder/checks/plot_data.cpp autograder/checks/bench_data.cpp autograder/checks/integrands.cpp
+  labs/runner/text.cpp)
+set_source_files_properties(autograder/checks/integrands.cpp PROPERTIES
+  COMPILE_OPTIONS "${PROGRAM_FLAGS}")  # its time is measured
 target_link_libraries(checking PUBLIC jail Catch2::Catch2WithMain)
 foreach(lab ${LABS})
-  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_plots.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_plots.cpp
+    autograder/checks/${lab}_bench.cpp)
   add_executable(checks_${lab} ${sources})
   target_include_directories(checks_${lab} PRIVATE ${LAB_INCLUDES})
   target_link_libraries(checks_${lab} PRIVATE checking)
