@@ -28,6 +28,9 @@ endforeach()
 
 add_library(grading STATIC
   autograder/grader/arguments.cpp
+  autograder/grader/bench.cpp
+  autograder/grader/bench_files.cpp
+  autograder/grader/bench_page.cpp
   autograder/grader/build.cpp
   autograder/grader/diagnostics.cpp
   autograder/grader/judge.cpp
@@ -41,6 +44,7 @@ add_library(grading STATIC
   autograder/grader/segments.cpp
   autograder/grader/standing.cpp
   autograder/grader/submission.cpp
+  autograder/grader/verb_bench.cpp
   autograder/grader/verb_judge.cpp
   autograder/grader/verb_work.cpp
   autograder/grader/verdict.cpp

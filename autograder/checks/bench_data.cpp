@@ -149,6 +149,7 @@ void bench_errors_of_sets(const std::string& what, std::span<const std::uint64_t
 void bench_times(const std::vector<BenchSampler>& samplers) {
   for (const BenchIntegrand& one : bench_integrands()) {
     bench_row({"integrand", one.name, "", one.dims, 0, nanoseconds_of(one)});
+    bench_row({"variance", one.name, "", one.dims, 0, one.variance});
   }
   for (const BenchSampler& sampler : samplers) {
     for (const std::uint64_t dims : sampler.dims) {

@@ -13,6 +13,7 @@
 //   error      a point set, an integrand: the root mean square error of the mean over n points
 //   time       a point set or an algorithm: nanoseconds a point, or a value
 //   integrand  nanoseconds a value
+//   variance   of an integrand's value at a uniform point
 //   digits     an algorithm, data: decimal digits of its result that are right
 //   growth     an algorithm, "n" or "dims": seconds a call
 //   memory     an algorithm: bytes, at their most

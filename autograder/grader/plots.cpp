@@ -35,6 +35,14 @@ bool measure(const Layout& layout, const Lab& lab, const Program& program, const
   return run.succeeded();
 }
 
+/// What every script begins with.
+std::string beginning(const Layout& layout, const fs::path& out, const std::string& extension) {
+  return fmt::format(
+      "set encoding utf8\nset termoption noenhanced\nout = {}\next = {}\ndraw = {}\n",
+      quoted(out.string()), quoted(extension),
+      quoted((layout.labs() / "common" / "draw.gp").string()));
+}
+
 std::string script_of(const Layout& layout, const Lab& lab, const std::vector<std::string>& labels,
                       const std::vector<fs::path>& data, const fs::path& out,
                       const std::string& extension) {
@@ -43,12 +51,34 @@ std::string script_of(const Layout& layout, const Lab& lab, const std::vector<st
     labels_list += (i > 0 ? ", " : "") + quoted(labels[i]);
     data_list += (i > 0 ? ", " : "") + quoted(data[i].string());
   }
-  return fmt::format(
-      "set encoding utf8\nset termoption noenhanced\ncount = {}\narray labels[count] = [{}]\n"
-      "array data[count] = [{}]\nout = {}\next = {}\ndraw = {}\nload {}\n",
-      labels.size(), labels_list, data_list, quoted(out.string()), quoted(extension),
-      quoted((layout.labs() / "common" / "draw.gp").string()),
-      quoted((layout.labs() / lab.folder / "plots.gp").string()));
+  return beginning(layout, out, extension) +
+         fmt::format("count = {}\narray labels[count] = [{}]\narray data[count] = [{}]\nload {}\n",
+                     labels.size(), labels_list, data_list,
+                     quoted((layout.labs() / lab.folder / "plots.gp").string()));
+}
+
+bool gnuplot_is_there(Plots& plots) {
+  if (run_process({"gnuplot", "--version"}).exit_code == 0) return true;
+  plots.remarks.push_back("no plots: gnuplot is not installed (./lab setup)");
+  return false;
+}
+
+/// Draws with `script(extension)`, which is kept beside `name`, once for SVG and once for PNG.
+template <class Script>
+void draw(Plots& plots, const fs::path& name, Script script) {
+  for (const std::string extension : {"svg", "png"}) {
+    const fs::path file = name.string() + "." + extension + ".gp";
+    write_text(file, script(extension));
+    const ProcessResult drawn = run_process({"gnuplot", file.string()}, {.wall_seconds = 120});
+    if (!drawn.succeeded()) plots.remarks.push_back("gnuplot failed: " + printable(drawn.errors));
+  }
+}
+
+void collect(Plots& plots, const fs::path& place, const std::string& start) {
+  for (const auto& entry : fs::directory_iterator(place)) {
+    if (entry.path().filename().string().starts_with(start)) plots.pictures.push_back(entry.path());
+  }
+  std::sort(plots.pictures.begin(), plots.pictures.end());
 }
 
 }  // namespace
@@ -56,10 +86,7 @@ std::string script_of(const Layout& layout, const Lab& lab, const std::vector<st
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder) {
   Plots plots;
-  if (run_process({"gnuplot", "--version"}).exit_code != 0) {
-    plots.remarks.push_back("no plots: gnuplot is not installed (./lab setup)");
-    return plots;
-  }
+  if (!gnuplot_is_there(plots)) return plots;
   const fs::path place = layout.build / "plots" / folder;
   std::vector<std::string> labels;
   std::vector<fs::path> data;
@@ -78,21 +105,40 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
     }
   }
   if (labels.empty()) return plots;
-  for (const std::string extension : {"svg", "png"}) {
-    const fs::path script = place / "data" / fmt::format("{}.{}.gp", lab.name, extension);
-    write_text(script, script_of(layout, lab, labels, data, place / lab.name, extension));
-    const ProcessResult drawn = run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
-    if (!drawn.succeeded()) {
-      plots.remarks.push_back("gnuplot failed: " + printable(drawn.errors));
-      continue;
+  draw(plots, place / "data" / lab.name, [&](const std::string& extension) {
+    return script_of(layout, lab, labels, data, place / lab.name, extension);
+  });
+  collect(plots, place, lab.name + "-");
+  return plots;
+}
+
+Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place) {
+  Plots plots;
+  if (!gnuplot_is_there(plots)) return plots;
+  // Blocks that gnuplot finds by their names: n, microseconds, RMSE and its standard error.
+  std::string curves, variances;
+  for (const Curve& curve : curves_of(bench)) {
+    curves += fmt::format("# {}|{}|{}\n", curve.submission, curve.what, curve.on);
+    for (const auto& point : curve.points) {
+      curves +=
+          fmt::format("{}\t{}\t{}\t{}\n", point.n, 1e6 * point.seconds(), point.rmse, point.error);
     }
+    curves += "\n\n";
   }
-  for (const auto& entry : fs::directory_iterator(place)) {
-    if (entry.path().filename().string().starts_with(lab.name + "-")) {
-      plots.pictures.push_back(entry.path());
-    }
+  for (const BenchRow& row : bench.of("digits")) {
+    const auto time = time_of(bench, row.submission, row.what, "in cache", 1, 4096);
+    if (row.on != "1e9 + U(0, 1)" || !time) continue;
+    variances += fmt::format("{}\t{}\t{}, {}\n", time->value, row.value, row.what,
+                             row.submission == "solutions" ? "the solution" : row.submission);
   }
-  std::sort(plots.pictures.begin(), plots.pictures.end());
+  write_text(place / "curves.tsv", curves);
+  write_text(place / "variances.tsv", variances);
+  draw(plots, place / "plots", [&](const std::string& extension) {
+    return beginning(layout, place / "bench", extension) +
+           fmt::format("data = {}\nload {}\n", quoted(place.string()),
+                       quoted((layout.root / "autograder" / "bench" / "plots.gp").string()));
+  });
+  collect(plots, place, "bench-");
   return plots;
 }
 

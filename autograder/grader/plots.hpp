@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/bench.hpp"
 #include "grader/labs.hpp"
 #include "grader/layout.hpp"
 #include "grader/submission.hpp"
@@ -20,5 +21,8 @@ struct Plots {
 /// gnuplot: no pictures, and a remark.
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder);
+
+/// The pictures of the bench, into `place`.
+Plots draw_bench(const Layout& layout, const Bench& bench, const std::filesystem::path& place);
 
 }  // namespace mc::grader
