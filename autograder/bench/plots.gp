@@ -9,7 +9,7 @@ array called[6] = ["independent", "jittered", "multi-jittered; Latin hypercube",
 array many[6] = ["independent", "jittered, padded", "Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 # The libraries' lines have the colour of the sampler that they are to be compared with.
 array peer[4] = ["std|independent", "gsl|Halton, shifted", "gsl|Sobol', shifted", "boost|Sobol', shifted"]
-array peers[4] = ["std: mt19937_64", "GSL: Halton, shifted", "GSL: Sobol', shifted", "Boost: Sobol', shifted"]
+array peers[4] = ["std: independent", "GSL: Halton, shifted", "GSL: Sobol', shifted", "Boost: Sobol', shifted"]
 array peercolour[4] = ["#D55E00", "#000000", "#E69F00", "#E69F00"]
 array peerdash[4] = [3, 3, 3, 4]
 curves = data."/curves.tsv"
@@ -45,15 +45,20 @@ do for [axis in "samples time"] {
 }
 
 # Variance: time against digits -------------------------------------------------------------------
+array who[4] = ["solutions", "std", "gsl", "boost"]
+array is_called[4] = ["the solution", "std", "GSL", "Boost"]
+array above[4] = [1, -1, 1, -1]
 name = "variance"; width = 900; height = 560
 load draw
 set title "Variance of 4096 values from 1e9 to 1e9 + 1, in cache"
 set logscale x
-set xrange [0.1:100]
-set yrange [-1:18]
+set xrange [0.1:50]
+set yrange [-1.5:17.5]
+set ytics 0,2,16
 set xlabel "ns a value (less is better)"
 set ylabel "decimal digits that are right (more is better)"
-unset key
+set key at graph 0.02,0.55 left Left reverse
+set label "1.2 textbook\n1.3 two passes\n1.4 Welford\n1.5 merged parts\n1.8 moments" at graph 0.03,0.3
 set datafile separator "\t"
-plot data."/variances.tsv" using 1:2 with points ls 2 ps 1.5, \
-     data."/variances.tsv" using 1:2:3 with labels left offset 1,0
+plot for [i=1:4] data."/variances.tsv" index who[i] using 1:2 with points ls i ps 1.8 title is_called[i], \
+     for [i=1:4] data."/variances.tsv" index who[i] using 1:2:3 with labels offset 0,above[i] notitle

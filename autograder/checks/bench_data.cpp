@@ -110,9 +110,14 @@ std::optional<double> seconds_once(const Rounds& run) {
         std::ceil(static_cast<double>(rounds) * std::max(1.0, wanted / *took)));
     break;
   }
-  const auto one = run(rounds), two = run(2 * rounds);
-  if (!one || !two || *two <= *one) return {};
-  return (*two - *one) / static_cast<double>(rounds);
+  // What it takes before the first round may be more than that (values to be made, memory to be
+  // had): its noise must not be taken for a round.
+  for (int attempt = 0;; ++attempt, rounds *= 4) {
+    const auto one = run(rounds), two = run(2 * rounds);
+    if (!one || !two) return {};
+    if (*two - *one > 0.25 * *one) return (*two - *one) / static_cast<double>(rounds);
+    if (attempt == 3) return {};
+  }
 }
 
 std::vector<std::uint64_t> bench_sizes(const BenchSampler& sampler, std::uint64_t dims) {
@@ -168,8 +173,9 @@ void bench_times(const std::vector<BenchSampler>& samplers) {
 }
 
 void bench_growth(const std::string& what, std::uint64_t dims, std::uint64_t most,
-                  const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds) {
-  for (std::uint64_t n = 1000; n <= most; n *= 10) {
+                  const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds,
+                  std::uint64_t least, std::uint64_t factor) {
+  for (std::uint64_t n = least; n <= most; n *= factor) {
     std::size_t memory = 0;
     const auto round = seconds_once([&](std::uint64_t times) -> std::optional<double> {
       const auto used = rounds(n, times);

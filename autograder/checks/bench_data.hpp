@@ -80,13 +80,14 @@ void bench_errors_of_sets(const std::string& what, std::span<const std::uint64_t
 void bench_times(const std::vector<BenchSampler>& samplers);
 
 /// Rows of kind growth and memory: of `rounds(n, R)`, the CPU time and the peak memory of R calls
-/// with n, for n = 1e3, 1e4, … `most`.
+/// with n, for n = `least`, 10 `least`, … `most` (or another factor).
 struct Used {
   double seconds;
   std::size_t memory;
 };
 void bench_growth(const std::string& what, std::uint64_t dims, std::uint64_t most,
-                  const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds);
+                  const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds,
+                  std::uint64_t least = 1000, std::uint64_t factor = 10);
 
 /// Rows of kind growth over 1, 2, 4, … 32 dimensions, 4,096 points each.
 void bench_growth_of_dims(const BenchSampler& sampler);

@@ -58,12 +58,16 @@ TEST_CASE("bench time", "[.bench-time]") {
   bench_times(samplers());
 }
 TEST_CASE("bench growth", "[.bench-growth]") {
-  for (const auto& [name, task, most] :
-       {std::tuple{"best candidate", 2u, 10'000u}, {"Poisson disk", 3u, 1'000'000u}}) {
-    bench_growth(name, 2, most, [task = task](std::uint64_t n, std::uint64_t rounds) {
-      return used_by(TRY_MEASURE_WITH(large, repeat, task, n, rounds));
-    });
-  }
+  const auto grow = [](const char* name, unsigned task, std::uint64_t most) {
+    bench_growth(
+        name, 2, most,
+        [=](std::uint64_t n, std::uint64_t rounds) {
+          return used_by(TRY_MEASURE_WITH(large, repeat, task, n, rounds));
+        },
+        256, 4);
+  };
+  grow("best candidate", 2, 4096);
+  grow("Poisson disk", 3, 65536);
 }
 
 }  // namespace

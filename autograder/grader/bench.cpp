@@ -118,7 +118,13 @@ std::vector<Curve> curves_of(const Bench& bench) {
              curve.on == row.on;
     });
     if (found == curves.end()) {
-      curves.push_back({row.lab, row.submission, row.what, row.on, row.dims, {}});
+      curves.push_back({row.lab,
+                        row.submission,
+                        row.what,
+                        row.on,
+                        row.dims,
+                        variance.contains(row.on) ? variance[row.on] : nan,
+                        {}});
       found = curves.end() - 1;
     }
     found->points.push_back({static_cast<double>(row.n), row.value, row.error, nan,
@@ -140,10 +146,8 @@ std::vector<Curve> curves_of(const Bench& bench) {
       // The reference's independent points; their variance is known.
       double other = sample_time("solutions", "independent", curve.dims, point.n);
       if (std::isnan(other)) other = sample_time("std", "independent", curve.dims, point.n);
-      if (variance.contains(curve.on)) {
-        point.efficiency = variance[curve.on] * (other + point.integrand) /
-                           (point.rmse * point.rmse * point.n * (point.sample + point.integrand));
-      }
+      point.efficiency = curve.variance * (other + point.integrand) /
+                         (point.rmse * point.rmse * point.n * (point.sample + point.integrand));
     }
   }
   return curves;
@@ -154,12 +158,16 @@ std::optional<Reached> time_to(const Curve& curve, double target) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(points[i].rmse <= target)) continue;
     if (!(points[i].seconds() > 0)) return {};  // nobody measured its time
-    if (i == 0) return Reached{points[0].seconds(), true};
-    const auto &before = points[i - 1], &after = points[i];
+    if (i == 0) return Reached{points[0].seconds(), Reached::or_less};
+    const auto& before = points[i - 1];
+    const auto& after = points[i];
     const double part = std::log(before.rmse / target) / std::log(before.rmse / after.rmse);
-    return Reached{before.seconds() * std::pow(after.seconds() / before.seconds(), part), false};
+    return Reached{before.seconds() * std::pow(after.seconds() / before.seconds(), part),
+                   Reached::between};
   }
-  return {};
+  if (curve.what != "independent" || points.empty() || !(points.back().seconds() > 0)) return {};
+  const double n = curve.variance / (target * target);
+  return Reached{n * points.back().seconds() / points.back().n, Reached::by_law};
 }
 
 std::optional<Exponent> exponent_of(const std::vector<std::pair<double, double>>& points) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -55,6 +56,7 @@ struct Bench {
 struct Curve {
   std::string lab, submission, what, on;
   std::uint64_t dims = 0;
+  double variance = std::numeric_limits<double>::quiet_NaN();  ///< of the integrand's values
   struct Point {
     double n = 0, rmse = 0, error = 0;  ///< standard error of the RMSE
     double sample = 0, integrand = 0;   ///< nanoseconds each
@@ -65,13 +67,16 @@ struct Curve {
 };
 std::vector<Curve> curves_of(const Bench& bench);
 
-/// Seconds until the error is `target`, between the two sizes where it falls below it (a line in the
-/// logarithms). Where the first size is good enough already, that one's, and `or_less`. Nothing
-/// where no size is.
+/// Seconds until the error is `target`.
 struct Reached {
   double seconds = 0;
-  bool or_less = false;
+  enum {
+    between,  ///< two sizes: interpolated, by a line in the logarithms
+    or_less,  ///< the first size is good enough
+    by_law  ///< no size is, but of independent points one knows how many it takes: variance/target^2
+  } how = between;
 };
+/// Nothing where no size is good enough.
 std::optional<Reached> time_to(const Curve& curve, double target);
 
 /// The slope of log(value) over log(size), by least squares, and its standard error.

@@ -147,7 +147,8 @@ double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::ui
   if (task != 3 && task != 5 && task != 8 && task != 9)
     throw std::out_of_range("task: 3, 5, 8 or 9");
   if (dims == 0 || dims > 4096) throw std::out_of_range("dims: 1 to 4096");
-  const std::uint64_t block = std::min<std::uint64_t>(n, std::bit_floor(4096 / dims));
+  const std::uint64_t block =
+      std::min<std::uint64_t>(n, std::max<std::uint64_t>(1024, std::bit_floor(4096 / dims)));
   PointSet points(block, dims), rest(n % block, dims);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     const std::uint64_t seed = round * dims;
