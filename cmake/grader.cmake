@@ -42,6 +42,7 @@ add_library(grading STATIC
   autograder/grader/report_files.cpp
   autograder/grader/report_terminal.cpp
   autograder/grader/segments.cpp
+  autograder/grader/speed.cpp
   autograder/grader/standing.cpp
   autograder/grader/submission.cpp
   autograder/grader/verb_bench.cpp

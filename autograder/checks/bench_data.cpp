@@ -86,6 +86,23 @@ void bench_errors_at(const BenchSampler& sampler, std::uint64_t dims, std::uint6
   errors.write(sampler.name);
 }
 
+bool is_asked_for(const std::string& task) {
+  const char* tasks = std::getenv("MC_SPEED_TASKS");
+  return tasks != nullptr && fmt::format(" {} ", tasks).find(' ' + task + ' ') != std::string::npos;
+}
+
+/// So many rounds that they take about `wanted` seconds, the start of the program included.
+std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted) {
+  constexpr double enough = 0.004;
+  for (std::uint64_t rounds = 1;; rounds *= 4) {
+    const auto took = run(rounds);
+    if (!took) return {};
+    if (*took < enough) continue;
+    return static_cast<std::uint64_t>(
+        std::ceil(static_cast<double>(rounds) * std::max(1.0, wanted / *took)));
+  }
+}
+
 }  // namespace
 
 void bench_row(const BenchRow& row) {
@@ -100,16 +117,9 @@ void bench_row(const BenchRow& row) {
 }
 
 std::optional<double> seconds_once(const Rounds& run) {
-  constexpr double enough = 0.004, wanted = 0.025;
-  std::uint64_t rounds = 1;
-  for (;; rounds *= 4) {
-    const auto took = run(rounds);
-    if (!took) return {};
-    if (*took < enough) continue;
-    rounds = static_cast<std::uint64_t>(
-        std::ceil(static_cast<double>(rounds) * std::max(1.0, wanted / *took)));
-    break;
-  }
+  const auto enough = rounds_of(run, 0.025);
+  if (!enough) return {};
+  std::uint64_t rounds = *enough;
   // What it takes before the first round may be more than that (values to be made, memory to be
   // had): its noise must not be taken for a round.
   for (int attempt = 0;; ++attempt, rounds *= 4) {
@@ -118,6 +128,40 @@ std::optional<double> seconds_once(const Rounds& run) {
     if (*two - *one > 0.25 * *one) return (*two - *one) / static_cast<double>(rounds);
     if (attempt == 3) return {};
   }
+}
+
+void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
+                 const Rounds& rounds) {
+  if (!is_asked_for(task)) return;
+  const auto count = rounds_of(rounds, 0.012);
+  if (!count) return;
+  // The best of three on either side: what else the machine does can only add to them, and the
+  // reference may have been measured at another time.
+  double one = std::numeric_limits<double>::infinity(), two = one;
+  for (int i = 0; i < 3; ++i) {
+    const auto once = rounds(*count), twice = rounds(2 * *count);
+    if (!once || !twice) return;
+    one = std::min(one, *once);
+    two = std::min(two, *twice);
+  }
+  const double nanoseconds = (two - one) * 1e9 / static_cast<double>(*count * values);
+  if (nanoseconds > 0) bench_row({"speed", task + ' ' + name, "", 0, values, nanoseconds});
+}
+
+void bench_speed_error(const std::string& task, const std::string& name,
+                       const BenchSampler& sampler, std::uint64_t n) {
+  if (!is_asked_for(task)) return;
+  constexpr std::uint64_t sets = 64;
+  const auto got = sampler.points(n, 2, sets, 1);
+  if (!got || got->values.size() != sets * n * 2) return;
+  Errors errors;
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    const std::span<const double> values = std::span(got->values).subspan(set * n * 2, n * 2);
+    const std::array columns{values.first(n), values.last(n)};
+    errors.add(mean_over(*integrands_of(2).front(), columns) - 1);
+  }
+  bench_row({"speed error", task + ' ' + name, "exp(x + y)", 2, n, errors.rmse(),
+             errors.standard_error()});
 }
 
 std::vector<std::uint64_t> bench_sizes(const BenchSampler& sampler, std::uint64_t dims) {

@@ -17,7 +17,8 @@
 //   digits     an algorithm, data: decimal digits of its result that are right
 //   growth     an algorithm, "n" or "dims": seconds a call
 //   memory     an algorithm: bytes, at their most
-//   speed      a speed task: nanoseconds a value, for check and grade
+//   speed        for check and grade, [.speed], a speed task ("1.8 moments"): nanoseconds a value
+//   speed error  and the error of its points, on an integrand, if it makes any
 
 #include <functional>
 #include <string>
@@ -43,6 +44,11 @@ using Rounds = std::function<std::optional<double>(std::uint64_t)>;
 /// Seconds a round, seen from outside: the CPU time of 2R rounds less that of R, R so large that
 /// this is about 25 ms. One such difference: ./lab bench comes back for more of them.
 std::optional<double> seconds_once(const Rounds& run);
+
+/// Rows of kind speed, if `task` is one that MC_SPEED_TASKS names (the grader does: those that
+/// passed): `rounds` makes `values` numbers or points each time. A seventh of a second.
+void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
+                 const Rounds& rounds);
 
 /// Columns of one point set after another; nothing where the task is not written.
 struct PointSets {
@@ -88,6 +94,10 @@ struct Used {
 void bench_growth(const std::string& what, std::uint64_t dims, std::uint64_t most,
                   const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds,
                   std::uint64_t least = 1000, std::uint64_t factor = 10);
+
+/// A row of kind speed error: of n points of the plane, integrating exp(x + y).
+void bench_speed_error(const std::string& task, const std::string& name,
+                       const BenchSampler& sampler, std::uint64_t n);
 
 /// Rows of kind growth over 1, 2, 4, … 32 dimensions, 4,096 points each.
 void bench_growth_of_dims(const BenchSampler& sampler);

@@ -70,5 +70,14 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   grow("Poisson disk", 3, 65536);
 }
 
+TEST_CASE("speed of blue noise", "[.speed]") {
+  const BenchSampler candidates = samplers()[0], discs = samplers()[1];
+  bench_speed("4.7", "best candidates", 256,
+              [&](std::uint64_t rounds) { return candidates.rounds(256, 2, rounds); });
+  bench_speed_error("4.7", "best candidates", candidates, 256);
+  bench_speed("4.7", "Poisson disks", 1024,
+              [&](std::uint64_t rounds) { return discs.rounds(1024, 2, rounds); });
+}
+
 }  // namespace
 }  // namespace mc::checks

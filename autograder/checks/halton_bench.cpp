@@ -118,5 +118,17 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   }
 }
 
+TEST_CASE("speed of sequences", "[.speed]") {
+  const auto column = [](unsigned task, unsigned of) {
+    return [=](std::uint64_t rounds) {
+      return cpu_seconds_of(TRY_MEASURE(repeat, task, of, 4096, rounds));
+    };
+  };
+  bench_speed("5.2", "radical inverses in base 3", 4096, column(2, 3));
+  bench_speed("5.5", "Sobol' coordinates", 4096, column(5, 1));
+  bench_speed("5.8", "scrambled Sobol' coordinates", 4096, column(8, 1));
+  bench_speed_error("5.8", "scrambled Sobol' coordinates", sampler(8, ""), 1024);
+}
+
 }  // namespace
 }  // namespace mc::checks

@@ -69,5 +69,11 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   });
 }
 
+TEST_CASE("speed of uniforms", "[.speed]") {
+  bench_speed("2.8", "uniforms", 4096, [](std::uint64_t rounds) {
+    return cpu_seconds_of(TRY_MEASURE(repeat_source, 2, 4096, rounds));
+  });
+}
+
 }  // namespace
 }  // namespace mc::checks

@@ -101,5 +101,12 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   grow("multi-jittered", 7, 2, 10'000'000);
 }
 
+TEST_CASE("speed of jittered points", "[.speed]") {
+  const BenchSampler jittered = sampler(3, "jittered", {2});
+  bench_speed("3.9", "points of a jittered grid", 1024,
+              [&](std::uint64_t rounds) { return jittered.rounds(1024, 2, rounds); });
+  bench_speed_error("3.9", "points of a jittered grid", jittered, 1024);
+}
+
 }  // namespace
 }  // namespace mc::checks

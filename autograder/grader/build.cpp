@@ -88,7 +88,7 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
 }
 
 /// The standard headers that nearly every file includes, compiled once: this halves the time from
-/// saving to a verdict. Only GCC, and only for judging; without it everything is the same, slower.
+/// saving to a verdict. Only GCC; without it everything is the same, slower.
 std::vector<std::string> precompiled_header(const Layout& layout,
                                             const std::vector<std::string>& flags) {
   if (layout.is_clang) return {};
@@ -213,8 +213,7 @@ Object compile(const Unit& unit) {
   // The hash is only a name, and one can make texts to fit it: what counts is the whole key.
   if (is_kept(whole_key) && read_text(whole_key) == key && is_kept(object)) return {object, {}};
 
-  const auto header = unit.variant == Variant::judged ? precompiled_header(unit.layout, flags)
-                                                      : std::vector<std::string>{};
+  const auto header = precompiled_header(unit.layout, flags);
   flags.insert(flags.end(), includes.begin(), includes.end());
   const TemporaryDirectory scratch(unit.layout.build / "tmp");
   const fs::path& directory = scratch.path();
