@@ -177,7 +177,8 @@ TEST_CASE("an experiment by hand") {
 }
 
 TEST_CASE("a report fits a small terminal") {
-  LabVerdict verdict{{1, "variance", "1-variance", {}}, {}, "", {}, 0};
+  LabVerdict verdict;
+  verdict.lab = {1, "variance", "1-variance", {}};
   CheckResult failed;
   failed.check = {
       "1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5, false};
