@@ -18,12 +18,13 @@ constexpr int program_descriptor = 10;
 std::string script_of(const Layout& layout, const Lab& lab, const std::vector<std::string>& labels,
                       const std::vector<fs::path>& data, const fs::path& out,
                       const std::string& extension) {
-  return fmt::format("count = {}\n{}{}out = {}\next = {}\ndraw = {}\nload {}\n", labels.size(),
-                     gnuplot_array("labels", labels),
+  const fs::path here = layout.labs() / lab.folder;
+  return fmt::format("count = {}\n{}{}out = {}\next = {}\ndraw = {}\nhere = {}\nload {}\n",
+                     labels.size(), gnuplot_array("labels", labels),
                      gnuplot_array("data", std::vector<std::string>(data.begin(), data.end())),
                      gnuplot_string(out.string()), gnuplot_string(extension),
                      gnuplot_string((layout.labs() / "common" / "draw.gp").string()),
-                     gnuplot_string((layout.labs() / lab.folder / "plots.gp").string()));
+                     gnuplot_string(here.string()), gnuplot_string((here / "plots.gp").string()));
 }
 
 }  // namespace
