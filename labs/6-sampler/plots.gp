@@ -60,7 +60,7 @@ do for [s=1:count] {
   unset xlabel
   do for [i=1:3] {
     set title sprintf("%d samples", samples[i]).who(s)
-    set ylabel (i == 1 ? "ns a coordinate, of 4 (less is better)" : "") offset 2.5,0
+    set ylabel (i == 1 ? "ns a coordinate, of 4 (less is better)" : "") offset 0.7,0
     if (i == 1) { set key right top Left reverse samplen 1 } else { unset key }
     file = data[s]."/cost-".samples[i].".tsv"
     plot file using ($0+1):2 with boxes lc rgb "#E69F00" title "asking", \
