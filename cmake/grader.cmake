@@ -12,7 +12,10 @@ endif()
 # Checks: what every lab's share, then one program a lab.
 add_library(checking STATIC autograder/checks/measure.cpp autograder/checks/expect.cpp
   autograder/checks/distributions.cpp autograder/checks/statistics.cpp
-  autograder/checks/plot_data.cpp labs/runner/text.cpp)
+  autograder/checks/plot_data.cpp autograder/checks/bench_data.cpp autograder/checks/integrands.cpp
+  labs/runner/text.cpp)
+set_source_files_properties(autograder/checks/integrands.cpp PROPERTIES
+  COMPILE_OPTIONS "${PROGRAM_FLAGS}")  # its time is measured
 target_link_libraries(checking PUBLIC jail Catch2::Catch2WithMain)
 foreach(lab ${LABS})
   file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_*.cpp)
@@ -24,6 +27,9 @@ endforeach()
 
 add_library(grading STATIC
   autograder/grader/arguments.cpp
+  autograder/grader/bench.cpp
+  autograder/grader/bench_files.cpp
+  autograder/grader/bench_page.cpp
   autograder/grader/build.cpp
   autograder/grader/diagnostics.cpp
   autograder/grader/judge.cpp
@@ -36,8 +42,10 @@ add_library(grading STATIC
   autograder/grader/report_files.cpp
   autograder/grader/report_terminal.cpp
   autograder/grader/segments.cpp
+  autograder/grader/speed.cpp
   autograder/grader/standing.cpp
   autograder/grader/submission.cpp
+  autograder/grader/verb_bench.cpp
   autograder/grader/verb_judge.cpp
   autograder/grader/verb_render.cpp
   autograder/grader/verb_work.cpp

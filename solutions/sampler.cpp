@@ -4,6 +4,8 @@
 
 #include "sampler.hpp"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,11 +38,18 @@ void independent2(Use, std::span<double> x, std::span<double> y, Rng& rng) {
 
 // 6.2 ---------------------------------------------------------------------------------------------
 
-/// Both columns in the same random order, so that pairs stay together.
+/// Both columns in the same random order, so that pairs stay together: 3.4 for two at once.
 void shuffle_pairs(std::span<double> x, std::span<double> y, Rng& rng) {
-  Rng again = rng;
-  shuffle(x, rng);
-  shuffle(y, again);
+  std::array<double, 256> any;
+  for (std::size_t n = x.size(); n > 1;) {
+    const auto block = std::span(any).first(std::min(any.size(), n - 1));
+    uniforms(rng, block);
+    for (const double u : block) {
+      const auto last = static_cast<std::int64_t>(u * static_cast<double>(n--));
+      std::swap(x[n], x[static_cast<std::size_t>(last)]);
+      std::swap(y[n], y[static_cast<std::size_t>(last)]);
+    }
+  }
 }
 
 void stratified1(Use, std::span<double> x, Rng& rng) {

@@ -193,18 +193,24 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
-  std::vector<double> in_column(grid.ny), in_row(grid.nx);
-  for (auto* permutation : {&in_column, &in_row}) {
-    std::iota(permutation->begin(), permutation->end(), 0.0);
-    shuffle(*permutation, rng);
-  }
+  std::vector<double> in_column(grid.ny), in_row(grid.nx), row_begins(grid.ny);
+  std::iota(in_column.begin(), in_column.end(), 0.0);
+  std::iota(in_row.begin(), in_row.end(), 0.0);
+  for (std::size_t j = 0; j < grid.ny; ++j) row_begins[j] = static_cast<double>(j * grid.nx);
+  shuffle(in_column, rng);
+  shuffle(in_row, rng);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
-  for (std::size_t i = 0, k = 0; i < grid.nx; ++i) {
-    for (std::size_t j = 0; j < grid.ny; ++j, ++k) {
-      x[k] = all.place(static_cast<double>(i * grid.ny) + in_column[j], x[k]);
-      y[k] = all.place(static_cast<double>(j * grid.nx) + in_row[i], y[k]);
+  for (std::size_t i = 0; i < grid.nx; ++i) {  // column by column of cells
+    const auto column_x = x.subspan(i * grid.ny, grid.ny);
+    const auto column_y = y.subspan(i * grid.ny, grid.ny);
+    const auto begin = static_cast<double>(i * grid.ny);
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      column_x[j] = all.place(begin + in_column[j], column_x[j]);
+    }
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      column_y[j] = all.place(row_begins[j] + in_row[i], column_y[j]);
     }
   }
 }

@@ -13,9 +13,10 @@
 #include "checks/measure.hpp"
 
 /// A measurement that may be missing from a plot: empty where the task is not written, or fails.
-#define TRY_MEASURE(experiment, ...)                                            \
+#define TRY_MEASURE(experiment, ...) TRY_MEASURE_WITH({}, experiment __VA_OPT__(, ) __VA_ARGS__)
+#define TRY_MEASURE_WITH(limits, experiment, ...)                               \
   ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value_if_any( \
-      #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
+      #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
 
 namespace mc::checks {
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/bench.hpp"
 #include "grader/build.hpp"
 #include "grader/labs.hpp"
 #include "grader/layout.hpp"
@@ -22,6 +23,9 @@ struct Plots {
 /// gnuplot: no pictures, and a remark.
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder);
+
+/// The pictures of the bench, into `place`.
+Plots draw_bench(const Layout& layout, const Bench& bench, const std::filesystem::path& place);
 
 // What drawing is made of, for other pictures too (renders.hpp).
 

@@ -28,6 +28,7 @@ struct Verb {
   int (*run)(const House& house, const Arguments& arguments);
 };
 
+int bench(const House& house, const Arguments& arguments);
 int check(const House& house, const Arguments& arguments);
 int grade(const House& house, const Arguments& arguments);
 int plot(const House& house, const Arguments& arguments);
