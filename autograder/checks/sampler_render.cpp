@@ -12,12 +12,12 @@
 #include "checks/catch.hpp"
 #include "checks/known_scenes.hpp"
 #include "checks/plot_data.hpp"
+#include "checks/sampler_images.hpp"
 
 namespace mc::checks {
 namespace {
 
-// Two screen pixels each are a panel of the sheet.
-constexpr std::size_t width = 128, height = 96;
+constexpr std::size_t width = image_width, height = image_height;
 
 // Of a picture by hand: the slowest sampler may take its time.
 constexpr grader::Limits patient{.cpu_seconds = 20, .wall_seconds = 60};
@@ -87,40 +87,11 @@ Timed samples_in(const Wanted& what, double seconds, Timed one) {
   return best;
 }
 
-void write_image(const std::string& name, const std::vector<double>& pixels) {
-  auto file = plot_file(name);
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    file << pixels[i] << (i % width == width - 1 ? '\n' : '\t');
-  }
-}
-
-struct Errors {
-  double rmse = 0;
-  double large = 0;  ///< 95% of the pixels that are not exact are nearer than this
-};
-
-/// Draws, and writes picture and error.
 Errors draw_one(const Wanted& what, std::uint64_t spp, const std::vector<double>& exact,
                 const std::string& sheet) {
   const Image image =
       MEASURE_WITH(patient, render, what.kind, what.picture, width, height, spp, 1).value;
-  if (image.pixels.size() != exact.size()) throw std::runtime_error("an image of another size");
-  std::vector<double> error, distances;
-  double squares = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    error.push_back(image.pixels[i] - exact[i]);
-    squares += error[i] * error[i];
-    if (std::abs(error[i]) > 1e-9) distances.push_back(std::abs(error[i]));
-  }
-  write_image(what.kind + '-' + sheet + ".tsv", image.pixels);
-  write_image(what.kind + '-' + sheet + "-error.tsv", error);
-  Errors errors{std::sqrt(squares / static_cast<double>(exact.size()))};
-  if (!distances.empty()) {
-    const auto at = distances.begin() + static_cast<std::ptrdiff_t>(0.95 * distances.size());
-    std::nth_element(distances.begin(), at, distances.end());
-    errors.large = *at;
-  }
-  return errors;
+  return write_with_error(what.kind + '-' + sheet, image, exact);
 }
 
 TEST_CASE("render one picture", "[.render]") {

@@ -26,10 +26,12 @@ std::string beginning(const Layout& layout, const fs::path& out, const std::stri
 std::string script_of(const Layout& layout, const Lab& lab, const std::vector<std::string>& labels,
                       const std::vector<fs::path>& data, const fs::path& out,
                       const std::string& extension) {
+  const fs::path here = layout.labs() / lab.folder;
   return beginning(layout, out, extension) +
-         fmt::format("count = {}\n{}{}load {}\n", labels.size(), gnuplot_array("labels", labels),
+         fmt::format("count = {}\n{}{}here = {}\nload {}\n", labels.size(),
+                     gnuplot_array("labels", labels),
                      gnuplot_array("data", std::vector<std::string>(data.begin(), data.end())),
-                     gnuplot_string((layout.labs() / lab.folder / "plots.gp").string()));
+                     gnuplot_string(here.string()), gnuplot_string((here / "plots.gp").string()));
 }
 
 bool can_draw(Plots& plots) {
