@@ -188,7 +188,7 @@ TEST_CASE("a report fits a small terminal") {
   verdict.checks = {failed};
   Verdict whole;
   whole.submission = "starter";
-  const std::string report = report_lab(verdict, whole, {false, false, 48});
+  const std::string report = report_lab(verdict, whole, {false, 48});
   std::size_t column = 0, widest = 0;
   for (const char c : report) {
     if ((c & 0xc0) == 0x80) continue;
