@@ -457,10 +457,12 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     std::iota(row, row + base, 0u);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
   }
-  // Digits enough for every index are digits enough for 2^-64, so the zeros end there.
-  for (unsigned position = digits_of(last_index, base); position-- > used;) {
+  // As many digits as make 2^64: what is behind them is below 2^-64. (digits_of would divide for each.)
+  const auto all = static_cast<unsigned>(std::log(0x1p64) / std::log(base)) + 1;
+  const double weight = 1.0 / base;
+  for (unsigned position = all; position-- > used;) {
     Rng rng(key + position);
-    digits.zeros = (any_digit(0, base, rng) + digits.zeros) / base;
+    digits.zeros = (any_digit(0, base, rng) + digits.zeros) * weight;
   }
   fill(column, first, digits);
 }

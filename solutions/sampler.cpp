@@ -108,14 +108,14 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
                           {"halton", one_of<fill_halton>, two_of<fill_halton>},
                           {"sobol", one_of<fill_sobol>, two_of<fill_sobol>}};
 
-// 6.4 and 6.8 -------------------------------------------------------------------------------------
+// 6.4 ---------------------------------------------------------------------------------------------
 
-// A column is made whole when its use is first asked for, by the vectorised loops of labs 2 to 5.
-// After that a number costs its virtual call, one comparison and two loads: `ready_` says how many
-// uses there are columns for, and that it is none where there is no sample, so that both questions
-// are one. What happens rarely stands in functions of its own, or the compiler would have next()
-// save registers for it in every call. Columns keep their memory from one integration to the next:
-// a picture has one for each pixel.
+// 6.8 What a number costs: a column is made whole when its use is first asked for, by the vectorised
+// loops of labs 2 to 5. After that a number costs its virtual call, one comparison and two loads:
+// `ready_` says how many uses there are columns for, and that it is none where there is no sample, so
+// that both questions are one. What happens rarely stands in functions of its own, or the compiler
+// would have next() save registers for it in every call. Columns keep their memory from one
+// integration to the next: a picture has one for each pixel.
 
 class ColumnSampler final : public Sampler {
  public:

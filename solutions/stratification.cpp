@@ -96,18 +96,20 @@ void require_grid(std::span<const double> x, std::span<const double> y, Grid gri
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
   const Strata columns(grid.nx), rows(grid.ny);
+  std::size_t column = 0, row = 0;  // of the next cell: they come row by row
   for (std::size_t first = 0; first < x.size(); first += block_size) {
     const std::size_t end = std::min(first + block_size, x.size());
     uniforms(rng, x.subspan(first, end - first));
     uniforms(rng, y.subspan(first, end - first));
-    for (std::size_t k = first; k < end;) {  // row by row: cell k is (k % nx, k / nx)
-      const std::size_t column = k % grid.nx, row = k / grid.nx;
+    for (std::size_t k = first; k < end;) {
       const std::size_t size = std::min(grid.nx - column, end - k);
       move_into(columns, column, x.subspan(k, size));
       for (double& value : y.subspan(k, size)) {
         value = rows.place(static_cast<double>(row), value);
       }
       k += size;
+      column += size;
+      if (column == grid.nx) column = 0, ++row;
     }
   }
 }

@@ -406,17 +406,21 @@ std::uint64_t interval_of(double x, unsigned base, unsigned digits) {
   return static_cast<std::uint64_t>(std::floor(x * std::pow(base, digits) + 1e-11));
 }
 
-/// Is the column that of the Halton sequence in this base, its digits permuted? Then two points
-/// share their first k digits just where their indices share the last k.
+/// Is the column that of the Halton sequence in this base, from index 0, its digits permuted? Then
+/// the digit at each position is that of the index, exchanged: an equal one for equal ones, another
+/// one for others.
 bool is_permuted_halton(View x, unsigned base) {
   std::uint64_t power = 1;
-  for (unsigned digits = 1; digits == 1 || power < x.size(); ++digits) {
-    power *= base;
+  for (unsigned position = 1; position == 1 || power < x.size(); ++position, power *= base) {
+    std::vector<std::uint64_t> permuted(base, base), came_from(base, base);  // base: by none yet
     for (std::size_t i = 0; i < x.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const bool same = interval_of(x[i], base, digits) == interval_of(x[j], base, digits);
-        if (same != ((i - j) % power == 0)) return false;
+      const std::uint64_t from = i / power % base;
+      const std::uint64_t to = interval_of(x[i], base, position) % base;
+      if (permuted[from] == base && came_from[to] == base) {
+        permuted[from] = to;
+        came_from[to] = from;
       }
+      if (permuted[from] != to) return false;
     }
   }
   return true;
@@ -459,20 +463,23 @@ TEST_CASE("6.3 the uses of halton are Halton dimensions", "[6.3][points:5][needs
   Rng rng = check_rng();
   for (const Uses& uses : {repeated(10, {1, 2}), repeated(8, {2}), repeated(32, {1})}) {
     const Columns got = columns_of("halton", 61, fresh_seed(rng), uses);
-    expect_dimensions(got, "radical inverses in one prime after the other, digits permuted",
-                      "permuting digits keeps how many leading ones two points share",
-                      [](View x, unsigned d) { return is_permuted_halton(x, first_primes[d]); });
+    expect_dimensions(
+        got, "radical inverses in one prime after the other, digits permuted",
+        "a permutation for each position: points have equal digits where their indices have",
+        [](View x, unsigned d) { return is_permuted_halton(x, first_primes[d]); });
   }
 }
 
-TEST_CASE("6.3 each seed and each dimension is randomised anew",
-          "[6.3][points:4][needs:6.4][needs:5]") {
+TEST_CASE("6.3 each seed and each dimension is randomised anew", "[6.3][points:4][needs:5]") {
   Rng rng = check_rng();
   for (const std::string kind : {"halton", "sobol"}) {
     const std::size_t seeds = 800;
     const auto x = first_samples(kind, {1}, 8, fresh_seed(rng), seeds);
     const auto y = first_samples(kind, {1, 2}, 8, fresh_seed(rng), seeds);
-    const std::string plain = "a sequence as it is has the origin for its first point";
+    const bool is_plain = *std::max_element(x.x.begin(), x.x.end()) == 0;
+    const std::string plain = is_plain
+                                  ? "a sequence as it is has the origin for its first point"
+                                  : "does the seed of generate() decide about every dimension?";
     expect_uniform(x.call, x.x, "the first sample is uniform over seeds", plain);
     expect_uniform(y.call + ": x", y.x, "the first sample is uniform over seeds", plain);
     expect_uniform(y.call + ": y", y.y, "the first sample is uniform over seeds", plain);
@@ -553,6 +560,26 @@ TEST_CASE("6.3 halton has any number of uses", "[6.3][points:2][needs:5]") {
               fmt::format("{}, one for each coordinate", got.size()),
               "53 bits are the same twice once in 1e12 runs",
               "the same dimension, with the same permutations, comes twice");
+  // The first bit of a coordinate says which half a sample is in. Base 2 twice in the same order
+  // gives the same halves, or has them exchanged; a random order of its own, or another prime, does
+  // not in 2^100 runs.
+  const auto halves = [&](std::size_t c, std::size_t other) {
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < got.n; ++i) same += (got[c][i] < 0.5) == (got[other][i] < 0.5);
+    return same;
+  };
+  for (std::size_t c = 32; c < got.size(); ++c) {
+    for (std::size_t other = 0; other < c; ++other) {
+      const std::size_t same = halves(c, other);
+      if (same != 0 && same != got.n) continue;
+      expect_that(false,
+                  fmt::format("{}: coordinates {} and {} are in {} half for all samples", got.call,
+                              other, c, same == 0 ? "the other" : "the same"),
+                  "coordinates that have nothing to do with each other",
+                  "one dimension twice in the same order is one number for two uses", hint);
+    }
+  }
+  pass();
 }
 
 // Sobol' points of 256 gain a factor of 50 and more over independent ones on a light, a hundred
@@ -681,7 +708,7 @@ void expect_same(const std::string& call, const std::map<std::array<std::size_t,
   pass();
 }
 
-TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
+TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4][needs:6.3]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
     const std::size_t n = 9;
@@ -690,8 +717,9 @@ TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
     std::vector<Step> steps = walk(n, seed, all);
     const std::size_t first_end = steps.size();
     // Something else in between, left in the middle of a sample.
-    for (const Step& step : walk(4, seed + 1, {{2, 1}, {1}})) steps.push_back(step);
-    steps.push_back({2, 0, 0});
+    std::vector<Step> between = walk(4, seed + 1, {{2, 1}, {1}});
+    between.push_back({2, 0, 0});
+    steps.insert(steps.end(), between.begin(), between.end());
     const std::size_t second = steps.size();
     for (const Step& step : walk(n, seed, all)) steps.push_back(step);
     const Played got = played(kind, steps);
@@ -699,6 +727,11 @@ TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
     const auto b = by_use(steps, got.answers, second, steps.size());
     expect_same(got.call, a, b, "generate() begins anew, whatever the object was used for before",
                 "what is left over from the integration before? Counters, columns, generators");
+    const Played alone = played(kind, between);
+    expect_same(got.call, by_use(between, alone.answers, 0, between.size()),
+                by_use(steps, got.answers, first_end, second),
+                "4 samples, in an object that has made 9 before, are those of a new object",
+                "what is left over from the integration before? Columns of another size?");
     const Played fresh = played(kind, walk(n, seed, all));
     expect_same(fresh.call, a, by_use(walk(n, seed, all), fresh.answers, 0, first_end),
                 "the same kind, seed and uses in another object",
@@ -732,6 +765,18 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]"
                 by_use(part, b.answers, 0, part.size()),
                 "what a sample is told does not depend on what others ask for",
                 "a sample that ends early must not hand its numbers to the next one");
+    // The other way round, uses are first asked for in the same order, but by later samples.
+    std::vector<Uses> growing;
+    for (std::size_t i = 0; i < n; ++i) {
+      growing.push_back(all);
+      growing.back().resize(std::min(i / 2, all.size()));
+    }
+    const auto late = walk(n, seed, growing);
+    const Played c = played(kind, late);
+    expect_same(c.call, by_use(full, a.answers, 0, full.size()),
+                by_use(late, c.answers, 0, late.size()),
+                "a use may be first asked for by a later sample: its number is the same",
+                "make a whole column, also for the samples before, and hand out this sample's");
   }
 }
 
@@ -757,10 +802,10 @@ TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:3]") {
   }
 }
 
-TEST_CASE("6.4 neighbouring seeds have nothing in common", "[6.4][points:3]") {
+TEST_CASE("6.4 neighbouring seeds have nothing in common", "[6.4][points:3][needs:6.3]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
-    const auto got = first_samples(kind, {1}, 4, fresh_seed(rng), 2 * 800);
+    const auto got = first_samples(kind, {1}, 1, fresh_seed(rng), 2 * 800);
     Values before, after;
     for (std::size_t i = 0; i < got.x.size(); i += 2) {
       before.push_back(got.x[i]);
@@ -770,6 +815,51 @@ TEST_CASE("6.4 neighbouring seeds have nothing in common", "[6.4][points:3]") {
                          "seeds s and s + 1 give unrelated numbers",
                          "mix the bits of the seed before they become a state or a counter");
   }
+  // Nor have other uses of other seeds, near or far. 1,274 numbers of 53 bits for each kind: two of
+  // them are the same once in 1e9 runs.
+  const Uses uses{1, 2, 1, 2, 1};
+  const std::size_t per_seed = 2 * uses.size();  // answers, in a walk of two samples
+  for (const std::string& kind : kinds) {
+    const std::uint64_t first = fresh_seed(rng);
+    Seeds seeds(32);
+    std::iota(seeds.begin(), seeds.end(), first);
+    for (unsigned bit = 5; bit < 64; ++bit) seeds.push_back(first + (std::uint64_t{1} << bit));
+    std::vector<Step> steps;
+    for (const std::uint64_t seed : seeds) {
+      for (const Step& step : walk(2, seed, {uses, uses})) steps.push_back(step);
+    }
+    const Played got = played(kind, steps);
+    struct Place {
+      std::uint64_t seed;
+      std::size_t answer;  // which of those with this seed
+      bool operator==(const Place&) const = default;
+    };
+    std::map<double, Place> places;
+    std::size_t asked = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (steps[i].call != 1 && steps[i].call != 2) continue;
+      const Place place{seeds[asked / per_seed], asked % per_seed};
+      ++asked;
+      Values numbers{got.answers[i].x};
+      if (steps[i].call == 2) numbers.push_back(got.answers[i].y);
+      for (const double x : numbers) {
+        const Place before = places.insert({x, place}).first->second;
+        if (before.seed == place.seed) continue;
+        expect_that(
+            false,
+            fmt::format("{}: {:.17g} with seed {} and with seed {}", got.call, x, before.seed,
+                        place.seed),
+            "another number", "different seeds, even neighbours, give unrelated numbers",
+            before.answer != place.answer
+                ? "seed + use is the same for (s, use + 1) and (s + 1, use), and so is seed + "
+                  "counter: hash them instead"
+            : place.seed - before.seed >= std::uint64_t{1} << 32
+                ? "was the seed cut to 32 bits?"
+                : "does this number depend on the seed at all?");
+      }
+    }
+  }
+  pass();
 }
 
 // 6.5 ---------------------------------------------------------------------------------------------
@@ -808,6 +898,16 @@ TEST_CASE("6.5 integrate walks through the samples once", "[6.5][points:2]") {
   expect_that(!got.value.seeds.empty() && got.value.seeds != other.value.seeds,
               fmt::format("{}: the same seed for generate() as with seed {}", got.call, seed + 1),
               "another one", "the seed decides about the samples", "hand it on to generate()");
+  const auto far = MEASURE(integrate_recorded, {1}, 1, seed + (std::uint64_t{1} << 40));
+  expect_that(far.value.seeds != got.value.seeds && far.value.seeds != other.value.seeds,
+              far.call + ": the same seed for generate() as without its upper half", "another one",
+              "seeds have 64 bits", "was the seed cut to 32 bits?");
+  const auto twice =
+      MEASURE(estimates, "independent", "rect_light", {}, 1, 0, n, {seed, seed + 1, seed});
+  expect_that(twice.value.size() == 3 && twice.value[0] == twice.value[2],
+              twice.call + ": another estimate when the first seed comes again", "the same",
+              "the seed decides, not what was integrated before",
+              "is there anything static, or a generator that goes on?");
   const Call none = MEASURE_OUTCOME(integrate_recorded, {}, 0, seed);
   expect_invalid_argument(none, "samples", "a mean of no samples is nothing");
 }
@@ -880,9 +980,8 @@ TEST_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") {
   const std::size_t width = 16, height = 12, spp = 2;
   const std::uint64_t seed = fresh_seed(rng);
   const auto one = MEASURE(render_recorded, width, height, spp, seed);
-  const auto next = MEASURE(render_recorded, width, height, spp, seed + 1);
   const auto again = MEASURE(render_recorded, width, height, spp, seed);
-  Seeds seeds = seeds_of_pixels(one.call, one.value, width * height, spp);
+  const Seeds seeds = seeds_of_pixels(one.call, one.value, width * height, spp);
   expect_that(seeds == again.value.seeds, one.call + ": other seeds for generate() the second time",
               "the same", "the same seed is the same picture", "");
   const std::size_t pixels = seeds.size();
@@ -891,12 +990,21 @@ TEST_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") {
                           std::set(seeds.begin(), seeds.end()).size(), pixels),
               "a seed for each pixel", "the same pattern in every pixel shows as a pattern",
               "hash the picture's seed with the pixel's number");
-  seeds.insert(seeds.end(), next.value.seeds.begin(), next.value.seeds.end());
-  expect_that(std::set(seeds.begin(), seeds.end()).size() == 2 * pixels,
-              fmt::format("{}, then with seed {}: {} different seeds for {} pixels", one.call,
-                          seed + 1, std::set(seeds.begin(), seeds.end()).size(), 2 * pixels),
-              "all different", "the next picture's noise must not be this one's, moved by a pixel",
-              "seed + pixel is the same for (s, p + 1) and (s + 1, p): hash them instead");
+  // Other pictures: the next, one as far away as neighbouring pixels are, one beyond 32 bits.
+  const auto far = std::uint64_t{1} << 40;
+  for (const std::uint64_t step :
+       {std::uint64_t{1}, seeds[1] - seeds[0], seeds[width] - seeds[0], far}) {
+    const auto other = MEASURE(render_recorded, width, height, spp, seed + step);
+    std::set all(seeds.begin(), seeds.end());
+    all.insert(other.value.seeds.begin(), other.value.seeds.end());
+    expect_that(all.size() == 2 * pixels,
+                fmt::format("{}, then with seed {}: {} different seeds for {} pixels", one.call,
+                            seed + step, all.size(), 2 * pixels),
+                "all different", "another picture's noise must not be this one's, moved by a pixel",
+                step == far
+                    ? "was the seed cut to 32 bits?"
+                    : "seed + pixel is the same for (s, p + 1) and (s + 1, p): hash them instead");
+  }
 }
 
 TEST_CASE("6.6 the noise of a picture is white across pixels", "[6.6][points:2][needs:6.4]") {
@@ -974,6 +1082,10 @@ TEST_CASE("6.7 the first next2 is blue noise", "[6.7][points:4][needs:4]") {
                           call, radius, sets),
               "more than 0.6; 0.667 on average for best candidates",
               "a fixed number of candidates lets the last points come close", "");
+  const auto firsts = first_samples("blue_noise", {2}, 4, fresh_seed(rng), 600);
+  const std::string anchored = "does every pattern begin at the same place?";
+  expect_uniform(firsts.call + ": x", firsts.x, "the first sample is uniform over seeds", anchored);
+  expect_uniform(firsts.call + ": y", firsts.y, "the first sample is uniform over seeds", anchored);
 }
 
 TEST_CASE("6.7 blue noise has exactly N points for any N", "[6.7][points:2][needs:4]") {

@@ -136,7 +136,7 @@ class BenchRun {
   /// All that can be measured of one lab; a remark for whom it cannot.
   void enter(const Lab& lab, const std::vector<Submission>& submissions) {
     for (const Submission& submission : submissions) {
-      if (!submission.files.contains(lab.name)) continue;
+      if (stop || !submission.files.contains(lab.name)) continue;
       const Built built = build_program(house_.layout, lab, submission, Variant::speed);
       if (built.program) {
         entrants_.push_back({lab, submission.label, *built.program});
@@ -157,6 +157,7 @@ class BenchRun {
     for (const Entrant& entrant : entrants_) {
       if (entrant.label == "solutions") growth.push_back(job(entrant, "growth", 0));
     }
+    if (entrants_.empty()) return;
     constexpr double workers = 2;
     for (const Job& one : errors) progress_.expect(name_of(one), workers);
     for (const Job& one : times) progress_.expect(name_of(one));

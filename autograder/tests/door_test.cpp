@@ -177,7 +177,8 @@ TEST_CASE("an experiment by hand") {
 }
 
 TEST_CASE("a report fits a small terminal") {
-  LabVerdict verdict{{1, "variance", "1-variance", {}}, {}, "", {}, 0};
+  LabVerdict verdict;
+  verdict.lab = {1, "variance", "1-variance", {}};
   CheckResult failed;
   failed.check = {
       "1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5, false};
@@ -187,7 +188,7 @@ TEST_CASE("a report fits a small terminal") {
   verdict.checks = {failed};
   Verdict whole;
   whole.submission = "starter";
-  const std::string report = report_lab(verdict, whole, {false, 48});
+  const std::string report = report_lab(verdict, whole, {false, false, 48});
   std::size_t column = 0, widest = 0;
   for (const char c : report) {
     if ((c & 0xc0) == 0x80) continue;

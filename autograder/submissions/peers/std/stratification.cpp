@@ -1,5 +1,4 @@
-// peer: the C++ standard library: a textbook's loops over std::mt19937_64 and
-// std::uniform_real_distribution, std::shuffle
+// peer: the C++ standard library: loops over std::mt19937_64 and uniform_real, std::shuffle
 #include "stratification.hpp"
 
 #include <algorithm>
