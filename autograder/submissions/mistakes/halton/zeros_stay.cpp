@@ -15,7 +15,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   require_base(base);
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
   require_indices(first, column.size(), last_index);
-  Digits digits{base, std::vector<unsigned>(std::size_t{positions_in(base)} * base)};
+  Digits digits{base, std::vector<unsigned>(std::size_t{digits_of(last_index, base)} * base)};
   Rng rng(seed ^ mix_bits(base));
   for (auto row = digits.permutations.begin(); row != digits.permutations.end(); row += base) {
     std::iota(row, row + base, 0u);
