@@ -709,6 +709,18 @@ void expect_same(const std::string& call, const std::map<std::array<std::size_t,
   pass();
 }
 
+/// Nothing can be said of numbers that are all the same, or of none.
+void expect_different(const std::string& call,
+                      const std::map<std::array<std::size_t, 3>, Point2>& values) {
+  std::set<double> different;
+  for (const auto& [use, point] : values) different.insert(point.x);
+  expect_that(different.size() == values.size(),
+              fmt::format("{}: {} different numbers", call, different.size()),
+              fmt::format("{}: one for each use of each sample", values.size()),
+              "53 random bits are the same twice once in 1e11 runs",
+              "does advance() move on, and next() to another use?");
+}
+
 TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4][needs:6.3]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
@@ -737,17 +749,11 @@ TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4][needs:6.3
                 by_use(steps, got.answers, first_end, second),
                 "4 samples, in an object that has made 9 before, are those of a new object",
                 "what is left over from the integration before? Columns of another size?");
-    std::set<double> different;
-    for (const auto& [use, point] : a) different.insert(point.x);
-    expect_that(different.size() == a.size(),
-                fmt::format("{}: {} different numbers", got.call, different.size()),
-                fmt::format("{}: one for each use of each sample", a.size()),
-                "53 random bits are the same twice once in 1e11 runs",
-                "does advance() move on, and next() to another use?");
+    expect_different(got.call, a);
   }
 }
 
-TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]") {
+TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4][needs:6.3]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
     const std::size_t n = 12;
@@ -762,6 +768,7 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]"
     some[3] = {};
     const auto full = walk(n, seed, std::vector<Uses>(n, all)), part = walk(n, seed, some);
     const Played a = played(kind, full), b = played(kind, part);
+    expect_different(a.call, by_use(full, a.answers, 0, full.size()));
     expect_same(b.call, by_use(full, a.answers, 0, full.size()),
                 by_use(part, b.answers, 0, part.size()),
                 "what a sample is told does not depend on what others ask for",
@@ -781,7 +788,7 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]"
   }
 }
 
-TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:3]") {
+TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:3][needs:6.3]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
     const std::size_t n = 12;
@@ -795,6 +802,7 @@ TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:3]") {
     }
     const auto plain = walk(n, seed, std::vector<Uses>(n, all)), other = walk(n, seed, mixed);
     const Played a = played(kind, plain), b = played(kind, other);
+    expect_different(a.call, by_use(plain, a.answers, 0, plain.size()));
     expect_same(b.call, by_use(plain, a.answers, 0, plain.size()),
                 by_use(other, b.answers, 0, other.size()),
                 "the k-th next() of a sample is the same use wherever next2() stands between",
@@ -1142,7 +1150,7 @@ TEST_CASE("6.8 many samples are right too", "[6.8][points:2][needs:6.2][needs:6.
   }
 }
 
-TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][points:2]") {
+TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][points:2][needs:6.3]") {
   // A column of so many samples is 512 MB, all that a program may have.
   const std::vector<Step> steps{
       {0, most_samples / 2, 1}, {3, 0, 0}, {3, 0, 0}, {0, 4, 1}, {1, 0, 0}, {2, 0, 0}};
@@ -1155,6 +1163,15 @@ TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][points:2]") {
                     i < 3 ? "numbers are made for uses, and there was none"
                           : "a column has as many numbers as there are samples now");
     }
+    const std::vector<Step> last(steps.end() - 3, steps.end());
+    const Played alone = played(kind, last);
+    expect_that(
+        got.answers[4].x == alone.answers[1].x && got.answers[5].x == alone.answers[2].x &&
+            got.answers[4].x != got.answers[5].x,
+        fmt::format("{}: {:.17g} and {:.17g} in the end", got.call, got.answers[4].x,
+                    got.answers[5].x),
+        fmt::format("{:.17g} and {:.17g}, two numbers", alone.answers[1].x, alone.answers[2].x),
+        "what was not asked for has no effect on what comes after", "");
   }
   pass();
 }
