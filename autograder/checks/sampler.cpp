@@ -709,9 +709,15 @@ void expect_same(const std::string& call, const std::map<std::array<std::size_t,
   pass();
 }
 
-/// Nothing can be said of numbers that are all the same, or of none.
-void expect_different(const std::string& call,
+bool is_sequence(const std::string& kind) {
+  return kind == "halton" || kind == "sobol";
+}
+
+/// Nothing can be said of numbers that are all the same, or of none. A sequence that is not
+/// randomised has many twice, but that is the business of 6.3.
+void expect_different(const std::string& kind, const std::string& call,
                       const std::map<std::array<std::size_t, 3>, Point2>& values) {
+  if (is_sequence(kind)) return;
   std::set<double> different;
   for (const auto& [use, point] : values) different.insert(point.x);
   expect_that(different.size() == values.size(),
@@ -721,7 +727,7 @@ void expect_different(const std::string& call,
               "does advance() move on, and next() to another use?");
 }
 
-TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4][needs:6.3]") {
+TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
     const std::size_t n = 9;
@@ -731,7 +737,7 @@ TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4][needs:6.3
     const std::size_t first_end = steps.size();
     // Something else in between, left in the middle of a sample.
     std::vector<Step> between = walk(4, seed + 1, {{2, 1}, {1}});
-    between.push_back({2, 0, 0});
+    for (const unsigned use : {2u, 1u, 1u}) between.push_back({use, 0, 0});
     steps.insert(steps.end(), between.begin(), between.end());
     const std::size_t second = steps.size();
     for (const Step& step : walk(n, seed, all)) steps.push_back(step);
@@ -749,11 +755,11 @@ TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4][needs:6.3
                 by_use(steps, got.answers, first_end, second),
                 "4 samples, in an object that has made 9 before, are those of a new object",
                 "what is left over from the integration before? Columns of another size?");
-    expect_different(got.call, a);
+    expect_different(kind, got.call, a);
   }
 }
 
-TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4][needs:6.3]") {
+TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
     const std::size_t n = 12;
@@ -768,7 +774,7 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4][
     some[3] = {};
     const auto full = walk(n, seed, std::vector<Uses>(n, all)), part = walk(n, seed, some);
     const Played a = played(kind, full), b = played(kind, part);
-    expect_different(a.call, by_use(full, a.answers, 0, full.size()));
+    expect_different(kind, a.call, by_use(full, a.answers, 0, full.size()));
     expect_same(b.call, by_use(full, a.answers, 0, full.size()),
                 by_use(part, b.answers, 0, part.size()),
                 "what a sample is told does not depend on what others ask for",
@@ -788,7 +794,7 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4][
   }
 }
 
-TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:3][needs:6.3]") {
+TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:3]") {
   Rng rng = check_rng();
   for (const std::string& kind : kinds) {
     const std::size_t n = 12;
@@ -802,7 +808,7 @@ TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:3][needs:6.3]") 
     }
     const auto plain = walk(n, seed, std::vector<Uses>(n, all)), other = walk(n, seed, mixed);
     const Played a = played(kind, plain), b = played(kind, other);
-    expect_different(a.call, by_use(plain, a.answers, 0, plain.size()));
+    expect_different(kind, a.call, by_use(plain, a.answers, 0, plain.size()));
     expect_same(b.call, by_use(plain, a.answers, 0, plain.size()),
                 by_use(other, b.answers, 0, other.size()),
                 "the k-th next() of a sample is the same use wherever next2() stands between",
@@ -1068,14 +1074,16 @@ TEST_CASE("6.6 pictures that cannot be are refused", "[6.6][points:2]") {
 TEST_CASE("6.7 the first next2 is blue noise", "[6.7][points:4][needs:4]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 256, sets = 40;
-  double low = 0, radius = 0;
+  double low = 0, low_later = 0, radius = 0;
   std::string call;
   for (std::size_t set = 0; set < sets; ++set) {
     // Asked for after something else: it is the first next2() all the same.
     const Columns got =
         columns_of("blue_noise", n, fresh_seed(rng), set % 2 == 0 ? Uses{2} : Uses{1, 2});
     const View x = got[got.size() - 2], y = got[got.size() - 1];
-    low += low_band(spectrum_of(x, y, 8), n) / sets;
+    const double of_set = low_band(spectrum_of(x, y, 8), n);
+    low += of_set / sets;
+    if (set % 2 != 0) low_later += of_set / (sets / 2);
     double least = 2;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -1087,14 +1095,16 @@ TEST_CASE("6.7 the first next2 is blue noise", "[6.7][points:4][needs:4]") {
     call = got.call;
   }
   // One set has a standard deviation of 0.0075: 34 of them, for forty, between 0.089 and 0.13.
-  expect_that(
-      low<0.13,
-          fmt::format("{} and others: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", call,
-                      low, sets),
-          "less than 0.13; 0.089 on average for best candidates",
-          "independent points have 1, jittered ones 0.33, ten candidates each 0.19", low> 0.25
-          ? "the first next2() is best_candidate of lab 4, with c = 1"
-          : "as blue as a fixed number of candidates");
+  const bool is_blue = low < 0.13;
+  const std::string hint = low_later > 0.25 && 2 * low - low_later < 0.13
+                               ? "blue noise also where a next() comes before it"
+                           : low > 0.25 ? "the first next2() is best_candidate of lab 4, with c = 1"
+                                        : "as blue as a fixed number of candidates";
+  expect_that(is_blue,
+              fmt::format("{} and others: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets",
+                          call, low, sets),
+              "less than 0.13; 0.089 on average for best candidates",
+              "independent points have 1, jittered ones 0.33, ten candidates each 0.19", hint);
   expect_that(radius > 0.6,
               fmt::format("{} and others: the closest two are {:.3f} of the densest pattern's "
                           "distance apart, mean of {} sets",
@@ -1150,7 +1160,7 @@ TEST_CASE("6.8 many samples are right too", "[6.8][points:2][needs:6.2][needs:6.
   }
 }
 
-TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][points:2][needs:6.3]") {
+TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][points:2]") {
   // A column of so many samples is 512 MB, all that a program may have.
   const std::vector<Step> steps{
       {0, most_samples / 2, 1}, {3, 0, 0}, {3, 0, 0}, {0, 4, 1}, {1, 0, 0}, {2, 0, 0}};
@@ -1167,7 +1177,7 @@ TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][points:2][nee
     const Played alone = played(kind, last);
     expect_that(
         got.answers[4].x == alone.answers[1].x && got.answers[5].x == alone.answers[2].x &&
-            got.answers[4].x != got.answers[5].x,
+            (is_sequence(kind) || got.answers[4].x != got.answers[5].x),
         fmt::format("{}: {:.17g} and {:.17g} in the end", got.call, got.answers[4].x,
                     got.answers[5].x),
         fmt::format("{:.17g} and {:.17g}, two numbers", alone.answers[1].x, alone.answers[2].x),
