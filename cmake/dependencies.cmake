@@ -22,5 +22,24 @@ find_package(Threads REQUIRED)
 find_library(SECCOMP_LIBRARY seccomp)
 find_path(SECCOMP_INCLUDE seccomp.h)
 
+# Libraries that the labs are compared with (autograder/submissions/peers), each as the flags that it is
+# linked with. Where one is missing, its comparison is.
+set(PEER_LAYOUT "peers.std=\n")
+if(CMAKE_SYSTEM_NAME STREQUAL Linux)  # programs are static there
+  find_library(GSL libgsl.a)
+  find_library(GSL_BLAS libgslcblas.a)
+else()
+  find_library(GSL gsl)
+  find_library(GSL_BLAS gslcblas)
+endif()
+find_path(GSL_INCLUDE gsl/gsl_qrng.h)
+if(GSL AND GSL_BLAS AND GSL_INCLUDE)
+  string(APPEND PEER_LAYOUT "peers.gsl=${GSL};${GSL_BLAS}\n")
+endif()
+find_path(BOOST_INCLUDE boost/random/sobol.hpp)
+if(BOOST_INCLUDE)
+  string(APPEND PEER_LAYOUT "peers.boost=\n")
+endif()
+
 # Programs that judge nothing: looked for when they are used.
 find_program(GIT git)

@@ -12,10 +12,13 @@ endif()
 # Checks: what every lab's share, then one program a lab.
 add_library(checking STATIC autograder/checks/measure.cpp autograder/checks/expect.cpp
   autograder/checks/distributions.cpp autograder/checks/statistics.cpp
-  autograder/checks/plot_data.cpp labs/runner/text.cpp)
+  autograder/checks/plot_data.cpp autograder/checks/bench_data.cpp autograder/checks/integrands.cpp
+  labs/runner/text.cpp)
+set_source_files_properties(autograder/checks/integrands.cpp PROPERTIES
+  COMPILE_OPTIONS "${PROGRAM_FLAGS}")  # its time is measured
 target_link_libraries(checking PUBLIC jail Catch2::Catch2WithMain)
 foreach(lab ${LABS})
-  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_plots.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_*.cpp)
   add_executable(checks_${lab} ${sources})
   target_include_directories(checks_${lab} PRIVATE ${LAB_INCLUDES})
   target_link_libraries(checks_${lab} PRIVATE checking)
@@ -24,6 +27,9 @@ endforeach()
 
 add_library(grading STATIC
   autograder/grader/arguments.cpp
+  autograder/grader/bench.cpp
+  autograder/grader/bench_files.cpp
+  autograder/grader/bench_page.cpp
   autograder/grader/build.cpp
   autograder/grader/diagnostics.cpp
   autograder/grader/judge.cpp
@@ -32,12 +38,16 @@ add_library(grading STATIC
   autograder/grader/plots.cpp
   autograder/grader/process.cpp
   autograder/grader/reading.cpp
+  autograder/grader/renders.cpp
   autograder/grader/report_files.cpp
   autograder/grader/report_terminal.cpp
   autograder/grader/segments.cpp
+  autograder/grader/speed.cpp
   autograder/grader/standing.cpp
   autograder/grader/submission.cpp
+  autograder/grader/verb_bench.cpp
   autograder/grader/verb_judge.cpp
+  autograder/grader/verb_render.cpp
   autograder/grader/verb_work.cpp
   autograder/grader/verdict.cpp
   labs/runner/text.cpp)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes again what documents show of real runs: the output in README.md, the pictures of the labs.
-# Run from anywhere; look at what changed with git diff.
+# (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from anywhere; look at what changed with git diff.
 set -eu
 cd "$(dirname "$0")/.."
 build=${MC_BUILD:-build}

@@ -4,6 +4,8 @@
 
 #include "sampler.hpp"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,11 +38,18 @@ void independent2(Use, std::span<double> x, std::span<double> y, Rng& rng) {
 
 // 6.2 ---------------------------------------------------------------------------------------------
 
-/// Both columns in the same random order, so that pairs stay together.
+/// Both columns in the same random order, so that pairs stay together: 3.4 for two at once.
 void shuffle_pairs(std::span<double> x, std::span<double> y, Rng& rng) {
-  Rng again = rng;
-  shuffle(x, rng);
-  shuffle(y, again);
+  std::array<double, 256> any;
+  for (std::size_t n = x.size(); n > 1;) {
+    const auto block = std::span(any).first(std::min(any.size(), n - 1));
+    uniforms(rng, block);
+    for (const double u : block) {
+      const auto last = static_cast<std::int64_t>(u * static_cast<double>(n--));
+      std::swap(x[n], x[static_cast<std::size_t>(last)]);
+      std::swap(y[n], y[static_cast<std::size_t>(last)]);
+    }
+  }
 }
 
 void stratified1(Use, std::span<double> x, Rng& rng) {
@@ -99,14 +108,14 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
                           {"halton", one_of<fill_halton>, two_of<fill_halton>},
                           {"sobol", one_of<fill_sobol>, two_of<fill_sobol>}};
 
-// 6.4 and 6.8 -------------------------------------------------------------------------------------
+// 6.4 ---------------------------------------------------------------------------------------------
 
-// A column is made whole when its use is first asked for, by the vectorised loops of labs 2 to 5.
-// After that a number costs its virtual call, one comparison and two loads: `ready_` says how many
-// uses there are columns for, and that it is none where there is no sample, so that both questions
-// are one. What happens rarely stands in functions of its own, or the compiler would have next()
-// save registers for it in every call. Columns keep their memory from one integration to the next:
-// a picture has one for each pixel.
+// 6.8 What a number costs: a column is made whole when its use is first asked for, by the vectorised
+// loops of labs 2 to 5. After that a number costs its virtual call, one comparison and two loads:
+// `ready_` says how many uses there are columns for, and that it is none where there is no sample, so
+// that both questions are one. What happens rarely stands in functions of its own, or the compiler
+// would have next() save registers for it in every call. Columns keep their memory from one
+// integration to the next: a picture has one for each pixel.
 
 class ColumnSampler final : public Sampler {
  public:

@@ -96,18 +96,20 @@ void require_grid(std::span<const double> x, std::span<const double> y, Grid gri
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
   const Strata columns(grid.nx), rows(grid.ny);
+  std::size_t column = 0, row = 0;  // of the next cell: they come row by row
   for (std::size_t first = 0; first < x.size(); first += block_size) {
     const std::size_t end = std::min(first + block_size, x.size());
     uniforms(rng, x.subspan(first, end - first));
     uniforms(rng, y.subspan(first, end - first));
-    for (std::size_t k = first; k < end;) {  // row by row: cell k is (k % nx, k / nx)
-      const std::size_t column = k % grid.nx, row = k / grid.nx;
+    for (std::size_t k = first; k < end;) {
       const std::size_t size = std::min(grid.nx - column, end - k);
       move_into(columns, column, x.subspan(k, size));
       for (double& value : y.subspan(k, size)) {
         value = rows.place(static_cast<double>(row), value);
       }
       k += size;
+      column += size;
+      if (column == grid.nx) column = 0, ++row;
     }
   }
 }
@@ -193,18 +195,24 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
-  std::vector<double> in_column(grid.ny), in_row(grid.nx);
-  for (auto* permutation : {&in_column, &in_row}) {
-    std::iota(permutation->begin(), permutation->end(), 0.0);
-    shuffle(*permutation, rng);
-  }
+  std::vector<double> in_column(grid.ny), in_row(grid.nx), row_begins(grid.ny);
+  std::iota(in_column.begin(), in_column.end(), 0.0);
+  std::iota(in_row.begin(), in_row.end(), 0.0);
+  for (std::size_t j = 0; j < grid.ny; ++j) row_begins[j] = static_cast<double>(j * grid.nx);
+  shuffle(in_column, rng);
+  shuffle(in_row, rng);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
-  for (std::size_t i = 0, k = 0; i < grid.nx; ++i) {
-    for (std::size_t j = 0; j < grid.ny; ++j, ++k) {
-      x[k] = all.place(static_cast<double>(i * grid.ny) + in_column[j], x[k]);
-      y[k] = all.place(static_cast<double>(j * grid.nx) + in_row[i], y[k]);
+  for (std::size_t i = 0; i < grid.nx; ++i) {  // column by column of cells
+    const auto column_x = x.subspan(i * grid.ny, grid.ny);
+    const auto column_y = y.subspan(i * grid.ny, grid.ny);
+    const auto begin = static_cast<double>(i * grid.ny);
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      column_x[j] = all.place(begin + in_column[j], column_x[j]);
+    }
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      column_y[j] = all.place(row_begins[j] + in_row[i], column_y[j]);
     }
   }
 }

@@ -8,9 +8,8 @@ namespace mc::checks {
 
 // Fresh parameters --------------------------------------------------------------------------------
 
-// Within what the scenes' comments allow, and so that the variance is worth measuring: an indicator
-// is 1 between about 0.05 and 0.95 of the time, a light's standard deviation is 3% of its mean at
-// least (scenes_test.cpp looks).
+// Within what the scenes' comments allow, and so that the variance is worth measuring: a standard
+// deviation of 5% of the mean at least, and a kurtosis below 30 (scenes_test.cpp looks).
 
 inline RectLight fresh_light(Rng& rng) {
   RectLight light;

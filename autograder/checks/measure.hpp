@@ -36,8 +36,9 @@ namespace mc::checks {
 template <class T>
 struct Measured {
   T value;
-  std::string call;        ///< "mean({1, 2, 4})"
-  double cpu_seconds = 0;  ///< of the whole program, seen from outside
+  std::string call;             ///< "mean({1, 2, 4})"
+  double cpu_seconds = 0;       ///< of the whole program, seen from outside
+  std::size_t peak_memory = 0;  ///< of the program, in bytes
 };
 
 struct Call {
@@ -129,7 +130,7 @@ struct Measure<Result(Parameters...)> {
       wire::Reader from(call.outcome.bytes);
       auto result = from.get<Result>();
       from.end();
-      return {std::move(result), call.text, call.outcome.cpu_seconds};
+      return {std::move(result), call.text, call.outcome.cpu_seconds, call.outcome.peak_memory};
     } catch (const wire::malformed&) {
       fail("measured  " + call.text + " sent something that is not a result");
     }

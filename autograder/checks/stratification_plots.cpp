@@ -195,7 +195,7 @@ TEST_CASE("plot time against error", "[.plot]") {
   plot_row(file, std::array<Maybe, 2>{textbook, error_of(3, plane, n, n)});
   for (const unsigned task : {0u, 3u, 4u, 5u, 6u, 7u}) {
     const auto time = nanoseconds([&](std::uint64_t rounds) -> Maybe {
-      const auto got = TRY_MEASURE(repeat, task, n, rounds);
+      const auto got = TRY_MEASURE(repeat, task, n, 2, rounds);
       if (!got) return {};
       return got->cpu_seconds;
     });

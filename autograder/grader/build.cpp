@@ -75,7 +75,7 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
     if (entry.path().extension() == ".hpp") files.insert(entry.path());
   }
   if (trusted) {
-    for (const fs::path& from : {layout.solutions(), layout.root / "autograder" / "submissions"}) {
+    for (const fs::path& from : {layout.solutions(), layout.submissions()}) {
       if (!fs::exists(from)) continue;
       for (const auto& entry : fs::recursive_directory_iterator(from)) {
         if (entry.is_regular_file()) files.insert(entry.path());
@@ -88,7 +88,7 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
 }
 
 /// The standard headers that nearly every file includes, compiled once: this halves the time from
-/// saving to a verdict. Only GCC, and only for judging; without it everything is the same, slower.
+/// saving to a verdict. Only GCC; without it everything is the same, slower.
 std::vector<std::string> precompiled_header(const Layout& layout,
                                             const std::vector<std::string>& flags) {
   if (layout.is_clang) return {};
@@ -213,8 +213,7 @@ Object compile(const Unit& unit) {
   // The hash is only a name, and one can make texts to fit it: what counts is the whole key.
   if (is_kept(whole_key) && read_text(whole_key) == key && is_kept(object)) return {object, {}};
 
-  const auto header = unit.variant == Variant::judged ? precompiled_header(unit.layout, flags)
-                                                      : std::vector<std::string>{};
+  const auto header = precompiled_header(unit.layout, flags);
   flags.insert(flags.end(), includes.begin(), includes.end());
   const TemporaryDirectory scratch(unit.layout.build / "tmp");
   const fs::path& directory = scratch.path();
@@ -319,7 +318,8 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   if (!failure.empty()) return {{}, failure};
 
   const auto& trusted_objects = layout.objects.at(lab.name);
-  std::string key = fmt::format("{}", fmt::join(layout.link_flags, " "));
+  std::string key =
+      fmt::format("{} {}", fmt::join(layout.link_flags, " "), fmt::join(submission.libraries, " "));
   for (const fs::path& object : objects) key += object.string();
   for (const fs::path& object : trusted_objects) {
     key += fmt::format("{} {}", object.string(),
@@ -339,6 +339,7 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());
   for (const fs::path& object : objects) command.push_back(object.string());
   for (const fs::path& object : trusted_objects) command.push_back(object.string());
+  command.insert(command.end(), submission.libraries.begin(), submission.libraries.end());
   command.insert(command.end(), {"-o", aside.string()});
   ProcessOptions limits = compiler_limits(scratch.path());
   const ProcessResult linked = run_process(command, limits);

@@ -223,6 +223,12 @@ Outcome interpret(const Watch& child, const Limits& limits) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
   outcome.cpu_seconds = seconds(child.used.ru_utime) + seconds(child.used.ru_stime);
+#ifdef __APPLE__
+  constexpr std::size_t unit = 1;
+#else
+  constexpr std::size_t unit = 1024;
+#endif
+  outcome.peak_memory = static_cast<std::size_t>(child.used.ru_maxrss) * unit;
 
   const std::string too_much_memory =
       fmt::format("wanted more than {} MB of memory", limits.memory >> 20);

@@ -27,6 +27,7 @@ struct Outcome {
   bool timed_out = false;
   std::string printed;     ///< what it wrote to standard output and standard error, made printable
   double cpu_seconds = 0;  ///< as the kernel counted it, from start to end
+  std::size_t peak_memory = 0;  ///< resident, in bytes; of the judge's own at least
 };
 
 /// A program on disk, opened (O_PATH where there is such a thing) so that what is judged is what

@@ -22,11 +22,14 @@ Layout read_layout() {
     if (key == "root") layout.root = value;
     if (key == "compiler") layout.compiler = value;
     if (key == "compiler_id") layout.is_clang = value.find("Clang") != std::string::npos;
-    if (key == "link_flags" || key.starts_with("objects.")) {
+    if (key.starts_with("peers.")) layout.peers[key.substr(6)];
+    if (key == "link_flags" || key.starts_with("objects.") || key.starts_with("peers.")) {
       for (const std::string_view part : text::split(value, ';')) {
         if (part.empty()) continue;
         if (key == "link_flags") {
           layout.link_flags.emplace_back(part);
+        } else if (key.starts_with("peers.")) {
+          layout.peers[key.substr(6)].emplace_back(part);
         } else {
           layout.objects[key.substr(8)].emplace_back(part);
         }

@@ -16,10 +16,12 @@ struct Layout {
   std::string version;                  ///< of the checkout: git describe, or "unknown"
   std::vector<std::string> link_flags;  ///< -static where programs are
   std::map<std::string, std::vector<std::filesystem::path>>
-      objects;  ///< lab name -> experiments, runner
+      objects;                                            ///< lab name -> experiments, runner
+  std::map<std::string, std::vector<std::string>> peers;  ///< installed library -> flags to link it
 
   std::filesystem::path labs() const { return root / "labs"; }
   std::filesystem::path solutions() const { return root / "solutions"; }
+  std::filesystem::path submissions() const { return root / "autograder" / "submissions"; }
   std::filesystem::path starter() const { return root / "starter"; }
   std::filesystem::path checks(const std::string& lab) const {
     return build / "bin" / ("checks_" + lab);

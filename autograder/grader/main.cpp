@@ -62,6 +62,29 @@ const std::vector<Verb>& verbs() {
        {},
        "starter/ without DIR; beside it the solutions, where the checkout has them.\n",
        plot},
+      {"render",
+       "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
+       "draw lab 6's pictures by every sampler, and their errors",
+       {"sampler=", "spp="},
+       "PICTURE is edge, penumbra, defocus, motion or stripes; all of them without it. Two sheets "
+       "each,\n"
+       "in build/render: with N samples a pixel (16), and with as many as a sampler makes in the "
+       "time of N\n"
+       "independent ones. DIR as in plot.\n"
+       "  --sampler KIND   only one of independent, stratified, blue_noise, halton, sobol\n",
+       render},
+      {"bench",
+       "bench [LAB...] [DIR...] [--rounds N] [--page FILE]",
+       "speed against error: the solutions, any submission, libraries",
+       {"rounds=", "page="},
+       "Every lab, unless some are named; the solutions and the libraries that are installed, and "
+       "each\n"
+       "DIR. Minutes, on an idle machine; what it has is kept if it is interrupted. Numbers and "
+       "pictures\n"
+       "go to build/bench/.\n"
+       "  --rounds N    time everything so often, in turn (5)\n"
+       "  --page FILE   write the page as well: docs/speed-against-error.md\n",
+       bench},
       {"reset",
        "reset LAB",
        "the starter of a lab again (your file is kept as a backup)",

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -134,6 +135,10 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
         kill(-pid, SIGKILL);
       }
       patience = left <= 0 ? -1 : static_cast<int>(left * 1000) + 1;
+    }
+    if (options.stop != nullptr) {
+      if (*options.stop) kill(-pid, SIGKILL);
+      patience = patience < 0 ? 200 : std::min(patience, 200);
     }
     if (poll(watched, 2, patience) < 0 && errno != EINTR) break;
     for (int i = 0; i < 2; ++i) {

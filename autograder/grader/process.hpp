@@ -1,6 +1,7 @@
 #pragma once
 // Runs a trusted program (a compiler, the checks, gnuplot) and waits for it.
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -18,6 +19,7 @@ struct ProcessOptions {
   std::size_t memory = 0;                     ///< address space
   std::size_t file_size = 0;                  ///< of each file that it writes
   std::size_t output = std::size_t{4} << 20;  ///< kept of what it says; the rest is thrown away
+  const std::atomic<bool>* stop = nullptr;    ///< ends it soon after this has become true
 };
 
 struct ProcessResult {

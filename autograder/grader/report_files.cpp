@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -22,6 +23,18 @@ std::string output_of(const CheckResult& result, const LabVerdict& lab) {
   return text;
 }
 
+nlohmann::ordered_json as_json(const Speed& speed) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  return {{"name", speed.name},
+          {"nanoseconds", speed.nanoseconds},
+          {"reference", number(speed.reference)},
+          {"error", number(speed.error)},
+          {"reference_error", number(speed.reference_error)},
+          {"points", speed.points}};
+}
+
 std::string quoted(const std::string& text) {
   std::string all = "\"";
   for (const char c : text) all += c == '"' ? "\"\"" : std::string(1, c);
@@ -31,11 +44,18 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::string report_json(const Verdict& verdict) {
-  nlohmann::ordered_json tests = nlohmann::ordered_json::array();
+  auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
   std::string output = jail_warning(verdict);
   for (const LabVerdict& lab : verdict.labs) {
     output += fmt::format("{}: {:g} of {:g} points\n", lab.lab.title(), lab.earned(), lab.points());
     if (!lab.no_program.empty()) output += lab.no_program + "\n";
+    output += report_speed(lab);
+    if (const auto times = lab.times_the_reference()) {
+      leaderboard.push_back(
+          {{"name", fmt::format("lab {}: speed, times the reference's", lab.lab.number)},
+           {"value", std::round(*times * 100) / 100}});
+    }
+    for (const Speed& one : lab.speed) speed.push_back(as_json(one));
     for (const CheckResult& result : lab.checks) {
       tests.push_back({{"name", result.check.name},
                        {"number", result.check.task},
@@ -58,7 +78,9 @@ std::string report_json(const Verdict& verdict) {
   all["extra_data"] = {{"seed", verdict.seed},
                        {"version", verdict.version},
                        {"flags", verdict.flags},
-                       {"jail_complete", verdict.jail_complete}};
+                       {"jail_complete", verdict.jail_complete},
+                       {"speed", std::move(speed)}};
+  if (!leaderboard.empty()) all["leaderboard"] = std::move(leaderboard);
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 

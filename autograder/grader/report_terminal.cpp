@@ -92,8 +92,9 @@ Terminal this_terminal() {
   Terminal terminal;
   const char* no_colour = std::getenv("NO_COLOR");
   const char* kind = std::getenv("TERM");
-  terminal.colour = isatty(STDOUT_FILENO) != 0 && (no_colour == nullptr || *no_colour == '\0') &&
-                    (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.interactive =
+      isatty(STDOUT_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.colour = terminal.interactive && (no_colour == nullptr || *no_colour == '\0');
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
     terminal.width = std::clamp<std::size_t>(size.ws_col, 40, 100);
@@ -154,6 +155,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     }
     all += passed ? "" : printed_lines(result.printed);
   }
+  if (!lab.speed.empty()) all += "\n" + report_speed(lab);
   all +=
       fmt::format("\n  {} points",
                   painted(terminal, bold, fmt::format("{:g} of {:g}", lab.earned(), lab.points())));
@@ -162,6 +164,30 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     all += fmt::format("; next: lab {}", lab.unfinished[0]);
   }
   return all + "\n" + jail_warning(verdict);
+}
+
+std::string report_speed(const LabVerdict& lab) {
+  std::string all;
+  const auto line = [&](const std::string& name, const std::string& value,
+                        const std::string& reference) {
+    all += fmt::format("  {:<36}{:>14}", name, value);
+    all += reference.empty() ? "\n" : fmt::format("   (the reference: {})\n", reference);
+  };
+  const auto nanoseconds = [](double value) {
+    return value < 1000 ? fmt::format("{:.3g} ns", value) : fmt::format("{:.0f} ns", value);
+  };
+  for (const Speed& one : lab.speed) {
+    line(one.name, nanoseconds(one.nanoseconds),
+         one.reference ? nanoseconds(*one.reference) : std::string());
+    if (!one.error) continue;
+    line(fmt::format("    error of {} on {}", one.points, one.integrand),
+         fmt::format("{:.2g}", *one.error),
+         one.reference_error ? fmt::format("{:.2g}", *one.reference_error) : std::string());
+  }
+  if (const auto times = lab.times_the_reference()) {
+    all += fmt::format("  {:.2f} times as fast as the reference; speed is not graded.\n", *times);
+  }
+  return all;
 }
 
 std::string report_summary(const std::vector<Verdict>& verdicts) {

@@ -1,5 +1,7 @@
 #include "grader/submission.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "grader/errors.hpp"
@@ -38,6 +40,31 @@ Submission single_file_submission(const Layout& layout, const std::vector<Lab>& 
   }
   submission.files[lab.name] = fs::canonical(file);
   return submission;
+}
+
+std::optional<Submission> peer_submission(const Layout& layout, const std::vector<Lab>& labs,
+                                          const Lab& lab, const std::string& library) {
+  const fs::path file = layout.submissions() / "peers" / library / lab.file();
+  if (!layout.peers.contains(library) || !fs::exists(file)) return {};
+  Submission peer = single_file_submission(layout, labs, lab, file, true);
+  for (const std::string& other : lab.stands_on) {  // its own, where it has one
+    const fs::path own = file.parent_path() / (other + ".cpp");
+    if (fs::exists(own)) peer.files[other] = own;
+  }
+  peer.label = library;
+  peer.libraries = layout.peers.at(library);
+  return peer;
+}
+
+std::vector<std::string> peer_libraries(const Layout& layout) {
+  std::vector<std::string> names;
+  const fs::path peers = layout.submissions() / "peers";
+  if (!fs::exists(peers)) return names;
+  for (const auto& entry : fs::directory_iterator(peers)) {
+    if (entry.is_directory()) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace mc::grader

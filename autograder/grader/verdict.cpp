@@ -1,6 +1,7 @@
 #include "grader/verdict.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mc::grader {
 
@@ -14,6 +15,17 @@ double LabVerdict::points() const {
   double total = 0;
   for (const auto& result : checks) total += result.check.points;
   return total;
+}
+
+std::optional<double> LabVerdict::times_the_reference() const {
+  double logarithms = 0, count = 0;
+  for (const Speed& one : speed) {
+    if (!one.reference) continue;
+    logarithms += std::log(*one.reference / one.nanoseconds);
+    ++count;
+  }
+  if (count == 0) return {};
+  return std::exp(logarithms / count);
 }
 
 double Verdict::earned() const {

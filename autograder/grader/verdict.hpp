@@ -3,6 +3,7 @@
 // else.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,9 +43,19 @@ struct CheckResult {
   std::string printed;  ///< what the submission printed meanwhile
   std::string repeat;   ///< the command that repeats this check, seed included
   std::vector<PValue> p_values;
-  std::size_t measurements = 0;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }
+};
+
+/// How fast a speed task is, and how good its points. Reported, never graded.
+struct Speed {
+  std::string name;                       ///< "2.8 uniforms"
+  double nanoseconds = 0;                 ///< a number, a value, a point
+  std::optional<double> reference;        ///< of the solution, where the checkout has one
+  std::optional<double> error;            ///< RMSE of its points on `integrand`
+  std::optional<double> reference_error;  ///< of the solution's, as many points
+  std::uint64_t points = 0;
+  std::string integrand;
 };
 
 struct LabVerdict {
@@ -53,8 +64,11 @@ struct LabVerdict {
   std::string no_program;  ///< why there is none to judge; empty where there is
   std::vector<std::string> unfinished;  ///< labs that some checks are waiting for: "3"
   double seconds = 0;
+  std::vector<Speed> speed;  ///< of the speed tasks that passed
   double earned() const;
   double points() const;
+  /// How many times as fast as the solutions: the geometric mean of its speed tasks.
+  std::optional<double> times_the_reference() const;
 };
 
 struct Verdict {

@@ -14,6 +14,11 @@
 //                                    // says: words that must stand in the story of some check
 //                                    // never says: words that must stand nowhere in it
 //                                    whatever is shown is printable and in lines that fit
+//   …/peers/library/x.cpp            // peer: what of the library it is
+//                                    // fails: as "caught by"; of one reason, one after the other
+//                                    // because: why the library does not do what the lab asks for
+//                                    fails exactly those checks; what the library has nothing for
+//                                    is not written. Exit status 77 where it is not installed.
 //
 // `prove repository` looks at the repository itself: task numbers, points, names.
 
@@ -216,40 +221,69 @@ void prove_starter(const Proof& proof) {
   }
 }
 
-void prove_mistake(const Proof& proof, const fs::path& file) {
-  const std::uint64_t seed = 1;
-  const LabVerdict verdict = proof.judge(seed);
-  const auto named = said(file, "caught by"), hints = said(file, "hint");
-  if (named.empty() || hints.empty()) complain("the file must say 'caught by:' and 'hint:'");
-  std::set<std::string> expected;
-  for (const std::string& start : named) {
+/// The checks that have these names, or beginnings of names.
+std::set<std::string> checks_named(const LabVerdict& verdict,
+                                   const std::vector<std::string>& starts) {
+  std::set<std::string> names;
+  for (const std::string& start : starts) {
     std::vector<std::string> found;
     for (const CheckResult& result : verdict.checks) {
       if (result.check.name.starts_with(start)) found.push_back(result.check.name);
     }
     if (found.size() == 1) {
-      expected.insert(found[0]);
+      names.insert(found[0]);
     } else {
       complain(fmt::format("'{}' begins the names of {} checks", start, found.size()));
     }
   }
+  return names;
+}
+
+/// Those checks failed, and no others; others may wait for them, or be unwritten. Gives the stories
+/// of what failed.
+std::string compare_failures(const LabVerdict& verdict, const std::set<std::string>& expected,
+                             bool may_be_unwritten) {
   std::string stories;
   for (const CheckResult& result : verdict.checks) {
-    const bool failed = result.status != Status::passed && result.status != Status::waiting;
-    if (failed && result.status != Status::failed) {
+    const bool excused = result.status == Status::passed || result.status == Status::waiting ||
+                         (may_be_unwritten && result.status == Status::not_written);
+    const bool is_expected = expected.contains(result.check.name);
+    if (!excused && result.status != Status::failed) {
       complain(fmt::format("'{}' is {}", result.check.name, describe(result, verdict)));
     }
-    if (failed) stories += result.story + '\n';
-    if (failed && !expected.contains(result.check.name)) {
+    if (!excused) stories += result.story + '\n';
+    if (!excused && !is_expected) {
       complain(fmt::format("caught by a check it does not name: {}", result.check.name));
     }
-    if (!failed && expected.contains(result.check.name)) {
+    if (excused && is_expected) {
       complain(fmt::format("not caught by: {} ({})", result.check.name, describe(result, verdict)));
     }
   }
+  return stories;
+}
+
+void prove_mistake(const Proof& proof, const fs::path& file) {
+  const std::uint64_t seed = 1;
+  const LabVerdict verdict = proof.judge(seed);
+  const auto named = said(file, "caught by"), hints = said(file, "hint");
+  if (named.empty() || hints.empty()) complain("the file must say 'caught by:' and 'hint:'");
+  const std::string stories = compare_failures(verdict, checks_named(verdict, named), false);
   for (const std::string& hint : hints) {
     if (stories.find(hint) == std::string::npos) complain("no story says: " + hint);
   }
+  proof.show(verdict, seed);
+}
+
+/// Of a library nobody expects that it does what a lab asks for; but where it does not, that is
+/// known, and why.
+void prove_peer(const Proof& proof, const fs::path& file) {
+  const std::uint64_t seed = 1;
+  const LabVerdict verdict = proof.judge(seed);
+  if (said(file, "peer").empty()) complain("the file must say 'peer:'");
+  if (said(file, "fails").empty() != said(file, "because").empty()) {
+    complain("the file must say 'because:' where it says 'fails:'");
+  }
+  compare_failures(verdict, checks_named(verdict, said(file, "fails")), true);
   proof.show(verdict, seed);
 }
 
@@ -343,19 +377,29 @@ void prove_file(const fs::path& path) {
   const std::string top = file.parent_path().filename().string();
   const bool of_course = top == "starter" || top == "solutions";
   const std::string kind = of_course ? top : file.parent_path().parent_path().filename().string();
-  proof.lab = find_lab(proof.labs, of_course ? file.stem().string() : top);
-  proof.submission = single_file_submission(proof.layout, proof.labs, proof.lab, file,
-                                            kind != "attacks" && kind != "starter");
+  const bool by_stem = of_course || kind == "peers";
+  proof.lab = find_lab(proof.labs, by_stem ? file.stem().string() : top);
+  if (kind == "peers") {
+    const auto peer = peer_submission(proof.layout, proof.labs, proof.lab, top);
+    if (!peer) {
+      fmt::print("{} is not installed\n", top);
+      std::exit(77);  // skipped, for CTest
+    }
+    proof.submission = *peer;
+  } else {
+    proof.submission = single_file_submission(proof.layout, proof.labs, proof.lab, file,
+                                              kind != "attacks" && kind != "starter");
+  }
   proof.submission.label = path.string();
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
   if (!proof.built.program && kind != "attacks") return complain(proof.built.failure);
 
-  const std::pair<const char*, std::function<void()>> kinds[] = {
-      {"starter", [&] { prove_starter(proof); }},
-      {"solutions", [&] { prove_right(proof); }},
-      {"alternatives", [&] { prove_right(proof); }},
-      {"mistakes", [&] { prove_mistake(proof, file); }},
-      {"attacks", [&] { prove_attack(proof, file); }}};
+  const std::pair<const char*, std::function<void()>> kinds[] = {{"starter", [&] { prove_starter(proof); }},
+                                                                 {"solutions", [&] { prove_right(proof); }},
+                                                                 {"alternatives", [&] { prove_right(proof); }},
+                                                                 {"mistakes", [&] { prove_mistake(proof, file); }},
+                                                                 {"peers", [&] { prove_peer(proof, file); }},
+                                                                 {"attacks", [&] { prove_attack(proof, file); }}};
   for (const auto& [name, prove] : kinds) {
     if (kind == name) return prove();
   }

@@ -17,10 +17,31 @@ double variance_two_pass(std::vector<double> x) {
   return mc::variance_two_pass(x);
 }
 
-Moments welford(std::vector<double> x) {
+namespace {
+
+Moments added(const std::vector<double>& x) {
   Moments all;
-  for (double value : x) add(all, value);
+  for (const double value : x) add(all, value);
   return all;
+}
+
+Moments merged(const std::vector<double>& x, const std::vector<std::uint64_t>& sizes) {
+  Moments all;
+  std::size_t i = 0;
+  for (const std::uint64_t size : sizes) {
+    Moments part;
+    for (const std::size_t end = std::min<std::size_t>(x.size(), i + size); i < end; ++i) {
+      add(part, x[i]);
+    }
+    all = mc::merge(all, part);
+  }
+  return all;
+}
+
+}  // namespace
+
+Moments welford(std::vector<double> x) {
+  return added(x);
 }
 
 double variance_of(Moments moments) {
@@ -39,16 +60,7 @@ Moments merge(Moments a, Moments b) {
 }
 
 Moments merge_parts(std::vector<double> x, std::vector<std::uint64_t> sizes) {
-  Moments all;
-  std::size_t i = 0;
-  for (const std::uint64_t size : sizes) {
-    Moments part;
-    for (const std::size_t end = std::min<std::size_t>(x.size(), i + size); i < end; ++i) {
-      add(part, x[i]);
-    }
-    all = mc::merge(all, part);
-  }
-  return all;
+  return merged(x, sizes);
 }
 
 double covariance(std::vector<double> x, std::vector<double> y) {
@@ -63,7 +75,9 @@ Moments moments(std::vector<double> x) {
   return mc::moments(x);
 }
 
-double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds) {
+namespace {
+
+double repeat_over(const std::vector<double>& x, unsigned task, std::uint64_t rounds) {
   double last = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
     switch (task) {
@@ -74,10 +88,10 @@ double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds) {
         last = mc::variance_two_pass(x);
         break;
       case 4:
-        last = variance(welford(x));
+        last = variance(added(x));
         break;
       case 5:
-        last = variance(merge_parts(x, std::vector<std::uint64_t>(x.size() / 64 + 1, 64)));
+        last = variance(merged(x, std::vector<std::uint64_t>(x.size() / 64 + 1, 64)));
         break;
       case 8:
         last = variance(mc::moments(x));
@@ -87,6 +101,18 @@ double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds) {
     }
   }
   return last;
+}
+
+}  // namespace
+
+double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds) {
+  return repeat_over(x, task, rounds);
+}
+
+double repeat_made(unsigned task, std::uint64_t n, std::uint64_t rounds) {
+  std::vector<double> x(n);
+  for (std::uint64_t i = 0; i < n; ++i) x[i] = 1e9 + static_cast<double>(i * 7919 % 1000) * 1e-3;
+  return repeat_over(x, task, rounds);
 }
 
 }  // namespace mc::experiments
@@ -106,6 +132,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(dependence, "joint columns", "1.7  distance of a table from independence"),
       MC_EXPERIMENT(moments, "x", "1.8  moments of x, fast"),
       MC_EXPERIMENT(repeat, "task x rounds", "the function of task 1.task, rounds times (timing)"),
+      MC_EXPERIMENT(repeat_made, "task n rounds", "the same over n values made here (timing)"),
   };
   return all;
 }

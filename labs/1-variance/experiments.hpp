@@ -42,4 +42,7 @@ Moments moments(std::vector<double> x);
 /// returned last, as a variance. Task 5 adds to parts of 64 and merges them.
 double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds);
 
+/// The same over n values from 1e9 to 1e9 + 1 that are made here: lists that no wire would carry.
+double repeat_made(unsigned task, std::uint64_t n, std::uint64_t rounds);
+
 }  // namespace mc::experiments

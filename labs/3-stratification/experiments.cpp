@@ -260,9 +260,9 @@ std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n,
   return picture;
 }
 
-double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds) {
+double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
   Rng rng(1);
-  PointSet points(n, task == 1 ? 1 : 2);
+  PointSet points(n, dims);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     make_points(task, points, rng);
   }
@@ -311,7 +311,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(estimates_replicated, "task kind:a:b:edge dims n replicates times seed",
                     "3.8  replicated estimates with points of task 3.task"),
       MC_EXPERIMENT(shadow, "task width n seed", "a picture of a soft shadow, row by row"),
-      MC_EXPERIMENT(repeat, "task n rounds", "n points of task 3.task, rounds times (timing)"),
+      MC_EXPERIMENT(repeat, "task n dims rounds", "n points of task 3.task, rounds times (timing)"),
       MC_EXPERIMENT(repeat_textbook, "dims n rounds", "the same by a textbook's loop (timing)"),
   };
   return all;

@@ -86,9 +86,9 @@ std::vector<Replicated> estimates_replicated(unsigned task, Function g, std::uin
 /// each pixel the mean of n points on the light, as in estimates().
 std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n, std::uint64_t seed);
 
-/// For timing: n points of the plane (task 1: of the line) as in estimates(), `rounds` times; the
-/// last coordinate of all.
-double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds);
+/// For timing: n points of `dims` dimensions as in estimates(), `rounds` times; the last coordinate
+/// of all.
+double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds);
 
 /// For timing: the same points, jittered in 1 or 2 dimensions by the loop of a textbook, with
 /// std::mt19937_64 and std::uniform_real_distribution.

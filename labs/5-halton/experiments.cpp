@@ -1,6 +1,7 @@
 #include "experiments.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
@@ -15,6 +16,21 @@ std::vector<double> columns_of(const PointSet& points) {
     all.insert(all.end(), column.begin(), column.end());
   }
   return all;
+}
+
+/// Points first, first + 1, … of repeat_points().
+void make_points(unsigned task, PointSet& points, std::uint64_t first, std::uint64_t seed) {
+  if (task == 3) return mc::halton(points, first);
+  const auto bases = task == 9 ? mc::primes(points.dims()) : std::vector<unsigned>{};
+  for (std::size_t d = points.dims(); d-- > 0;) {
+    const auto column = points.column(d);
+    if (task == 9) {
+      mc::radical_inverses_scrambled(bases[d], first, column, seed + d);
+    } else {
+      mc::sobol(static_cast<unsigned>(d), first, column);
+      if (task == 8) mc::owen_scramble(column, seed + d);
+    }
+  }
 }
 
 }  // namespace
@@ -127,6 +143,22 @@ double repeat(unsigned task, unsigned of, std::uint64_t n, std::uint64_t rounds)
   return column.empty() ? 0 : column.back();
 }
 
+double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
+  if (task != 3 && task != 5 && task != 8 && task != 9)
+    throw std::out_of_range("task: 3, 5, 8 or 9");
+  if (dims == 0 || dims > 4096) throw std::out_of_range("dims: 1 to 4096");
+  const std::uint64_t block =
+      std::min<std::uint64_t>(n, std::max<std::uint64_t>(1024, std::bit_floor(4096 / dims)));
+  PointSet points(block, dims), rest(n % block, dims);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    const std::uint64_t seed = round * dims;
+    std::uint64_t first = 0;
+    for (; first + block <= n; first += block) make_points(task, points, first, seed);
+    if (rest.size() > 0) make_points(task, rest, first, seed);
+  }
+  return points.column(0)[block - 1];
+}
+
 }  // namespace mc::experiments
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
@@ -146,6 +178,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(radical_inverses_scrambled, "base first count seeds",
                     "5.9  scrambled radical inverses, by each seed"),
       MC_EXPERIMENT(repeat, "task of n rounds", "a column of task 5.task, rounds times (timing)"),
+      MC_EXPERIMENT(repeat_points, "task n dims rounds",
+                    "n points of task 5.task, rounds times (timing)"),
   };
   return all;
 }

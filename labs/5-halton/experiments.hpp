@@ -46,4 +46,10 @@ std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t firs
 /// scrambled ones, in base `of`; 5 Sobol', 8 Sobol' scrambled, dimension `of`. The last value.
 double repeat(unsigned task, unsigned of, std::uint64_t n, std::uint64_t rounds);
 
+/// For timing: n points of `dims` dimensions, `rounds` times, by task 5.`task`: 3 Halton points, 5
+/// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled. They are made in blocks of
+/// 32 KB, but of 1,024 points at least, over and over in the same place; and from the last dimension
+/// to the first, which suits whoever makes whole points. The last coordinate of all.
+double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds);
+
 }  // namespace mc::experiments

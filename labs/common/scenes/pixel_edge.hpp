@@ -19,10 +19,13 @@ struct PixelEdge {
   }
 };
 
-/// A picture of an edge that falls gently, from the left to the right.
+/// A picture of an edge that falls gently, from the left to the right. A pixel is the mean over the
+/// 24 by 24 around it, or there would be next to nothing to see.
 inline PixelEdge edge_picture(double width, double height, double column, double row) {
-  const double a = 0.31, b = 1;
-  return {a, b, 0.21 * width + 0.41 * height - a * column - b * row};
+  const double a = 0.31, b = 1, filter = 24;
+  const double c = 0.155 * width + 0.5 * height;
+  return {filter * a, filter * b,
+          c - a * (column - (filter - 1) / 2) - b * (row - (filter - 1) / 2)};
 }
 
 }  // namespace mc::scenes

@@ -1,0 +1,102 @@
+#include "grader/speed.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/bench.hpp"
+#include "grader/process.hpp"
+#include "grader/text_file.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int program_descriptor = 10;
+
+/// Rows of the lab's [.speed] cases, of those `tasks`, written to `file`.
+std::vector<BenchRow> measure(const Layout& layout, const Lab& lab, const Program& program,
+                              const std::set<std::string>& tasks, const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  fs::remove(file);
+  run_process({layout.checks(lab.name).string(), "[.speed]"},
+              {.environment = {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
+                               {"MC_BENCH_DATA", file.string()},
+                               {"MC_SPEED_TASKS", fmt::format("{}", fmt::join(tasks, " "))},
+                               {"MC_SEED", "1"}},
+               .descriptors = {{program.descriptor, program_descriptor}},
+               .wall_seconds = 10});
+  return read_bench_rows(file, lab.name, "");
+}
+
+std::vector<BenchRow> rows_of_reference(const Layout& layout, const Lab& lab,
+                                        const std::set<std::string>& all_tasks) {
+  if (!fs::exists(layout.solutions() / lab.file())) return {};
+  const auto labs = find_labs(layout);
+  const Submission solutions = open_submission(layout, labs, layout.solutions());
+  const Built built = build_program(layout, lab, solutions, Variant::speed);
+  if (!built.program) return {};
+  const std::string key =
+      fmt::format("{} {}", built.program->path,
+                  fs::last_write_time(layout.checks(lab.name)).time_since_epoch().count());
+  const fs::path kept =
+      layout.build / "speed" / fmt::format("{}-{:016x}.tsv", lab.name, hash_text(key));
+  if (!fs::exists(kept)) {
+    const fs::path aside = kept.string() + fmt::format(".new-{}", getpid());
+    measure(layout, lab, *built.program, all_tasks, aside);
+    fs::rename(aside, kept);
+  }
+  close(built.program->descriptor);
+  return read_bench_rows(kept, lab.name, "");
+}
+
+const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& kind,
+                     const std::string& what) {
+  for (const BenchRow& row : rows) {
+    if (row.kind == kind && row.what == what) return &row;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,
+                                 const Program& program) {
+  std::set<std::string> all, passed;
+  for (const CheckResult& result : verdict.checks) all.insert(result.check.task);
+  passed = all;
+  for (const CheckResult& result : verdict.checks) {
+    if (result.status != Status::passed) passed.erase(result.check.task);
+  }
+  const fs::path file =
+      layout.build / "speed" / fmt::format("{}.{}.tsv", verdict.lab.name, getpid());
+  const auto own = measure(layout, verdict.lab, program, passed, file);
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  if (own.empty()) return {};
+  const auto reference = rows_of_reference(layout, verdict.lab, all);
+  std::vector<Speed> speed;
+  for (const BenchRow& row : own) {
+    if (row.kind != "speed") continue;
+    Speed one;
+    one.name = row.what;
+    one.nanoseconds = row.value;
+    if (const auto* other = find(reference, "speed", row.what)) one.reference = other->value;
+    if (const auto* error = find(own, "speed error", row.what)) {
+      one.error = error->value;
+      one.points = error->n;
+      one.integrand = error->on;
+    }
+    if (const auto* error = find(reference, "speed error", row.what)) {
+      one.reference_error = error->value;
+    }
+    speed.push_back(std::move(one));
+  }
+  return speed;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,94 @@
+// What the bench makes of its rows.
+
+#include <cmath>
+
+#include "checks/catch.hpp"
+#include "checks/integrands.hpp"
+#include "grader/bench.hpp"
+#include "grader/text_file.hpp"
+
+namespace mc::grader {
+namespace {
+
+/// Errors c / n at 2 ns a sample, integrand included.
+Curve falling(double c) {
+  Curve curve{"lab", "somebody", "points", "g", 2, 1.0, {}};
+  for (double n = 16; n <= 65536; n *= 4) curve.points.push_back({n, c / n, 0, 1.5, 0.5, 0});
+  return curve;
+}
+
+TEST_CASE("the time to an error is interpolated") {
+  const auto when = time_to(falling(1), 1e-3);  // n = 1000, 2 ns each
+  REQUIRE(when);
+  CHECK(when->how == Reached::between);
+  CHECK(when->seconds == Approx(2e-6));
+}
+
+TEST_CASE("an error below the first is had with the first size or less") {
+  const auto when = time_to(falling(1), 0.5);
+  REQUIRE(when);
+  CHECK(when->how == Reached::or_less);
+  CHECK(when->seconds == Approx(16 * 2e-9));
+}
+
+TEST_CASE("an error that no size has is not reached, unless the points are independent") {
+  CHECK_FALSE(time_to(falling(1), 1e-6));
+  Curve independent = falling(1);
+  independent.what = "independent";
+  const auto when = time_to(independent, 1e-6);
+  REQUIRE(when);
+  CHECK(when->how == Reached::by_law);
+  CHECK(when->seconds == Approx(1e12 * 2e-9));  // variance 1 over 1e-12, 2 ns each
+}
+
+TEST_CASE("an exponent is the slope of the logarithms") {
+  const auto exponent = exponent_of({{10, 300}, {100, 3000 * std::sqrt(10)}, {1000, 300000}});
+  REQUIRE(exponent);
+  CHECK(exponent->slope == Approx(1.5));
+  CHECK(exponent->error == Approx(0).margin(1e-9));
+  CHECK_FALSE(exponent_of({{1, 1}, {2, 2}}));
+}
+
+TEST_CASE("rounds of the same row become their median") {
+  std::vector<BenchRow> rows(5, {"lab", "somebody", "time", "points", "", 2, 64, 0, 0});
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].value = static_cast<double>(i * i);
+  rows.push_back({"lab", "somebody", "time", "points", "", 2, 256, 7, 0});
+  const auto all = medians(rows);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].value == 4);
+  CHECK(all[1].value == 7);
+}
+
+TEST_CASE("a row that was cut short is left out") {
+  const auto file = std::filesystem::temp_directory_path() / "mc-bench-rows.tsv";
+  write_text(file, "time\tpoints\t\t2\t64\t1.5\tnan\ntime\tpoints\t\t2");
+  const auto rows = read_bench_rows(file, "lab", "somebody");
+  std::filesystem::remove(file);
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].n == 64);
+  CHECK(rows[0].value == 1.5);
+}
+
+/// Means and variances that the bench relies on, by a rule of midpoints in one and two dimensions.
+TEST_CASE("the integrands of the bench have mean 1 and the variance they say") {
+  for (const checks::BenchIntegrand& one : checks::bench_integrands()) {
+    if (one.dims > 2) continue;
+    const int side = one.dims == 1 ? 100000 : 1000;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < side; ++i) {
+      for (int j = 0; j < (one.dims == 1 ? 1 : side); ++j) {
+        const double x[] = {(i + 0.5) / side, (j + 0.5) / side};
+        const double value = one.g({x, one.dims});
+        sum += value;
+        squares += value * value;
+      }
+    }
+    const double n = std::pow(side, static_cast<double>(one.dims));
+    CAPTURE(one.name);
+    CHECK(sum / n == Approx(1).epsilon(1e-4));
+    CHECK(squares / n - 1 == Approx(one.variance).epsilon(1e-3));
+  }
+}
+
+}  // namespace
+}  // namespace mc::grader
