@@ -100,7 +100,8 @@ inline std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
       fmt::format("{}: {} points in cell ({}, {}) of {} x {}", call, points[cell], cell % grid.nx,
                   cell / grid.nx, grid.nx, grid.ny),
       "one point", because_cell,
-      grid.nx != grid.ny && !cells_of(x, y, {grid.ny, grid.nx}).empty()
+      // a few points fit by chance, a dozen once in 1e4
+      n >= 12 && grid.nx != grid.ny && !cells_of(x, y, {grid.ny, grid.nx}).empty()
           ? "nx and ny have changed places: nx cells along x, ny along y"
       : is_stratified(x, n) && is_stratified(y, n)
           ? "two 1D patterns are not a 2D pattern: the cells of the plane are left to chance"

@@ -187,7 +187,10 @@ Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, st
   RecordingSampler sampler;
   const Scene scene{"", [&](Sampler&) {
                       sampler.record.positions.push_back(sampler.sample);
-                      return dealt.at(sampler.sample);
+                      if (sampler.sample >= dealt.size()) {
+                        throw std::out_of_range("the scene was evaluated after the last sample");
+                      }
+                      return dealt[sampler.sample];
                     }};
   const double value = mc::integrate(scene, sampler, samples, seed);
   sampler.record.values = {value};

@@ -1,0 +1,20 @@
+// mistake: shuffles next(), and leaves the points of next2() in the order of their cells
+// caught by: 6.2 every use has a random order of its own
+// hint: the pattern wants to be shuffled
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+namespace mc {
+namespace {
+
+void in_order(Use, std::span<double> x, std::span<double> y, Rng& rng) {
+  multi_jittered(x, y, strata(x.size()), rng);
+}
+constexpr Kind wrong{"stratified", stratified1, in_order};
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+
+}  // namespace mc

@@ -1,0 +1,27 @@
+// mistake: seeds its generator in the first generate() only
+// caught by: 6.4 the same seed gives the same numbers
+// caught by: 6.5 integrate walks through the samples once
+// hint: Counters, columns, generators
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+namespace mc {
+namespace {
+
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const Rng before = rng_;
+    const bool first = samples_ == 0;
+    ColumnSampler::generate(samples, seed);
+    if (!first) rng_ = before;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+
+}  // namespace mc

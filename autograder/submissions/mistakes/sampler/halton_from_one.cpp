@@ -1,0 +1,22 @@
+// mistake: begins with the second point of the sequence
+// caught by: 6.3 the uses of halton are Halton dimensions
+// hint: is it the sequence from index 0
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+namespace mc {
+namespace {
+
+void from_one(std::size_t dimension, std::span<double> x, Rng& rng) {
+  static const std::vector<unsigned> bases = primes(dimensions);
+  radical_inverses_scrambled(bases[dimension], 1, x, rng());
+}
+
+constexpr Kind wrong{"halton", one_of<from_one>, two_of<from_one>};
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+
+}  // namespace mc

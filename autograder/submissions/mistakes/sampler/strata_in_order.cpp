@@ -1,0 +1,17 @@
+// mistake: does not shuffle: sample i is in stratum i of every use
+// caught by: 6.2 every use has a random order of its own
+// caught by: 6.3 sobol has any number of uses
+// caught by: 6.3 halton has any number of uses
+// hint: the pattern wants to be shuffled
+#include "sampler.hpp"
+
+namespace mc {
+namespace {
+
+void leave(std::span<double>, Rng&) {}
+
+}  // namespace
+}  // namespace mc
+
+#define shuffle leave
+#include "solutions/sampler.cpp"

@@ -1,0 +1,20 @@
+// mistake: a next2() is a pattern for x and another one for y
+// caught by: 6.2 next2 has one point in each cell and stratum
+// caught by: 6.7 all else of blue_noise is stratified
+// hint: two 1D patterns are not a 2D pattern
+#include "sampler.hpp"
+
+namespace mc {
+namespace {
+
+void two_lines(std::span<double> x, std::span<double> y, Grid, Rng& rng) {
+  stratified_1d(x, rng);
+  shuffle(x, rng);
+  stratified_1d(y, rng);
+}
+
+}  // namespace
+}  // namespace mc
+
+#define multi_jittered two_lines
+#include "solutions/sampler.cpp"
