@@ -18,8 +18,7 @@ set_source_files_properties(autograder/checks/integrands.cpp PROPERTIES
   COMPILE_OPTIONS "${PROGRAM_FLAGS}")  # its time is measured
 target_link_libraries(checking PUBLIC jail Catch2::Catch2WithMain)
 foreach(lab ${LABS})
-  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_plots.cpp
-    autograder/checks/${lab}_bench.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}.cpp autograder/checks/${lab}_*.cpp)
   add_executable(checks_${lab} ${sources})
   target_include_directories(checks_${lab} PRIVATE ${LAB_INCLUDES})
   target_link_libraries(checks_${lab} PRIVATE checking)
@@ -39,6 +38,7 @@ add_library(grading STATIC
   autograder/grader/plots.cpp
   autograder/grader/process.cpp
   autograder/grader/reading.cpp
+  autograder/grader/renders.cpp
   autograder/grader/report_files.cpp
   autograder/grader/report_terminal.cpp
   autograder/grader/segments.cpp
@@ -47,6 +47,7 @@ add_library(grading STATIC
   autograder/grader/submission.cpp
   autograder/grader/verb_bench.cpp
   autograder/grader/verb_judge.cpp
+  autograder/grader/verb_render.cpp
   autograder/grader/verb_work.cpp
   autograder/grader/verdict.cpp
   labs/runner/text.cpp)

@@ -189,8 +189,14 @@ class DiskPattern {
   explicit DiskPattern(double radius)
       : radius_squared_(radius * radius),
         side_(static_cast<std::uint32_t>(std::ceil(std::numbers::sqrt2 / radius))),
-        reach_(static_cast<int>(std::ceil(radius * side_))),
-        point_in_(std::size_t{side_} * side_, none) {}
+        point_in_(std::size_t{side_} * side_, none) {
+    const int reach = static_cast<int>(std::ceil(radius * side_));
+    for (int j = -reach; j <= reach; ++j) {
+      for (int i = -reach; i <= reach; ++i) around_.push_back({i, j});
+    }
+    std::sort(around_.begin(), around_.end(),
+              [](Step a, Step b) { return a.i * a.i + a.j * a.j < b.i * b.i + b.j * b.j; });
+  }
 
   void fill(Rng& rng) {
     for (std::uint32_t j = 0; j < side_; ++j) {
@@ -208,7 +214,10 @@ class DiskPattern {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   struct Cell {  // of a grid of side_ 2^level_ cells along each axis
-    std::uint64_t i, j;
+    std::uint32_t i, j;
+  };
+  struct Step {
+    int i, j;
   };
 
   double width() const { return std::ldexp(1.0 / side_, -level_); }
@@ -244,16 +253,13 @@ class DiskPattern {
   /// Does the disc of some point hold the whole square of half-width `half` around `centre`?
   bool covered(Point2 centre, double half) const {
     const auto i = static_cast<int>(centre.x * side_), j = static_cast<int>(centre.y * side_);
-    for (int dj = -reach_; dj <= reach_; ++dj) {
-      const std::size_t row = std::size_t{wrapped(j + dj)} * side_;
-      for (int di = -reach_; di <= reach_; ++di) {
-        const std::uint32_t p = point_in_[row + wrapped(i + di)];
-        if (p == none) continue;
-        double dx = std::abs(centre.x - points_[p].x), dy = std::abs(centre.y - points_[p].y);
-        dx = std::min(dx, 1 - dx) + half;  // to the farthest corner
-        dy = std::min(dy, 1 - dy) + half;
-        if (dx * dx + dy * dy < radius_squared_) return true;
-      }
+    for (const auto& [di, dj] : around_) {
+      const std::uint32_t p = point_in_[std::size_t{wrapped(j + dj)} * side_ + wrapped(i + di)];
+      if (p == none) continue;
+      double dx = std::abs(centre.x - points_[p].x), dy = std::abs(centre.y - points_[p].y);
+      dx = std::min(dx, 1 - dx) + half;  // to the farthest corner
+      dy = std::min(dy, 1 - dy) + half;
+      if (dx * dx + dy * dy < radius_squared_) return true;
     }
     return false;
   }
@@ -271,8 +277,8 @@ class DiskPattern {
   static constexpr double below_one = 1 - 0x1p-53;
 
   double radius_squared_;
-  std::uint32_t side_;  // cells along each axis: a cell's diagonal is the radius at most
-  int reach_;           // cells that a radius spans
+  std::uint32_t side_;        // cells along each axis: a cell's diagonal is the radius at most
+  std::vector<Step> around_;  // to the cells that a radius spans, near ones first: they cover most
   int level_ = 0;
   std::vector<Point2> points_;
   std::vector<std::uint32_t> point_in_;  // of each cell of level 0

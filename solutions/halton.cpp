@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 
 namespace mc {
@@ -54,7 +55,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 //
 // * the radical inverses of the last digits are a table, made once;
 // * the digits before them add one number, the same for the whole block;
-// * from block to block these count up by one, which changes 1 + 1/b + 1/b^2 + … digits on average.
+// * these numbers belong to consecutive indices too, so they are a column as well, a shorter one.
 //
 // One load, one addition, one store are left for a value, four values to a vector register.
 //
@@ -66,90 +67,80 @@ namespace {
 struct Digits {
   unsigned base;
   std::vector<unsigned> permutations;  ///< one of `base` digits for each position; none: the digit
+  double zeros = 0;                    ///< what the zeros at all positions behind them come to
 
   double operator()(std::size_t position, std::uint64_t digit) const {
     return static_cast<double>(permutations.empty() ? digit
                                                     : permutations[position * base + digit]);
   }
+
+  /// Whether all digits from `position` on are zeros.
+  bool end_at(std::size_t position, std::uint64_t number) const {
+    return permutations.empty() ? number == 0 : position * base == permutations.size();
+  }
 };
 
-/// How many digits the longest index has.
-unsigned positions_in(unsigned base) {
-  unsigned positions = 0;
-  for (std::uint64_t rest = last_index; rest > 0; rest /= base) ++positions;
-  return positions;
+/// As 5.1, of a number whose last digit stands at `position`.
+double inverse(const Digits& digits, unsigned position, std::uint64_t number) {
+  if (digits.end_at(position, number)) return digits.zeros;
+  const double others = inverse(digits, position + 1, number / digits.base);
+  return std::min(below_one, (digits(position, number % digits.base) + others) / digits.base);
 }
 
-/// Counts up from `number`, whose last digit stands at the position `lowest`, and knows the radical
-/// inverse of where it is.
-class Counter {
- public:
-  Counter(const Digits& digits, unsigned lowest, std::uint64_t number)
-      : digits_(digits), lowest_(lowest), base_(digits.base) {
-    const unsigned positions = positions_in(digits.base) - lowest;
-    for (unsigned j = 0; j < positions; ++j, number /= digits.base)
-      digit_[j] = number % digits.base;
-    for (unsigned j = positions; j-- > 0;) take(j);
-  }
-
-  double radical_inverse() const { return from_[0]; }
-
-  void advance() {
-    unsigned j = 0;
-    while (digit_[j] == digits_.base - 1) digit_[j++] = 0;
-    ++digit_[j];
-    do take(j);
-    while (j-- > 0);
-  }
-
- private:
-  void take(unsigned j) { from_[j] = (digits_(lowest_ + j, digit_[j]) + from_[j + 1]) / base_; }
-
-  const Digits& digits_;
-  unsigned lowest_;
-  double base_;
-  std::array<std::uint64_t, 64> digit_{};
-  std::array<double, 65> from_{};  ///< the radical inverse of the digits from j on
-};
-
-/// The radical inverses of 0 … base^low - 1: whole numbers up to the one division.
-std::vector<double> inverses_of(const Digits& digits, unsigned low) {
-  std::vector<double> values{0};
-  for (unsigned position = 0; position < low; ++position) {
-    const std::size_t size = values.size();
-    values.resize(size * digits.base);
-    for (unsigned digit = digits.base; digit-- > 0;) {  // digit 0 last: it overwrites what is read
-      const double last = digits(position, digit);
-      double* const to = values.data() + digit * size;
-      for (std::size_t i = 0; i < size; ++i) to[i] = values[i] * digits.base + last;
+/// Where only the last digit is worth keeping: the same for consecutive indices, in runs.
+void fill_by_runs(std::span<double> column, std::uint64_t first, const Digits& digits,
+                  unsigned position) {
+  for (std::size_t done = 0; done < column.size();) {
+    const std::uint64_t number = first + done;
+    const double others = inverse(digits, position + 1, number / digits.base);
+    for (auto digit = number % digits.base; digit < digits.base && done < column.size(); ++digit) {
+      column[done++] = std::min(below_one, (digits(position, digit) + others) / digits.base);
     }
   }
-  const auto size = static_cast<double>(values.size());
-  for (double& value : values) value /= size;
-  return values;
 }
 
-void fill(std::span<double> column, std::uint64_t first, const Digits& digits) {
-  // As many digits as a small part of the column pays for, and the first-level cache holds.
+void fill(std::span<double> column, std::uint64_t first, const Digits& digits,
+          unsigned position = 0) {
+  // At most half of the column, and of the first-level cache a quarter.
+  constexpr std::size_t largest = 1024;
+  std::size_t block = 1;
   unsigned low = 0;
-  std::uint64_t block = 1;
-  while (block * digits.base <= std::min<std::uint64_t>(1024, column.size() / 4)) {
-    block *= digits.base;
-    ++low;
-  }
-  const std::vector<double> table = inverses_of(digits, low);
-  const auto size = static_cast<double>(block);
-  const double room = below_one - (size - 1) / size;  // above the largest value in the table
+  for (; block * digits.base <= std::min(largest, column.size() / 2); ++low) block *= digits.base;
+  if (low == 0) return fill_by_runs(column, first, digits, position);
 
-  Counter before(digits, low, first / block);
-  for (std::size_t done = 0, skip = first % block; done < column.size(); skip = 0) {
-    const double offset = std::min(room, before.radical_inverse() / size);
-    const std::size_t count = std::min<std::size_t>(block - skip, column.size() - done);
-    const double* const from = table.data() + skip;
-    double* const to = column.data() + done;
-    for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + offset;
-    done += count;
-    if (done < column.size()) before.advance();
+  // What is there for the digits so far is there `base` times with one more, each time with another
+  // number added: whole numbers, and exact, up to the one multiplication.
+  std::array<double, largest> table;
+  table[0] = 0;
+  const auto size = static_cast<double>(block);
+  double weight = size;
+  std::size_t filled = 1;
+  for (unsigned i = 0; i < low; ++i, filled *= digits.base) {
+    weight /= digits.base;
+    for (unsigned digit = digits.base; digit-- > 0;) {  // digit 0 last: it overwrites what is read
+      const double more = digits(position + i, digit) * weight;
+      double* const to = table.data() + digit * filled;
+      for (std::size_t k = 0; k < filled; ++k) to[k] = table[k] + more;
+    }
+  }
+  const double scale = 1 / size;
+  for (std::size_t k = 0; k < block; ++k) table[k] *= scale;
+
+  std::size_t skip = first % block;
+  std::vector<double> before((skip + column.size() + block - 1) / block);  // one for each block
+  fill(before, first / block, digits, position + low);
+  // Each value is wrong by e <= 3/2 + 1/2 + (e + 3/2)/block: table, sum, and what is added, in units
+  // of 2^-53. So e < 4, and in base 2, where scaling is exact, e <= 1.
+  const double room = below_one - (size - 1) * scale;  // above the largest value in the table
+  double* to = column.data();
+  std::size_t left = column.size();
+  for (const double others : before) {
+    const double offset = std::min(room, others * scale);
+    const std::size_t count = std::min(block - skip, left);
+    for (std::size_t i = 0; i < count; ++i) to[i] = table[skip + i] + offset;
+    to += count;
+    left -= count;
+    skip = 0;
   }
 }
 
@@ -250,7 +241,7 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   require_indices(first, column.size(), 0xffffffffu);
   const Directions& v = all_directions[dimension];
 
-  constexpr unsigned low = 8;
+  constexpr unsigned low = 6;
   constexpr std::size_t block = std::size_t{1} << low;
   std::array<std::uint64_t, block> table;
   table[0] = std::bit_cast<std::uint64_t>(1.0);
@@ -258,20 +249,27 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
     const std::size_t size = std::size_t{1} << k;
     for (std::size_t i = 0; i < size; ++i) table[size + i] = table[i] ^ std::uint64_t{v[k]} << 20;
   }
-  std::array<std::uint64_t, 32 - low> step;  // v_low ^ v_(low+1) ^ …
+  std::array<std::uint64_t, 33 - low> step{};  // v_low ^ v_(low+1) ^ …; behind the last block: 0
   std::uint64_t sum = 0;
-  for (unsigned t = 0; t < step.size(); ++t) step[t] = sum ^= std::uint64_t{v[low + t]} << 20;
+  for (unsigned t = 0; low + t < 32; ++t) step[t] = sum ^= std::uint64_t{v[low + t]} << 20;
 
   std::uint64_t number = first >> low;
   std::uint64_t above = std::uint64_t{sobol_word(v, number << low)} << 20;
-  for (std::size_t done = 0, skip = first % block; done < column.size(); skip = 0) {
-    const std::size_t count = std::min(block - skip, column.size() - done);
-    const std::uint64_t* const from = table.data() + skip;
-    double* const to = column.data() + done;
-    for (std::size_t i = 0; i < count; ++i) to[i] = std::bit_cast<double>(from[i] ^ above) - 1;
-    done += count;
-    if (done < column.size()) above ^= step[static_cast<unsigned>(std::countr_zero(++number))];
-  }
+  double* to = column.data();
+  const auto put = [&](std::size_t skip, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] = std::bit_cast<double>(table[skip + i] ^ above) - 1;
+    }
+    to += count;
+    above ^= step[static_cast<std::size_t>(std::countr_zero(++number))];
+  };
+  // Whole blocks by themselves: their size is known to the compiler, and their loop unrolled.
+  const std::size_t skip = first % block;
+  const std::size_t head = std::min(column.size(), (block - skip) % block);
+  const std::size_t whole = (column.size() - head) / block;
+  if (head > 0) put(skip, head);
+  for (std::size_t k = 0; k < whole; ++k) put(0, block);
+  put(0, column.size() - head - whole * block);
 }
 
 // 5.6 --------------------------------------------------------------------------------------------
@@ -423,18 +421,48 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
+//
+// A permutation for each of the 64 digits that an index may have in base 2, of which a column of a
+// thousand uses ten: in the others it has nothing but zeros. So each position has a generator of its
+// own, and its permutation is made from the front: what becomes of 0 is decided first, and for the
+// zeros behind all digits no more of it is made.
+
+namespace {
+
+/// One of the digits first … base - 1.
+unsigned any_digit(unsigned first, unsigned base, Rng& rng) {
+  return std::uniform_int_distribution<unsigned>(first, base - 1)(rng);
+}
+
+unsigned digits_of(std::uint64_t number, unsigned base) {
+  unsigned count = 0;
+  for (; number > 0; number /= base) ++count;
+  return count;
+}
+
+}  // namespace
 
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
   require_base(base);
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
   require_indices(first, column.size(), last_index);
-  // Digits enough for every index are digits enough for 2^-64, so the zeros end there.
-  Digits digits{base, std::vector<unsigned>(std::size_t{positions_in(base)} * base)};
-  Rng rng(seed ^ mix_bits(base));
-  for (auto row = digits.permutations.begin(); row != digits.permutations.end(); row += base) {
+  if (column.empty()) return;
+  const std::uint64_t key = mix_bits(seed ^ mix_bits(base));
+  const unsigned used = std::max(1u, digits_of(first + (column.size() - 1), base));
+  Digits digits{base, std::vector<unsigned>(std::size_t{used} * base)};
+  for (unsigned position = 0; position < used; ++position) {
+    Rng rng(key + position);
+    unsigned* const row = digits.permutations.data() + std::size_t{position} * base;
     std::iota(row, row + base, 0u);
-    std::shuffle(row, row + base, rng);
+    for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
+  }
+  // As many digits as make 2^64: what is behind them is below 2^-64. (digits_of would divide for each.)
+  const auto all = static_cast<unsigned>(std::log(0x1p64) / std::log(base)) + 1;
+  const double weight = 1.0 / base;
+  for (unsigned position = all; position-- > used;) {
+    Rng rng(key + position);
+    digits.zeros = (any_digit(0, base, rng) + digits.zeros) * weight;
   }
   fill(column, first, digits);
 }

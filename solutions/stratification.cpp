@@ -4,8 +4,10 @@
 #include "stratification.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <random>
+#include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -114,10 +116,19 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 
 // 3.4 ---------------------------------------------------------------------------------------------
 
+// Which of the first n values comes last, which of the others before it, and so on. The definition
+// would draw each by std::uniform_int_distribution. The integer part of u n, u uniform in [0,1) by
+// 53 bits, is as good to 2^-53 and comes many at a time; it is below n, since u n is, rounded or not.
+
 void shuffle(std::span<double> x, Rng& rng) {
-  for (std::size_t left = x.size(); left > 1; --left) {
-    std::uniform_int_distribution<std::size_t> any(0, left - 1);
-    std::swap(x[left - 1], x[any(rng)]);
+  std::array<double, 256> any;
+  for (std::size_t n = x.size(); n > 1;) {
+    const auto block = std::span(any).first(std::min(any.size(), n - 1));
+    uniforms(rng, block);
+    for (const double u : block) {
+      const auto last = static_cast<std::int64_t>(u * static_cast<double>(n));
+      std::swap(x[--n], x[static_cast<std::size_t>(last)]);
+    }
   }
 }
 
@@ -178,19 +189,31 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 // 3.7 ---------------------------------------------------------------------------------------------
 
+// A column of cells has ny of the N strata of x, one for each of its cells. Which cell gets which is
+// left to chance, and so for the nx strata of y in a row. All columns may go by the same chance: then
+// two short permutations do, and x and y are filled in one go.
+
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
-  // N strata of x in order: ny of them to each column of cells. Which cell of the column gets which
-  // is left to chance. And so for y, nx of its strata to each row.
-  std::vector<double> by_row(y.size());
-  stratified_1d(x, rng);
-  stratified_1d(by_row, rng);
-  for (std::size_t i = 0; i < grid.nx; ++i) shuffle(x.subspan(i * grid.ny, grid.ny), rng);
-  for (std::size_t j = 0; j < grid.ny; ++j) {
-    shuffle(std::span(by_row).subspan(j * grid.nx, grid.nx), rng);
-  }
-  for (std::size_t i = 0; i < grid.nx; ++i) {  // x goes by columns, so y must too
-    for (std::size_t j = 0; j < grid.ny; ++j) y[i * grid.ny + j] = by_row[j * grid.nx + i];
+  std::vector<double> in_column(grid.ny), in_row(grid.nx), row_begins(grid.ny);
+  std::iota(in_column.begin(), in_column.end(), 0.0);
+  std::iota(in_row.begin(), in_row.end(), 0.0);
+  for (std::size_t j = 0; j < grid.ny; ++j) row_begins[j] = static_cast<double>(j * grid.nx);
+  shuffle(in_column, rng);
+  shuffle(in_row, rng);
+  uniforms(rng, x);
+  uniforms(rng, y);
+  const Strata all(x.size());
+  for (std::size_t i = 0; i < grid.nx; ++i) {  // column by column of cells
+    const auto column_x = x.subspan(i * grid.ny, grid.ny);
+    const auto column_y = y.subspan(i * grid.ny, grid.ny);
+    const auto begin = static_cast<double>(i * grid.ny);
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      column_x[j] = all.place(begin + in_column[j], column_x[j]);
+    }
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      column_y[j] = all.place(row_begins[j] + in_row[i], column_y[j]);
+    }
   }
 }
 

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   }
   const auto program = mc::grader::open_program(argv[1]);
   mc::wire::Writer request;
-  mc::wire::put_name(request, "mean");
+  request.put(std::string("mean"));
   request.put(std::vector<double>{1, 2, 6});
   std::vector<double> milliseconds;
   for (int i = 0; i < 501; ++i) {

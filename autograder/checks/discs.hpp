@@ -50,22 +50,28 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
   return area;
 }
 
+/// The length of a difference of coordinates, round the torus if that is shorter.
+inline double short_way(double difference) {
+  const double inside = std::abs(difference);
+  return std::min(inside, 1 - inside);
+}
+
 /// The distance on the torus of the point `p` to the nearest of the first `among` of the points.
 inline double nearest_distance(std::span<const double> x, std::span<const double> y, std::size_t p,
                                std::size_t among) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();  // squared
   for (std::size_t i = 0; i < among; ++i) {
     if (i == p) continue;
-    const double dx = x[i] - x[p], dy = y[i] - y[p];
-    least = std::min(least, std::hypot(dx - std::round(dx), dy - std::round(dy)));
+    const double dx = short_way(x[i] - x[p]), dy = short_way(y[i] - y[p]);
+    least = std::min(least, dx * dx + dy * dy);
   }
-  return least;
+  return std::sqrt(least);
 }
 
 /// The least distance of any two points on the torus; infinite below two points.
 inline double least_distance(std::span<const double> x, std::span<const double> y) {
   const std::size_t n = x.size();
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();  // squared
   if (n < 2) return least;
   // By x: only those within the least distance so far need be looked at, round the seam too.
   std::vector<std::pair<double, double>> points(n);
@@ -75,12 +81,12 @@ inline double least_distance(std::span<const double> x, std::span<const double> 
     for (std::size_t step = 1; step < n; ++step) {
       const std::size_t k = (i + step) % n;
       const double dx = points[k].first - points[i].first + (k < i ? 1 : 0);
-      if (dx > least || dx > 0.5) break;
-      const double dy = points[k].second - points[i].second;
-      least = std::min(least, std::hypot(dx, dy - std::round(dy)));
+      if (dx * dx > least || dx > 0.5) break;
+      const double dy = short_way(points[k].second - points[i].second);
+      least = std::min(least, dx * dx + dy * dy);
     }
   }
-  return least;
+  return std::sqrt(least);
 }
 
 }  // namespace mc::checks

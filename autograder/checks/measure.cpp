@@ -93,7 +93,6 @@ Call ask(std::string_view experiment, std::string call, std::string request,
                      experiment));
   }
   Call made{std::move(call), grader::run_jailed(judged, request, limits)};
-  record("measured", fmt::format("{} {:.6f}", experiment, made.outcome.cpu_seconds));
   if (!made.outcome.printed.empty()) record("printed", made.outcome.printed);
   if (made.outcome.timed_out) record("timed_out", experiment);
   return made;

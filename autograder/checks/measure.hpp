@@ -98,7 +98,7 @@ struct Measure<Result(Parameters...)> {
   static Call outcome(std::string_view experiment, const grader::Limits& limits,
                       std::type_identity_t<std::remove_cvref_t<Parameters>>... arguments) {
     wire::Writer request;
-    wire::put_name(request, experiment);
+    request.put(std::string(experiment));
     (request.put(arguments), ...);
     std::string call(experiment);
     call += '(';

@@ -27,11 +27,10 @@ std::ofstream plot_file(const std::string& name);
 void plot_row(std::ostream& file, std::span<const std::optional<double>> values);
 
 /// Seconds a round, seen from outside the program: the CPU time of 2R rounds less that of R, R so
-/// large that the difference is 50 ms at least; the median of five such figures, since noise falls on
-/// either run. `run` gives the CPU time of so many rounds, or nothing.
+/// large that the difference is 50 ms at least (or `least`); the median of five such figures, since
+/// noise falls on either run. `run` gives the CPU time of so many rounds, or nothing.
 template <class Run>
-std::optional<double> seconds_a_round(Run run) {
-  constexpr double least = 0.05;
+std::optional<double> seconds_a_round(Run run, double least = 0.05) {
   std::uint64_t rounds = 1;
   for (;; rounds *= 2) {
     const std::optional<double> once = run(rounds);

@@ -31,7 +31,11 @@ inline Spectrum spectrum_of(std::span<const double> x, std::span<const double> y
     return std::polar(1.0, -2 * std::numbers::pi * (turns - std::round(turns)));
   };
   for (std::size_t p = 0; p < x.size(); ++p) {
-    for (int k = -kmax; k <= kmax; ++k) along[static_cast<std::size_t>(k + kmax)] = wave(k, x[p]);
+    for (int k = 0; k <= kmax; ++k) {
+      along[static_cast<std::size_t>(kmax + k)] = wave(k, x[p]);
+      along[static_cast<std::size_t>(kmax - k)] =
+          std::conj(along[static_cast<std::size_t>(kmax + k)]);
+    }
     for (int k = 0; k <= kmax; ++k) {
       const std::complex<double> up = wave(k, y[p]);
       std::complex<double>* const row = &sum[static_cast<std::size_t>(k + kmax) * side];

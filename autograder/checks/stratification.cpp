@@ -26,6 +26,7 @@
 #include "checks/expect.hpp"
 #include "checks/measure.hpp"
 #include "checks/statistics.hpp"
+#include "checks/strata.hpp"
 
 namespace mc::checks {
 namespace {
@@ -54,16 +55,6 @@ std::span<const T> part(const std::vector<T>& all, std::size_t first, std::size_
 
 // Strata ------------------------------------------------------------------------------------------
 
-/// The stratum i of n with double(i) / n <= x < double(i+1) / n; nothing outside [0,1).
-std::optional<std::size_t> stratum_of(double x, std::size_t n) {
-  if (!(x >= 0 && x < 1)) return {};
-  const auto size = static_cast<double>(n);
-  auto i = std::min(static_cast<std::size_t>(x * size), n - 1);  // rounded: right, or one off
-  while (x < static_cast<double>(i) / size) --i;
-  while (x >= static_cast<double>(i + 1) / size) ++i;
-  return i;
-}
-
 /// Where x lies within its stratum: the number in [0,1) that its jitter came from.
 double jitter_of(double x, std::size_t n) {
   if (!(x >= 0 && x < 1)) return 0;
@@ -75,33 +66,6 @@ Values jitters_of(View x, std::size_t n) {
   Values jitters;
   for (const double value : x) jitters.push_back(jitter_of(value, n));
   return jitters;
-}
-
-void expect_inside(const std::string& call, const char* axis, View x) {
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    if (x[k] >= 0 && x[k] < 1) continue;
-    expect_that(false, fmt::format("{}: {}[{}] = {}", call, axis, k, x[k]), "values in [0, 1)",
-                "points lie in the unit cube, which does not contain its upper faces",
-                x[k] == 1 ? "it was rounded up to 1: hold it below the upper edge of its stratum"
-                          : "divide by the number of strata");
-  }
-}
-
-/// One point in each of n strata. What `elsewhere` says is likely, where nothing better is known.
-void expect_one_in_each(const std::string& call, const char* axis, View x, std::size_t n,
-                        const std::string& elsewhere) {
-  expect_inside(call, axis, x);
-  std::vector<std::size_t> points(n);
-  for (const double value : x) ++points[*stratum_of(value, n)];
-  for (std::size_t i = 0; i < n; ++i) {
-    if (points[i] == 1) continue;
-    expect_that(false,
-                fmt::format("{}: {} points with {} in [{}/{}, {}/{})", call, points[i], axis, i, n,
-                            i + 1, n),
-                fmt::format("one point in each of the {} strata of {}", n, axis),
-                "that is what stratified means; edges are i / n in double division", elsewhere);
-  }
-  pass();
 }
 
 void expect_in_order(const std::string& call, View x, const std::string& elsewhere) {
@@ -125,60 +89,6 @@ void expect_in_order(const std::string& call, View x, const std::string& elsewhe
                     : elsewhere);
   }
   pass();
-}
-
-const std::string because_cell =
-    "one point in each cell, in any order; edges are i / nx and j / ny in double division";
-
-/// The cell of each point, as i + nx j; empty where some cell has not got exactly one.
-std::vector<std::size_t> cells_of(View x, View y, Grid grid) {
-  std::vector<std::size_t> cells;
-  std::vector<bool> taken(grid.nx * grid.ny);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const auto i = stratum_of(x[k], grid.nx), j = stratum_of(y[k], grid.ny);
-    if (!i || !j || taken[*i + grid.nx * *j]) return {};
-    taken[*i + grid.nx * *j] = true;
-    cells.push_back(*i + grid.nx * *j);
-  }
-  return cells;
-}
-
-bool is_stratified(View x, std::size_t n) {
-  return !cells_of(x, Values(x.size(), 0.0), {n, 1}).empty();
-}
-
-/// One point in each cell of a grid; gives back which point is in which.
-std::vector<std::size_t> expect_one_in_each_cell(const std::string& call, View x, View y,
-                                                 Grid grid) {
-  if (x.size() != grid.nx * grid.ny || y.size() != x.size()) {
-    fail(fmt::format("measured  {}: {} x and {} y", call, x.size(), y.size()));
-  }
-  expect_inside(call, "x", x);
-  expect_inside(call, "y", y);
-  const auto cells = cells_of(x, y, grid);
-  if (!cells.empty()) {
-    pass();
-    return cells;
-  }
-  std::vector<std::size_t> points(grid.nx * grid.ny);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    ++points[*stratum_of(x[k], grid.nx) + grid.nx * *stratum_of(y[k], grid.ny)];
-  }
-  const std::size_t cell =
-      std::find_if(points.begin(), points.end(), [](auto count) { return count != 1; }) -
-      points.begin();
-  const std::size_t n = x.size();
-  expect_that(
-      false,
-      fmt::format("{}: {} points in cell ({}, {}) of {} x {}", call, points[cell], cell % grid.nx,
-                  cell / grid.nx, grid.nx, grid.ny),
-      "one point", because_cell,
-      grid.nx != grid.ny && !cells_of(x, y, {grid.ny, grid.nx}).empty()
-          ? "nx and ny have changed places: nx cells along x, ny along y"
-      : is_stratified(x, n) && is_stratified(y, n)
-          ? "two 1D patterns are not a 2D pattern: the cells of the plane are left to chance"
-          : "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
-  return {};
 }
 
 // Jitter ------------------------------------------------------------------------------------------

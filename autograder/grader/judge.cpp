@@ -62,7 +62,6 @@ void read_records(const std::string& records, CheckResult& result,
         rest += line[i];
       }
     }
-    if (kind == "measured") ++result.measurements;
     if (kind == "printed") result.printed += rest;
     if (kind == "todo") result.status = Status::not_written;
     if (kind == "timed_out") timed_out.push_back(rest);
@@ -265,10 +264,24 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
   return checks;
 }
 
+void wait_for_labs(LabVerdict& verdict,
+                   const std::function<bool(const std::string& lab)>& is_finished) {
+  for (CheckResult& result : verdict.checks) {
+    if (result.status != Status::failed) continue;
+    for (const std::string& need : result.check.needs) {
+      const bool is_lab = need.find('.') == std::string::npos;
+      if (!is_lab || is_finished(need)) continue;
+      result.status = Status::waiting;
+      verdict.unfinished.push_back(need);
+      break;
+    }
+  }
+}
+
 LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
                      const JudgeOptions& options) {
   const auto start = Clock::now();
-  LabVerdict verdict{lab, {}, built.failure, 0};
+  LabVerdict verdict{lab, {}, built.failure, {}, 0};
   for (const Check& check : expected_checks(layout, lab)) {
     if (!options.only.empty() && check.task != options.only) continue;
     if (options.skip_slow && check.is_slow) continue;

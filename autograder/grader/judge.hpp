@@ -2,6 +2,7 @@
 // From a program to a verdict: runs a lab's checks, one process each, and reads their records.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,11 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab);
 
 LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
                      const JudgeOptions& options);
+
+/// A failed check that needs another lab is waiting while that lab, "3", is short of full marks, as
+/// `is_finished` says; it is asked only where it matters.
+void wait_for_labs(LabVerdict& verdict,
+                   const std::function<bool(const std::string& lab)>& is_finished);
 
 /// One check's part of Catch2's XML report, version 2 or 3 (they differ in the root only).
 struct XmlRecord {

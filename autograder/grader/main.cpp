@@ -62,6 +62,17 @@ const std::vector<Verb>& verbs() {
        {},
        "starter/ without DIR; beside it the solutions, where the checkout has them.\n",
        plot},
+      {"render",
+       "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
+       "draw lab 6's pictures by every sampler, and their errors",
+       {"sampler=", "spp="},
+       "PICTURE is edge, penumbra, defocus, motion or stripes; all of them without it. Two sheets "
+       "each,\n"
+       "in build/render: with N samples a pixel (16), and with as many as a sampler makes in the "
+       "time of N\n"
+       "independent ones. DIR as in plot.\n"
+       "  --sampler KIND   only one of independent, stratified, blue_noise, halton, sobol\n",
+       render},
       {"bench",
        "bench [LAB...] [DIR...] [--rounds N] [--page FILE]",
        "speed against error: the solutions, any submission, libraries",

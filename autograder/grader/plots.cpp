@@ -16,50 +16,26 @@ namespace {
 
 constexpr int program_descriptor = 10;
 
-/// A string as gnuplot reads it between single quotes.
-std::string quoted(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? "''" : std::string(1, c);
-  return all + "'";
-}
-
-/// Runs the lab's hidden plot cases on a program; true where they wrote their data.
-bool measure(const Layout& layout, const Lab& lab, const Program& program, const fs::path& data) {
-  fs::create_directories(data);
-  const ProcessResult run =
-      run_process({layout.checks(lab.name).string(), "[.plot]"},
-                  {.environment = {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
-                                   {"MC_PLOT_DATA", data.string()},
-                                   {"MC_SEED", "1"}},
-                   .descriptors = {{program.descriptor, program_descriptor}},
-                   .wall_seconds = 300});
-  return run.succeeded();
-}
-
 /// What every script begins with.
 std::string beginning(const Layout& layout, const fs::path& out, const std::string& extension) {
-  return fmt::format(
-      "set encoding utf8\nset termoption noenhanced\nout = {}\next = {}\ndraw = {}\n",
-      quoted(out.string()), quoted(extension),
-      quoted((layout.labs() / "common" / "draw.gp").string()));
+  return fmt::format("out = {}\next = {}\ndraw = {}\n", gnuplot_string(out.string()),
+                     gnuplot_string(extension),
+                     gnuplot_string((layout.labs() / "common" / "draw.gp").string()));
 }
 
 std::string script_of(const Layout& layout, const Lab& lab, const std::vector<std::string>& labels,
                       const std::vector<fs::path>& data, const fs::path& out,
                       const std::string& extension) {
-  std::string labels_list, data_list;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    labels_list += (i > 0 ? ", " : "") + quoted(labels[i]);
-    data_list += (i > 0 ? ", " : "") + quoted(data[i].string());
-  }
+  const fs::path here = layout.labs() / lab.folder;
   return beginning(layout, out, extension) +
-         fmt::format("count = {}\narray labels[count] = [{}]\narray data[count] = [{}]\nload {}\n",
-                     labels.size(), labels_list, data_list,
-                     quoted((layout.labs() / lab.folder / "plots.gp").string()));
+         fmt::format("count = {}\n{}{}here = {}\nload {}\n", labels.size(),
+                     gnuplot_array("labels", labels),
+                     gnuplot_array("data", std::vector<std::string>(data.begin(), data.end())),
+                     gnuplot_string(here.string()), gnuplot_string((here / "plots.gp").string()));
 }
 
-bool gnuplot_is_there(Plots& plots) {
-  if (run_process({"gnuplot", "--version"}).exit_code == 0) return true;
+bool can_draw(Plots& plots) {
+  if (gnuplot_is_there()) return true;
   plots.remarks.push_back("no plots: gnuplot is not installed (./lab setup)");
   return false;
 }
@@ -68,10 +44,9 @@ bool gnuplot_is_there(Plots& plots) {
 template <class Script>
 void draw(Plots& plots, const fs::path& name, Script script) {
   for (const std::string extension : {"svg", "png"}) {
-    const fs::path file = name.string() + "." + extension + ".gp";
-    write_text(file, script(extension));
-    const ProcessResult drawn = run_process({"gnuplot", file.string()}, {.wall_seconds = 120});
-    if (!drawn.succeeded()) plots.remarks.push_back("gnuplot failed: " + printable(drawn.errors));
+    const std::string failure =
+        run_gnuplot(name.string() + "." + extension + ".gp", script(extension));
+    if (!failure.empty()) plots.remarks.push_back(failure);
   }
 }
 
@@ -112,10 +87,46 @@ std::string variance_points(const Bench& bench, const std::string& submission) {
 
 }  // namespace
 
+bool gnuplot_is_there() {
+  return run_process({"gnuplot", "--version"}).exit_code == 0;
+}
+
+std::string gnuplot_string(const std::string& text) {
+  std::string all = "'";
+  for (const char c : text) all += c == '\'' ? "''" : std::string(1, c);
+  return all + "'";
+}
+
+std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + gnuplot_string(text);
+  return fmt::format("array {}[{}] = [{}]\n", name, texts.size(), list);
+}
+
+std::string run_gnuplot(const fs::path& script, const std::string& text) {
+  write_text(script, "set encoding utf8\nset termoption noenhanced\n" + text);
+  const ProcessResult drawn = run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
+  return drawn.succeeded() ? "" : "gnuplot failed: " + printable(drawn.errors);
+}
+
+ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Program& program,
+                               const std::string& tag, const fs::path& data,
+                               std::vector<std::pair<std::string, std::string>> environment) {
+  fs::create_directories(data);
+  environment.insert(environment.end(),
+                     {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
+                      {"MC_PLOT_DATA", data.string()},
+                      {"MC_SEED", "1"}});
+  return run_process({layout.checks(lab.name).string(), tag, "--reporter", "xml"},
+                     {.environment = std::move(environment),
+                      .descriptors = {{program.descriptor, program_descriptor}},
+                      .wall_seconds = 300});
+}
+
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder) {
   Plots plots;
-  if (!gnuplot_is_there(plots)) return plots;
+  if (!can_draw(plots)) return plots;
   const fs::path place = layout.build / "plots" / folder;
   std::vector<std::string> labels;
   std::vector<fs::path> data;
@@ -126,7 +137,7 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
       continue;
     }
     const fs::path measured = place / "data" / fmt::format("{}-{}", lab.name, labels.size());
-    if (measure(layout, lab, *built.program, measured)) {
+    if (run_hidden_cases(layout, lab, *built.program, "[.plot]", measured).succeeded()) {
       labels.push_back(submission.label);
       data.push_back(measured);
     } else {
@@ -143,7 +154,7 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
 
 Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place) {
   Plots plots;
-  if (!gnuplot_is_there(plots)) return plots;
+  if (!can_draw(plots)) return plots;
   // Blocks that gnuplot finds by their names: n, microseconds, RMSE and its standard error.
   std::string curves, variances;
   for (const Curve& curve : curves_of(bench)) {
@@ -161,8 +172,9 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
   write_text(place / "variances.tsv", variances);
   draw(plots, place / "plots", [&](const std::string& extension) {
     return beginning(layout, place / "bench", extension) +
-           fmt::format("data = {}\nload {}\n", quoted(place.string()),
-                       quoted((layout.root / "autograder" / "bench" / "plots.gp").string()));
+           fmt::format(
+               "data = {}\nload {}\n", gnuplot_string(place.string()),
+               gnuplot_string((layout.root / "autograder" / "bench" / "plots.gp").string()));
   });
   collect(plots, place, "bench-");
   return plots;

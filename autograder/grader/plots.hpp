@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "grader/bench.hpp"
+#include "grader/build.hpp"
 #include "grader/labs.hpp"
 #include "grader/layout.hpp"
+#include "grader/process.hpp"
 #include "grader/submission.hpp"
 
 namespace mc::grader {
@@ -24,5 +26,23 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
 
 /// The pictures of the bench, into `place`.
 Plots draw_bench(const Layout& layout, const Bench& bench, const std::filesystem::path& place);
+
+// What drawing is made of, for other pictures too (renders.hpp).
+
+/// Is gnuplot there?
+bool gnuplot_is_there();
+
+/// A string, and a list of strings, as gnuplot reads them.
+std::string gnuplot_string(const std::string& text);
+std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts);
+
+/// Writes a script and runs it; what gnuplot complains of, or nothing.
+std::string run_gnuplot(const std::filesystem::path& script, const std::string& text);
+
+/// Runs the hidden cases with this tag of a lab's checks; they write their data into a folder, and say
+/// what happened in Catch2's XML.
+ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Program& program,
+                               const std::string& tag, const std::filesystem::path& data,
+                               std::vector<std::pair<std::string, std::string>> environment = {});
 
 }  // namespace mc::grader

@@ -12,6 +12,7 @@ namespace mc::grader {
 struct Terminal {
   bool colour = false;
   std::size_t width = 100;
+  bool interactive = false;  ///< is there one? Then a line may be written again and again
 };
 
 /// The terminal on standard output: colour only there, and not with NO_COLOR; 100 columns at most.

@@ -56,8 +56,8 @@ std::string story_line(std::string_view line, std::size_t margin, std::size_t wi
 
 constexpr std::size_t margin = 9;
 
-std::string check_line(const CheckResult& result, const Terminal& terminal, const char* colour,
-                       const std::string& mark, const std::string& name, const std::string& right) {
+std::string check_line(const Terminal& terminal, const char* colour, const std::string& mark,
+                       const std::string& name, const std::string& right) {
   const std::size_t room = terminal.width > 24 ? terminal.width - 14 : 10;
   std::string text = wrapped(name, room - 9, margin);
   const auto last = text.rfind('\n');
@@ -65,7 +65,6 @@ std::string check_line(const CheckResult& result, const Terminal& terminal, cons
       last == std::string::npos ? margin + columns_of(text) : columns_of(text.substr(last + 1));
   const std::size_t gap =
       used + 1 + right.size() < terminal.width ? terminal.width - used - right.size() : 1;
-  (void)result;
   return fmt::format("  {} {}{}{}\n", painted(terminal, colour, mark), text,
                      std::string(gap > 0 ? gap : 1, ' '), right);
 }
@@ -93,8 +92,9 @@ Terminal this_terminal() {
   Terminal terminal;
   const char* no_colour = std::getenv("NO_COLOR");
   const char* kind = std::getenv("TERM");
-  terminal.colour = isatty(STDOUT_FILENO) != 0 && (no_colour == nullptr || *no_colour == '\0') &&
-                    (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.interactive =
+      isatty(STDOUT_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.colour = terminal.interactive && (no_colour == nullptr || *no_colour == '\0');
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
     terminal.width = std::clamp<std::size_t>(size.ws_col, 40, 100);
@@ -125,9 +125,9 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     const std::string points = points_of(result.earned(), result.check.points);
     if (!lab.no_program.empty()) continue;
     if (passed) {
-      all += check_line(result, terminal, green, "✓", result.check.name, points);
+      all += check_line(terminal, green, "✓", result.check.name, points);
     } else if (result.status == Status::failed || result.status == Status::internal_error) {
-      all += check_line(result, terminal, red, "✗", result.check.name, points);
+      all += check_line(terminal, red, "✗", result.check.name, points);
       for (const std::string_view line : text::split(result.story, '\n')) {
         all += story_line(line, margin, terminal.width);
       }
@@ -146,7 +146,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       const std::string what = last > i
                                    ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
                                    : result.check.name;
-      all += check_line(result, terminal, grey, "·", what + ": " + describe(result, lab),
+      all += check_line(terminal, grey, "·", what + ": " + describe(result, lab),
                         points_of(0, together));
       if (result.status == Status::not_run) {
         all += story_line("because   " + result.story, margin, terminal.width);
@@ -160,6 +160,9 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       fmt::format("\n  {} points",
                   painted(terminal, bold, fmt::format("{:g} of {:g}", lab.earned(), lab.points())));
   if (next != nullptr && lab.no_program.empty()) all += fmt::format("; next: {}", next->check.task);
+  if (next == nullptr && !lab.unfinished.empty()) {
+    all += fmt::format("; next: lab {}", lab.unfinished[0]);
+  }
   return all + "\n" + jail_warning(verdict);
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <future>
+#include <map>
 #include <random>
 
 #include <fmt/format.h>
@@ -39,6 +41,33 @@ void require_writable(const std::optional<std::string>& file) {
   }
 }
 
+/// Does the submission have full marks in this lab? Judged now, unless it was already.
+class Finished {
+ public:
+  Finished(const House& house, const Submission& submission, const JudgeOptions& options)
+      : house_(house), submission_(submission), options_(options) {
+    options_.only.clear();
+  }
+
+  void add(const LabVerdict& verdict) {
+    known_[std::to_string(verdict.lab.number)] = verdict.earned() == verdict.points();
+  }
+
+  bool operator()(const std::string& number) {
+    if (!known_.contains(number)) {
+      const Lab& lab = find_lab(house_.labs, number);
+      add(judge_lab(house_.layout, lab, build_program(house_.layout, lab, submission_), options_));
+    }
+    return known_[number];
+  }
+
+ private:
+  const House& house_;
+  const Submission& submission_;
+  JudgeOptions options_;
+  std::map<std::string, bool> known_;
+};
+
 Verdict judge_submission(const House& house, const Submission& submission,
                          const std::vector<Lab>& labs, JudgeOptions options) {
   const auto start = Clock::now();
@@ -49,6 +78,7 @@ Verdict judge_submission(const House& house, const Submission& submission,
   verdict.flags = fmt::format("{}", fmt::join(compile_flags(house.layout, Variant::judged), " "));
   verdict.jail_complete = jail_is_complete();
   options.submission = submission.label;
+  Finished finished(house, submission, options);
   for (const Lab& lab : labs) {
     // Without the library's assertions, beside what is judged with them.
     std::future<Built> fast;
@@ -58,7 +88,10 @@ Verdict judge_submission(const House& house, const Submission& submission,
       });
     }
     const Built built = build_program(house.layout, lab, submission);
-    verdict.labs.push_back(judge_lab(house.layout, lab, built, options));
+    LabVerdict judged = judge_lab(house.layout, lab, built, options);
+    wait_for_labs(judged, std::ref(finished));
+    if (options.only.empty()) finished.add(judged);
+    verdict.labs.push_back(std::move(judged));
     if (!fast.valid()) continue;
     const Built built_fast = fast.get();
     if (!built.program || !built_fast.program) continue;

@@ -78,12 +78,11 @@ int run(const House& house, const Arguments& arguments) {
   become(std::move(command));
 }
 
-int plot(const House& house, const Arguments& arguments) {
-  if (arguments.words.empty()) throw UsageError("usage: ./lab plot LAB [DIR...]");
-  const Lab& lab = find_lab(house.labs, arguments.words[0]);
+std::vector<Submission> submissions_beside(const House& house, const Lab& lab,
+                                           const std::vector<std::string>& directories) {
   std::vector<Submission> submissions;
-  for (std::size_t i = 1; i < arguments.words.size(); ++i) {
-    submissions.push_back(open_submission(house.layout, house.labs, arguments.words[i]));
+  for (const std::string& directory : directories) {
+    submissions.push_back(open_submission(house.layout, house.labs, directory));
   }
   if (submissions.empty()) {
     submissions.push_back(open_submission(house.layout, house.labs, house.layout.starter()));
@@ -95,6 +94,14 @@ int plot(const House& house, const Arguments& arguments) {
     submissions.push_back(open_submission(house.layout, house.labs, house.layout.solutions()));
     submissions.back().label = "solutions";
   }
+  return submissions;
+}
+
+int plot(const House& house, const Arguments& arguments) {
+  if (arguments.words.empty()) throw UsageError("usage: ./lab plot LAB [DIR...]");
+  const Lab& lab = find_lab(house.labs, arguments.words[0]);
+  const std::vector<Submission> submissions =
+      submissions_beside(house, lab, {arguments.words.begin() + 1, arguments.words.end()});
   const Plots plots = draw_plots(house.layout, lab, submissions, "side-by-side");
   for (const std::string& remark : plots.remarks) fmt::print("{}\n", remark);
   for (const fs::path& picture : plots.pictures) fmt::print("{}\n", picture.string());

@@ -9,6 +9,7 @@
 #include "grader/arguments.hpp"
 #include "grader/labs.hpp"
 #include "grader/layout.hpp"
+#include "grader/submission.hpp"
 
 namespace mc::grader {
 
@@ -31,10 +32,16 @@ int bench(const House& house, const Arguments& arguments);
 int check(const House& house, const Arguments& arguments);
 int grade(const House& house, const Arguments& arguments);
 int plot(const House& house, const Arguments& arguments);
+int render(const House& house, const Arguments& arguments);
 int reset(const House& house, const Arguments& arguments);
 int run(const House& house, const Arguments& arguments);
 int standing(const House& house, const Arguments& arguments);
 int submit(const House& house, const Arguments& arguments);
 int test(const House& house, const Arguments& arguments);
+
+/// What is drawn side by side: these directories (the starter, where there are none), and the
+/// solutions, where the checkout has this lab's.
+std::vector<Submission> submissions_beside(const House& house, const Lab& lab,
+                                           const std::vector<std::string>& directories);
 
 }  // namespace mc::grader

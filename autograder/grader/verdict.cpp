@@ -50,6 +50,9 @@ std::string describe(const CheckResult& result, const LabVerdict& verdict) {
       return "not written yet";
     case Status::waiting:
       for (const std::string& need : result.check.needs) {
+        for (const std::string& lab : verdict.unfinished) {
+          if (lab == need) return "waiting for lab " + need;
+        }
         for (const auto& other : verdict.checks) {
           if (other.check.task == need && other.status != Status::passed)
             return "waiting for " + need;

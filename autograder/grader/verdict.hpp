@@ -15,7 +15,7 @@ enum class Status {
   passed,
   failed,
   not_written,     ///< the task throws mc::todo
-  waiting,         ///< failed, and so did a task that it needs: one fault, not two
+  waiting,         ///< failed, and so did a task or a lab that it needs: one fault, not two
   not_run,         ///< the lab's time was used up, or there is no program
   internal_error,  ///< the autograder's own fault: no record of this check
 };
@@ -24,7 +24,7 @@ enum class Status {
 struct Check {
   std::string name;                ///< "1.3 two passes keep their digits under a large mean"
   std::string task;                ///< "1.3"
-  std::vector<std::string> needs;  ///< tasks without which it cannot pass
+  std::vector<std::string> needs;  ///< tasks ("1.1") and labs ("3") without which it cannot pass
   double points = 0;
   bool is_slow = false;  ///< takes a good part of the lab's time: begun first, beside the others
 };
@@ -43,7 +43,6 @@ struct CheckResult {
   std::string printed;  ///< what the submission printed meanwhile
   std::string repeat;   ///< the command that repeats this check, seed included
   std::vector<PValue> p_values;
-  std::size_t measurements = 0;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }
 };
@@ -63,6 +62,7 @@ struct LabVerdict {
   Lab lab;
   std::vector<CheckResult> checks;
   std::string no_program;  ///< why there is none to judge; empty where there is
+  std::vector<std::string> unfinished;  ///< labs that some checks are waiting for: "3"
   double seconds = 0;
   std::vector<Speed> speed;  ///< of the speed tasks that passed
   double earned() const;

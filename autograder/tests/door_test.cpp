@@ -57,6 +57,10 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
       {{"grade", empty.path().string()}, "no file of any lab"},
       {{"grade", "a", "b", "--json", "x.json"}, "--json takes one DIR"},
       {{"plot", "vriance"}, "did you mean 'variance'"},
+      {{"render", "egde"}, "the pictures are edge, penumbra"},
+      {{"render", "--sampler", "random"}, "the kinds are independent, stratified"},
+      {{"render", "--spp", "0"}, "--spp takes 1 to"},
+      {{"render", "--spp", "many"}, "whole number"},
       {{"run"}, "usage: ./lab run LAB"},
       {{"reset"}, "usage: ./lab reset LAB"},
       {{"submit", "0"}, "no lab '0'"},
@@ -72,7 +76,8 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
 }
 
 TEST_CASE("every verb has help") {
-  for (const char* verb : {"setup", "check", "run", "grade", "plot", "reset", "submit", "test"}) {
+  for (const char* verb :
+       {"setup", "check", "run", "grade", "plot", "render", "reset", "submit", "test"}) {
     const auto run = lab({verb, "--help"});
     CHECK(run.exit_code == 0);
     CHECK(contains(run.output, std::string("usage: ./lab ") + verb));
@@ -172,7 +177,8 @@ TEST_CASE("an experiment by hand") {
 }
 
 TEST_CASE("a report fits a small terminal") {
-  LabVerdict verdict{{1, "variance", "1-variance", {}}, {}, "", 0};
+  LabVerdict verdict;
+  verdict.lab = {1, "variance", "1-variance", {}};
   CheckResult failed;
   failed.check = {
       "1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5, false};
@@ -190,4 +196,21 @@ TEST_CASE("a report fits a small terminal") {
     widest = std::max(widest, column);
   }
   CHECK(widest <= 52);  // a word that does not fit stands alone
+}
+
+TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished") {
+  const Layout layout = read_layout();
+  const Scratch student;
+  for (const auto& entry : fs::directory_iterator(layout.solutions())) {
+    fs::copy_file(entry.path(), student.path() / entry.path().filename());
+  }
+  std::string text = read_text(student.path() / "stratification.cpp");
+  const std::string moves = "    move_into(strata, first, block);\n";  // into their strata, in 3.1
+  REQUIRE(contains(text, moves));
+  text.erase(text.find(moves), moves.size());
+  student.write("stratification.cpp", text);
+  const auto run = lab({"check", "sampler", student.path().string(), "--only", "6.2"});
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.output, "waiting for lab 3"));
+  CHECK(!contains(run.output, "measured"));  // one fault, and it is not here
 }

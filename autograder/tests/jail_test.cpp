@@ -167,7 +167,7 @@ const Program& program() {
 Outcome run(Deed deed, std::vector<double> arguments = {}, const Limits& limits = {}) {
   arguments.insert(arguments.begin(), deed);
   mc::wire::Writer request;
-  mc::wire::put_name(request, "mean");
+  request.put(std::string("mean"));
   request.put(arguments);
   return run_jailed(program(), request.bytes, limits);
 }

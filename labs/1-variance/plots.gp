@@ -20,7 +20,7 @@ set xlabel "offset"
 set ylabel "digits kept"
 set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width -2
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title way[i]
   unset key
   unset ylabel
@@ -43,7 +43,7 @@ set ylabel "ns a value (less is better)"
 unset key
 array above[5] = [1, 1, 1, -1, 1]
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2 with points ls i ps 2, \
        for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2:(way[i]) with labels offset 0,1.1*above[i]
   unset ylabel

@@ -20,7 +20,7 @@ set grid lt 1 lw 0.5 lc rgb "#AAAAAA"
 unset key
 do for [s=1:count] {
   do for [i=1:4] {
-    set title pattern[i].who(s)
+    set title pattern[i].who(s) noenhanced
     plot data[s]."/patterns.tsv" using 2*i-1:2*i with points pt 7 ps 0.7 lc rgb "#0072B2"
   }
 }
@@ -44,7 +44,7 @@ set autoscale xfix
 set autoscale yfix
 do for [s=1:count] {
   do for [i=1:3] {
-    set title shaded[i].who(s)
+    set title shaded[i].who(s) noenhanced
     plot data[s]."/shadow-".task[i].".tsv" matrix with image
   }
 }
@@ -68,7 +68,7 @@ set key left bottom Left reverse samplen 3
 set xrange [0.7:6000]
 do for [s=1:count] {
   do for [i=1:4] {
-    set title what[i].who(s)
+    set title what[i].who(s) noenhanced
     file = data[s]."/convergence-".of[i].".tsv"
     ways = i == 1 ? 1 : 3
     plot file using 1:2 with lines ls 9 lw 2 title "N^{-0.5}", \
@@ -93,7 +93,7 @@ set xlabel "N strata (line: exact; points: N times the mean squared error)"
 set ylabel "variance within the strata / variance"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 2 Left reverse samplen 3 width 1
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot for [i=1:4] data[s]."/within-".of[i].".tsv" using 1:2 with lines ls i notitle, \
        for [i=1:4] data[s]."/within-".of[i].".tsv" using 1:3 with points ls i title what[i]
   unset key
@@ -115,7 +115,7 @@ set xlabel "n"
 set ylabel "RMSE"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot for [i=1:3] data[s]."/early.tsv" using 1:(column(i+1)) with linespoints ls i title early[i]
   unset key
   unset ylabel
@@ -138,7 +138,7 @@ set xlabel "RMSE (left is better)"
 set ylabel "ns a point (down is better)"
 unset key
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot for [i=1:7] data[s]."/speed.tsv" every ::i-1::i-1 using 2:1 \
          with points ls (i < 7 ? i : 2) pt (i < 7 ? 2*i : 1) ps 1.6, \
        for [i=1:7] data[s]."/speed.tsv" every ::i-1::i-1 using 2:1:(timed[i]) \

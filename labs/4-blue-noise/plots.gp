@@ -27,7 +27,7 @@ do for [s=1:count] {
     set rmargin at screen left + 0.184
     set bmargin at screen bottom + 226./height
     set tmargin at screen bottom + 432./height
-    set title called[i].(count > 1 && i == 1 ? ", ".labels[s] : "")
+    set title called[i].(count > 1 && i == 1 ? ", ".labels[s] : "") noenhanced
     set xrange [0:1]
     set yrange [0:1]
     plot data[s]."/pattern-".way[i].".tsv" using 1:2 with points pt 7 ps 0.4 lc rgb "#0072B2"
@@ -54,7 +54,7 @@ set xlabel "frequency abs(k) / sqrt(N)"
 set ylabel "power (independent points: 1)"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 3 width 1
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot for [i=1:5] data[s]."/radial.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title called[i]
   unset key
   unset ylabel
@@ -79,7 +79,7 @@ set ylabel "RMSE"
 set key left bottom Left reverse samplen 3
 do for [s=1:count] {
   do for [f=1:2] {
-    set title what[f].(count > 1 ? ", ".labels[s] : "")
+    set title what[f].(count > 1 ? ", ".labels[s] : "") noenhanced
     file = data[s]."/error-".of[f].".tsv"
     plot file using 1:(0.3*column(2)) with lines ls 9 lw 2 title "N^{-1/2}", \
          file using 1:(0.5*column(2)**2) with lines ls 9 lw 2 dt 3 title "N^{-1}", \
@@ -101,7 +101,7 @@ set xlabel "N points"
 set ylabel "µs a point"
 set key left top Left reverse samplen 3
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot data[s]."/speed.tsv" using 1:2 with linespoints ls 4 title "4.2 best candidate, c = 1", \
        data[s]."/speed.tsv" using 1:3 with linespoints ls 5 title "4.3 Poisson disk"
   unset ylabel

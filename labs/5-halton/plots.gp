@@ -19,7 +19,7 @@ set ytics 0,0.125 format ""
 unset key
 do for [s=1:count] {
   do for [i=1:6] {
-    set title pattern[i].who(s)
+    set title pattern[i].who(s) noenhanced
     plot data[s]."/points-".i.".tsv" using 1:2 with points pt 7 ps 0.6 lc rgb "#0072B2"
   }
 }
@@ -40,7 +40,7 @@ set xlabel "N"
 set ylabel "D*"
 set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 3 width -1
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot 0.85/sqrt(x) with lines ls 9 lw 2 title "N^{-1/2}", \
        0.42*log(x)/x with lines ls 9 lw 2 dt 3 title "log N / N", \
        for [i=1:6] data[s]."/discrepancy.tsv" using 1:(column(i+1)) with linespoints ls i title way[i]
@@ -61,7 +61,7 @@ set xrange [10:100000]
 set xlabel "N"
 do for [s=1:count] {
   do for [i=1:5] {
-    set title what[i].who(s)
+    set title what[i].who(s) noenhanced
     set ylabel (i % 3 == 1 ? "error" : "")
     # The last panel of a submission leaves room on its right, where the key stands.
     if (i == 5) { set key at graph 1.25, 0.9 left top Left reverse samplen 3 } else { unset key }
@@ -86,7 +86,7 @@ set ytics 0,0.125 format ""
 unset key
 do for [s=1:count] {
   do for [i=1:3] {
-    set title pair[i].who(s)
+    set title pair[i].who(s) noenhanced
     plot data[s]."/pair-".i.".tsv" using 1:2 with points pt 7 ps 0.8 lc rgb "#0072B2"
   }
 }
@@ -107,7 +107,7 @@ set ylabel "error (less is better)"
 unset key
 array above[5] = [1, 1, 1, 1, -1]
 do for [s=1:count] {
-  set title labels[s]
+  set title labels[s] noenhanced
   plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3 with points ls i ps 2, \
        for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3:(task[i]) with labels offset 0,1.1*above[i]
   unset ylabel

@@ -73,7 +73,7 @@ std::pair<Status, std::string> outcome_of(Work work) {
   const std::string request = read_all(request_descriptor);
   const auto [status, bytes] = outcome_of([&]() -> std::string {
     mc::wire::Reader from(request);
-    const std::string name = mc::wire::get_name(from);
+    const auto name = from.get<std::string>();
     const auto* experiment = find(name);
     if (experiment == nullptr) throw mc::wire::malformed("no experiment " + name);
     return experiment->from_wire(from);

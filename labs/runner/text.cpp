@@ -53,6 +53,9 @@ void parse(std::string_view text, unsigned& value) {
 void parse(std::string_view text, int& value) {
   parse_integer(text, value);
 }
+void parse(std::string_view text, std::string& value) {
+  value = text;
+}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -85,6 +88,9 @@ std::string print(unsigned value) {
 }
 std::string print(int value) {
   return shortest(value);
+}
+std::string print(const std::string& value) {
+  return value;
 }
 
 }  // namespace mc::text

@@ -1,6 +1,6 @@
 #pragma once
 // Arguments and results as text, for running an experiment by hand: 3 or 0.5 is a number, 1,2,4 a
-// list, 3:0.5:2 a struct field by field.
+// list, 3:0.5:2 a struct field by field, anything else a word.
 
 #include <cstdint>
 #include <string>
@@ -18,6 +18,9 @@ void parse(std::string_view text, std::uint64_t& value);
 void parse(std::string_view text, std::int64_t& value);
 void parse(std::string_view text, unsigned& value);
 void parse(std::string_view text, int& value);
+void parse(std::string_view text, std::string& value);
+template <wire::Listed T>
+void parse(std::string_view text, T& value);
 std::vector<std::string_view> split(std::string_view text, char separator);
 [[noreturn]] void wrong_number_of_fields(std::string_view names);
 
@@ -45,6 +48,7 @@ std::string print(std::uint64_t value);
 std::string print(std::int64_t value);
 std::string print(unsigned value);
 std::string print(int value);
+std::string print(const std::string& value);
 template <wire::Listed T>
 std::string print(const T& value);
 

@@ -3,7 +3,7 @@
 // descriptor 0) and answered (on descriptor 3). Both ends run on one machine, so numbers travel as
 // their own bytes.
 //
-//   request  = name, arguments                                   (a name is a vector of characters)
+//   request  = name, arguments                                   (a name is a string)
 //   response = magic, status, length, exactly `length` bytes, end
 //              the bytes are the result, or the text of the exception
 
@@ -63,6 +63,10 @@ class Writer {
   void put(const T& value) {
     append(&value, sizeof value);
   }
+  void put(const std::string& text) {
+    put(std::uint64_t{text.size()});
+    append(text.data(), text.size());
+  }
   template <class T>
   void put(const std::vector<T>& values) {
     put(std::uint64_t{values.size()});
@@ -91,11 +95,13 @@ class Reader {
   void get(T& value) {
     take(&value, sizeof value);
   }
+  void get(std::string& text) {
+    text.resize(get_size());
+    take(text.data(), text.size());
+  }
   template <class T>
   void get(std::vector<T>& values) {
-    std::uint64_t size = 0;
-    get(size);
-    if (size > left_.size()) throw malformed("a vector longer than the message");
+    const std::uint64_t size = get_size();
     values.resize(size);
     if constexpr (Arithmetic<T>) {
       take(values.data(), size * sizeof(T));
@@ -118,6 +124,12 @@ class Reader {
   }
 
  private:
+  std::uint64_t get_size() {
+    std::uint64_t size = 0;
+    get(size);
+    if (size > left_.size()) throw malformed("a list longer than the message");
+    return size;
+  }
   void take(void* data, std::size_t size) {
     if (size > left_.size()) throw malformed("too short");
     if (size > 0) std::memcpy(data, left_.data(), size);
@@ -126,12 +138,5 @@ class Reader {
   std::string_view left_;
 };
 
-inline void put_name(Writer& to, std::string_view name) {
-  to.put(std::vector<char>(name.begin(), name.end()));
-}
-inline std::string get_name(Reader& from) {
-  const auto name = from.get<std::vector<char>>();
-  return {name.begin(), name.end()};
-}
 
 }  // namespace mc::wire

@@ -1,5 +1,6 @@
 // mistake: (i + 1/2)/N along the first axis
-// caught by: 5.4
+// caught by: 5.4 Hammersley
+// caught by: 5.4 integrals
 // hint: this is the centred variant
 #include "halton.hpp"
 

@@ -1,5 +1,6 @@
 // mistake: the first Halton point is that of index first + 1
 // caught by: 5.3 Halton points
+// caught by: 5.3 integrals
 // hint: this begins one index too late
 #include "halton.hpp"
 

@@ -1,0 +1,45 @@
+#pragma once
+// The Sobol' sequence as it is defined, bit by bit, from the Joe-Kuo numbers.
+
+#include <array>
+#include <cstdint>
+
+#include "common/joe_kuo.hpp"
+
+namespace mc::checks {
+
+/// What bit k of the index contributes to dimension d: m_(k+1) of the recurrence of Bratley and Fox
+/// (1988, "Algorithm 659", eq. 3), as the leading bits of a word.
+inline std::array<std::uint32_t, 32> sobol_directions(unsigned d) {
+  const JoeKuo& of = joe_kuo[d];
+  std::array<std::uint64_t, 33> m{};
+  for (unsigned k = 1; k <= 32; ++k) {
+    if (of.degree == 0) {
+      m[k] = 1;
+    } else if (k <= of.degree) {
+      m[k] = of.m[k - 1];
+    } else {
+      m[k] = m[k - of.degree] ^ m[k - of.degree] << of.degree;
+      for (unsigned j = 1; j < of.degree; ++j) {
+        if (of.coefficients >> (of.degree - 1 - j) & 1) m[k] ^= m[k - j] << j;
+      }
+    }
+  }
+  std::array<std::uint32_t, 32> directions{};
+  for (unsigned k = 0; k < 32; ++k) {
+    directions[k] = static_cast<std::uint32_t>(m[k + 1] << (31 - k));
+  }
+  return directions;
+}
+
+/// The word whose 2^-32-fold is coordinate d of point `index`.
+inline std::uint32_t sobol_word(unsigned d, std::uint32_t index) {
+  const auto directions = sobol_directions(d);
+  std::uint32_t word = 0;
+  for (unsigned k = 0; k < 32; ++k) {
+    if (index >> k & 1) word ^= directions[k];
+  }
+  return word;
+}
+
+}  // namespace mc::checks

@@ -1,0 +1,307 @@
+// The scenes of lab 6 and their closed forms, each against the other, and both against reference
+// values; wrong scenes are told apart.
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+#include "checks/catch.hpp"
+#include "checks/known_scenes.hpp"
+#include "grader/renders.hpp"
+
+using namespace mc;
+using namespace mc::checks;
+
+namespace {
+
+/// Random numbers, and a note of what was asked for.
+class NotingSampler final : public Sampler {
+ public:
+  explicit NotingSampler(std::uint64_t seed) : rng_(seed) {}
+  void generate(std::size_t, std::uint64_t) override {}
+  double next() override {
+    asked += "next ";
+    return uniform(rng_);
+  }
+  Point2 next2() override {
+    asked += "next2 ";
+    const double x = uniform(rng_);
+    return {x, uniform(rng_)};
+  }
+  void advance() override { asked.clear(); }
+  std::string asked;
+
+ private:
+  Rng rng_;
+};
+
+using Sample = std::function<double(Sampler&)>;
+
+constexpr double samples = 200'000;
+
+/// Moments of so many samples.
+Population brute_force(const Sample& sample, std::uint64_t seed) {
+  NotingSampler sampler(seed);
+  double sum = 0, squares = 0;
+  for (double i = 0; i < samples; ++i, sampler.advance()) {
+    const double value = sample(sampler);
+    sum += value;
+    squares += value * value;
+  }
+  const double mean = sum / samples;
+  return {mean, squares / samples - mean * mean};
+}
+
+/// 5.5 standard errors: exceeded once in 2.6e7 by a Gaussian.
+constexpr double sigmas = 5.5;
+
+template <class... S>
+struct Scenes {
+  template <class F>
+  static void each(F f) {
+    std::size_t i = 0;
+    (f(std::string(known_scenes[i++].name), S{}), ...);
+  }
+};
+using AllScenes =
+    Scenes<scenes::PixelEdge, scenes::RectangleLight, scenes::HorizonLight, scenes::DiskLight,
+           scenes::SphereLight, scenes::HalfplanePenumbra, scenes::DiskPenumbra,
+           scenes::WallOcclusion, scenes::SphereOcclusion, scenes::SphereOcclusionUniform,
+           scenes::DefocusEdge, scenes::MotionEdge, scenes::PixelTimeLens, scenes::Stripes>;
+
+}  // namespace
+
+TEST_CASE("a scene is what its closed form says, with its own parameters and with fresh ones") {
+  AllScenes::each([](const std::string& name, auto scene) {
+    INFO(name);
+    Rng rng(6);
+    for (std::uint64_t i = 0; i < 8; ++i) {
+      if (i > 0) draw(scene, rng);
+      const Population known = population_of(scene);
+      const Population got = brute_force(scene, i);
+      CHECK(std::abs(got.mean - known.mean) < sigmas * std::sqrt(known.variance / samples));
+      // The second term is the mean's own error, squared.
+      CHECK(std::abs(got.variance / known.variance - 1) <
+            sigmas * std::sqrt((known.kurtosis - 1) / samples) + sigmas * sigmas / samples);
+      CHECK(moment(scene, 1) == Approx(exact(scene)).epsilon(1e-12));
+      const Population by_name = scene_population(name, parameters_of(scene));
+      CHECK(by_name.mean == known.mean);
+      CHECK(by_name.variance == known.variance);
+    }
+  });
+}
+
+TEST_CASE("fresh parameters have a variance worth measuring") {
+  Rng rng(9);
+  for (const KnownScene& scene : known_scenes) {
+    INFO(std::string(scene.name));
+    for (int i = 0; i < 1000; ++i) {
+      const Population known = scene_population(scene.name, scene.fresh(rng));
+      CHECK(known.variance > std::pow(0.05 * known.mean, 2));
+      CHECK(known.kurtosis < 30);
+    }
+  }
+}
+
+TEST_CASE("a scene asks for exactly what it lists, whatever it is given") {
+  AllScenes::each([](const std::string& name, auto scene) {
+    INFO(name);
+    NotingSampler sampler(1);
+    for (int i = 0; i < 1000; ++i, sampler.advance()) {
+      scene(sampler);
+      REQUIRE(sampler.asked == std::string(scene.uses) + ' ');
+    }
+  });
+}
+
+// By adaptive quadrature in 30 digits, apart from this code; of the scenes' default parameters.
+TEST_CASE("closed forms of the scenes against values computed beforehand") {
+  struct Reference {
+    std::string_view name;
+    double mean, variance;
+  };
+  constexpr Reference references[] = {
+      {"pixel_edge", 0.6188395105778121216261599, 0.23587717072562608085},
+      {"rect_light", 1.133290224099014525738617, 0.19407819334767491552},
+      {"rect_light_horizon", 0.3501882877138967108788832, 0.10510118738267366254},
+      {"disk_light", 1.130973355292325565846552, 0.086339299300729709198},
+      {"sphere_light", 0.4148589287274015939746981, 0.003668803148030330236},
+      {"penumbra_halfplane", 0.7562410723388381717214145, 0.46517624515898544872},
+      {"penumbra_disk", 0.9103295447505301210131548, 0.28907866669478079941},
+      {"ao_wall", 0.9, 0.09},
+      {"ao_sphere", 0.5555555555555555555555556, 0.24691358024691358025},
+      {"ao_sphere_uniform", 0.5555555555555555555555556, 0.24347357469130609788},
+      {"defocus_edge", 0.8044988905221146790444983, 0.15728042567080121928},
+      {"motion_edge", 0.7538461538461538461538462, 0.1855621301775147929},
+      {"pixel_time_lens", 0.5096294160399723259281598, 0.24990727434672912369},
+  };
+  for (const Reference& reference : references) {
+    INFO(std::string(reference.name));
+    const Known known = known_scene(reference.name, {});
+    CHECK(known.exact == Approx(reference.mean).epsilon(1e-14));
+    CHECK(known.variance == Approx(reference.variance).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("Lambert's formula for a rectangle overhead is the sum over its corners") {
+  Rng rng(7);
+  for (int i = 0; i < 100; ++i) {
+    const RectLight light = fresh_light(rng);
+    const double h = light.height;
+    const std::array<scenes::Vector, 4> corners{{{light.x0, light.y0, h},
+                                                 {light.x1, light.y0, h},
+                                                 {light.x1, light.y1, h},
+                                                 {light.x0, light.y1, h}}};
+    CHECK(light.radiance * std::abs(lambert(corners)) == Approx(irradiance(light)).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("names, parameters and pictures that are not there are refused") {
+  CHECK_THROWS(known_scene("no_scene", {}));
+  CHECK_THROWS(known_scene("motion_edge", std::array{1.0}));
+  CHECK_THROWS(exact_image("no_picture", 2, 2));
+}
+
+TEST_CASE("a scene with parameters is the scene that has them") {
+  Rng rng(8);
+  for (const KnownScene& scene : known_scenes) {
+    const std::vector<double> parameters = scene.fresh(rng);
+    CHECK(known_scene(scene.name, parameters).exact != known_scene(scene.name, {}).exact);
+  }
+  CHECK(known_scene("motion_edge", std::array{0.2, 0.4}).exact == Approx(0.4));  // .2 + .4/2
+}
+
+// What the scenes would come to with a well-known mistake in them: the values were computed
+// beforehand, apart from this code, to 15 digits where they have no shorter form.
+TEST_CASE("wrong scenes give wrong values, and are told apart") {
+  struct Wrong {
+    std::string what;
+    double exact, wrong;
+    Sample sample;
+  };
+  using scenes::in_unit_disk, scenes::uniform_direction;
+  const double pi = std::numbers::pi;
+  const scenes::RectangleLight rect;
+  const scenes::HorizonLight upright;
+  const scenes::DiskLight disk;
+  const scenes::SphereLight ball;
+  const scenes::HalfplanePenumbra shadow;
+  const scenes::DefocusEdge blurred;
+  const auto r2_of = [](Point2 u) { return std::pow(2 * u.x - 1, 2) + std::pow(u.y - 0.5, 2) + 1; };
+  const auto of_upright = [](Point2 u, auto cosine) {
+    const double y = 2 * u.x - 1, z = 1.5 * u.y - 0.5;
+    return 3 * cosine(z) / std::pow(1 + y * y + z * z, 2);
+  };
+  const double circle = 0.05;  // of confusion: aperture |depth - focus| / focus
+  const std::vector<Wrong> all{
+      {"the edge through the pixel's centre", exact(scenes::PixelEdge{}), 0.5,
+       scenes::PixelEdge{1, 1, 1}},
+      {"no cosine at the light", exact(rect), 1.28700221758657,
+       [=](Sampler& s) { return 2 * std::pow(r2_of(s.next2()), -1.5); }},
+      {"no area of the light", exact(rect), 0.566645112049507,
+       [=](Sampler& s) { return rect(s) / 2; }},
+      {"no 1/r^2", exact(rect), 1.47548430607735, [=](Sampler& s) { return 2 / r2_of(s.next2()); }},
+      {"light from below the horizon counts as negative", exact(upright), 0.217478382070486,
+       [=](Sampler& s) { return of_upright(s.next2(), [](double z) { return z; }); }},
+      {"light from below the horizon counts", exact(upright), 0.482898193357307,
+       [=](Sampler& s) { return of_upright(s.next2(), [](double z) { return std::abs(z); }); }},
+      {"no root of the disk's radius", exact(disk), 1.32359356113186,
+       [=](Sampler& s) {
+         const double r = disk.radius * s.next2().x;
+         return pi * disk.radius * disk.radius / std::pow(r * r + 1, 2);
+       }},
+      {"the area of the square around the disk", exact(disk), 1.44,
+       [=](Sampler& s) { return 4 / pi * disk(s); }},
+      {"the solid angle times the cosine of the centre", exact(ball), 0.432930500038501,
+       [=](Sampler&) {
+         return 2 * pi * (1 - std::sqrt(1 - std::pow(ball.radius / ball.distance, 2))) *
+                std::cos(ball.tilt);
+       }},
+      {"no occlusion", exact(shadow), 1.12882444314191,
+       [=](Sampler& s) {
+         auto open = shadow;
+         open.edge = 100;
+         return open(s);
+       }},
+      {"visibility inverted", exact(shadow), 0.372583370803075,
+       [=](Sampler& s) {
+         const Point2 u = s.next2();
+         const double x = 2 * u.x - 1 - shadow.receiver, y = u.y - 0.5;
+         if (shadow.receiver + x * shadow.height < shadow.edge) return 0.0;
+         return 2 / std::pow(x * x + y * y + 1, 2);
+       }},
+      {"uniform directions without the cosine, at the wall", exact(scenes::WallOcclusion{}),
+       0.795167235300867,
+       [=](Sampler& s) {
+         const scenes::Vector w = uniform_direction(s.next2());
+         return w.x > 0 && w.z < 0.75 * w.x ? 0 : 1;
+       }},
+      {"uniform directions without the cosine, under the ball",
+       exact(scenes::SphereOcclusionUniform{}), 0.74535599249993,
+       [=](Sampler& s) {
+         return scenes::SphereOcclusion{}.hides(uniform_direction(s.next2())) ? 0 : 1;
+       }},
+      {"no root of the lens's radius", exact(blurred), 0.876267025806158,
+       [=](Sampler& s) {
+         const Point2 u = s.next2();
+         return circle * u.x * std::cos(2 * pi * u.y) < blurred.offset ? 1 : 0;
+       }},
+      {"a square lens", exact(blurred), 0.75,
+       [=](Sampler& s) { return circle * (2 * s.next2().x - 1) < blurred.offset ? 1 : 0; }},
+      {"no motion", exact(scenes::MotionEdge{}), 0.2,
+       [](Sampler& s) { return s.next() < 0.2 ? 1 : 0; }},
+      {"half of the time", exact(scenes::MotionEdge{}), 0.85,
+       [](Sampler& s) { return s.next() < 0.2 + 1.3 / 2 ? 1 : 0; }},
+      {"an edge that is never clamped to the pixel", exact(scenes::MotionEdge{}), 0.85,
+       [](Sampler& s) { return 0.2 + 1.3 * s.next(); }},
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    INFO(all[i].what);
+    const Population got = brute_force(all[i].sample, 100 + i);
+    const double bound = sigmas * std::sqrt(std::max(0.0, got.variance) / samples) + 1e-9;
+    CHECK(std::abs(got.mean - all[i].wrong) < bound);
+    CHECK(std::abs(got.mean - all[i].exact) > 3 * bound);
+  }
+}
+
+template <class At>
+void require_exact_pixels(At at) {
+  constexpr double width = 24, height = 18, spp = 2000;
+  double seen = 0;
+  for (double row = 0; row < height; ++row) {
+    for (double column = 0; column < width; ++column) {
+      const auto scene = at(width, height, column, row);
+      const double variance = second_moment(scene) - exact(scene) * exact(scene);
+      NotingSampler sampler(static_cast<std::uint64_t>(column + width * row));
+      double sum = 0;
+      for (double i = 0; i < spp; ++i, sampler.advance()) sum += scene(sampler);
+      // What is rarely 1 is nearer to Poisson's distribution than to Gauss's: 12 events where 0.5
+      // are expected happen once in 1e12.
+      INFO(column << ", " << row);
+      CHECK(std::abs(sum / spp - exact(scene)) <
+            sigmas * std::sqrt(std::max(0.0, variance) / spp) + 12 / spp);
+      if (exact(scene) > 0 && exact(scene) < 1) ++seen;
+    }
+  }
+  CHECK(seen > height);  // there is something to see
+}
+
+TEST_CASE("the exact image of a picture is the mean of its pixels") {
+  require_exact_pixels(scenes::edge_picture);
+  require_exact_pixels(scenes::penumbra_picture);
+  require_exact_pixels(scenes::defocus_picture);
+  require_exact_pixels(scenes::motion_picture);
+  require_exact_pixels(scenes::stripes_picture);
+}
+
+TEST_CASE("./lab render offers the pictures that are known") {
+  CHECK(std::equal(
+      known_pictures.begin(), known_pictures.end(), grader::render_pictures.begin(),
+      grader::render_pictures.end(),
+      [](const KnownPicture& known, std::string_view name) { return known.name == name; }));
+}
+
+TEST_CASE("an exact image is its pixels row by row from the top") {
+  const std::vector<double> image = exact_image("motion", 8, 4);
+  REQUIRE(image.size() == 32);
+  CHECK(image[2 * 8 + 5] == exact(scenes::motion_picture(8, 4, 5, 2)));
+}

@@ -1,0 +1,287 @@
+#include "6-sampler/experiments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <random>
+#include <stdexcept>
+
+#include "common/scenes/ao_sphere.hpp"
+#include "common/scenes/ao_wall.hpp"
+#include "common/scenes/defocus_edge.hpp"
+#include "common/scenes/disk_light.hpp"
+#include "common/scenes/motion_edge.hpp"
+#include "common/scenes/penumbra_disk.hpp"
+#include "common/scenes/penumbra_halfplane.hpp"
+#include "common/scenes/pixel_edge.hpp"
+#include "common/scenes/pixel_time_lens.hpp"
+#include "common/scenes/rect_light.hpp"
+#include "common/scenes/rect_light_horizon.hpp"
+#include "common/scenes/sphere_light.hpp"
+#include "common/scenes/stripes.hpp"
+#include "common/todo.hpp"
+#include "runner/experiment.hpp"
+
+namespace mc::experiments {
+namespace {
+
+/// A scene by its fields, all of them double.
+template <class S>
+Scene scene_with(std::span<const double> parameters) {
+  std::array<double, sizeof(S) / sizeof(double)> fields = std::bit_cast<decltype(fields)>(S{});
+  if (!parameters.empty() && parameters.size() != fields.size()) {
+    throw std::out_of_range("parameters: the scene has " + std::to_string(fields.size()));
+  }
+  std::copy(parameters.begin(), parameters.end(), fields.begin());
+  return {S::uses, std::bit_cast<S>(fields)};
+}
+
+struct NamedScene {
+  std::string_view name;
+  Scene (*with)(std::span<const double> parameters);
+};
+constexpr NamedScene scenes[] = {
+    {"pixel_edge", scene_with<scenes::PixelEdge>},
+    {"rect_light", scene_with<scenes::RectangleLight>},
+    {"rect_light_horizon", scene_with<scenes::HorizonLight>},
+    {"disk_light", scene_with<scenes::DiskLight>},
+    {"sphere_light", scene_with<scenes::SphereLight>},
+    {"penumbra_halfplane", scene_with<scenes::HalfplanePenumbra>},
+    {"penumbra_disk", scene_with<scenes::DiskPenumbra>},
+    {"ao_wall", scene_with<scenes::WallOcclusion>},
+    {"ao_sphere", scene_with<scenes::SphereOcclusion>},
+    {"ao_sphere_uniform", scene_with<scenes::SphereOcclusionUniform>},
+    {"defocus_edge", scene_with<scenes::DefocusEdge>},
+    {"motion_edge", scene_with<scenes::MotionEdge>},
+    {"pixel_time_lens", scene_with<scenes::PixelTimeLens>},
+    {"stripes", scene_with<scenes::Stripes>},
+};
+
+/// A picture whose pixels are a scene with other parameters each.
+template <auto at>
+PixelScene picture_of(std::size_t width, std::size_t height) {
+  using S = decltype(at(0, 0, 0, 0));
+  return {width, height, S::uses, [=](std::size_t column, std::size_t row, Sampler& sampler) {
+            return at(static_cast<double>(width), static_cast<double>(height),
+                      static_cast<double>(column), static_cast<double>(row))(sampler);
+          }};
+}
+
+struct NamedPicture {
+  std::string_view name;
+  PixelScene (*sized)(std::size_t width, std::size_t height);
+};
+constexpr NamedPicture pictures[] = {
+    {"edge", picture_of<scenes::edge_picture>},
+    {"penumbra", picture_of<scenes::penumbra_picture>},
+    {"defocus", picture_of<scenes::defocus_picture>},
+    {"motion", picture_of<scenes::motion_picture>},
+    {"stripes", picture_of<scenes::stripes_picture>},
+};
+
+template <class Named, std::size_t size>
+const Named& named(const Named (&all)[size], const std::string& name) {
+  std::string names;
+  for (const Named& one : all) {
+    if (one.name == name) return one;
+    names += ' ' + std::string(one.name);
+  }
+  throw std::out_of_range("no '" + name + "', only" + names);
+}
+
+/// Notes what it is asked for.
+class RecordingSampler final : public Sampler {
+ public:
+  Recorded record;
+  std::vector<unsigned> uses;
+  std::uint64_t sample = 0;
+
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    if (samples == 0) throw std::invalid_argument("samples: there are none");
+    record.samples.push_back(samples);
+    record.seeds.push_back(seed);
+    sample = 0;
+  }
+  double next() override {
+    uses.push_back(1);
+    return 0.25;
+  }
+  Point2 next2() override {
+    uses.push_back(2);
+    return {0.25, 0.75};
+  }
+  void advance() override {
+    ++record.advances;
+    ++sample;
+  }
+};
+
+}  // namespace
+
+std::vector<Answer> play(std::string kind, std::vector<Step> steps) {
+  const auto sampler = mc::make_sampler(kind);
+  std::vector<Answer> answers;
+  for (const Step& step : steps) {
+    Answer answer;
+    try {
+      if (step.call == 0) sampler->generate(step.samples, step.seed);
+      if (step.call == 1) answer.x = sampler->next();
+      if (step.call == 2) {
+        const Point2 point = sampler->next2();
+        answer.x = point.x;
+        answer.y = point.y;
+      }
+      if (step.call == 3) sampler->advance();
+    } catch (const todo&) {
+      throw;
+    } catch (const std::out_of_range&) {
+      answer.thrown = 1;
+    } catch (const std::invalid_argument&) {
+      answer.thrown = 2;
+    } catch (...) {
+      answer.thrown = 3;
+    }
+    answers.push_back(answer);
+  }
+  return answers;
+}
+
+std::vector<double> columns(std::string kind, std::uint64_t samples, std::uint64_t seed,
+                            std::vector<unsigned> uses) {
+  const auto sampler = mc::make_sampler(kind);
+  sampler->generate(samples, seed);
+  std::size_t dims = 0;
+  for (const unsigned use : uses) dims += use == 2 ? 2 : 1;
+  std::vector<double> all(dims * samples);
+  for (std::size_t i = 0; i < samples; ++i, sampler->advance()) {
+    double* to = all.data() + i;
+    for (const unsigned use : uses) {
+      if (use == 2) {
+        const Point2 point = sampler->next2();
+        *to = point.x;
+        to += samples;
+        *to = point.y;
+      } else {
+        *to = sampler->next();
+      }
+      to += samples;
+    }
+  }
+  return all;
+}
+
+std::vector<double> estimates(std::string kind, std::string scene, std::vector<double> parameters,
+                              double a, double b, std::uint64_t samples,
+                              std::vector<std::uint64_t> seeds) {
+  const Scene bare = named(scenes, scene).with(parameters);
+  const Scene seen{bare.uses, [&](Sampler& sampler) { return a * bare.sample(sampler) + b; }};
+  const auto sampler = mc::make_sampler(kind);
+  std::vector<double> values;
+  for (const std::uint64_t seed : seeds) {
+    values.push_back(mc::integrate(seen, *sampler, samples, seed));
+  }
+  return values;
+}
+
+Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, std::uint64_t seed) {
+  RecordingSampler sampler;
+  const Scene scene{"", [&](Sampler&) {
+                      sampler.record.positions.push_back(sampler.sample);
+                      return dealt.at(sampler.sample);
+                    }};
+  const double value = mc::integrate(scene, sampler, samples, seed);
+  sampler.record.values = {value};
+  return sampler.record;
+}
+
+Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                         std::uint64_t seed) {
+  RecordingSampler sampler;
+  const PixelScene scene{width, height, "", [&](std::size_t column, std::size_t row, Sampler&) {
+                           sampler.record.positions.push_back(column + width * row);
+                           sampler.record.positions.push_back(sampler.sample);
+                           return static_cast<double>(column) + 10 * static_cast<double>(row) +
+                                  static_cast<double>(sampler.sample) / static_cast<double>(spp);
+                         }};
+  const Image image = mc::render(scene, sampler, spp, seed);
+  if (image.width != width || image.height != height) {
+    throw std::out_of_range("the image has not the size of the scene");
+  }
+  sampler.record.values = image.pixels;
+  return sampler.record;
+}
+
+Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
+             std::uint64_t spp, std::uint64_t seed) {
+  const auto sampler = mc::make_sampler(kind);
+  return mc::render(named(pictures, picture).sized(width, height), *sampler, spp, seed);
+}
+
+Image render_noise(std::string kind, std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                   std::uint64_t seed) {
+  const auto sampler = mc::make_sampler(kind);
+  const PixelScene noise{width, height, "next",
+                         [](std::size_t, std::size_t, Sampler& from) { return from.next(); }};
+  return mc::render(noise, *sampler, spp, seed);
+}
+
+std::vector<unsigned> uses_of(std::string scene, std::vector<double> parameters) {
+  RecordingSampler sampler;
+  named(scenes, scene).with(parameters).sample(sampler);
+  return sampler.uses;
+}
+
+std::vector<unsigned> uses_of_picture(std::string picture) {
+  RecordingSampler sampler;
+  named(pictures, picture).sized(64, 64).sample(20, 30, sampler);
+  return sampler.uses;
+}
+
+double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
+              std::uint64_t rounds) {
+  const auto sampler = mc::make_sampler(kind);
+  double sum = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    sampler->generate(samples, round);
+    const std::uint64_t asked = by == 0 ? 1 : samples;
+    for (std::uint64_t i = 0; i < asked; ++i, sampler->advance()) {
+      if (by == 1) {
+        for (std::uint64_t d = 0; d < dims; ++d) sum += sampler->next();
+      } else {
+        for (std::uint64_t d = 0; d < dims; d += 2) {
+          const Point2 point = sampler->next2();
+          sum += point.x + point.y;
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds) {
+  std::mt19937_64 bits(samples);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  double sum = 0;
+  for (std::uint64_t i = 0; i < rounds * samples * dims; ++i) sum += uniform(bits);
+  return sum;
+}
+
+}  // namespace mc::experiments
+
+std::span<const mc::runner::Experiment> mc::runner::experiments() {
+  static constexpr Experiment all[] = {
+      MC_EXPERIMENT(play, "kind steps", "6.4  calls of one sampler, 0:samples:seed, 1:0:0 …"),
+      MC_EXPERIMENT(columns, "kind samples seed uses", "6.1  all coordinates; uses 1 and 2"),
+      MC_EXPERIMENT(estimates, "kind scene parameters a b samples seeds",
+                    "6.5  a times the scene plus b, with each seed"),
+      MC_EXPERIMENT(integrate_recorded, "dealt samples seed", "6.5  with a sampler of ours"),
+      MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture"),
+      MC_EXPERIMENT(render_noise, "kind width height spp seed", "6.6  a picture of its samples"),
+      MC_EXPERIMENT(render_recorded, "width height spp seed", "6.6  with a sampler of ours"),
+      MC_EXPERIMENT(uses_of, "scene parameters", "what a sample of a scene asks for"),
+      MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for"),
+      MC_EXPERIMENT(repeat, "kind by dims samples rounds", "6.8  next (1), next2 (2) or none (0)"),
+      MC_EXPERIMENT(repeat_textbook, "dims samples rounds", "6.8  with std::mt19937_64"),
+  };
+  return all;
+}

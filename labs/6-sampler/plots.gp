@@ -1,0 +1,94 @@
+# Draws lab 6. Called by ./lab plot with
+#   count      how many submissions stand side by side
+#   labels[i]  what they are called, data[i] the folder of their data
+#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+#   here       the folder of this script
+
+# The label of submission s, where there is more than one.
+who(s) = count > 1 ? ", ".labels[s] : ""
+array kinds[5] = ["independent", "stratified", "blue_noise", "halton", "sobol"]
+array shown[5] = ["independent", "stratified", "blue noise", "Halton", "Sobol'"]
+
+# Error against N, and against time ---------------------------------------------------------------
+array scenes[4] = ["rect_light", "pixel_edge", "motion_edge", "pixel_time_lens"]
+array what[4] = ["under a lamp (smooth, 2D)", "an edge in a pixel (2D)", "a moving edge (1D + 1D)", "pixel, time and lens (5D)"]
+array rate[4] = [1.5, 0.75, 0.75, 0.6]
+array rates[4] = ["N^{-3/2}", "N^{-3/4}", "N^{-3/4}", "N^{-3/5}"]
+do for [against=1:2] {
+  name = against == 1 ? "error" : "time"; width = 1180; height = 30 + 430 * count
+  load draw
+  set multiplot layout count,4 margins 70./width, 1 - 15./width, 105./height, 1 - 36./height spacing 45./width, 90./height
+  set logscale xy
+  set format y "10^{%L}"
+  set yrange [1e-6:0.3]
+  if (against == 1) {
+    set xtics (16, 64, 256, 1024, 4096)
+    set xrange [11:6000]
+    set xlabel "samples"
+  } else {
+    set format x "10^{%L}"
+    set xrange [0.05:50000]
+    set xlabel "μs of CPU time"
+  }
+  do for [s=1:count] {
+    do for [i=1:4] {
+      set title what[i].who(s)
+      set ylabel (i == 1 ? "RMSE" : "")
+      file = data[s]."/error-".scenes[i].".tsv"
+      if (i == 1 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width 2 } else { unset key }
+      set label 1 (against == 1 ? rates[i] : "") at graph 0.95, graph 0.93 right textcolor rgb "#777777"
+      plot for [k=1:5] file using (column(against == 1 ? 1 : 2*k+1)):(column(2*k)) with linespoints ls k title shown[k], \
+           (against == 1 ? 0.4*x**-0.5 : NaN) with lines ls 9 lw 2 title (against == 1 ? "N^{-1/2}" : ""), \
+           (against == 1 ? 0.4*x**-rate[i] : NaN) with lines ls 9 lw 2 dt 3 notitle
+    }
+  }
+  unset multiplot
+}
+
+# What a coordinate costs -------------------------------------------------------------------------
+array samples[3] = [16, 256, 4096]
+name = "speed"; width = 1180; height = 30 + 430 * count
+load draw
+set multiplot layout count,4 margins 80./width, 1 - 15./width, 100./height, 1 - 36./height spacing 45./width, 120./height
+do for [s=1:count] {
+  set logscale y
+  set yrange [0.3:3000]
+  set style fill solid 0.85 noborder
+  set boxwidth 0.6
+  set xrange [0.4:5.6]
+  set xtics ("independent" 1, "stratified" 2, "blue noise" 3, "Halton" 4, "Sobol'" 5) rotate by 35 right
+  unset xlabel
+  do for [i=1:3] {
+    set title sprintf("%d samples", samples[i]).who(s)
+    set ylabel (i == 1 ? "ns a coordinate, of 4 (less is better)" : "") offset 0.7,0
+    if (i == 1) { set key right top Left reverse samplen 1 } else { unset key }
+    file = data[s]."/cost-".samples[i].".tsv"
+    plot file using ($0+1):2 with boxes lc rgb "#E69F00" title "asking", \
+         file using ($0+1):1 with boxes lc rgb "#0072B2" title "generation"
+  }
+  unset logscale y
+  set yrange [0:60]
+  set xrange [1.5:8.5]
+  set xtics norotate autofreq 2,2,8
+  set xlabel "dimensions"
+  unset ylabel
+  set title "256 samples".who(s)
+  set key right top Left reverse samplen 3
+  plot for [k in "1 2 4 5"] data[s]."/dimensions.tsv" using 1:(column(2*k+1)) with linespoints ls (k+0) title shown[k+0].", next2", \
+       for [k in "1 2 4 5"] data[s]."/dimensions.tsv" using 1:(column(2*k)) with lines ls (k+0) lw 1 title shown[k+0].", next"
+}
+unset multiplot
+
+# A picture by each, and its error ----------------------------------------------------------------
+columns = 5
+array titles[5*count]
+largest = 0
+do for [s=1:count] {
+  load data[s]."/samplers.gp"
+  largest = range > largest ? range : largest
+  do for [k=1:5] { titles[5*s-5+k] = drawn[k] }
+}
+range = largest > 0 ? largest : 1
+headline = "A floor under a lamp, half in the shadow of a table: 16 samples a pixel"
+sheet = "samplers"
+load here."/render.gp"

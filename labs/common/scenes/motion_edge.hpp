@@ -1,0 +1,27 @@
+#pragma once
+// A pixel that a moving edge crosses while the shutter is open. Two dimensions that have nothing to
+// do with each other, so two next(): where in the pixel, across the edge; and when.
+
+#include "6-sampler/sampler.hpp"
+
+namespace mc::scenes {
+
+/// White where x < start + speed t, for x and t in [0,1).
+struct MotionEdge {
+  double start = 0.2, speed = 1.3;
+
+  static constexpr std::string_view uses = "next next";
+
+  double operator()(Sampler& sampler) const {
+    const double x = sampler.next();
+    const double t = sampler.next();
+    return x < start + speed * t ? 1 : 0;
+  }
+};
+
+/// Edges that start in one line, and are the faster the further down.
+inline MotionEdge motion_picture(double width, double height, double column, double row) {
+  return {0.2 * width + 0.31 - column, 0.6 * width * (row + 0.5) / height};
+}
+
+}  // namespace mc::scenes

@@ -1,0 +1,28 @@
+#pragma once
+// The irradiance from a light that stands upright and reaches below the receiver's horizon. Two
+// dimensions: where on the light.
+
+#include <algorithm>
+
+#include "6-sampler/sampler.hpp"
+
+namespace mc::scenes {
+
+/// The rectangle [y0, y1] x [z0, z1] at x = distance > 0, facing the receiver at the origin, which
+/// faces up (z). Radiance 1.
+struct HorizonLight {
+  double distance = 1, y0 = -1, y1 = 1, z0 = -0.5, z1 = 1;
+
+  static constexpr std::string_view uses = "next2";
+
+  /// Nothing comes from below the horizon, where the receiver's cosine z / r is negative.
+  double operator()(Sampler& sampler) const {
+    const Point2 u = sampler.next2();
+    const double dy = y1 - y0, dz = z1 - z0;
+    const double y = y0 + dy * u.x, z = z0 + dz * u.y;
+    const double r2 = distance * distance + y * y + z * z;
+    return dy * dz * std::max(0.0, z) * distance / (r2 * r2);
+  }
+};
+
+}  // namespace mc::scenes

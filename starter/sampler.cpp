@@ -1,0 +1,37 @@
+// Lab 6 · the sampler. What each function promises stands in labs/6-sampler/sampler.hpp; the story
+// is in labs/6-sampler/README.md. Write the tasks in any order and try them with
+//
+//   ./lab check sampler              all of it
+//   ./lab check sampler --only 6.2   one task
+
+#include "sampler.hpp"
+
+#include "common/todo.hpp"
+
+namespace mc {
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "independent") throw todo("6.1");  // TODO(6.1): a class that derives from Sampler
+  if (kind == "stratified") throw todo("6.2");   // TODO(6.2): what are its columns filled with?
+  if (kind == "halton") throw todo("6.3");       // TODO(6.3): what, where no dimensions are left?
+  if (kind == "sobol") throw todo("6.3");
+  if (kind == "blue_noise") throw todo("6.7");  // TODO(6.7): its first next2() is special
+  throw todo("6.1");                            // a kind that there is not
+}
+
+// TODO(6.4): the contract has no function of its own: it holds for each of these kinds.
+
+double integrate(const Scene& /*scene*/, Sampler& /*sampler*/, std::size_t /*samples*/,
+                 std::uint64_t /*seed*/) {
+  throw todo("6.5");  // TODO(6.5): generate, and for each sample: evaluate, add up, advance
+}
+
+Image render(const PixelScene& /*scene*/, Sampler& /*sampler*/, std::size_t /*spp*/,
+             std::uint64_t /*seed*/) {
+  throw todo("6.6");  // TODO(6.6): each pixel an integration, with a seed of its own
+}
+
+// TODO(6.8): the speed task has no function of its own either: where does the time go when a sample
+// asks for few coordinates, and where when it asks for many?
+
+}  // namespace mc
