@@ -20,6 +20,7 @@
 
 #include "halton.hpp"
 #include "independent.hpp"
+#include "sampler.hpp"
 #include "stratification.hpp"
 #include "variance.hpp"
 
@@ -120,6 +121,34 @@ void random_numbers() {
   grid("stratified_2d, 1024 points", 32);
 }
 
+/// Lab 6, number by number through its interface: four dimensions by next2(), generation included.
+void samplers(std::size_t n) {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> random(0.0, 1.0);
+  for (const char* kind : {"independent", "stratified", "halton", "sobol"}) {
+    const auto sampler = mc::make_sampler(kind);
+    std::uint64_t seed = 0;
+    const std::string name =
+        std::string("sampler, ") + kind + ", " + std::to_string(n) + " samples";
+    compare(
+        name.c_str(), 4 * static_cast<double>(n),
+        [&] {
+          sampler->generate(n, ++seed);
+          double sum = 0;
+          for (std::size_t i = 0; i < n; ++i, sampler->advance()) {
+            const mc::Point2 a = sampler->next2(), b = sampler->next2();
+            sum += a.x + a.y + b.x + b.y;
+          }
+          sink = sum;
+        },
+        [&] {
+          double sum = 0;
+          for (std::size_t i = 0; i < 4 * n; ++i) sum += random(engine);
+          sink = sum;
+        });
+  }
+}
+
 #ifdef MC_HAVE_GSL
 /// Against GSL, which makes points of `dims` coordinates.
 void sequences(unsigned dims) {
@@ -162,6 +191,7 @@ int main() {
   moments("moments, in cache", block);
   moments("moments, out of cache", std::size_t{1} << 23);  // 64 MB
   random_numbers();
+  for (const std::size_t n : {std::size_t{64}, std::size_t{1024}}) samplers(n);
 #ifdef MC_HAVE_GSL
   for (const unsigned dims : {2u, 4u, 8u}) sequences(dims);
 #endif

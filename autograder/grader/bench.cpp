@@ -34,6 +34,40 @@ double median(std::vector<double> values) {
   return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
+/// Nanoseconds a sample of each curve, where they were measured: on its integrand, if it is one whose
+/// cost cannot be told from the sample's; else anywhere.
+class Times {
+ public:
+  explicit Times(const Bench& bench) {
+    for (const BenchRow& row : bench.of("time")) {
+      all_[{row.lab, row.submission, row.what, row.on, row.dims}].emplace_back(
+          static_cast<double>(row.n), row.value);
+    }
+  }
+  double of(const Curve& curve, double n) const {
+    for (const std::string& on : {curve.on, std::string()}) {
+      const auto found = all_.find({curve.lab, curve.submission, curve.what, on, curve.dims});
+      if (found != all_.end()) return between(found->second, n);
+    }
+    return nan;
+  }
+
+ private:
+  std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t>,
+           std::vector<std::pair<double, double>>>
+      all_;
+};
+
+/// Independent points on the same integrand: the solution's, or else the first there are.
+const Curve* independent_of(const std::vector<Curve>& curves, const Curve& curve) {
+  const Curve* best = nullptr;
+  for (const Curve& other : curves) {
+    if (other.what != "independent" || other.on != curve.on) continue;
+    if (best == nullptr || other.submission == "solutions") best = &other;
+  }
+  return best;
+}
+
 std::vector<std::string> said(const std::string& line, const std::string& key) {
   const std::string start = "// " + key + ": ";
   if (!line.starts_with(start)) return {};
@@ -130,24 +164,21 @@ std::vector<Curve> curves_of(const Bench& bench) {
     found->points.push_back({static_cast<double>(row.n), row.value, row.error, nan,
                              cost.contains(row.on) ? median(cost[row.on]) : 0, nan});
   }
-  std::map<std::tuple<std::string, std::string, std::uint64_t>,
-           std::vector<std::pair<double, double>>>
-      times;
-  for (const BenchRow& row : bench.of("time")) {
-    times[{row.submission, row.what, row.dims}].push_back({static_cast<double>(row.n), row.value});
-  }
-  const auto sample_time = [&](const std::string& submission, const std::string& what,
-                               std::uint64_t dims, double n) {
-    return between(times[{submission, what, dims}], n);
-  };
+  const Times times(bench);
   for (Curve& curve : curves) {
-    for (Curve::Point& point : curve.points) {
-      point.sample = sample_time(curve.submission, curve.what, curve.dims, point.n);
-      // The reference's independent points; their variance is known.
-      double other = sample_time("solutions", "independent", curve.dims, point.n);
-      if (std::isnan(other)) other = sample_time("std", "independent", curve.dims, point.n);
-      point.efficiency = curve.variance * (other + point.integrand) /
-                         (point.rmse * point.rmse * point.n * (point.sample + point.integrand));
+    for (Curve::Point& point : curve.points) point.sample = times.of(curve, point.n);
+  }
+  for (Curve& curve : curves) {
+    const Curve* const chance = independent_of(curves, curve);
+    for (std::size_t i = 0; chance != nullptr && i < curve.points.size(); ++i) {
+      Curve::Point& point = curve.points[i];
+      double square = curve.variance / point.n;  // of independent points' error, where it is known
+      for (const Curve::Point& other : chance->points) {
+        if (std::isnan(curve.variance) && other.n == point.n) square = other.rmse * other.rmse;
+      }
+      const double time = times.of(*chance, point.n) + point.integrand;
+      point.efficiency =
+          square * time / (point.rmse * point.rmse * (point.sample + point.integrand));
     }
   }
   return curves;

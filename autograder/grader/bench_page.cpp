@@ -107,21 +107,29 @@ std::string one_minute(const Bench& bench) {
 }
 
 /// The ratios that the project wants to have.
-constexpr std::pair<const char*, double> wanted[] = {
-    {"moments, in cache", 8},          {"moments, out of cache", 1.8}, {"uniforms", 10},
-    {"stratified_2d, 1024 points", 5}, {"radical_inverses, 2D", 50},   {"sobol, 2D", 8},
-    {"owen_scramble, 2D", 1}};
+constexpr std::pair<const char*, double> wanted[] = {{"moments, in cache", 8},
+                                                     {"moments, out of cache", 1.8},
+                                                     {"uniforms", 10},
+                                                     {"stratified_2d, 1024 points", 5},
+                                                     {"radical_inverses, 2D", 50},
+                                                     {"sobol, 2D", 8},
+                                                     {"owen_scramble, 2D", 1},
+                                                     {"sampler, independent, 1024 samples", 2},
+                                                     {"sampler, stratified, 1024 samples", 2},
+                                                     {"sampler, halton, 1024 samples", 2},
+                                                     {"sampler, sobol, 1024 samples", 2}};
 
 std::string against(const std::string& name) {
   if (name.starts_with("moments")) return "two sums in a loop";
   if (name.starts_with("uniforms")) return "`mt19937_64`, `uniform_real_distribution`";
+  if (name.starts_with("sampler")) return "a loop over `mt19937_64`, `uniform_real_distribution`";
   if (name.starts_with("stratified")) return "a textbook's loop over the same";
   return name.starts_with("radical") ? "GSL's Halton points" : "GSL's Sobol' points";
 }
 
 std::string ratios(const Bench& bench) {
   std::string all =
-      "| 1.8, 2.8, 3.3, 5.2, 5.5, 5.8 | against | ns | ns of the other | ratio | wanted | ratio "
+      "| what | against | ns | ns of the other | ratio | wanted | ratio "
       "without "
       "AVX2 | AVX2 buys |\n|---|---|--:|--:|--:|--:|--:|--:|\n";
   for (const Ratio& one : bench.ratios) {
@@ -266,102 +274,38 @@ std::string growth(const Bench& bench) {
 
 std::string bench_summary(const Bench& bench) {
   std::string all;
-  if (!bench.of("error").empty()) all += one_minute(bench);
+  if (!lines_of(curves_of(bench)).empty()) all += one_minute(bench);
   if (!bench.of("digits").empty()) all += (all.empty() ? "" : "\n") + variances(bench);
   if (!bench.ratios.empty()) all += "\n" + ratios(bench);
   return all;
 }
 
-std::string bench_page(const Bench& bench, const std::string& pictures) {
-  const auto picture = [&](const char* name, const char* says) {
-    return fmt::format("![{}]({}/bench-{}.svg)\n\n", says, pictures, name);
-  };
-  std::string all = "# Speed against error\n\n";
-  all += fmt::format(
-      "Which sampler, at what cost, for what error? Measured by `./lab bench`, which wrote this "
-      "page\n"
-      "(`--page docs/speed-against-error.md`); every figure is of one run, of {:.0f} s, on\n"
-      "{}, {} cores, {}; {}; `{}`; version {}.\n{}\n",
-      bench.seconds, bench.processor, bench.cores, bench.system, bench.compiler, bench.flags,
-      bench.version,
-      bench.whole ? "" : "The run was not a whole one: what is missing was not measured.\n");
-  all +=
-      "## In one minute\n\n"
-      "Samplers in the order of the time they take to know the integral of exp(x + y) to a part in "
-      "a\n"
-      "thousand (10⁻³): making the points, and evaluating. *Error* is that of 4,096 samples of "
-      "it;\n"
-      "*efficiency* there is 1/(MSE · time), against independent points: 100 means the same error "
-      "for\n"
-      "a hundredth of the time. In brackets: known, not measured.\n\n" +
-      one_minute(bench) +
-      "\nSmooth functions reward even points, and the more so the fewer dimensions they have; an "
-      "edge\n"
-      "rewards them little; in four dimensions only points that are even in all of them at once "
-      "are\n"
-      "much better than chance. Where the integrand is expensive, read the errors, not the "
-      "times.\n\n";
-  if (!bench.ratios.empty()) {
-    all +=
-        "## The speed tasks\n\nEach against what one would write first, or call instead, in one "
-        "process "
-        "and in turn; the median\nof five ratios of the best of fifteen rounds, in blocks of 32 "
-        "KB. "
-        "*Without AVX2* is the same for\nany x86-64.\n\n" +
-        ratios(bench) +
-        "\nBelow 128 numbers 2.8 does not seed its sixteen generators, and 3.3 with 64 points is "
-        "hardly\n"
-        "larger: what is left of the ratio is that of the generators themselves. GSL's Sobol' "
-        "points "
-        "cost\nless a coordinate the more of them a point has, since its loop over the points is "
-        "shared by them;\na column costs the same for each. Owen's scrambling is a hash for each "
-        "of "
-        "32 bits, and five times\nthe work of the points themselves.\n\n";
+std::string bench_page(const Bench& bench, const std::string& outline,
+                       const std::string& pictures) {
+  const std::pair<const char*, std::string> parts[] = {
+      {"run",
+       fmt::format("{}, {} cores, {}; {}; `{}`; version {}; {:.0f} s.{}", bench.processor,
+                   bench.cores, bench.system, bench.compiler, bench.flags, bench.version,
+                   bench.seconds,
+                   bench.whole ? "" : " It was cut short: what is missing was not measured.")},
+      {"one minute", one_minute(bench)},
+      {"ratios", ratios(bench)},
+      {"times", tables_of_times(bench)},
+      {"variance", variances(bench)},
+      {"libraries", libraries(bench)},
+      {"growth", growth(bench)},
+      {"rounds", std::to_string(bench.rounds)},
+      {"pictures", pictures}};
+  std::string page = outline;
+  for (auto [name, text] : parts) {
+    while (text.ends_with('\n')) text.pop_back();
+    const std::string place = fmt::format("{{{{{}}}}}", name);
+    for (auto at = page.find(place); at != std::string::npos; at = page.find(place, at)) {
+      page.replace(at, place.size(), text);
+      at += text.size();
+    }
   }
-  all +=
-      "## Error against samples\n\n" +
-      picture("samples", "Root mean square error against samples, for six integrands") +
-      "## Error against time\n\n" +
-      picture("time", "Root mean square error against microseconds, for six integrands") +
-      "Times between two sizes are interpolated (a line in the logarithms); *≤* is where 16 "
-      "samples "
-      "were\nenough, *not reached* where 65,536 were not.\n\n" +
-      tables_of_times(bench) + "## Variance\n\n" +
-      picture("variance", "Digits of the variance against nanoseconds a value") +
-      "Decimal digits of the variance that are right, of 16, on five sets of data.\n\n" +
-      variances(bench) +
-      "\n## Libraries\n\nEach stands behind the header of a lab, as a submission does "
-      "(`autograder/submissions/peers`): it is\nbenched alike, and judged alike. Where it does not "
-      "do "
-      "what a lab asks for, that is no fault of the\nlibrary; it does something else.\n\n" +
-      libraries(bench) + "\n## Growth\n\n" +
-      "Exponents by least squares in the logarithms. Those of time are a little above 1 where "
-      "large "
-      "N\nleaves the caches.\n\n" +
-      growth(bench) +
-      "\n## How it is measured\n\n"
-      "- **Errors** are root mean squares over 32 to 400 independent replicates, against the "
-      "exact\n"
-      "  integral, with the standard error that they have themselves. Halton and Sobol' points "
-      "that are\n"
-      "  not scrambled are shifted by a random vector for each replicate, by the bench and at no "
-      "charge:\n"
-      "  they have an error, but no mean square of it. All integrands have the mean 1.\n"
-      "- **Times** are CPU time of the program, seen from outside: of 2R rounds less that of R, R "
-      "so large\n"
-      "  that this is about 25 ms. " +
-      fmt::format("The median of {} such differences, in rounds in which everybody has a turn.\n",
-                  bench.rounds) +
-      "  Points are made in blocks that fit the first-level cache, as far as they can be made in "
-      "blocks.\n"
-      "- **The integrand's own cost** is measured apart and added. With *efficiency*, that of "
-      "independent\n  points is their exact variance over N, and their time that of 2.8.\n"
-      "- **Libraries** are timed behind an adapter, which for GSL and Boost copies whole points "
-      "into\n"
-      "  columns; the ratios above are without one.\n"
-      "- Noise: quartiles of the times stand in `build/bench/results.csv`, with all other "
-      "figures.\n";
-  return all;
+  return page;
 }
 
 }  // namespace mc::grader

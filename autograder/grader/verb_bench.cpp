@@ -84,28 +84,30 @@ class Progress {
   }
   Progress(const Progress&) = delete;
 
-  void expect(const std::string& name, double workers = 1) { total_ += estimate(name) / workers; }
+  void expect(const std::string& name, double workers = 1) {
+    total_ += expected_.try_emplace(name, estimate(name)).first->second / workers;
+  }
   void begin(const std::string& name) {
     const std::lock_guard lock(mutex_);
     show(name);
   }
   void end(const std::string& name, double seconds, double workers = 1) {
     const std::lock_guard lock(mutex_);
-    done_ += estimate(name) / workers;
-    taken_[name] = seconds;
+    done_ += expected_[name] / workers;
+    taken_ += seconds / workers;
     seconds_[name] = seconds;
   }
   double expected() const { return total_; }
 
  private:
   double estimate(const std::string& name) const {
-    if (taken_.contains(name)) return taken_.at(name);
     const auto found = seconds_.find(name);
     return found == seconds_.end() ? 6 : found->second;
   }
   void show(const std::string& name) {
     const double part = total_ > 0 ? std::min(1.0, done_ / total_) : 0;
-    const double left = std::max(0.0, total_ - done_);
+    // As much faster or slower than expected as it was so far.
+    const double left = (total_ - done_) * (done_ > 0 ? taken_ / done_ : 1);
     const std::string about =
         left < 90 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60);
     if (!is_terminal_) {
@@ -120,8 +122,8 @@ class Progress {
 
   fs::path memory_;
   bool is_terminal_ = isatty(STDERR_FILENO) != 0;
-  std::map<std::string, double> seconds_, taken_;
-  double total_ = 0, done_ = 0;
+  std::map<std::string, double> seconds_, expected_;
+  double total_ = 0, done_ = 0, taken_ = 0;
   std::mutex mutex_;
 };
 
@@ -333,9 +335,11 @@ int bench(const House& house, const Arguments& arguments) {
     const fs::path pictures = file.parent_path() / file.stem();
     fs::create_directories(pictures);
     for (const fs::path& picture : plots.pictures) {
+      if (picture.extension() != ".svg") continue;
       fs::copy_file(picture, pictures / picture.filename(), fs::copy_options::overwrite_existing);
     }
-    write_text(file, bench_page(bench, file.stem().string()));
+    const std::string outline = read_text(house.layout.root / "autograder" / "bench" / "page.md");
+    write_text(file, bench_page(bench, outline, file.stem().string()));
     fmt::print("{}\n", file.string());
   }
   return 0;

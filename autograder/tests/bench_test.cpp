@@ -49,6 +49,35 @@ TEST_CASE("an exponent is the slope of the logarithms") {
   CHECK_FALSE(exponent_of({{1, 1}, {2, 2}}));
 }
 
+/// Rows of a sampler at n = 64 and 256, with errors c / sqrt(n) and a time on that integrand.
+void add_rows(Bench& bench, const std::string& what, double c, double nanoseconds) {
+  for (const std::uint64_t n : {64u, 256u}) {
+    const double rmse = c / std::sqrt(static_cast<double>(n));
+    bench.rows.push_back({"sampler", "solutions", "error", what, "a scene", 2, n, rmse, 0});
+  }
+  bench.rows.push_back({"sampler", "solutions", "time", what, "a scene", 2, 64, nanoseconds, 0});
+}
+
+TEST_CASE("efficiency is against independent points, measured where nothing is known of them") {
+  Bench bench;
+  add_rows(bench, "independent", 1, 10);
+  add_rows(bench, "better", 0.1, 20);  // a hundredth of the squared error in twice the time
+  for (const Curve& curve : curves_of(bench)) {
+    for (const auto& point : curve.points) {
+      CHECK(point.efficiency == Approx(curve.what == "better" ? 50 : 1));
+    }
+  }
+}
+
+TEST_CASE("efficiency takes the exact variance where it is known") {
+  Bench bench;
+  add_rows(bench, "independent", 1, 10);
+  bench.rows.push_back({"lab", "solutions", "variance", "a scene", "", 2, 0, 4, 0});
+  const auto curves = curves_of(bench);
+  REQUIRE(curves.size() == 1);
+  CHECK(curves[0].points[0].efficiency == Approx(4));  // twice as good as it can be, by chance
+}
+
 TEST_CASE("rounds of the same row become their median") {
   std::vector<BenchRow> rows(5, {"lab", "somebody", "time", "points", "", 2, 64, 0, 0});
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].value = static_cast<double>(i * i);

@@ -1,0 +1,61 @@
+// Speed in a report: told, never graded.
+
+#include <nlohmann/json.hpp>
+
+#include "checks/catch.hpp"
+#include "grader/report.hpp"
+
+namespace mc::grader {
+namespace {
+
+LabVerdict passed_lab() {
+  LabVerdict lab;
+  lab.lab = {2, "independent", "2-independent", {}};
+  CheckResult result;
+  result.check = {"2.8 a span of any size is filled", "2.8", {}, 3, false};
+  result.status = Status::passed;
+  lab.checks.push_back(result);
+  return lab;
+}
+
+Speed task(double nanoseconds, std::optional<double> reference) {
+  Speed speed;
+  speed.name = "2.8 uniforms";
+  speed.nanoseconds = nanoseconds;
+  speed.reference = reference;
+  return speed;
+}
+
+nlohmann::json results_of(const LabVerdict& lab) {
+  Verdict verdict;
+  verdict.labs.push_back(lab);
+  return nlohmann::json::parse(report_json(verdict));
+}
+
+TEST_CASE("a lab is as many times as fast as the geometric mean of its tasks") {
+  LabVerdict lab = passed_lab();
+  lab.speed = {task(1, 4.0), task(1, 1.0)};
+  REQUIRE(lab.times_the_reference());
+  CHECK(*lab.times_the_reference() == Approx(2));
+}
+
+TEST_CASE("without a reference nothing is compared") {
+  LabVerdict lab = passed_lab();
+  lab.speed = {task(1, {})};
+  CHECK_FALSE(lab.times_the_reference());
+  CHECK_FALSE(results_of(lab).contains("leaderboard"));
+  CHECK(report_speed(lab).find("1 ns") != std::string::npos);
+}
+
+TEST_CASE("speed is in the results and not in the score") {
+  LabVerdict lab = passed_lab();
+  lab.speed = {task(0.5, 1.0)};
+  const auto results = results_of(lab);
+  CHECK(results["score"] == 3);
+  REQUIRE(results["leaderboard"].size() == 1);
+  CHECK(results["leaderboard"][0]["value"] == 2);
+  CHECK(results["extra_data"]["speed"][0]["name"] == "2.8 uniforms");
+}
+
+}  // namespace
+}  // namespace mc::grader
