@@ -9,6 +9,7 @@
 // Every random test has the same alpha; there are fewer than thirty of them.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -24,6 +25,7 @@
 #include "checks/exact.hpp"
 #include "checks/expect.hpp"
 #include "checks/measure.hpp"
+#include "checks/sobol_exact.hpp"
 #include "checks/statistics.hpp"
 
 namespace mc::checks {
@@ -533,40 +535,12 @@ TEST_CASE("5.4 integrals by Hammersley points", "[5.4][points:1][needs:5.2]") {
 // 5.5
 // ----------------------------------------------------------------------------------------------
 
-/// The direction numbers of a dimension, bit by bit from the recurrence for m_k: Joe and Kuo 2008,
-/// eq. 2, with m_k 2^(32-k).
-std::vector<std::uint32_t> directions(unsigned dimension) {
-  const JoeKuo& given = joe_kuo[dimension];
-  std::vector<std::uint64_t> m;
-  for (unsigned k = 0; k < 32; ++k) {
-    const unsigned s = given.degree;
-    if (s == 0) {
-      m.push_back(1);
-    } else if (k < s) {
-      m.push_back(given.m[k]);
-    } else {
-      std::uint64_t next = (m[k - s] << s) ^ m[k - s];
-      for (unsigned j = 1; j < s; ++j) {
-        if (given.coefficients >> (s - 1 - j) & 1) next ^= m[k - j] << j;
-      }
-      m.push_back(next);
-    }
-  }
-  std::vector<std::uint32_t> v;
-  for (unsigned k = 0; k < 32; ++k) v.push_back(static_cast<std::uint32_t>(m[k] << (31 - k)));
-  return v;
-}
-
 double sobol_value(std::span<const std::uint32_t> v, std::uint64_t index) {
-  std::uint32_t word = 0;
-  for (unsigned k = 0; k < 32; ++k) {
-    if (index >> k & 1) word ^= v[k];
-  }
-  return word * 0x1p-32;
+  return sobol_word(v, index) * 0x1p-32;
 }
 
 Values sobol_points(unsigned dimension, std::uint64_t first, std::size_t count) {
-  const auto v = directions(dimension);
+  const auto v = sobol_directions(dimension);
   Values x(count);
   for (std::size_t i = 0; i < count; ++i) x[i] = sobol_value(v, first + i);
   return x;
@@ -574,7 +548,7 @@ Values sobol_points(unsigned dimension, std::uint64_t first, std::size_t count) 
 
 void expect_sobol(const std::string& call, View got, unsigned dimension, std::uint64_t first,
                   const std::string& otherwise) {
-  const auto v = directions(dimension);
+  const auto v = sobol_directions(dimension);
   const auto is = [&](auto value_of) {
     std::size_t same = 0;
     for (std::size_t i = 0; i < got.size(); ++i) same += got[i] == value_of(first + i) ? 1u : 0u;
@@ -585,7 +559,7 @@ void expect_sobol(const std::string& call, View got, unsigned dimension, std::ui
     if (got[i] == exact) continue;
     std::string hint = otherwise;
     const auto shifted = [&](int by) {
-      std::vector<std::uint32_t> w(32);
+      std::array<std::uint32_t, 32> w{};
       for (int k = 0; k < 32; ++k) w[k] = v[std::clamp(k + by, 0, 31)];
       return w;
     };
@@ -599,7 +573,7 @@ void expect_sobol(const std::string& call, View got, unsigned dimension, std::ui
       hint = "bit k of the index, from 0, chooses m_(k+1) 2^-(k+1)";
     }
     for (unsigned other = 0; other < joe_kuo.size(); ++other) {
-      const auto w = directions(other);
+      const auto w = sobol_directions(other);
       if (other != dimension && is([&](std::uint64_t n) { return sobol_value(w, n); })) {
         hint = fmt::format("this is dimension {}: they count from 0", other);
       }

@@ -118,7 +118,7 @@ double correlation_score(View x, View y) {
 
 /// Two columns, one of them in an order of its own, have nothing to do with each other. 6.8
 /// standard deviations: the distribution is that of a rank correlation, all but normal for 1,000
-/// samples, so it fails a right answer once in 1e11; up to a thousand pairs are looked at.
+/// samples, so it fails a right answer once in 1e11; some three thousand pairs are looked at.
 void expect_unrelated(const std::string& call, View x, View y, const std::string& which,
                       const std::string& hint) {
   const double score = correlation_score(x, y);
@@ -391,9 +391,10 @@ int common_bits(double a, double b) {
 /// Is the column that of dimension d of the Sobol' sequence, scrambled? Nested scrambling keeps how
 /// many bits any two points have in common, and nothing else.
 bool is_scrambled_sobol(View x, unsigned d) {
+  const auto directions = sobol_directions(d);
   for (std::uint32_t i = 0; i < x.size(); ++i) {
     for (std::uint32_t j = 0; j < i; ++j) {
-      const int exact = std::countl_zero(sobol_word(d, i) ^ sobol_word(d, j));
+      const int exact = std::countl_zero(sobol_word(directions, i) ^ sobol_word(directions, j));
       if (common_bits(x[i], x[j]) != exact) return false;
     }
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "common/joe_kuo.hpp"
 
@@ -32,9 +33,8 @@ inline std::array<std::uint32_t, 32> sobol_directions(unsigned d) {
   return directions;
 }
 
-/// The word whose 2^-32-fold is coordinate d of point `index`.
-inline std::uint32_t sobol_word(unsigned d, std::uint32_t index) {
-  const auto directions = sobol_directions(d);
+/// The exclusive or of the numbers of the bits of `index`: 2^32 times that point's coordinate.
+inline std::uint32_t sobol_word(std::span<const std::uint32_t> directions, std::uint64_t index) {
   std::uint32_t word = 0;
   for (unsigned k = 0; k < 32; ++k) {
     if (index >> k & 1) word ^= directions[k];
