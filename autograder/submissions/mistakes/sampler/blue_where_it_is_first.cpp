@@ -1,6 +1,6 @@
 // mistake: blue noise only where a next2() is the very first use
 // caught by: 6.7 the first next2 is blue noise
-// hint: blue noise also where a next() comes before it
+// hint: the first next2() is blue noise also where a next() comes before
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
