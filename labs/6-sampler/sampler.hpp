@@ -7,7 +7,8 @@
 // is behind them (random numbers, or the point sets of labs 3 to 5) it never knows: a sampler is a
 // drop-in replacement for random().
 //
-// Points lie in [0,1) throughout; misuse throws std::invalid_argument naming the argument.
+// Points lie in [0,1) throughout, and random numbers have 53 bits, as those of lab 2 have; misuse
+// throws std::invalid_argument naming the argument.
 
 #include <cstddef>
 #include <cstdint>
