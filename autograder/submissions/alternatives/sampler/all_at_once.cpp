@@ -1,0 +1,106 @@
+// alternative: makes what it hands out in generate(), as far as a few megabytes reach, and beyond
+// that when it is asked for
+
+#include "sampler.hpp"
+#define make_sampler right_make_sampler
+#include "solutions/sampler.cpp"
+#undef make_sampler
+
+namespace mc {
+namespace {
+
+constexpr std::size_t made_before = 6;                     // uses of either sort
+constexpr std::size_t most_before = std::size_t{1} << 14;  // samples
+
+using Column = std::vector<double>;
+
+class EagerSampler final : public Sampler {
+ public:
+  explicit EagerSampler(const Kind& kind)
+      : kind_(kind),
+        is_sequence_(kind.one == one_of<fill_halton> || kind.one == one_of<fill_sobol>) {}
+
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    if (samples == 0 || samples > most_samples) throw std::invalid_argument("samples");
+    samples_ = samples;
+    rng_ = Rng(seed);
+    sample_ = at_ = at2_ = taken_ = 0;
+    ones_.clear();
+    twos_.clear();
+    spare_ones_.clear();
+    spare_twos_.clear();
+    if (samples > most_before) return;
+    for (std::size_t i = 0; i < made_before; ++i) spare_ones_.push_back(one(i, i));
+    // The dimensions of a sequence are what it has in stock; which use gets which is seen later.
+    if (is_sequence_) return;
+    for (std::size_t i = 0; i < made_before; ++i) spare_twos_.push_back(two(i, 0));
+  }
+
+  double next() override {
+    require();
+    if (at_ == ones_.size()) ones_.push_back(take_one());
+    return ones_[at_++][sample_];
+  }
+
+  Point2 next2() override {
+    require();
+    if (at2_ == twos_.size()) twos_.push_back(take_two());
+    const auto& [x, y] = twos_[at2_++];
+    return {x[sample_], y[sample_]};
+  }
+
+  void advance() override {
+    at_ = at2_ = 0;
+    if (sample_ < samples_) ++sample_;
+  }
+
+ private:
+  using Columns = std::pair<Column, Column>;
+
+  void require() const {
+    if (sample_ >= samples_) throw std::out_of_range("no sample");
+  }
+
+  Column one(std::size_t number, std::size_t dimension) {
+    Column x(samples_);
+    kind_.one({number, dimension}, x, rng_);
+    return x;
+  }
+  Columns two(std::size_t number, std::size_t dimension) {
+    Columns both{Column(samples_), Column(samples_)};
+    kind_.two({number, dimension}, both.first, both.second, rng_);
+    return both;
+  }
+
+  Column take_one() {
+    const std::size_t index = is_sequence_ ? taken_ : ones_.size();
+    ++taken_;
+    return index < spare_ones_.size() ? spare_ones_[index] : one(ones_.size(), taken_ - 1);
+  }
+  Columns take_two() {
+    const std::size_t dimension = taken_, number = twos_.size();
+    taken_ += 2;
+    if (is_sequence_ && dimension + 1 < spare_ones_.size()) {
+      return {spare_ones_[dimension], spare_ones_[dimension + 1]};
+    }
+    return number < spare_twos_.size() ? spare_twos_[number] : two(number, dimension);
+  }
+
+  const Kind& kind_;
+  bool is_sequence_;
+  Rng rng_{0};
+  std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0, taken_ = 0;
+  std::vector<Column> ones_, spare_ones_;
+  std::vector<Columns> twos_, spare_twos_;
+};
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  for (const Kind& known : kinds) {
+    if (known.name == kind) return std::make_unique<EagerSampler>(known);
+  }
+  return right_make_sampler(kind);
+}
+
+}  // namespace mc
