@@ -133,18 +133,18 @@ std::optional<double> seconds_once(const Rounds& run) {
 void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
                  const Rounds& rounds) {
   if (!is_asked_for(task)) return;
-  const auto count = rounds_of(rounds, 0.012);
+  const auto count = rounds_of(rounds, 0.025);
   if (!count) return;
-  // The best of three on either side: what else the machine does can only add to them, and the
-  // reference may have been measured at another time.
-  double one = std::numeric_limits<double>::infinity(), two = one;
-  for (int i = 0; i < 3; ++i) {
+  // The median of three differences, the two runs of each close together: a shared machine changes its
+  // pace from one second to the next.
+  std::array<double, 3> differences{};
+  for (double& difference : differences) {
     const auto once = rounds(*count), twice = rounds(2 * *count);
     if (!once || !twice) return;
-    one = std::min(one, *once);
-    two = std::min(two, *twice);
+    difference = *twice - *once;
   }
-  const double nanoseconds = (two - one) * 1e9 / static_cast<double>(*count * values);
+  std::sort(differences.begin(), differences.end());
+  const double nanoseconds = differences[1] * 1e9 / static_cast<double>(*count * values);
   if (nanoseconds > 0) bench_row({"speed", task + ' ' + name, "", 0, values, nanoseconds});
 }
 

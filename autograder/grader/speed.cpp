@@ -18,7 +18,7 @@ namespace {
 
 constexpr int program_descriptor = 10;
 
-/// Rows of the lab's [.speed] cases, of those `tasks`, written to `file`.
+/// Rows of the lab's [.speed] cases, of those `tasks`, by way of `file`.
 std::vector<BenchRow> measure(const Layout& layout, const Lab& lab, const Program& program,
                               const std::set<std::string>& tasks, const fs::path& file) {
   fs::create_directories(file.parent_path());
@@ -30,28 +30,24 @@ std::vector<BenchRow> measure(const Layout& layout, const Lab& lab, const Progra
                                {"MC_SEED", "1"}},
                .descriptors = {{program.descriptor, program_descriptor}},
                .wall_seconds = 10});
-  return read_bench_rows(file, lab.name, "");
+  auto rows = read_bench_rows(file, lab.name, "");
+  fs::remove(file);
+  return rows;
 }
 
+/// In the same minute as the submission's own: what a machine does changes from one to the next.
 std::vector<BenchRow> rows_of_reference(const Layout& layout, const Lab& lab,
-                                        const std::set<std::string>& all_tasks) {
+                                        const std::set<std::string>& tasks) {
   if (!fs::exists(layout.solutions() / lab.file())) return {};
   const auto labs = find_labs(layout);
   const Submission solutions = open_submission(layout, labs, layout.solutions());
   const Built built = build_program(layout, lab, solutions, Variant::speed);
   if (!built.program) return {};
-  const std::string key =
-      fmt::format("{} {}", built.program->path,
-                  fs::last_write_time(layout.checks(lab.name)).time_since_epoch().count());
-  const fs::path kept =
-      layout.build / "speed" / fmt::format("{}-{:016x}.tsv", lab.name, hash_text(key));
-  if (!fs::exists(kept)) {
-    const fs::path aside = kept.string() + fmt::format(".new-{}", getpid());
-    measure(layout, lab, *built.program, all_tasks, aside);
-    fs::rename(aside, kept);
-  }
+  const auto rows =
+      measure(layout, lab, *built.program, tasks,
+              layout.build / "speed" / fmt::format("{}.{}.reference.tsv", lab.name, getpid()));
   close(built.program->descriptor);
-  return read_bench_rows(kept, lab.name, "");
+  return rows;
 }
 
 const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& kind,
@@ -66,19 +62,16 @@ const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& kind,
 
 std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,
                                  const Program& program) {
-  std::set<std::string> all, passed;
-  for (const CheckResult& result : verdict.checks) all.insert(result.check.task);
-  passed = all;
+  std::set<std::string> passed;
+  for (const CheckResult& result : verdict.checks) passed.insert(result.check.task);
   for (const CheckResult& result : verdict.checks) {
     if (result.status != Status::passed) passed.erase(result.check.task);
   }
-  const fs::path file =
-      layout.build / "speed" / fmt::format("{}.{}.tsv", verdict.lab.name, getpid());
-  const auto own = measure(layout, verdict.lab, program, passed, file);
-  std::error_code ignored;
-  fs::remove(file, ignored);
+  const auto own =
+      measure(layout, verdict.lab, program, passed,
+              layout.build / "speed" / fmt::format("{}.{}.tsv", verdict.lab.name, getpid()));
   if (own.empty()) return {};
-  const auto reference = rows_of_reference(layout, verdict.lab, all);
+  const auto reference = rows_of_reference(layout, verdict.lab, passed);
   std::vector<Speed> speed;
   for (const BenchRow& row : own) {
     if (row.kind != "speed") continue;

@@ -68,8 +68,22 @@ class Finished {
   std::map<std::string, bool> known_;
 };
 
+/// Without the library's assertions, which what is judged has.
+Built build_fast(const House& house, const Submission& submission, const Lab& lab) {
+  return build_program(house.layout, lab, submission, Variant::speed);
+}
+
+/// How fast the lab's speed tasks are, where there is something to run.
+void add_speed(const House& house, LabVerdict& judged, const Built& fast) {
+  if (!fast.program) return;
+  if (judged.no_program.empty()) judged.speed = measure_speed(house.layout, judged, *fast.program);
+  close(fast.program->descriptor);
+}
+
+/// `speed_later` leaves the speed tasks to the caller: somebody waits for the verdict.
 Verdict judge_submission(const House& house, const Submission& submission,
-                         const std::vector<Lab>& labs, JudgeOptions options) {
+                         const std::vector<Lab>& labs, JudgeOptions options,
+                         bool speed_later = false) {
   const auto start = Clock::now();
   Verdict verdict;
   verdict.submission = submission.label;
@@ -80,24 +94,16 @@ Verdict judge_submission(const House& house, const Submission& submission,
   options.submission = submission.label;
   Finished finished(house, submission, options);
   for (const Lab& lab : labs) {
-    // Without the library's assertions, beside what is judged with them.
     std::future<Built> fast;
-    if (options.only.empty()) {
-      fast = std::async(std::launch::async, [&] {
-        return build_program(house.layout, lab, submission, Variant::speed);
-      });
+    if (options.only.empty() && !speed_later) {
+      fast = std::async(std::launch::async, [&] { return build_fast(house, submission, lab); });
     }
     const Built built = build_program(house.layout, lab, submission);
     LabVerdict judged = judge_lab(house.layout, lab, built, options);
     wait_for_labs(judged, std::ref(finished));
     if (options.only.empty()) finished.add(judged);
+    if (fast.valid()) add_speed(house, judged, fast.get());
     verdict.labs.push_back(std::move(judged));
-    if (!fast.valid()) continue;
-    const Built built_fast = fast.get();
-    if (!built.program || !built_fast.program) continue;
-    verdict.labs.back().speed =
-        measure_speed(house.layout, verdict.labs.back(), *built_fast.program);
-    close(built_fast.program->descriptor);
   }
   for (const Lab& lab : house.labs) {
     if (!submission.files.contains(lab.name)) verdict.absent.push_back(lab.name);
@@ -147,10 +153,15 @@ int check(const House& house, const Arguments& arguments) {
   JudgeOptions options;
   options.seed = seed_of(arguments);
   options.only = arguments.get("only").value_or("");
-  const Verdict verdict = judge_submission(house, submission, {lab}, options);
-  fmt::print("{}", report_lab(verdict.labs[0], verdict, this_terminal()));
+  Verdict verdict = judge_submission(house, submission, {lab}, options, true);
+  LabVerdict& judged = verdict.labs[0];
+  fmt::print("{}", report_lab(judged, verdict, this_terminal()));
+  if (options.only.empty() && judged.no_program.empty()) {
+    add_speed(house, judged, build_fast(house, submission, lab));
+    if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
+  }
   if (json) write_text(*json, report_json(verdict));
-  if (own && options.only.empty()) remember(house.layout, verdict.labs[0]);
+  if (own && options.only.empty()) remember(house.layout, judged);
   return verdict.earned() == verdict.points() ? 0 : 1;
 }
 
