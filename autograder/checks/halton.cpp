@@ -923,7 +923,8 @@ TEST_CASE("5.6 no error exceeds variation times discrepancy",
   constexpr double rounding = 1e-12;  // of sums of 600 numbers below e^2, and more
   for (const auto& [name, x, y] : sets) {
     const auto got = MEASURE(star_discrepancy_2d, x, y);
-    const auto expect_bound = [&](const std::string& integrand, double error, double variation) {
+    const auto expect_bound = [&, &name = name](const std::string& integrand, double error,
+                                                double variation) {
       expect_that(std::abs(error) <= variation * got.value + rounding,
                   fmt::format("{} of {} {} points = {:.6g}, but the integral of {} by them is "
                               "wrong by {:.6g}",

@@ -204,9 +204,10 @@ std::string variances(const Bench& bench) {
     all += fmt::format("| {} | {} | {} | {} |", what, whose(by), in ? figure(in->value) : "",
                        out ? figure(out->value) : "");
     for (const std::string& on : cases) {
-      const auto row = std::find_if(digits.begin(), digits.end(), [&](const BenchRow& one) {
-        return one.what == what && one.submission == by && one.on == on;
-      });
+      const auto row = std::find_if(
+          digits.begin(), digits.end(), [&, &what = what, &by = by](const BenchRow& one) {
+            return one.what == what && one.submission == by && one.on == on;
+          });
       all += row == digits.end() ? " |" : fmt::format(" {:.1f} |", row->value);
     }
     all += '\n';
