@@ -61,7 +61,7 @@ struct Speed {
 struct LabVerdict {
   Lab lab;
   std::vector<CheckResult> checks;
-  std::string no_program;  ///< why there is none to judge; empty where there is
+  std::string no_program;               ///< why there is none to judge; empty where there is
   std::vector<std::string> unfinished;  ///< labs that some checks are waiting for: "3"
   double seconds = 0;
   std::vector<Speed> speed;  ///< of the speed tasks that passed

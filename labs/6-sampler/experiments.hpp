@@ -50,11 +50,12 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
 
 /// What integrate() and render() did with a sampler of ours.
 struct Recorded {
-  std::vector<double> values;           ///< what came back: a number, or pixels
-  std::vector<std::uint64_t> samples;   ///< of each generate()
-  std::vector<std::uint64_t> seeds;     ///< of each generate()
-  std::uint64_t advances = 0;           ///< in all
-  std::vector<std::uint64_t> positions; ///< column + width row and sample number of each evaluation
+  std::vector<double> values;          ///< what came back: a number, or pixels
+  std::vector<std::uint64_t> samples;  ///< of each generate()
+  std::vector<std::uint64_t> seeds;    ///< of each generate()
+  std::uint64_t advances = 0;          ///< in all
+  std::vector<std::uint64_t>
+      positions;  ///< column + width row and sample number of each evaluation
 };
 MC_FIELDS(Recorded, values, samples, seeds, advances, positions)
 

@@ -138,5 +138,4 @@ class Reader {
   std::string_view left_;
 };
 
-
 }  // namespace mc::wire
