@@ -202,7 +202,7 @@ Object compile(const Unit& unit) {
   if (text.find_first_not_of(" \t\r\n\xef\xbb\xbf") == std::string::npos) {
     return {{}, fmt::format("{} is empty.", name)};
   }
-  auto flags = compile_flags(unit.layout, unit.variant);
+  auto flags = compile_flags(unit.variant);
   const auto includes = include_flags(unit);
   const std::string key =
       fmt::format("{} {} {} {} {}", rules, fmt::join(flags, " "), fmt::join(includes, " "),
@@ -271,7 +271,7 @@ Object compile(const Unit& unit) {
 
 }  // namespace
 
-std::vector<std::string> compile_flags(const Layout& layout, Variant variant) {
+std::vector<std::string> compile_flags(Variant variant) {
   std::vector<std::string> flags{"-std=c++20", "-O3", "-ffp-contract=off"};
 #if defined(__x86_64__)
   // Never native: digits must not change with the host. A machine has these features or it has not.
@@ -281,7 +281,6 @@ std::vector<std::string> compile_flags(const Layout& layout, Variant variant) {
   }
 #endif
   if (variant == Variant::judged) flags.push_back("-D_GLIBCXX_ASSERTIONS");
-  (void)layout;
   return flags;
 }
 

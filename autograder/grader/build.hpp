@@ -26,6 +26,6 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
                     Variant variant = Variant::judged);
 
 /// The flags of a submission's compilation, as they are recorded with a grade.
-std::vector<std::string> compile_flags(const Layout& layout, Variant variant);
+std::vector<std::string> compile_flags(Variant variant);
 
 }  // namespace mc::grader

@@ -248,6 +248,15 @@ std::vector<XmlRecord> read_catch_xml(std::string_view xml) {
   return records;
 }
 
+ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Program& program,
+                               const std::string& tag, ProcessOptions options) {
+  options.environment.insert(
+      options.environment.end(),
+      {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)}, {"MC_SEED", "1"}});
+  options.descriptors = {{program.descriptor, program_descriptor}};
+  return run_process({layout.checks(lab.name).string(), tag, "--reporter", "xml"}, options);
+}
+
 std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
   const ProcessResult run =
       run_process({layout.checks(lab.name).string(), "--reporter", "xml"},

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "grader/build.hpp"
+#include "grader/process.hpp"
 #include "grader/verdict.hpp"
 
 namespace mc::grader {
@@ -31,6 +32,11 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
 /// `is_finished` says; it is asked only where it matters.
 void wait_for_labs(LabVerdict& verdict,
                    const std::function<bool(const std::string& lab)>& is_finished);
+
+/// Runs the hidden cases with this tag of a lab's checks on a program. `options` brings what they are
+/// told and how long they may take; they say what happened in Catch2's XML.
+ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Program& program,
+                               const std::string& tag, ProcessOptions options);
 
 /// One check's part of Catch2's XML report, version 2 or 3 (they differ in the root only).
 struct XmlRecord {

@@ -7,14 +7,13 @@
 
 #include "grader/build.hpp"
 #include "grader/jail.hpp"
+#include "grader/judge.hpp"
 #include "grader/process.hpp"
 #include "grader/text_file.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr int program_descriptor = 10;
 
 /// What every script begins with.
 std::string beginning(const Layout& layout, const fs::path& out, const std::string& extension) {
@@ -109,20 +108,6 @@ std::string run_gnuplot(const fs::path& script, const std::string& text) {
   return drawn.succeeded() ? "" : "gnuplot failed: " + printable(drawn.errors);
 }
 
-ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Program& program,
-                               const std::string& tag, const fs::path& data,
-                               std::vector<std::pair<std::string, std::string>> environment) {
-  fs::create_directories(data);
-  environment.insert(environment.end(),
-                     {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
-                      {"MC_PLOT_DATA", data.string()},
-                      {"MC_SEED", "1"}});
-  return run_process({layout.checks(lab.name).string(), tag, "--reporter", "xml"},
-                     {.environment = std::move(environment),
-                      .descriptors = {{program.descriptor, program_descriptor}},
-                      .wall_seconds = 300});
-}
-
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder) {
   Plots plots;
@@ -137,7 +122,10 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
       continue;
     }
     const fs::path measured = place / "data" / fmt::format("{}-{}", lab.name, labels.size());
-    if (run_hidden_cases(layout, lab, *built.program, "[.plot]", measured).succeeded()) {
+    fs::create_directories(measured);
+    const ProcessOptions options{.environment = {{"MC_PLOT_DATA", measured.string()}},
+                                 .wall_seconds = 300};
+    if (run_hidden_cases(layout, lab, *built.program, "[.plot]", options).succeeded()) {
       labels.push_back(submission.label);
       data.push_back(measured);
     } else {

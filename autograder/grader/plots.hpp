@@ -9,7 +9,6 @@
 #include "grader/build.hpp"
 #include "grader/labs.hpp"
 #include "grader/layout.hpp"
-#include "grader/process.hpp"
 #include "grader/submission.hpp"
 
 namespace mc::grader {
@@ -38,11 +37,5 @@ std::string gnuplot_array(const std::string& name, const std::vector<std::string
 
 /// Writes a script and runs it; what gnuplot complains of, or nothing.
 std::string run_gnuplot(const std::filesystem::path& script, const std::string& text);
-
-/// Runs the hidden cases with this tag of a lab's checks; they write their data into a folder, and say
-/// what happened in Catch2's XML.
-ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, const Program& program,
-                               const std::string& tag, const std::filesystem::path& data,
-                               std::vector<std::pair<std::string, std::string>> environment = {});
 
 }  // namespace mc::grader

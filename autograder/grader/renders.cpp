@@ -35,9 +35,13 @@ struct Rendering {
 
   /// Fills in the row; `seconds` is the time to keep to, 0 for none.
   void measure(Rendered& row, std::uint64_t spp, double seconds) const {
+    fs::create_directories(data);
     const ProcessResult run = run_hidden_cases(
-        layout, lab, program, "[.render]", data,
-        {{"MC_RENDER", fmt::format("{} {} {} {}", row.picture, row.kind, spp, seconds)}});
+        layout, lab, program, "[.render]",
+        {.environment = {{"MC_PLOT_DATA", data.string()},
+                         {"MC_RENDER",
+                          fmt::format("{} {} {} {}", row.picture, row.kind, spp, seconds)}},
+         .wall_seconds = 300});
     std::ifstream figures(data / (row.kind + ".txt"));
     for (Rendered::Drawn* drawn : {&row.samples, &row.time}) {
       figures >> drawn->spp >> drawn->seconds >> drawn->rmse >> drawn->large_error;

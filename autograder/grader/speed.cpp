@@ -9,27 +9,22 @@
 #include <fmt/ranges.h>
 
 #include "grader/bench.hpp"
-#include "grader/process.hpp"
+#include "grader/judge.hpp"
 #include "grader/text_file.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int program_descriptor = 10;
-
 /// Rows of the lab's [.speed] cases, of those `tasks`, by way of `file`.
 std::vector<BenchRow> measure(const Layout& layout, const Lab& lab, const Program& program,
                               const std::set<std::string>& tasks, const fs::path& file) {
   fs::create_directories(file.parent_path());
   fs::remove(file);
-  run_process({layout.checks(lab.name).string(), "[.speed]"},
-              {.environment = {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
-                               {"MC_BENCH_DATA", file.string()},
-                               {"MC_SPEED_TASKS", fmt::format("{}", fmt::join(tasks, " "))},
-                               {"MC_SEED", "1"}},
-               .descriptors = {{program.descriptor, program_descriptor}},
-               .wall_seconds = 10});
+  run_hidden_cases(layout, lab, program, "[.speed]",
+                   {.environment = {{"MC_BENCH_DATA", file.string()},
+                                    {"MC_SPEED_TASKS", fmt::format("{}", fmt::join(tasks, " "))}},
+                    .wall_seconds = 10});
   auto rows = read_bench_rows(file, lab.name, "");
   fs::remove(file);
   return rows;

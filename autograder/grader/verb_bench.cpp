@@ -14,6 +14,7 @@
 #include "grader/bench.hpp"
 #include "grader/build.hpp"
 #include "grader/errors.hpp"
+#include "grader/judge.hpp"
 #include "grader/plots.hpp"
 #include "grader/process.hpp"
 #include "grader/text_file.hpp"
@@ -25,8 +26,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr int program_descriptor = 10;
 
 std::atomic<bool> stop{false};
 
@@ -215,14 +214,11 @@ class BenchRun {
     if (stop) return;
     progress_.begin(name_of(one));
     const auto start = Clock::now();
-    run_process({house_.layout.checks(one.entrant->lab.name).string(),
-                 fmt::format("[.bench-{}]", one.kind)},
-                {.environment = {{"MC_PROGRAM_DESCRIPTOR", std::to_string(program_descriptor)},
-                                 {"MC_BENCH_DATA", one.rows.string()},
-                                 {"MC_SEED", "1"}},
-                 .descriptors = {{one.entrant->program.descriptor, program_descriptor}},
-                 .wall_seconds = 300,
-                 .stop = &stop});
+    run_hidden_cases(house_.layout, one.entrant->lab, one.entrant->program,
+                     fmt::format("[.bench-{}]", one.kind),
+                     {.environment = {{"MC_BENCH_DATA", one.rows.string()}},
+                      .wall_seconds = 300,
+                      .stop = &stop});
     if (stop) return;
     progress_.end(name_of(one), std::chrono::duration<double>(Clock::now() - start).count(),
                   workers);
@@ -260,7 +256,7 @@ void describe_machine(const Layout& layout, Bench& bench) {
   bench.system = fmt::format("{} {}", system.sysname, system.machine);
   const auto version = run_process({layout.compiler, "--version"}).output;
   bench.compiler = version.substr(0, version.find('\n'));
-  bench.flags = fmt::format("{}", fmt::join(compile_flags(layout, Variant::speed), " "));
+  bench.flags = fmt::format("{}", fmt::join(compile_flags(Variant::speed), " "));
   bench.version = layout.version;
 }
 

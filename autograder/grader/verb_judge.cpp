@@ -89,7 +89,7 @@ Verdict judge_submission(const House& house, const Submission& submission,
   verdict.submission = submission.label;
   verdict.seed = options.seed;
   verdict.version = house.layout.version;
-  verdict.flags = fmt::format("{}", fmt::join(compile_flags(house.layout, Variant::judged), " "));
+  verdict.flags = fmt::format("{}", fmt::join(compile_flags(Variant::judged), " "));
   verdict.jail_complete = jail_is_complete();
   options.submission = submission.label;
   Finished finished(house, submission, options);
