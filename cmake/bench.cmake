@@ -1,6 +1,7 @@
 # What one measurement costs, for autograder/bench/figures.sh. Not built unless asked for.
 add_executable(bench_measurement EXCLUDE_FROM_ALL autograder/bench/measurement.cpp)
-target_link_libraries(bench_measurement PRIVATE jail)
+target_link_libraries(bench_measurement PRIVATE sandbox)
+own_target(bench_measurement)
 
 # The ratios of ./lab bench: trusted code, timed in process, with the flags of submissions and
 # without the newer instructions.

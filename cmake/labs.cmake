@@ -17,7 +17,7 @@ target_include_directories(runner PUBLIC labs)
 target_compile_options(runner PRIVATE ${PROGRAM_FLAGS})
 
 file(GLOB LAB_FOLDERS CONFIGURE_DEPENDS LIST_DIRECTORIES ON RELATIVE ${CMAKE_SOURCE_DIR}/labs
-  labs/[0-9]-*)
+  labs/[0-9]*-*)
 add_custom_target(starters)
 foreach(folder ${LAB_FOLDERS})
   string(REGEX REPLACE "^[0-9]+-" "" lab ${folder})
@@ -47,8 +47,16 @@ foreach(folder ${LAB_FOLDERS})
   endforeach()
 endforeach()
 
+string(FIND "${CMAKE_CXX_FLAGS}" -fsanitize sanitized)
+if(sanitized EQUAL -1)
+  set(sanitized no)
+else()
+  set(sanitized yes)
+endif()
 file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/layout.txt CONTENT
 "root=${CMAKE_SOURCE_DIR}
+version=${PROJECT_VERSION}
+sanitized=${sanitized}
 compiler=${CMAKE_CXX_COMPILER}
 compiler_id=${CMAKE_CXX_COMPILER_ID}
 link_flags=${PROGRAM_LINK_FLAGS}

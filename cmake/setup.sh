@@ -2,7 +2,7 @@
 
 # The name of a lab that is given as 1, variance or 1-variance.
 lab_of() {
-  for folder in "$root"/labs/[0-9]-*; do
+  for folder in "$root"/labs/[0-9]*-*; do
     folder=${folder##*/}
     name=$(printf %s "${folder#*-}" | tr - _)
     case $1 in "${folder%%-*}" | "$folder" | "$name") echo "$name" ;; esac

@@ -3,19 +3,21 @@ enable_testing()
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/*_test.cpp)
 add_executable(grader_tests EXCLUDE_FROM_ALL ${sources})
-target_link_libraries(grader_tests PRIVATE grading checking)
+target_link_libraries(grader_tests PRIVATE benching checking)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
 add_test(NAME grader COMMAND grader_tests)
 
 # Every submission of the repository, with what its first lines say must happen to it.
-add_executable(prove EXCLUDE_FROM_ALL autograder/tests/prove.cpp autograder/checks/distributions.cpp)
-target_link_libraries(prove PRIVATE grading)
-add_test(NAME repository COMMAND prove repository)
+add_executable(self_test EXCLUDE_FROM_ALL autograder/tests/self_test.cpp)
+target_link_libraries(self_test PRIVATE grading checking)
+own_target(self_test)
+own_target(grader_tests)
+add_test(NAME repository COMMAND self_test repository)
 foreach(lab ${LABS})
   foreach(who starter solutions)
     if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
-      add_test(NAME ${who}/${lab} COMMAND prove ${who}/${lab}.cpp WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+      add_test(NAME ${who}/${lab} COMMAND self_test ${who}/${lab}.cpp WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
     endif()
   endforeach()
 endforeach()
@@ -23,7 +25,7 @@ file(GLOB_RECURSE submissions CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/aut
   autograder/submissions/*.cpp)
 foreach(file ${submissions})
   string(REGEX REPLACE "[.]cpp$" "" name ${file})
-  add_test(NAME ${name} COMMAND prove autograder/submissions/${file}
+  add_test(NAME ${name} COMMAND self_test autograder/submissions/${file}
     WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
 endforeach()
 

@@ -9,12 +9,12 @@ build=${MC_BUILD:-build}
 ./lab grade solutions --seed 1 --no-plots >"$build/grade-all.txt"
 awk '/^Lab 2/ { cut = 1; print "…\n" } /^solutions/ { cut = 0 } !cut' "$build/grade-all.txt" \
   >"$build/grade.txt"
-for folder in labs/[0-9]-*; do
+for folder in labs/[0-9]*-*; do
   lab=$(printf %s "${folder#*-}" | tr - _)
   ./lab plot "$lab" solutions >/dev/null
   for picture in "$build"/plots/side-by-side/"$lab"-*.[sp][vn]g; do
     name=${picture##*/}
-    target=$folder/${name#"$lab"-}
+    target=$folder/pictures/${name#"$lab"-}
     if [ -f "$target" ]; then cp "$picture" "$target"; fi  # only those that a handout shows
   done
 done

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "grader/jail.hpp"
+#include "sandbox/jail.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "checks/catch.hpp"
-#include "checks/integrands.hpp"
-#include "grader/bench.hpp"
-#include "grader/text_file.hpp"
+#include "bench/bench.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/integrands.hpp"
+#include "grader/context/text_file.hpp"
 
 namespace mc::grader {
 namespace {

@@ -1,8 +1,8 @@
 // What the compiler is given and what a student is told when it does not like it.
 #include <thread>
 
-#include "checks/catch.hpp"
-#include "grader/build.hpp"
+#include "checks/support/catch.hpp"
+#include "grader/submission/build.hpp"
 #include "tests/submissions.hpp"
 
 using namespace mc::grader;

@@ -1,6 +1,6 @@
 // The words of compilers and linkers, as they come, and what a student gets of them.
-#include "grader/diagnostics.hpp"
-#include "checks/catch.hpp"
+#include "grader/submission/diagnostics.hpp"
+#include "checks/support/catch.hpp"
 
 using mc::grader::explain_link_errors;
 using mc::grader::first_errors;

@@ -1,9 +1,9 @@
 // What stands behind ./lab, used as a person would, right and wrong.
 #include <nlohmann/json.hpp>
 
-#include "checks/catch.hpp"
-#include "grader/process.hpp"
-#include "grader/report.hpp"
+#include "checks/support/catch.hpp"
+#include "grader/reports/report.hpp"
+#include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
 
 using namespace mc::grader;
@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-ProcessResult lab(std::vector<std::string> words, ProcessOptions options = {}) {
+sandbox::ProcessResult lab(std::vector<std::string> words, sandbox::ProcessOptions options = {}) {
   words.insert(words.begin(), (read_layout().build / "bin" / "grader").string());
-  return run_process(words, options);
+  return sandbox::run_process(words, options);
 }
 
 bool contains(const std::string& text, const std::string& part) {

@@ -1,7 +1,7 @@
 // Exact variances of stratified estimates against values computed beforehand, in high precision and
 // by another way (symbolic integration over the strata).
-#include "checks/exact_stratified.hpp"
-#include "checks/catch.hpp"
+#include "checks/support/exact_stratified.hpp"
+#include "checks/support/catch.hpp"
 
 using namespace mc::checks;
 

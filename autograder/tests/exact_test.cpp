@@ -1,6 +1,6 @@
 // Exact moments against those that were computed beforehand, in decimal, by two other ways.
-#include "checks/exact.hpp"
-#include "checks/catch.hpp"
+#include "checks/support/exact.hpp"
+#include "checks/support/catch.hpp"
 
 using namespace mc::checks;
 

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "checks/catch.hpp"
-#include "grader/build.hpp"
-#include "grader/jail.hpp"
-#include "grader/lockdown.hpp"
-#include "grader/submission.hpp"
-#include "grader/text_file.hpp"
+#include "checks/support/catch.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/submission/submission.hpp"
 #include "runner/wire.hpp"
+#include "sandbox/jail.hpp"
+#include "sandbox/lockdown.hpp"
 
 namespace fs = std::filesystem;
 using namespace mc::grader;
@@ -157,29 +157,30 @@ Built build_submission(const std::string& name, const std::string& text) {
                        open_submission(layout, labs, directory));
 }
 
-const Program& program() {
+const sandbox::Program& program() {
   static const Built built = build_submission("jail", lines);
   INFO(built.failure);
   REQUIRE(built.program);
   return *built.program;
 }
 
-Outcome run(Deed deed, std::vector<double> arguments = {}, const Limits& limits = {}) {
+sandbox::Outcome run(Deed deed, std::vector<double> arguments = {},
+                     const sandbox::Limits& limits = {}) {
   arguments.insert(arguments.begin(), deed);
   mc::wire::Writer request;
   request.put(std::string("mean"));
   request.put(arguments);
-  return run_jailed(program(), request.bytes, limits);
+  return sandbox::run_jailed(program(), request.bytes, limits);
 }
 
-double value_of(const Outcome& outcome) {
+double value_of(const sandbox::Outcome& outcome) {
   INFO(outcome.failure);
   REQUIRE(outcome.answered);
   REQUIRE(outcome.status == mc::wire::Status::value);
   return mc::wire::Reader(outcome.bytes).get<double>();
 }
 
-std::string text_of(const Outcome& outcome) {
+std::string text_of(const sandbox::Outcome& outcome) {
   INFO(outcome.failure);
   REQUIRE(outcome.answered);
   REQUIRE(outcome.status == mc::wire::Status::other_exception);
@@ -194,7 +195,7 @@ TEST_CASE("a measurement comes back") {
 }
 
 TEST_CASE("every way to die has its line") {
-  const Limits short_time{.cpu_seconds = 1};
+  const sandbox::Limits short_time{.cpu_seconds = 1};
   const auto timed = run(loop, {}, short_time);
   CHECK(timed.failure == "stopped after 1 s of CPU time");
   CHECK(timed.timed_out);
@@ -258,7 +259,7 @@ TEST_CASE("it is nobody where the judge is root") {
 #if defined(__linux__) && defined(__x86_64__)
 
 TEST_CASE("the system calls that survive are these and no others") {
-  if (!jail_is_complete()) return;
+  if (!sandbox::jail_is_complete()) return;
   const std::set<long> allowed{SYS_read,
                                SYS_brk,
                                SYS_mmap,
@@ -305,7 +306,7 @@ TEST_CASE("the system calls that survive are these and no others") {
 }
 
 TEST_CASE("system calls with an argument that is allowed, and with others") {
-  if (!jail_is_complete()) return;
+  if (!sandbox::jail_is_complete()) return;
   const auto survives = [](std::vector<double> arguments) {
     return run(make_call, std::move(arguments)).failure.find("made a system call") ==
            std::string::npos;
@@ -349,7 +350,7 @@ TEST_CASE("a long request to a program that does not read it") {
                                    read_text(read_layout().starter() / "variance.cpp"));
   INFO(built.failure);
   REQUIRE(built.program);
-  const auto outcome = run_jailed(*built.program, std::string(10 << 20, 'x'));
+  const auto outcome = sandbox::run_jailed(*built.program, std::string(10 << 20, 'x'));
   CHECK(outcome.failure == "called exit(7) instead of returning");
 }
 
@@ -377,29 +378,29 @@ TEST_CASE("files that are no text of a program") {
         "variance.cpp is 3072 KB long; 1 MB is the most.");
   const auto strange = build_submission("strange", std::string("int \0 \xff \x1b[31m;\n", 15));
   CHECK_FALSE(strange.program);
-  CHECK(printable(strange.failure) == strange.failure);
+  CHECK(sandbox::printable(strange.failure) == strange.failure);
 }
 
 TEST_CASE("printable text") {
-  CHECK(printable("plain, with\ttabs\nand lines") == "plain, with\ttabs\nand lines");
-  CHECK(printable("σ² ≤ ε, 漢字, 🎲") == "σ² ≤ ε, 漢字, 🎲");
-  CHECK(printable("\x1b[2J\a\r\b\x7f") == "?[2J????");
-  CHECK(printable(std::string_view("a\0b", 3)) == "a?b");
-  CHECK(printable("\xc2\x9b"
-                  "31m") == "??31m");         // a control character of 8 bits
-  CHECK(printable("\xff\xfe\x80") == "???");  // no UTF-8
-  CHECK(printable("\xc3") == "?");            // cut short
-  CHECK(printable("\xe2\x82") == "??");
-  CHECK(printable("\xc0\xaf \xe0\x80\xaf") == "?? ???");  // longer than need be
-  CHECK(printable("\xed\xa0\x80") == "???");              // half of a surrogate pair
-  CHECK(printable("\xf4\x90\x80\x80") == "????");         // above the last code point
-  CHECK(printable("\xef\xbf\xbf") == "???");              // no character, and not allowed in XML
-  CHECK(printable("\u202e\u2066\u2028") == "?????????");  // other directions, other lines
+  CHECK(sandbox::printable("plain, with\ttabs\nand lines") == "plain, with\ttabs\nand lines");
+  CHECK(sandbox::printable("σ² ≤ ε, 漢字, 🎲") == "σ² ≤ ε, 漢字, 🎲");
+  CHECK(sandbox::printable("\x1b[2J\a\r\b\x7f") == "?[2J????");
+  CHECK(sandbox::printable(std::string_view("a\0b", 3)) == "a?b");
+  CHECK(sandbox::printable("\xc2\x9b"
+                           "31m") == "??31m");         // a control character of 8 bits
+  CHECK(sandbox::printable("\xff\xfe\x80") == "???");  // no UTF-8
+  CHECK(sandbox::printable("\xc3") == "?");            // cut short
+  CHECK(sandbox::printable("\xe2\x82") == "??");
+  CHECK(sandbox::printable("\xc0\xaf \xe0\x80\xaf") == "?? ???");  // longer than need be
+  CHECK(sandbox::printable("\xed\xa0\x80") == "???");              // half of a surrogate pair
+  CHECK(sandbox::printable("\xf4\x90\x80\x80") == "????");         // above the last code point
+  CHECK(sandbox::printable("\xef\xbf\xbf") == "???");  // no character, and not allowed in XML
+  CHECK(sandbox::printable("\u202e\u2066\u2028") == "?????????");  // other directions, other lines
 }
 
 TEST_CASE("shortened text") {
-  CHECK(shortened("abc", 3) == "abc");
-  CHECK(shortened("abcd", 3) == "abc …");
-  CHECK(shortened("aσσ", 4) == "aσ …");
-  CHECK(shortened("", 0).empty());
+  CHECK(sandbox::shortened("abc", 3) == "abc");
+  CHECK(sandbox::shortened("abcd", 3) == "abc …");
+  CHECK(sandbox::shortened("aσσ", 4) == "aσ …");
+  CHECK(sandbox::shortened("", 0).empty());
 }

@@ -1,7 +1,7 @@
 // The closed form of a rectangular light against values computed beforehand, to 24 digits, by
 // another way.
-#include "checks/catch.hpp"
-#include "checks/rect_light_exact.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/rect_light_exact.hpp"
 
 using namespace mc;
 using namespace mc::checks;

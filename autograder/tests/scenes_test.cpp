@@ -4,9 +4,9 @@
 #include <functional>
 #include <sstream>
 
-#include "checks/catch.hpp"
-#include "checks/known_scenes.hpp"
-#include "grader/renders.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/known_scenes.hpp"
+#include "grader/pictures/renders.hpp"
 
 using namespace mc;
 using namespace mc::checks;

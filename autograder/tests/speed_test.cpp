@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "checks/catch.hpp"
-#include "grader/report.hpp"
+#include "checks/support/catch.hpp"
+#include "grader/reports/report.hpp"
 
 namespace mc::grader {
 namespace {

@@ -1,14 +1,14 @@
 // The null distributions against published values, and the p-values of every test against what they
 // must be: uniform.
 
-#include "checks/statistics.hpp"
+#include "checks/support/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "checks/catch.hpp"
-#include "checks/data.hpp"
-#include "checks/distributions.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/data.hpp"
+#include "checks/support/distributions.hpp"
 
 using namespace mc;
 using namespace mc::checks;

@@ -1,8 +1,8 @@
 // read_catch_xml on reports as Catch2 writes them: points depend on nothing else.
 #include <string>
 
-#include "checks/catch.hpp"
-#include "grader/judge.hpp"
+#include "checks/support/catch.hpp"
+#include "grader/judging/judge.hpp"
 
 using mc::grader::read_catch_xml;
 

@@ -1,0 +1,110 @@
+#pragma once
+// Speed against error: rows as they are measured (protocol/rows.hpp), and what follows
+// from them.
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "protocol/rows.hpp"
+
+namespace mc::grader {
+
+/// One figure. Times are medians over rounds, their error half of what lies between the quartiles.
+struct BenchRow : protocol::Row {
+  std::string lab, submission;
+};
+
+/// A ratio of autograder/bench/ratios.cpp.
+struct Ratio {
+  std::string name;
+  double ratio = 0, ours = 0, other = 0;  ///< nanoseconds
+};
+
+/// A file of a library, and what it says of the checks that it fails.
+struct Peer {
+  std::string library, lab, what;
+  struct Failure {
+    std::vector<std::string> checks;
+    std::string because;
+  };
+  std::vector<Failure> failures;
+  bool installed = false;
+};
+
+struct Bench {
+  std::string processor, system, compiler, flags, version;
+  unsigned cores = 0, rounds = 0;
+  double seconds = 0;
+  bool whole = true;  ///< false: interrupted, or not of all labs
+  std::vector<BenchRow> rows;
+  std::vector<Ratio> ratios, baseline;  ///< with AVX2, and for any x86-64
+  std::vector<Peer> peers;
+
+  /// The rows of a kind.
+  std::vector<BenchRow> of(const std::string& kind) const;
+};
+
+/// One sampler of one submission on one integrand.
+struct Curve {
+  std::string lab, submission, what, on;
+  std::uint64_t dims = 0;
+  double variance = std::numeric_limits<double>::quiet_NaN();  ///< of the integrand's values
+  struct Point {
+    double n = 0, rmse = 0, error = 0;  ///< standard error of the RMSE
+    double sample = 0, integrand = 0;   ///< nanoseconds each
+    double efficiency = 0;              ///< 1 / (MSE time), in that of independent sampling; or NaN
+    double seconds() const { return n * (sample + integrand) * 1e-9; }
+  };
+  std::vector<Point> points;
+};
+std::vector<Curve> curves_of(const Bench& bench);
+
+/// Seconds until the error is `target`.
+struct Reached {
+  double seconds = 0;
+  enum {
+    between,  ///< two sizes: interpolated, by a line in the logarithms
+    or_less,  ///< the first size is good enough
+    by_law  ///< no size is, but of independent points one knows how many it takes: variance/target^2
+  } how = between;
+};
+/// Nothing where no size is good enough.
+std::optional<Reached> time_to(const Curve& curve, double target);
+
+/// The slope of log(value) over log(size), by least squares, and its standard error.
+struct Exponent {
+  double slope = 0, error = 0;
+};
+std::optional<Exponent> exponent_of(const std::vector<std::pair<double, double>>& points);
+
+/// The median time of a point set or algorithm, or nothing.
+std::optional<BenchRow> time_of(const Bench& bench, const std::string& submission,
+                                const std::string& what, const std::string& on, std::uint64_t dims,
+                                std::uint64_t n);
+
+/// Reads what one case wrote.
+std::vector<BenchRow> read_bench_rows(const std::filesystem::path& file, const std::string& lab,
+                                      const std::string& submission);
+
+/// Many times the same row, taken in several rounds: medians.
+std::vector<BenchRow> medians(const std::vector<BenchRow>& rows);
+
+/// Libraries behind the labs' interfaces, installed or not.
+std::vector<Peer> peers_of(const Layout& layout, const std::vector<Lab>& labs);
+
+std::string bench_csv(const Bench& bench);
+std::string bench_json(const Bench& bench);
+/// The page: `outline` (autograder/bench/page.md) with its tables, its pictures in `pictures` (a path
+/// as it stands in the page).
+std::string bench_page(const Bench& bench, const std::string& outline, const std::string& pictures);
+/// The tables of the page's beginning, for a terminal.
+std::string bench_summary(const Bench& bench);
+
+}  // namespace mc::grader

@@ -1,0 +1,312 @@
+// The page, from one run.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bench/bench.hpp"
+
+namespace mc::grader {
+namespace {
+
+/// "0.83 µs", "12 ms"
+std::string duration(double seconds) {
+  const std::pair<double, const char*> units[] = {
+      {1e-9, "ns"}, {1e-6, "µs"}, {1e-3, "ms"}, {1, "s"}};
+  const auto* unit = units;
+  while (unit + 1 != std::end(units) && seconds >= 999.5 * unit->first) ++unit;
+  const double value = seconds / unit->first;
+  return fmt::format("{:.{}f} {}", value, value < 10 ? 2 : value < 100 ? 1 : 0, unit->second);
+}
+
+std::string reached(const Curve* curve, double target) {
+  if (curve == nullptr) return "";
+  const auto when = time_to(*curve, target);
+  if (!when) return "not reached";
+  if (when->how == Reached::by_law) return '(' + duration(when->seconds) + ')';
+  return (when->how == Reached::or_less ? "≤ " : "") + duration(when->seconds);
+}
+
+/// Two digits that count.
+std::string figure(double value) {
+  if (std::isnan(value)) return "";
+  if (value >= 9999.5) return fmt::format("{:.1e}", value);
+  if (value >= 99.5) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.{}f}", value, value >= 9.95 ? 0 : value >= 0.995 ? 1 : 2);
+}
+
+std::string whose(const std::string& submission) {
+  return submission == "solutions" ? "these labs" : submission;
+}
+
+const Curve* find(const std::vector<Curve>& curves, const std::string& submission,
+                  const std::string& what, const std::string& on) {
+  for (const Curve& curve : curves) {
+    if (curve.submission == submission && curve.what == what && curve.on == on) return &curve;
+  }
+  return nullptr;
+}
+
+/// The point at 4,096 samples, or the last one before.
+const Curve::Point* at_4096(const Curve* curve) {
+  const Curve::Point* best = nullptr;
+  for (std::size_t i = 0; curve != nullptr && i < curve->points.size(); ++i) {
+    if (curve->points[i].n <= 4500) best = &curve->points[i];  // Poisson disks are about so many
+  }
+  return best;
+}
+
+/// Its error, and where it is not that of 4,096 samples.
+std::string error_of(const Curve::Point& point, bool with_standard_error) {
+  std::string text = fmt::format("{:.1e}", point.rmse);
+  if (with_standard_error) text += fmt::format(" ± {:.0e}", point.error);
+  if (point.n < 4000) text += fmt::format(" (N = {:.0f})", point.n);
+  return text;
+}
+
+/// What the one-minute table shows of a sampler, wherever it is at home.
+struct Line {
+  const Curve *plane, *edge, *four;
+};
+
+std::vector<Line> lines_of(const std::vector<Curve>& curves) {
+  std::vector<Line> lines;
+  for (const Curve& curve : curves) {
+    if (curve.on != "smooth 2D") continue;
+    // Jittered points of four dimensions are padded ones.
+    const std::string many = curve.what == "jittered" ? "jittered, padded" : curve.what;
+    lines.push_back({&curve, find(curves, curve.submission, curve.what, "edge 2D"),
+                     find(curves, curve.submission, many, "smooth 4D")});
+  }
+  const auto key = [](const Line& line) {
+    const auto when = time_to(*line.plane, 1e-3);
+    return when ? when->seconds : 1e9 * line.plane->points.back().rmse;
+  };
+  std::stable_sort(lines.begin(), lines.end(),
+                   [&](const Line& a, const Line& b) { return key(a) < key(b); });
+  return lines;
+}
+
+std::string one_minute(const Bench& bench) {
+  const auto curves = curves_of(bench);
+  std::string all =
+      "| sampler | by | ns a sample | error | smooth 2D to 10⁻³ | edge 2D to 10⁻³ | smooth 4D to "
+      "10⁻³ | efficiency |\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  for (const Line& line : lines_of(curves)) {
+    const Curve::Point* const point = at_4096(line.plane);
+    if (point == nullptr) continue;
+    all += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", line.plane->what,
+                       whose(line.plane->submission), figure(point->sample),
+                       error_of(*point, false), reached(line.plane, 1e-3), reached(line.edge, 1e-3),
+                       reached(line.four, 1e-3), figure(point->efficiency));
+  }
+  return all;
+}
+
+/// The ratios that the project wants to have.
+constexpr std::pair<const char*, double> wanted[] = {{"moments, in cache", 8},
+                                                     {"moments, out of cache", 1.8},
+                                                     {"uniforms", 10},
+                                                     {"stratified_2d, 1024 points", 5},
+                                                     {"radical_inverses, 2D", 50},
+                                                     {"sobol, 2D", 8},
+                                                     {"owen_scramble, 2D", 1},
+                                                     {"sampler, independent, 1024 samples", 2},
+                                                     {"sampler, stratified, 1024 samples", 2},
+                                                     {"sampler, halton, 1024 samples", 2},
+                                                     {"sampler, sobol, 1024 samples", 2}};
+
+std::string against(const std::string& name) {
+  if (name.starts_with("moments")) return "two sums in a loop";
+  if (name.starts_with("uniforms")) return "`mt19937_64`, `uniform_real_distribution`";
+  if (name.starts_with("sampler")) return "a loop over `mt19937_64`, `uniform_real_distribution`";
+  if (name.starts_with("stratified")) return "a textbook's loop over the same";
+  return name.starts_with("radical") ? "GSL's Halton points" : "GSL's Sobol' points";
+}
+
+std::string ratios(const Bench& bench) {
+  std::string all =
+      "| what | against | ns | ns of the other | ratio | wanted | ratio "
+      "without "
+      "AVX2 | AVX2 buys |\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  for (const Ratio& one : bench.ratios) {
+    std::string wish, without, buys;
+    for (const auto& [name, least] : wanted) {
+      if (one.name == name) wish = fmt::format("≥ {:g}", least);
+    }
+    for (const Ratio& other : bench.baseline) {
+      if (other.name != one.name) continue;
+      without = figure(other.ratio);
+      buys = fmt::format("× {:.1f}", other.ours / one.ours);
+    }
+    all +=
+        fmt::format("| {} | {} | {:.2f} | {:.2f} | {} | {} | {} | {} |\n", one.name,
+                    against(one.name), one.ours, one.other, figure(one.ratio), wish, without, buys);
+  }
+  return all;
+}
+
+std::string tables_of_times(const Bench& bench) {
+  const auto curves = curves_of(bench);
+  std::vector<std::string> integrands;
+  for (const Curve& curve : curves) {
+    if (std::find(integrands.begin(), integrands.end(), curve.on) == integrands.end()) {
+      integrands.push_back(curve.on);
+    }
+  }
+  std::string all;
+  for (const std::string& on : integrands) {
+    double cost = 0;
+    std::string rows;
+    for (const Curve& curve : curves) {
+      const Curve::Point* const point = at_4096(&curve);
+      if (curve.on != on || point == nullptr) continue;
+      cost = point->integrand;
+      rows += fmt::format("| {} | {} | {} | {} |", curve.what, whose(curve.submission),
+                          figure(point->sample), error_of(*point, true));
+      for (int digits = 2; digits <= 6; ++digits) {
+        rows += fmt::format(" {} |", reached(&curve, std::pow(10, -digits)));
+      }
+      rows += fmt::format(" {} |\n", figure(point->efficiency));
+    }
+    all += fmt::format(
+        "### {}\n\n{}\n\n| sampler | by | ns a sample | RMSE at 4096 | to 10⁻² | 10⁻³ | 10⁻⁴ | "
+        "10⁻⁵ | "
+        "10⁻⁶ | efficiency |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n{}\n",
+        on,
+        cost > 0 ? fmt::format("The integrand itself takes {} ns.", figure(cost))
+                 : std::string("The integrand is part of the sample."),
+        rows);
+  }
+  return all;
+}
+
+std::string variances(const Bench& bench) {
+  std::vector<std::string> cases;
+  std::vector<std::pair<std::string, std::string>> ways;  // what, by
+  const auto digits = bench.of("digits");
+  for (const BenchRow& row : digits) {
+    if (std::find(cases.begin(), cases.end(), row.on) == cases.end()) cases.push_back(row.on);
+    const std::pair way(row.what, row.submission);
+    if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(way);
+  }
+  std::string all =
+      fmt::format("| way | by | ns, in cache | ns, out of it | {} |\n|---|---|--:|--:|",
+                  fmt::join(cases, " | "));
+  for (std::size_t i = 0; i < cases.size(); ++i) all += "--:|";
+  all += '\n';
+  for (const auto& [what, by] : ways) {
+    const auto in = time_of(bench, by, what, "in cache", 1, 4096),
+               out = time_of(bench, by, what, "out of cache", 1, std::uint64_t{1} << 23);
+    all += fmt::format("| {} | {} | {} | {} |", what, whose(by), in ? figure(in->value) : "",
+                       out ? figure(out->value) : "");
+    for (const std::string& on : cases) {
+      const auto row = std::find_if(
+          digits.begin(), digits.end(), [&, &what = what, &by = by](const BenchRow& one) {
+            return one.what == what && one.submission == by && one.on == on;
+          });
+      all += row == digits.end() ? " |" : fmt::format(" {:.1f} |", row->value);
+    }
+    all += '\n';
+  }
+  return all;
+}
+
+std::string libraries(const Bench& bench) {
+  std::string all = "| library | lab | what of it | fails | because |\n|---|---|---|---|---|\n";
+  for (const Peer& peer : bench.peers) {
+    const std::string start =
+        fmt::format("| {}{} | {} | {} |", peer.library,
+                    peer.installed ? "" : " (not installed here)", peer.lab, peer.what);
+    if (peer.failures.empty()) all += start + " nothing | |\n";
+    for (const Peer::Failure& failure : peer.failures) {
+      all += fmt::format("{} {} | {} |\n", start, fmt::join(failure.checks, "; "), failure.because);
+    }
+  }
+  return all;
+}
+
+std::string growth(const Bench& bench) {
+  const auto rows = bench.of("growth"), memory = bench.of("memory");
+  std::set<std::tuple<std::string, std::string, std::string, std::uint64_t>> done;
+  std::string all =
+      "| what | over | from | to | time grows as | memory as | ns at the largest | bytes |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|\n";
+  for (const BenchRow& row : rows) {
+    const bool over_n = row.on == "n";
+    if (!done.insert({row.submission, row.what, row.on, over_n ? row.dims : 0}).second) continue;
+    std::vector<std::pair<double, double>> times, bytes;
+    const auto collect = [&](const std::vector<BenchRow>& from, auto& into) {
+      for (const BenchRow& other : from) {
+        if (other.submission != row.submission || other.what != row.what || other.on != row.on ||
+            (over_n && other.dims != row.dims)) {
+          continue;
+        }
+        into.emplace_back(static_cast<double>(over_n ? other.n : other.dims), other.value);
+      }
+      std::sort(into.begin(), into.end());
+    };
+    collect(rows, times);
+    collect(memory, bytes);
+    // Without what the program takes for itself; what is left of that is noise.
+    for (std::size_t i = bytes.size(); i-- > 0;) bytes[i].second -= bytes[0].second;
+    std::erase_if(bytes, [](const auto& point) { return point.second < 5e5; });
+    const auto shown = [](const std::optional<Exponent>& exponent, const char* of) {
+      return exponent ? fmt::format("{}^({:.2f} ± {:.2f})", of, exponent->slope, exponent->error)
+                      : std::string();
+    };
+    if (times.empty()) continue;
+    const auto [largest, seconds] = times.back();
+    const double items =
+        over_n ? largest * static_cast<double>(row.dims) : largest * static_cast<double>(row.n);
+    all += fmt::format("| {} | {} | {:g} | {:g} | {} | {} | {:.2f} a coordinate | {} |\n", row.what,
+                       over_n ? fmt::format("N, {}D", row.dims) : "dimensions, N = 4096",
+                       times.front().first, largest, shown(exponent_of(times), over_n ? "N" : "d"),
+                       shown(exponent_of(bytes), "N"), seconds * 1e9 / items,
+                       bytes.empty() ? "" : fmt::format("{:.0f} MB", bytes.back().second / 1e6));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string bench_summary(const Bench& bench) {
+  std::string all;
+  if (!lines_of(curves_of(bench)).empty()) all += one_minute(bench);
+  if (!bench.of("digits").empty()) all += (all.empty() ? "" : "\n") + variances(bench);
+  if (!bench.ratios.empty()) all += "\n" + ratios(bench);
+  return all;
+}
+
+std::string bench_page(const Bench& bench, const std::string& outline,
+                       const std::string& pictures) {
+  const std::pair<const char*, std::string> parts[] = {
+      {"run",
+       fmt::format("{}, {} cores, {}; {}; `{}`; version {}; {:.0f} s.{}", bench.processor,
+                   bench.cores, bench.system, bench.compiler, bench.flags, bench.version,
+                   bench.seconds,
+                   bench.whole ? "" : " It was cut short: what is missing was not measured.")},
+      {"one minute", one_minute(bench)},
+      {"ratios", ratios(bench)},
+      {"times", tables_of_times(bench)},
+      {"variance", variances(bench)},
+      {"libraries", libraries(bench)},
+      {"growth", growth(bench)},
+      {"rounds", std::to_string(bench.rounds)},
+      {"pictures", pictures}};
+  std::string page = outline;
+  for (auto [name, text] : parts) {
+    while (text.ends_with('\n')) text.pop_back();
+    const std::string place = fmt::format("{{{{{}}}}}", name);
+    for (auto at = page.find(place); at != std::string::npos; at = page.find(place, at)) {
+      page.replace(at, place.size(), text);
+      at += text.size();
+    }
+  }
+  return page;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,72 @@
+#include "bench/plots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "grader/context/text_file.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// Nanoseconds, digits and the task for each way to a variance; ways that are one get one label.
+std::string variance_points(const Bench& bench, const std::string& submission) {
+  struct Point {
+    double nanoseconds, digits;
+    std::string tasks;
+  };
+  std::vector<Point> points;
+  for (const BenchRow& row : bench.of("digits")) {
+    const auto time = time_of(bench, submission, row.what, "in cache", 1, 4096);
+    if (row.submission != submission || row.on != "1e9 + U(0, 1)" || !time) continue;
+    const std::string task = row.what.substr(0, row.what.find(' '));
+    const auto same = std::find_if(points.begin(), points.end(), [&](const Point& point) {
+      return std::abs(point.nanoseconds / time->value - 1) < 0.15 &&
+             std::abs(point.digits - row.value) < 0.4;
+    });
+    if (same == points.end()) {
+      points.push_back({time->value, row.value, task});
+    } else {
+      same->tasks += ", " + task;
+    }
+  }
+  std::string rows;
+  for (const Point& point : points) {
+    rows += fmt::format("{}\t{}\t{}\n", point.nanoseconds, point.digits, point.tasks);
+  }
+  return rows;
+}
+
+}  // namespace
+
+Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place) {
+  Plots plots;
+  if (!can_draw(plots)) return plots;
+  // Blocks that gnuplot finds by their names: n, microseconds, RMSE and its standard error.
+  std::string curves, variances;
+  for (const Curve& curve : curves_of(bench)) {
+    curves += fmt::format("# {}|{}|{}\n", curve.submission, curve.what, curve.on);
+    for (const auto& point : curve.points) {
+      curves +=
+          fmt::format("{}\t{}\t{}\t{}\n", point.n, 1e6 * point.seconds(), point.rmse, point.error);
+    }
+    curves += "\n\n";
+  }
+  for (const char* submission : {"solutions", "std", "gsl", "boost"}) {
+    variances += fmt::format("# {}\n", submission) + variance_points(bench, submission) + "\n\n";
+  }
+  write_text(place / "curves.tsv", curves);
+  write_text(place / "variances.tsv", variances);
+  draw(plots, place / "plots", [&](const std::string& extension) {
+    return script_beginning(layout, place / "bench", extension) +
+           fmt::format(
+               "data = {}\nload {}\n", gnuplot_string(place.string()),
+               gnuplot_string((layout.root / "autograder" / "bench" / "plots.gp").string()));
+  });
+  collect(plots, place, "bench-");
+  return plots;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,358 @@
+// bench: speed against error, of the solutions, of any submission, of the libraries beside them.
+
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <future>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "bench/bench.hpp"
+#include "bench/plots.hpp"
+#include "grader/context/errors.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/judging/judge.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/verbs/verb.hpp"
+#include "protocol/environment.hpp"
+#include "runner/text.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::atomic<bool> stop{false};
+
+/// Until it is gone, an interrupt ends the measuring and not the writing; a second one ends all.
+class StopOnInterrupt {
+ public:
+  StopOnInterrupt() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { stop = true; };
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, &before_);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+  ~StopOnInterrupt() { sigaction(SIGINT, &before_, nullptr); }
+  StopOnInterrupt(const StopOnInterrupt&) = delete;
+
+ private:
+  struct sigaction before_ {};
+};
+
+/// Somebody to be measured: a lab's program of a submission.
+struct Entrant {
+  Lab lab;
+  std::string label;
+  sandbox::Program program;
+};
+
+/// One run of a lab's bench cases on an entrant's program.
+struct Job {
+  const Entrant* entrant;
+  std::string kind;  ///< "error", "time", "growth"
+  fs::path rows;     ///< where they are written
+};
+
+std::string name_of(const Job& job) {
+  return fmt::format("{} {} {}", job.entrant->lab.name, job.kind, job.entrant->label);
+}
+
+/// How far it is: a bar at a terminal, a line for each job elsewhere. What each job took the last
+/// time is kept, so that the next estimate is a good one.
+class Progress {
+ public:
+  explicit Progress(fs::path memory) : memory_(std::move(memory)) {
+    std::ifstream file(memory_);
+    double seconds = 0;
+    for (std::string name; file >> seconds && std::getline(file >> std::ws, name);) {
+      seconds_[name] = seconds;
+    }
+  }
+  ~Progress() {
+    std::string all;
+    for (const auto& [name, seconds] : seconds_) all += fmt::format("{:.2f} {}\n", seconds, name);
+    write_text(memory_, all);
+    if (is_terminal_) fmt::print(stderr, "\r\x1b[K");
+  }
+  Progress(const Progress&) = delete;
+
+  void expect(const std::string& name, double workers = 1) {
+    total_ += expected_.try_emplace(name, estimate(name)).first->second / workers;
+  }
+  void begin(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    show(name);
+  }
+  void end(const std::string& name, double seconds, double workers = 1) {
+    const std::lock_guard lock(mutex_);
+    done_ += expected_[name] / workers;
+    taken_ += seconds / workers;
+    seconds_[name] = seconds;
+  }
+  double expected() const { return total_; }
+
+ private:
+  double estimate(const std::string& name) const {
+    const auto found = seconds_.find(name);
+    return found == seconds_.end() ? 6 : found->second;
+  }
+  void show(const std::string& name) {
+    const double part = total_ > 0 ? std::min(1.0, done_ / total_) : 0;
+    // As much faster or slower than expected as it was so far.
+    const double left = (total_ - done_) * (done_ > 0 ? taken_ / done_ : 1);
+    const std::string about =
+        left < 90 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60);
+    if (!is_terminal_) {
+      fmt::print("{:3.0f} %, about {} left: {}\n", 100 * part, about, name);
+      return;
+    }
+    constexpr int width = 30;
+    const int full = static_cast<int>(part * width);
+    fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {:3.0f} %  about {} left  {}", "", full, "",
+               width - full, 100 * part, about, name);
+  }
+
+  fs::path memory_;
+  bool is_terminal_ = isatty(STDERR_FILENO) != 0;
+  std::map<std::string, double> seconds_, expected_;
+  double total_ = 0, done_ = 0, taken_ = 0;
+  std::mutex mutex_;
+};
+
+class BenchRun {
+ public:
+  BenchRun(const Context& context, fs::path place)
+      : context_(context), place_(std::move(place)), progress_(place_.string() + "-seconds.txt") {
+    fs::remove_all(place_);
+    fs::create_directories(place_ / "rows");
+  }
+
+  /// All that can be measured of one lab; a remark for whom it cannot.
+  void enter(const Lab& lab, const std::vector<Submission>& submissions) {
+    for (const Submission& submission : submissions) {
+      if (stop || !submission.files.contains(lab.name)) continue;
+      Built built = build_program(context_.layout, lab, submission, Variant::speed);
+      if (built.program) {
+        entrants_.push_back({lab, submission.label, std::move(*built.program)});
+      } else {
+        fmt::print("{} is not benched: {}\n", submission.label, built.failure);
+      }
+    }
+  }
+
+  /// Errors side by side; times one at a time, each round with all of them in turn; growth last, so
+  /// that an early end leaves the tables whole.
+  void measure(unsigned rounds) {
+    std::vector<Job> errors, times, growth;
+    for (const Entrant& entrant : entrants_) errors.push_back(job(entrant, "error", 0));
+    for (unsigned round = 0; round < rounds; ++round) {
+      for (const Entrant& entrant : entrants_) times.push_back(job(entrant, "time", round));
+    }
+    for (const Entrant& entrant : entrants_) {
+      if (entrant.label == "solutions") growth.push_back(job(entrant, "growth", 0));
+    }
+    if (entrants_.empty()) return;
+    constexpr double workers = 2;
+    for (const Job& one : errors) progress_.expect(name_of(one), workers);
+    for (const Job& one : times) progress_.expect(name_of(one));
+    for (const Job& one : growth) progress_.expect(name_of(one));
+    fmt::print("About {:.0f} s; what it has is kept if you interrupt it.\n", progress_.expected());
+    run_beside(errors, workers);
+    for (const Job& one : times) run(one);
+    for (const Job& one : growth) run(one);
+  }
+
+  std::vector<Ratio> ratios(const std::string& program) {
+    std::vector<Ratio> all;
+    const fs::path path = context_.layout.build / "bin" / program;
+    if (!fs::exists(path) || stop) return all;
+    const auto result = sandbox::run_process({path.string()}, {.wall_seconds = 120, .stop = &stop});
+    for (const std::string_view line : text::split(result.output, '\n')) {
+      const auto parts = text::split(line, '\t');
+      if (parts.size() != 4) continue;
+      const auto number = [&](std::size_t i) { return std::strtod(parts[i].data(), nullptr); };
+      all.push_back({std::string(parts[0]), number(1), number(2), number(3)});
+    }
+    return all;
+  }
+
+  std::vector<BenchRow> rows() const {
+    std::vector<BenchRow> all;
+    for (const Entrant& entrant : entrants_) {
+      std::vector<BenchRow> mine;
+      for (const auto& entry : fs::directory_iterator(place_ / "rows")) {
+        if (!entry.path().filename().string().starts_with(stem(entrant) + ".")) continue;
+        const auto some = read_bench_rows(entry.path(), entrant.lab.name, entrant.label);
+        mine.insert(mine.end(), some.begin(), some.end());
+      }
+      std::stable_sort(mine.begin(), mine.end(),
+                       [](const BenchRow& a, const BenchRow& b) { return a.n < b.n; });
+      all.insert(all.end(), mine.begin(), mine.end());
+    }
+    return medians(all);
+  }
+
+ private:
+  std::string stem(const Entrant& entrant) const {
+    std::string label = entrant.label;
+    std::replace(label.begin(), label.end(), '/', '_');
+    return fmt::format("{}-{}", entrant.lab.name, label);
+  }
+  Job job(const Entrant& entrant, const std::string& kind, unsigned round) const {
+    return {&entrant, kind,
+            place_ / "rows" / fmt::format("{}.{}-{}.tsv", stem(entrant), kind, round)};
+  }
+
+  void run(const Job& one, double workers = 1) {
+    if (stop) return;
+    progress_.begin(name_of(one));
+    const auto start = Clock::now();
+    run_hidden_cases(context_.layout, one.entrant->lab, CaseKind::figures, one.entrant->program,
+                     fmt::format("[.bench-{}]", one.kind),
+                     {.environment = {{protocol::rows_variable, one.rows.string()}},
+                      .wall_seconds = 300,
+                      .stop = &stop});
+    if (stop) return;
+    progress_.end(name_of(one), std::chrono::duration<double>(Clock::now() - start).count(),
+                  workers);
+  }
+  void run_beside(const std::vector<Job>& jobs, double workers) {
+    std::atomic<std::size_t> next{0};
+    std::vector<std::future<void>> all;
+    for (int i = 0; i < static_cast<int>(workers); ++i) {
+      all.push_back(std::async(std::launch::async, [&] {
+        for (std::size_t k = next++; k < jobs.size(); k = next++) run(jobs[k], workers);
+      }));
+    }
+    for (auto& one : all) one.get();
+  }
+
+  const Context& context_;
+  fs::path place_;
+  std::vector<Entrant> entrants_;
+  Progress progress_;
+};
+
+/// Where all this was measured.
+void describe_machine(const Layout& layout, Bench& bench) {
+  bench.processor = "an unknown processor";
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) {
+      bench.processor = line.substr(line.find(':') + 2);
+      break;
+    }
+  }
+  bench.cores = static_cast<unsigned>(sysconf(_SC_NPROCESSORS_ONLN));
+  utsname system{};
+  uname(&system);
+  bench.system = fmt::format("{} {}", system.sysname, system.machine);
+  const auto version = sandbox::run_process({layout.compiler, "--version"}).output;
+  bench.compiler = version.substr(0, version.find('\n'));
+  bench.flags = fmt::format("{}", fmt::join(compile_flags(Variant::speed), " "));
+  bench.version = layout.version;
+}
+
+std::string as_label(std::string name) {
+  while (name.size() > 1 && name.back() == '/') name.pop_back();
+  return name;
+}
+
+int run_bench(const Context& context, const Arguments& arguments) {
+  std::vector<Lab> labs;
+  std::vector<Submission> submissions;
+  const bool has_solutions = fs::exists(context.layout.solutions());
+  if (has_solutions) {
+    submissions.push_back(
+        open_submission(context.layout, context.labs, context.layout.solutions()));
+    submissions.back().label = "solutions";
+  }
+  for (const std::string& word : arguments.words) {
+    if (fs::is_directory(word)) {
+      submissions.push_back(open_submission(context.layout, context.labs, word));
+      submissions.back().label = as_label(word);
+      if (submissions.back().trusted && submissions.size() > 1) submissions.pop_back();
+    } else {
+      labs.push_back(find_lab(context.labs, word));
+    }
+  }
+  Bench bench;
+  bench.whole = labs.empty();
+  bench.rounds = static_cast<unsigned>(
+      std::clamp<std::uint64_t>(arguments.number("rounds").value_or(5), 1, 99));
+  if (labs.empty()) labs = context.labs;
+
+  const auto start = Clock::now();
+  const fs::path place = context.layout.build / "bench";
+  {
+    const StopOnInterrupt interrupts;
+    BenchRun run(context, place);
+    for (const Lab& lab : labs) {
+      run.enter(lab, submissions);
+      for (const std::string& library : peer_libraries(context.layout)) {
+        if (const auto peer = peer_submission(context.layout, context.labs, lab, library)) {
+          run.enter(lab, {*peer});
+        }
+      }
+    }
+    for (const std::string& library : peer_libraries(context.layout)) {
+      if (!context.layout.peers.contains(library)) {
+        fmt::print("{} is not installed: it is left out.\n", library);
+      }
+    }
+    describe_machine(context.layout, bench);
+    bench.ratios = run.ratios("bench_ratios");
+    bench.baseline = run.ratios("bench_ratios_baseline");
+    run.measure(bench.rounds);
+    bench.rows = run.rows();
+  }
+  bench.whole = bench.whole && !stop;
+  bench.peers = peers_of(context.layout, context.labs);
+  bench.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+
+  write_text(place / "results.csv", bench_csv(bench));
+  write_text(place / "results.json", bench_json(bench));
+  const Plots plots = draw_bench(context.layout, bench, place);
+  for (const std::string& remark : plots.remarks) fmt::print("{}\n", remark);
+  fmt::print("\n{}\n", bench_summary(bench));
+  fmt::print("{:.0f} s{}; {} (and .json), {} pictures beside it\n", bench.seconds,
+             stop ? ", interrupted: this is what there is" : "", (place / "results.csv").string(),
+             plots.pictures.size());
+  if (const auto page = arguments.get("page")) {
+    const fs::path file = fs::absolute(*page);
+    const fs::path pictures = file.parent_path() / file.stem();
+    fs::create_directories(pictures);
+    for (const fs::path& picture : plots.pictures) {
+      if (picture.extension() != ".svg") continue;
+      fs::copy_file(picture, pictures / picture.filename(), fs::copy_options::overwrite_existing);
+    }
+    const std::string outline = read_text(context.layout.root / "autograder" / "bench" / "page.md");
+    write_text(file, bench_page(bench, outline, file.stem().string()));
+    fmt::print("{}\n", file.string());
+  }
+  return 0;
+}
+
+const RegisterVerb bench_verb{
+    {"bench",
+     "bench [LAB...] [DIR...] [--rounds N] [--page FILE]",
+     {"rounds=", "page="},
+     "Every lab, unless some are named; the solutions and the libraries that are installed, and "
+     "each\n"
+     "DIR. Minutes, on an idle machine; what it has is kept if it is interrupted. Numbers and "
+     "pictures\n"
+     "go to build/bench/.\n"
+     "  --rounds N    time everything so often, in turn (5)\n"
+     "  --page FILE   write the page as well: docs/speed-against-error.md\n",
+     run_bench}};
+
+}  // namespace
+}  // namespace mc::grader

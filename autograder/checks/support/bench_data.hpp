@@ -1,0 +1,102 @@
+#pragma once
+// What the bench measures. Like the data of plots: hidden test cases, the same measurements in the
+// same jail as a check. Three kinds, which ./lab bench calls for by their tags:
+//
+//   [.bench-error]   once: what chance does to a result
+//   [.bench-time]    several times, in turn with the other submissions: what a computer makes of it
+//   [.bench-growth]  once: large N and many dimensions
+//
+// Each figure is a row that is written as soon as it is there (protocol/rows.hpp).
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "checks/support/integrands.hpp"
+#include "checks/support/plot_data.hpp"
+#include "protocol/rows.hpp"
+
+namespace mc::checks {
+
+/// Appends to the file that ./lab bench reads, and tells it at once.
+void bench_row(const protocol::Row& row);
+
+/// CPU time of so many rounds; nothing where the task is not written.
+using Rounds = std::function<std::optional<double>(std::uint64_t)>;
+
+/// Seconds a round, seen from outside: the CPU time of 2R rounds less that of R, R so large that
+/// this is about 25 ms. One such difference: ./lab bench comes back for more of them.
+std::optional<double> seconds_once(const Rounds& run);
+
+/// Rows of kind speed, if `task` is one that MC_SPEED_TASKS names (the grader does: those that
+/// passed): `rounds` makes `values` numbers or points each time. A seventh of a second.
+void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
+                 const Rounds& rounds);
+
+/// Columns of one point set after another; nothing where the task is not written.
+struct PointSets {
+  std::size_t n = 0, dims = 0;
+  std::vector<double> values;  ///< set by set, in each of them column by column
+};
+
+/// A way of making points.
+struct BenchSampler {
+  std::string name;
+  std::vector<std::uint64_t> dims;  ///< that it is benched in
+  std::uint64_t most = 65536;       ///< points
+  bool power_of_root = false;       ///< only where n is the dims-th power of a whole number
+  /// `sets` sets of n points, by that seed.
+  std::function<std::optional<PointSets>(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
+                                         std::uint64_t seed)>
+      points;
+  /// CPU seconds of making n points so many times.
+  std::function<std::optional<double>(std::uint64_t n, std::uint64_t dims, std::uint64_t rounds)>
+      rounds;
+  bool same_for_all_n = false;  ///< what a point costs: then it is timed at one n only
+};
+
+/// Sizes 16, 64, … of which errors are measured.
+std::vector<std::uint64_t> bench_sizes(const BenchSampler& sampler, std::uint64_t dims);
+
+/// Rows of kind error: each sampler on each integrand of its dimensions, at each size.
+void bench_errors(const std::vector<BenchSampler>& samplers);
+
+/// The same of sets of points of the plane that are not all of one size.
+void bench_errors_of_sets(const std::string& what, std::span<const std::uint64_t> sizes,
+                          std::span<const double> x, std::span<const double> y);
+
+/// Rows of kind time and integrand.
+void bench_times(const std::vector<BenchSampler>& samplers);
+
+/// Rows of kind growth and memory: of `rounds(n, R)`, the CPU time and the peak memory of R calls
+/// with n, for n = `least`, 10 `least`, … `most` (or another factor).
+struct Used {
+  double seconds;
+  std::size_t memory;
+};
+void bench_growth(const std::string& what, std::uint64_t dims, std::uint64_t most,
+                  const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds,
+                  std::uint64_t least = 1000, std::uint64_t factor = 10);
+
+/// A row of kind speed error: of n points of the plane, integrating exp(x + y).
+void bench_speed_error(const std::string& task, const std::string& name,
+                       const BenchSampler& sampler, std::uint64_t n);
+
+/// Rows of kind growth over 1, 2, 4, … 32 dimensions, 4,096 points each.
+void bench_growth_of_dims(const BenchSampler& sampler);
+
+/// What large sizes may use: below 1 GB, all of the bench.
+inline const sandbox::Limits large{120, 240, std::size_t{1000} << 20};
+
+template <class Measured>
+std::optional<Used> used_by(const Measured& measured) {
+  if (!measured) return {};
+  return Used{measured->cpu_seconds, measured->peak_memory};
+}
+template <class Measured>
+std::optional<double> cpu_seconds_of(const Measured& measured) {
+  if (!measured) return {};
+  return measured->cpu_seconds;
+}
+
+}  // namespace mc::checks

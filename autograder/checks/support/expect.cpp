@@ -1,0 +1,97 @@
+#include "checks/support/expect.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mc::checks {
+namespace {
+
+/// The measured value counts as a suspect's from nine digits on: few enough for additions in
+/// another order, too many for chance. One that would have met the expectation is no suspect.
+template <class Meets>
+std::string hint_for(double got, const Hints& hints, Meets meets) {
+  for (const Suspect& suspect : hints.suspects) {
+    const double apart = std::abs(got - suspect.value);
+    const bool equal = std::isfinite(suspect.value) ? apart <= 1e-9 * std::abs(suspect.value)
+                                                    : got == suspect.value;
+    if (equal && !meets(suspect.value)) return suspect.hint;
+  }
+  return std::isnan(got) && !hints.for_nan.empty() ? hints.for_nan : hints.otherwise;
+}
+
+[[noreturn]] void tell(const std::string& measured, const std::string& expected,
+                       const std::string& because, const std::string& hint) {
+  std::string story = fmt::format("measured  {}\nexpected  {}", measured, expected);
+  if (!because.empty()) story += "\nbecause   " + because;
+  if (!hint.empty()) story += "\nlikely    " + hint;
+  fail(story);
+}
+
+bool names_argument(const std::string& text, const std::string& argument) {
+  const auto choices = text::split(argument, '|');
+  return std::any_of(choices.begin(), choices.end(), [&](std::string_view choice) {
+    return text.find(choice) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+double digits(double got, double exact) {
+  if (got == exact) return 17;
+  if (!std::isfinite(got) || !std::isfinite(exact)) return -99;
+  const double error = std::abs(got - exact);
+  return std::min(17.0, -std::log10(exact == 0 ? error : error / std::abs(exact)));
+}
+
+void expect_digits(const std::string& what, double got, double exact, double floor,
+                   const std::string& because, const Hints& hints) {
+  const double kept = digits(got, exact);
+  if (kept >= floor) return pass();
+  const std::string how_many =
+      std::isfinite(got) ? fmt::format("; {:.1f} are", std::max(0.0, kept)) : "";
+  tell(fmt::format("{} = {}", what, got),
+       fmt::format("{}, with at least {:.1f} digits right{}", exact, floor, how_many), because,
+       hint_for(got, hints, [=](double value) { return digits(value, exact) >= floor; }));
+}
+
+void expect_within(const std::string& what, double got, double exact, double tolerance,
+                   const std::string& because, const Hints& hints) {
+  const auto meets = [=](double value) { return std::abs(value - exact) <= tolerance; };
+  if (meets(got)) return pass();
+  tell(fmt::format("{} = {}", what, got),
+       exact == 0 ? fmt::format("0, or at most {:.3g} away from it", tolerance)
+                  : fmt::format("{}, give or take {:.3g}", exact, tolerance),
+       because, hint_for(got, hints, meets));
+}
+
+void expect_that(bool holds, const std::string& measured, const std::string& expected,
+                 const std::string& because, const std::string& hint) {
+  if (!holds) tell(measured, expected, because, hint);
+  pass();
+}
+
+void expect_nan(const std::string& what, double got, const std::string& because) {
+  expect_that(std::isnan(got), fmt::format("{} = {}", what, got), "NaN", because,
+              "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
+}
+
+void expect_invalid_argument(const Call& call, const std::string& argument,
+                             const std::string& because) {
+  const auto& outcome = call.outcome;
+  if (outcome.answered && outcome.status == wire::Status::value) {
+    tell(fmt::format("{} returned a value", call.text),
+         fmt::format("std::invalid_argument naming {}", argument), because,
+         "misuse throws std::invalid_argument, before anything is computed");
+  }
+  if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
+    require_value(call);  // ends the check with what happened instead
+  }
+  expect_that(names_argument(outcome.bytes, argument),
+              fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, outcome.bytes),
+              fmt::format("a text that names the argument ({})", argument), because,
+              "say in the exception's text which argument is wrong");
+}
+
+}  // namespace mc::checks

@@ -1,0 +1,51 @@
+#pragma once
+// What a check may expect of a number, each telling its story when it fails: measured, expected,
+// because, likely. Where the check is read about and how it is repeated is added by the grader.
+
+#include <string>
+#include <vector>
+
+#include "checks/support/measure.hpp"
+
+namespace mc::checks {
+
+/// A value that a well-known mistake would give, and what to say if that is what was measured.
+struct Suspect {
+  double value;
+  std::string hint;
+};
+
+/// Hints for a failure: that of the first suspect that the measured value equals; for a NaN, the
+/// one for NaNs, if there is one; else `otherwise`.
+struct Hints {
+  std::vector<Suspect> suspects;
+  std::string otherwise;
+  std::string for_nan = {};
+};
+
+/// The digits of `exact` that `got` has: -log10 of the relative error (of the error, where `exact`
+/// is 0). 17 where they are equal, else -99 where one of them is not finite.
+double digits(double got, double exact);
+
+/// `got` has at least `floor` digits of `exact`; `because` says where the floor comes from. `what`
+/// names what was measured: "mean({1, 2})".
+void expect_digits(const std::string& what, double got, double exact, double floor,
+                   const std::string& because, const Hints& hints);
+
+/// |got - exact| <= tolerance.
+void expect_within(const std::string& what, double got, double exact, double tolerance,
+                   const std::string& because, const Hints& hints);
+
+/// `holds` is true; `expected` says in words what that is.
+void expect_that(bool holds, const std::string& measured, const std::string& expected,
+                 const std::string& because, const std::string& hint);
+
+/// `got` is NaN, as in numpy and R for what is undefined.
+void expect_nan(const std::string& what, double got, const std::string& because);
+
+/// The call threw std::invalid_argument, and its text names `argument` (or one of several,
+/// separated by '|').
+void expect_invalid_argument(const Call& call, const std::string& argument,
+                             const std::string& because);
+
+}  // namespace mc::checks

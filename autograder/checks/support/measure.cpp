@@ -1,0 +1,130 @@
+#include "checks/support/measure.hpp"
+
+#include <cstdlib>
+#include <random>
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "protocol/environment.hpp"
+
+namespace mc::checks {
+
+using protocol::RecordKind;
+
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// The program under judgement, as the grader hands it over: an open descriptor, or a path by hand.
+struct Judged {
+  sandbox::Program by_hand;
+  int descriptor = -1;
+};
+const Judged& judged() {
+  static const Judged opened = [] {
+    const std::string descriptor = environment(protocol::program_variable);
+    if (!descriptor.empty()) return Judged{{}, std::stoi(descriptor)};
+    const std::string path = environment(protocol::program_path_variable);
+    if (path.empty()) throw std::runtime_error("no program: MC_PROGRAM is not set");
+    Judged program{sandbox::open_program(path)};
+    program.descriptor = program.by_hand.descriptor.get();
+    return program;
+  }();
+  return opened;
+}
+
+std::uint64_t run_seed() {
+  static const std::uint64_t seed = [] {
+    const std::string text = environment(protocol::seed_variable);
+    return text.empty() ? std::random_device()() : std::stoull(text);
+  }();
+  return seed;
+}
+
+bool has_timed_out(std::string_view experiment) {
+  const std::string all = ' ' + environment(protocol::timed_out_variable) + ' ';
+  return all.find(fmt::format(" {} ", experiment)) != std::string::npos;
+}
+
+/// A failure of the machine is no verdict on the program: it is said, and ends the check.
+sandbox::Outcome run_or_tell(std::string_view request, const sandbox::Limits& limits) {
+  const Judged& program = judged();
+  try {
+    return sandbox::run_jailed(program.descriptor, "the program", request, limits);
+  } catch (const std::system_error& error) {
+    record(protocol::RecordKind::machine, error.what());
+    throw;
+  }
+}
+
+}  // namespace
+
+void record(protocol::RecordKind kind, const std::string& text) {
+  static std::FILE* const records = [] {
+    const std::string descriptor = environment(protocol::records_variable);
+    return descriptor.empty() ? nullptr : fdopen(std::stoi(descriptor), "w");
+  }();
+  if (records == nullptr) return;
+  fmt::print(records, "{}\n", protocol::line_of({kind, text}));
+  std::fflush(records);
+}
+
+Rng check_rng() {
+  std::uint64_t hash = mix_bits(run_seed() + 1);
+  for (const char c : Catch::getResultCapture().getCurrentTestName()) {
+    hash = mix_bits(hash ^ static_cast<unsigned char>(c));
+  }
+  return Rng(hash);
+}
+
+void fail(const std::string& story) {
+  FAIL(story);
+  std::abort();  // FAIL throws
+}
+
+void pass() {
+  SUCCEED();
+}
+
+Call ask(std::string_view experiment, std::string call, std::string request,
+         const sandbox::Limits& limits) {
+  if (has_timed_out(experiment)) {
+    fail(fmt::format("skipped: {} already timed out in a check of this task", experiment));
+  }
+  Call made{std::move(call), run_or_tell(request, limits)};
+  if (!made.outcome.printed.empty()) record(RecordKind::printed, made.outcome.printed);
+  if (made.outcome.timed_out) record(RecordKind::timed_out, std::string(experiment));
+  return made;
+}
+
+void require_value(const Call& call) {
+  const sandbox::Outcome& outcome = call.outcome;
+  if (!outcome.answered) fail(fmt::format("measured  {} {}", call.text, outcome.failure));
+  switch (outcome.status) {
+    case wire::Status::value:
+      return;
+    case wire::Status::todo:
+      record(RecordKind::todo, outcome.bytes);
+      fail(fmt::format("not written yet: {}", outcome.bytes));
+    case wire::Status::invalid_argument:
+      fail(
+          fmt::format("measured  {} threw std::invalid_argument: {}\n"
+                      "expected  a value: these arguments are in order",
+                      call.text, outcome.bytes));
+    case wire::Status::out_of_range:
+      fail(
+          fmt::format("measured  {} threw std::out_of_range: {}\n"
+                      "expected  a value: these arguments are in order",
+                      call.text, outcome.bytes));
+    case wire::Status::other_exception:
+      fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
+  }
+}
+
+}  // namespace mc::checks

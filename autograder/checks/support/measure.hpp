@@ -1,0 +1,141 @@
+#pragma once
+// Asking a submission's program for a measurement, from inside a check.
+//
+//   const auto got = MEASURE(variance_two_pass, x);        // Measured<double>: got.value, got.call
+//   const auto refused = MEASURE_OUTCOME(covariance, x, y);  // to look at exceptions
+//
+// The types come from the experiment's declaration; nothing of the experiment is linked here. A
+// measurement without a value (not written yet, crashed, threw …) ends the check, with the reason.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "common/rng.hpp"
+#include "protocol/records.hpp"
+#include "runner/text.hpp"
+#include "runner/wire.hpp"
+#include "sandbox/jail.hpp"
+
+#define MEASURE(experiment, ...)                                         \
+  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value( \
+      #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
+#define MEASURE_WITH(limits, experiment, ...)                            \
+  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value( \
+      #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
+#define MEASURE_OUTCOME(experiment, ...)                                   \
+  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::outcome( \
+      #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
+
+namespace mc::checks {
+
+template <class T>
+struct Measured {
+  T value;
+  std::string call;             ///< "mean({1, 2, 4})"
+  double cpu_seconds = 0;       ///< of the whole program, seen from outside
+  std::size_t peak_memory = 0;  ///< of the program, in bytes
+};
+
+struct Call {
+  std::string text;  ///< "mean({1, 2, 4})"
+  sandbox::Outcome outcome;
+};
+
+/// The generator of this check in this run: seeded by the run's seed and the check's name.
+Rng check_rng();
+
+/// Ends the check: it failed, and this is the story.
+[[noreturn]] void fail(const std::string& story);
+
+/// Counts one expectation that was met: Catch2 takes a check without any for an empty one.
+void pass();
+
+/// Asks the program; ends the check where there is none, or where it may not be asked any more.
+Call ask(std::string_view experiment, std::string call, std::string request,
+         const sandbox::Limits& limits);
+
+/// Ends the check unless the call brought a value.
+void require_value(const Call& call);
+
+/// Tells whoever runs this check (the grader).
+void record(protocol::RecordKind kind, const std::string& text);
+
+/// A value as it stands in a call: lists as {1, 2, 4, …}, with their length when cut; structs as
+/// {count = 3, mean = 0.5}.
+template <class T>
+std::string shown(const T& value) {
+  return text::print(value);
+}
+template <wire::Listed T>
+std::string shown(const T& value) {
+  std::string all = '{' + text::print(value) + '}';
+  for (auto at = all.find("  "); at != std::string::npos; at = all.find("  ")) {
+    all.replace(at, 2, ", ");
+  }
+  return all;
+}
+template <class T>
+std::string shown(const std::vector<T>& values) {
+  constexpr std::size_t most = 5;
+  std::string all = "{";
+  for (std::size_t i = 0; i < values.size() && i < most; ++i) {
+    all += (i > 0 ? ", " : "") + shown(values[i]);
+  }
+  if (values.size() > most) all += ", … (" + std::to_string(values.size()) + " values)";
+  return all + "}";
+}
+
+template <class Function>
+struct Measure;
+
+template <class Result, class... Parameters>
+struct Measure<Result(Parameters...)> {
+  static Call outcome(std::string_view experiment, const sandbox::Limits& limits,
+                      std::type_identity_t<std::remove_cvref_t<Parameters>>... arguments) {
+    wire::Writer request;
+    request.put(std::string(experiment));
+    (request.put(arguments), ...);
+    std::string call(experiment);
+    call += '(';
+    ((call += shown(arguments), call += ", "), ...);
+    if constexpr (sizeof...(Parameters) > 0) call.resize(call.size() - 2);
+    call += ')';
+    return ask(experiment, std::move(call), std::move(request.bytes), limits);
+  }
+
+  static Measured<Result> value(
+      std::string_view experiment, const sandbox::Limits& limits,
+      std::type_identity_t<std::remove_cvref_t<Parameters>>... arguments) {
+    const Call call = outcome(experiment, limits, std::move(arguments)...);
+    require_value(call);
+    return read(call);
+  }
+
+  static std::optional<Measured<Result>> value_if_any(
+      std::string_view experiment, const sandbox::Limits& limits,
+      std::type_identity_t<std::remove_cvref_t<Parameters>>... arguments) {
+    const Call call = outcome(experiment, limits, std::move(arguments)...);
+    if (!call.outcome.answered || call.outcome.status != wire::Status::value) return {};
+    return read(call);
+  }
+
+ private:
+  static Measured<Result> read(const Call& call) {
+    try {
+      wire::Reader from(call.outcome.bytes);
+      auto result = from.get<Result>();
+      from.end();
+      return {std::move(result), call.text, call.outcome.cpu_seconds, call.outcome.peak_memory};
+    } catch (const wire::malformed&) {
+      fail("measured  " + call.text + " sent something that is not a result");
+    }
+  }
+};
+
+}  // namespace mc::checks

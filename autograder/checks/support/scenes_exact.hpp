@@ -1,0 +1,364 @@
+#pragma once
+// What the scenes of labs/common/scenes come to: means in closed form, for any parameters that the
+// scene's own comment allows, from the geometry and not from the scene's code. Indicators have no
+// other moments than their mean; those of lights are integrated (Gauss-Legendre), to 12 digits.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "checks/support/data.hpp"
+#include "checks/support/population.hpp"
+#include "checks/support/rect_light_exact.hpp"
+#include "common/scenes/ao_sphere.hpp"
+#include "common/scenes/ao_wall.hpp"
+#include "common/scenes/defocus_edge.hpp"
+#include "common/scenes/disk_light.hpp"
+#include "common/scenes/motion_edge.hpp"
+#include "common/scenes/penumbra_disk.hpp"
+#include "common/scenes/penumbra_halfplane.hpp"
+#include "common/scenes/pixel_edge.hpp"
+#include "common/scenes/pixel_time_lens.hpp"
+#include "common/scenes/rect_light.hpp"
+#include "common/scenes/rect_light_horizon.hpp"
+#include "common/scenes/sphere_light.hpp"
+#include "common/scenes/stripes.hpp"
+
+namespace mc::checks {
+
+// Quadrature --------------------------------------------------------------------------------------
+
+/// Nodes in (-1, 1) and weights of the Gauss-Legendre rule with 16 points: the roots of the Legendre
+/// polynomial by Newton's method, from Tricomi's approximation.
+struct GaussLegendre {
+  static constexpr int points = 16;
+  std::array<double, points> node{}, weight{};
+
+  GaussLegendre() {
+    for (int i = 0; i < points; ++i) {
+      double x = std::cos(std::numbers::pi * (i + 0.75) / (points + 0.5)), slope = 1;
+      for (int step = 0; step < 6; ++step) {
+        double p = x, before = 1;
+        for (int n = 2; n <= points; ++n) {
+          before = std::exchange(p, ((2 * n - 1) * x * p - (n - 1) * before) / n);
+        }
+        slope = points * (x * p - before) / (x * x - 1);
+        x -= p / slope;
+      }
+      node[static_cast<std::size_t>(i)] = x;
+      weight[static_cast<std::size_t>(i)] = 2 / ((1 - x * x) * slope * slope);
+    }
+  }
+};
+
+/// The integral of f from `low` to `high` in panels no wider than `panel`. Where f's nearest pole is
+/// as far away as a panel is wide, a panel's error is near (2 + sqrt(5))^-32 = 1e-20 of f.
+template <class F>
+double integral(double low, double high, double panel, F f) {
+  static const GaussLegendre rule;
+  if (!(low < high)) return 0;
+  const double panels = std::ceil((high - low) / panel), half = (high - low) / panels / 2;
+  double sum = 0;
+  for (double i = 0; i < panels; ++i) {
+    for (std::size_t k = 0; k < rule.node.size(); ++k) {
+      sum += rule.weight[k] * f(low + half * (2 * i + 1 + rule.node[k]));
+    }
+  }
+  return half * sum;
+}
+
+/// The mean of f(cos phi) over a circle: for what is periodic and smooth, the trapezoidal rule
+/// converges as fast as a Fourier series.
+template <class F>
+double mean_around(int points, F f) {
+  double sum = 0;
+  for (int i = 0; i < points; ++i) sum += f(std::cos(2 * std::numbers::pi * i / points));
+  return sum / points;
+}
+
+// Lights ------------------------------------------------------------------------------------------
+
+/// Irradiance from a polygon of radiance 1, seen from the origin, whose vertices lie above the
+/// horizon z = 0 or on it: Lambert's formula, over the edges half the sum of the angle that an edge
+/// fills times the cosine between its plane's normal and the receiver's. The sign is that of the
+/// polygon's turn.
+inline double lambert(std::span<const scenes::Vector> polygon) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const scenes::Vector &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double x = p.y * q.z - p.z * q.y, y = p.z * q.x - p.x * q.z, z = p.x * q.y - p.y * q.x;
+    const double sine = std::sqrt(x * x + y * y + z * z);  // of the angle, times both lengths
+    const double cosine = p.x * q.x + p.y * q.y + p.z * q.z;
+    if (sine > 0) sum += std::atan2(sine, cosine) * z / sine;
+  }
+  return sum / 2;
+}
+
+/// Irradiance at the origin from a disk of radiance 1 parallel to the receiver (Howell, B-13),
+/// written so that nothing cancels.
+inline double disk_irradiance(double radius, double height, double offset) {
+  const double q = height * height + offset * offset - radius * radius;
+  const double rest = 4 * radius * radius * height * height;
+  const double root = std::sqrt(q * q + rest);
+  const double share = q > 0 ? rest / (root * (root + q)) : 1 - q / root;
+  return std::numbers::pi / 2 * share;
+}
+
+/// The integral of r^-4k over a rectangle at `light.height`.
+inline double inverse_powers(const RectLight& light, int k) {
+  const double h2 = light.height * light.height;
+  return integral(light.x0, light.x1, light.height, [&](double x) {
+    return integral(light.y0, light.y1, light.height,
+                    [&](double y) { return std::pow(x * x + y * y + h2, -2 * k); });
+  });
+}
+/// The same over a disk.
+inline double inverse_powers(double radius, double height, double offset, int k) {
+  const double h2 = height * height, o2 = offset * offset;
+  return 2 * std::numbers::pi * integral(0, radius, height, [&](double r) {
+           return r * mean_around(256, [&](double cosine) {
+                    return std::pow(r * r + 2 * r * offset * cosine + o2 + h2, -2 * k);
+                  });
+         });
+}
+
+inline double exact(const scenes::RectangleLight& scene) {
+  return irradiance(scene.light);
+}
+inline double moment(const scenes::RectangleLight& scene, int k) {
+  const RectLight& light = scene.light;
+  const double factor = area(light) * light.radiance * light.height * light.height;
+  return std::pow(factor, k) / area(light) * inverse_powers(light, k);
+}
+
+inline double exact(const scenes::HorizonLight& s) {
+  const double low = std::max(s.z0, 0.0);
+  if (s.z1 <= low) return 0;
+  const std::array<scenes::Vector, 4> seen{{{s.distance, s.y0, low},
+                                            {s.distance, s.y1, low},
+                                            {s.distance, s.y1, s.z1},
+                                            {s.distance, s.y0, s.z1}}};
+  return std::abs(lambert(seen));
+}
+inline double moment(const scenes::HorizonLight& s, int k) {
+  const double size = (s.y1 - s.y0) * (s.z1 - s.z0), d2 = s.distance * s.distance;
+  return integral(s.y0, s.y1, s.distance,
+                  [&](double y) {
+                    return integral(std::max(s.z0, 0.0), s.z1, s.distance, [&](double z) {
+                      const double r2 = y * y + z * z + d2;
+                      return std::pow(size * z * s.distance / (r2 * r2), k);
+                    });
+                  }) /
+         size;
+}
+
+inline double exact(const scenes::DiskLight& s) {
+  return disk_irradiance(s.radius, s.height, s.offset);
+}
+inline double moment(const scenes::DiskLight& s, int k) {
+  const double size = std::numbers::pi * s.radius * s.radius;
+  return std::pow(size * s.height * s.height, k) / size *
+         inverse_powers(s.radius, s.height, s.offset, k);
+}
+
+/// The mean of the k-th power of the height above the horizon, over the directions of a cone whose
+/// axis is tilted by `tilt` from the normal. A polynomial: both rules are exact for k < 16.
+inline double cone_heights(double sine, double tilt, int k) {
+  const double cap = 1 - std::sqrt(1 - sine * sine);
+  return integral(0, 1, 1, [&](double u) {
+    const double z = 1 - cap * u, r = std::sqrt(cap * u * (1 + z));
+    return mean_around(16, [&](double cosine) {
+      return std::pow(std::cos(tilt) * z + std::sin(tilt) * r * cosine, k);
+    });
+  });
+}
+
+/// A disk of the unit hemisphere, projected onto the ground (Nusselt's analogue).
+inline double exact(const scenes::SphereLight& s) {
+  const double sine = s.radius / s.distance;
+  return std::numbers::pi * sine * sine * std::cos(s.tilt);
+}
+inline double moment(const scenes::SphereLight& s, int k) {
+  const double sine = s.radius / s.distance;
+  const double solid_angle = 2 * std::numbers::pi * (1 - std::sqrt(1 - sine * sine));
+  return std::pow(solid_angle, k) * cone_heights(sine, s.tilt, k);
+}
+
+// Shadows -----------------------------------------------------------------------------------------
+
+/// What the receiver, at the origin, sees of the light.
+inline RectLight seen_light(const scenes::HalfplanePenumbra& s) {
+  RectLight seen = s.light;
+  seen.x0 -= s.receiver;
+  seen.x1 = std::min(s.light.x1 - s.receiver, (s.edge - s.receiver) * s.light.height / s.height);
+  seen.x1 = std::max(seen.x0, seen.x1);
+  return seen;
+}
+inline double exact(const scenes::HalfplanePenumbra& scene) {
+  return irradiance(seen_light(scene));
+}
+inline double moment(const scenes::HalfplanePenumbra& scene, int k) {
+  const RectLight& light = scene.light;
+  const double factor = area(light) * light.radiance * light.height * light.height;
+  return std::pow(factor, k) / area(light) * inverse_powers(seen_light(scene), k);
+}
+
+/// The occluder's shadow on the light, seen from the receiver, is a disk too, and larger.
+inline scenes::DiskLight shadow_of(const scenes::DiskPenumbra& s) {
+  const double scale = s.light.height / s.height;
+  return {s.radius * scale, s.light.height, std::hypot(s.x, s.y) * scale};
+}
+inline double exact(const scenes::DiskPenumbra& scene) {
+  return irradiance(scene.light) - scene.light.radiance * exact(shadow_of(scene));
+}
+inline double moment(const scenes::DiskPenumbra& scene, int k) {
+  const RectLight& light = scene.light;
+  const scenes::DiskLight dark = shadow_of(scene);
+  const double factor = area(light) * light.radiance * light.height * light.height;
+  return std::pow(factor, k) / area(light) *
+         (inverse_powers(light, k) - inverse_powers(dark.radius, dark.height, dark.offset, k));
+}
+
+/// The wall hides half a lune of the sky; projected onto the ground, half an ellipse is left of half
+/// a disk.
+inline double exact(const scenes::WallOcclusion& s) {
+  return (1 + s.distance / std::hypot(s.distance, s.height)) / 2;
+}
+
+inline double exact(const scenes::SphereOcclusion& s) {
+  const double sine = s.radius / s.distance;
+  return 1 - sine * sine * std::cos(s.tilt);
+}
+
+inline double exact(const scenes::SphereOcclusionUniform& s) {
+  return exact(s.sphere);
+}
+/// On the hemisphere the height is uniform; the cone is a part `cap` of it.
+inline double moment(const scenes::SphereOcclusionUniform& s, int k) {
+  const double sine = s.sphere.radius / s.sphere.distance;
+  const double cap = 1 - std::sqrt(1 - sine * sine);
+  return std::pow(2, k) * (1.0 / (k + 1) - cap * cone_heights(sine, s.sphere.tilt, k));
+}
+
+// Edges -------------------------------------------------------------------------------------------
+
+/// The area under a x + b y = c in the unit square: a triangle, less what sticks out of it at two
+/// corners.
+inline double exact(const scenes::PixelEdge& s) {
+  if (s.c >= s.a + s.b) return 1;
+  const auto square = [](double x) { return x > 0 ? x * x : 0; };
+  return (square(s.c) - square(s.c - s.a) - square(s.c - s.b)) / (2 * s.a * s.b);
+}
+
+/// The part of a unit disk where x < t.
+inline double disk_below(double t) {
+  if (std::abs(t) >= 1) return t > 0 ? 1 : 0;
+  return 0.5 + (t * std::sqrt(1 - t * t) + std::asin(t)) / std::numbers::pi;
+}
+inline double exact(const scenes::DefocusEdge& s) {
+  const double circle = s.aperture * std::abs(s.depth - s.focus) / s.focus;
+  if (circle == 0) return s.offset > 0 ? 1 : 0;
+  return disk_below(s.offset / circle);
+}
+
+/// The mean over the time of the part of the pixel that is white: of clamp(s, 0, 1), whose
+/// antiderivative is s^2 / 2, and s - 1/2 beyond 1.
+inline double exact(const scenes::MotionEdge& s) {
+  if (s.speed == 0) return std::clamp(s.start, 0.0, 1.0);
+  const auto antiderivative = [](double x) { return x < 0 ? 0 : x < 1 ? x * x / 2 : x - 0.5; };
+  return (antiderivative(s.start + s.speed) - antiderivative(s.start)) / s.speed;
+}
+
+/// E{(t - l)^3 where that is positive}, l across a uniform point of the unit disk: of density
+/// 2/pi sqrt(1 - l^2). From the density's moments below t.
+inline double cube_across_disk(double t) {
+  if (t <= -1) return 0;
+  if (t >= 1) return t * t * t + 0.75 * t;  // E{l^2} = 1/4
+  const double pi = std::numbers::pi, root = std::sqrt(1 - t * t), cubed = root * root * root;
+  const double m0 = disk_below(t);
+  const double m1 = -2 / (3 * pi) * cubed;
+  const double m2 = 0.125 + (std::asin(t) + t * (2 * t * t - 1) * root) / (4 * pi);
+  const double m3 = -2 / (15 * pi) * cubed * (2 + 3 * t * t);
+  return t * t * t * m0 - 3 * t * t * m1 + 3 * t * m2 - m3;
+}
+/// For a given l, the volume under a plane in the cube of x, y, t: a sum over its corners of cubes,
+/// with alternating signs.
+inline double exact(const scenes::PixelTimeLens& s) {
+  const std::array<double, 3> edges{s.a, s.b, s.speed};
+  double sum = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    double left = s.c, sign = 1;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1) == 0) continue;
+      left -= edges[axis];
+      sign = -sign;
+    }
+    sum += sign * cube_across_disk(left / s.blur);
+  }
+  return sum * std::pow(s.blur, 3) / (6 * s.a * s.b * s.speed);
+}
+
+/// Stripe n lies where n <= rise / y + phase < n + 1.
+inline double exact(const scenes::Stripes& s) {
+  double white = 0;
+  const double last = std::floor(s.rise / s.top + s.phase);
+  for (double n = 2 * std::floor((s.rise / s.bottom + s.phase) / 2); n <= last; n += 2) {
+    const double far = std::max(s.top, s.rise / (n + 1 - s.phase));
+    const double near = n > s.phase ? std::min(s.bottom, s.rise / (n - s.phase)) : s.bottom;
+    if (near > far && n + 1 > s.phase) white += near - far;
+  }
+  return white / (s.bottom - s.top);
+}
+
+// All of them -------------------------------------------------------------------------------------
+
+/// A scene that is 0 or 1: all its moments are its mean.
+template <class S>
+concept Indicator = std::same_as<S, scenes::WallOcclusion> ||
+    std::same_as<S, scenes::SphereOcclusion> || std::same_as<S, scenes::PixelEdge> ||
+    std::same_as<S, scenes::DefocusEdge> || std::same_as<S, scenes::MotionEdge> ||
+    std::same_as<S, scenes::PixelTimeLens> || std::same_as<S, scenes::Stripes>;
+
+template <Indicator S>
+double moment(const S& scene, int) {
+  return exact(scene);
+}
+
+template <class S>
+double second_moment(const S& scene) {
+  return moment(scene, 2);
+}
+
+/// One sample of a scene.
+template <class S>
+Population population_of(const S& scene) {
+  return population(exact(scene), moment(scene, 2), moment(scene, 3), moment(scene, 4));
+}
+
+/// A scene from its fields in order, all of them double; its defaults where there are none.
+template <class S>
+S scene_with(std::span<const double> parameters) {
+  using Fields = std::array<double, sizeof(S) / sizeof(double)>;
+  Fields fields = std::bit_cast<Fields>(S{});
+  if (!parameters.empty() && parameters.size() != fields.size()) {
+    throw std::out_of_range("a scene with another number of parameters");
+  }
+  std::copy(parameters.begin(), parameters.end(), fields.begin());
+  return std::bit_cast<S>(fields);
+}
+template <class S>
+std::vector<double> parameters_of(const S& scene) {
+  const auto fields = std::bit_cast<std::array<double, sizeof(S) / sizeof(double)>>(scene);
+  return {fields.begin(), fields.end()};
+}
+
+}  // namespace mc::checks

@@ -1,0 +1,262 @@
+#include "checks/support/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "checks/support/data.hpp"
+#include "checks/support/distributions.hpp"
+
+namespace mc::checks {
+namespace {
+
+/// One outcome of a test, ready to be judged and told.
+struct Outcome {
+  double measured = 0;                 ///< the statistic, in the unit of the story
+  double expected = 0;                 ///< its value under the null
+  std::function<Interval()> accepted;  ///< of the statistic; only a failure needs it
+  double p = 0;                        ///< two-sided
+  double recorded = 0;                 ///< uniform under the null
+  std::string measured_words;          ///< with n and replicates
+  std::string name;                    ///< of the statistic: "their mean"
+};
+
+std::string hint_for(const Outcome& outcome, const Interval& accepted, const Hints& hints) {
+  for (const Suspect& suspect : hints.suspects) {
+    // As far from the suspect as a right value may be from the expected one: in parts of it where
+    // the interval is one of ratios, that is, lies on one side of zero.
+    const bool ratio = accepted.low > 0 && suspect.value > 0;
+    const double at = ratio ? outcome.measured * outcome.expected / suspect.value
+                            : outcome.measured - suspect.value + outcome.expected;
+    if (accepted.low <= at && at <= accepted.high) return suspect.hint;
+  }
+  return hints.otherwise;
+}
+
+/// Records the p-value and returns it; ends the check where it is below alpha.
+double judge(const Outcome& outcome, const Null& null, const Hints& hints) {
+  record(protocol::RecordKind::p_value,
+         protocol::text_of({null.words, outcome.recorded, null.alpha}));
+  if (!(outcome.p >= null.alpha)) {
+    const Interval accepted = outcome.accepted();
+    expect_that(false, outcome.measured_words,
+                fmt::format("{} between {:.6g} and {:.6g}; {:.6g} on average", outcome.name,
+                            accepted.low, accepted.high, outcome.expected),
+                fmt::format("{}: a right answer lies outside once in {:.1g} runs", null.words,
+                            1 / null.alpha),
+                hint_for(outcome, accepted, hints));
+  }
+  pass();
+  return outcome.recorded;
+}
+
+std::string describe(const Replicates& estimates) {
+  return estimates.n > 1 ? fmt::format("{}: {} replicates of {} samples each", estimates.call,
+                                       estimates.values.size(), estimates.n)
+                         : fmt::format("{}: {} values", estimates.call, estimates.values.size());
+}
+
+/// Ends the check where a replicate is no number at all.
+void require_numbers(const Replicates& estimates, const Hints& hints) {
+  const auto odd = std::find_if(estimates.values.begin(), estimates.values.end(),
+                                [](double value) { return !std::isfinite(value); });
+  if (odd == estimates.values.end() && !estimates.values.empty()) return;
+  expect_that(false,
+              odd == estimates.values.end() ? estimates.call + ": no values"
+                                            : fmt::format("{}: replicate {} is {}", estimates.call,
+                                                          odd - estimates.values.begin(), *odd),
+              "finite numbers", "", hints.otherwise);
+}
+
+double sum_of_squares(const Replicates& estimates, double exact) {
+  double sum = 0;
+  for (const double value : estimates.values) sum += (value - exact) * (value - exact);
+  return sum;
+}
+
+double degrees_of(const Replicates& estimates, double kurtosis) {
+  return 2 * static_cast<double>(estimates.values.size()) / (kurtosis - 1);
+}
+
+/// The least and the largest proportion of successes that an exact binomial test accepts: as
+/// central_interval(), on whole numbers.
+Interval accepted_proportions(std::uint64_t trials, double p, double alpha) {
+  const auto first = [&](auto holds) {  // the first count for which it holds, if any
+    std::uint64_t low = 0, high = trials + 1;
+    while (low < high) {
+      const std::uint64_t middle = low + (high - low) / 2;
+      if (holds(binomial_tails(middle, trials, p))) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return static_cast<double>(low);
+  };
+  const auto size = static_cast<double>(trials);
+  return {first([&](const Tails& at) { return at.lower >= alpha / 2; }) / size,
+          (first([&](const Tails& at) { return at.upper < alpha / 2; }) - 1) / size};
+}
+
+/// For spreading the p-values of discrete statistics: the same in each repetition of a check.
+double fresh_uniform() {
+  static std::uint64_t calls = 0;
+  Rng rng(check_rng()() ^ mix_bits(++calls));
+  return uniform(rng);
+}
+
+}  // namespace
+
+double expect_mean(const Replicates& estimates, double exact, double variance, const Null& null,
+                   const Hints& hints) {
+  require_numbers(estimates, hints);
+  const auto replicates = static_cast<double>(estimates.values.size());
+  double mean = 0;  // of the errors: the sum of many values near 1e9 would be rounded
+  for (const double value : estimates.values) mean += (value - exact) / replicates;
+  const double sigma = std::sqrt(variance / replicates);
+  Outcome outcome;
+  outcome.measured = exact + mean;
+  outcome.expected = exact;
+  outcome.accepted = [&] {
+    const Interval z = central_interval(normal_tails, null.alpha, -40, 40);
+    return Interval{exact + sigma * z.low, exact + sigma * z.high};
+  };
+  outcome.p = outcome.recorded = normal_tails(mean / sigma).two_sided();
+  outcome.measured_words =
+      fmt::format("{}, with the mean {:.8g}, {:.1f} standard errors from {:.8g}",
+                  describe(estimates), outcome.measured, mean / sigma, exact);
+  outcome.name = "a mean";
+  return judge(outcome, null, hints);
+}
+
+double expect_variance(const Replicates& estimates, double exact, double variance, double kurtosis,
+                       const Null& null, const Hints& hints) {
+  require_numbers(estimates, hints);
+  const double degrees = degrees_of(estimates, kurtosis);
+  const auto tails = [&](double ratio) { return chi_squared_tails(ratio * degrees, degrees); };
+  Outcome outcome;
+  outcome.measured =
+      sum_of_squares(estimates, exact) / (variance * static_cast<double>(estimates.values.size()));
+  outcome.expected = 1;
+  outcome.accepted = [&] { return central_interval(tails, null.alpha, 0, 1000); };
+  outcome.p = outcome.recorded = tails(outcome.measured).two_sided();
+  outcome.measured_words =
+      fmt::format("{}, whose mean squared error is {:.5g}: {:.4g} times the exact {:.5g}",
+                  describe(estimates), outcome.measured * variance, outcome.measured, variance);
+  outcome.name = "a ratio";
+  return judge(outcome, null, hints);
+}
+
+double expect_rate(const Replicates& few, const Known& at_few, const Replicates& many,
+                   const Known& at_many, const Null& null, const Hints& hints) {
+  require_numbers(few, hints);
+  require_numbers(many, hints);
+  const double above = degrees_of(few, at_few.kurtosis), below = degrees_of(many, at_many.kurtosis);
+  const double ratio = (sum_of_squares(few, at_few.exact) /
+                        (static_cast<double>(few.values.size()) * at_few.variance)) /
+                       (sum_of_squares(many, at_many.exact) /
+                        (static_cast<double>(many.values.size()) * at_many.variance));
+  const double two_log = 2 * std::log(many.n / few.n);
+  const auto exponent_tails = [&](double exponent) {
+    return f_tails(std::exp(exponent * two_log) * at_many.variance / at_few.variance, above, below);
+  };
+  Outcome outcome;
+  outcome.expected = std::log(at_few.variance / at_many.variance) / two_log;
+  outcome.measured = outcome.expected + std::log(ratio) / two_log;
+  outcome.accepted = [&] {
+    return central_interval(exponent_tails, null.alpha, outcome.expected - 20 / two_log,
+                            outcome.expected + 20 / two_log);
+  };
+  outcome.p = outcome.recorded = f_tails(ratio, above, below).two_sided();
+  outcome.measured_words = fmt::format("{}, then {} samples: the error falls as N^-{:.4g}",
+                                       describe(few), many.n, outcome.measured);
+  outcome.name = "an exponent";
+  return judge(outcome, null, hints);
+}
+
+double expect_proportion(const std::string& call, const std::string& event, std::uint64_t count,
+                         std::uint64_t trials, double p, const Null& null, const Hints& hints) {
+  const Tails tails = binomial_tails(count, trials, p);
+  const auto size = static_cast<double>(trials);
+  Outcome outcome;
+  outcome.measured = static_cast<double>(count) / size;
+  outcome.expected = p;
+  outcome.accepted = [&] { return accepted_proportions(trials, p, null.alpha); };
+  outcome.p = tails.two_sided();
+  const double jump = std::max(0.0, tails.lower + tails.upper - 1), u = fresh_uniform();
+  outcome.recorded = Tails{tails.lower - u * jump, tails.upper - (1 - u) * jump}.two_sided();
+  outcome.measured_words =
+      fmt::format("{}: {} of {} times {} ({:.4g})", call, count, trials, event, outcome.measured);
+  outcome.name = "a proportion";
+  return judge(outcome, null, hints);
+}
+
+double expect_distribution(const std::string& call, std::vector<double> values,
+                           const std::function<double(double)>& cdf, const Null& null,
+                           const Hints& hints) {
+  require_numbers({call, values, 1}, hints);
+  std::sort(values.begin(), values.end());
+  const auto n = static_cast<double>(values.size());
+  double distance = 0, at = values[0];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double exact = cdf(values[i]), below = static_cast<double>(i) / n;
+    const double here = std::max(exact - below, below + 1 / n - exact);
+    if (!(here <= distance)) distance = here, at = values[i];
+  }
+  const auto tails = [&](double d) { return kolmogorov_tails(d, values.size()); };
+  Outcome outcome;
+  outcome.measured = distance;
+  outcome.expected = 0.8687 / std::sqrt(n);  // sqrt(pi/2) ln 2: the mean of Kolmogorov's limit
+  outcome.accepted = [&] { return central_interval(tails, null.alpha, 0, 1); };
+  outcome.p = outcome.recorded = tails(distance).two_sided();
+  outcome.measured_words = fmt::format(
+      "{}: {} values, whose distribution is {:.4g} away from the exact one, near {:.4g}", call,
+      values.size(), distance, at);
+  outcome.name = "a distance";
+  return judge(outcome, null, hints);
+}
+
+double expect_counts(const std::string& call, std::span<const std::uint64_t> counts,
+                     std::span<const double> probabilities, const Null& null, const Hints& hints) {
+  const auto n =
+      static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+  const auto degrees = static_cast<double>(counts.size() - 1);
+  double chi_squared = 0, worst = -1;
+  std::string worst_words;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double exact = n * probabilities[probabilities.size() == 1 ? 0 : i];
+    const double off = static_cast<double>(counts[i]) - exact;
+    chi_squared += off * off / exact;
+    if (off * off / exact > worst) {
+      worst = off * off / exact;
+      worst_words = fmt::format("cell {} has {} where {:.6g} are due", i, counts[i], exact);
+    }
+  }
+  const auto tails = [&](double ratio) { return chi_squared_tails(ratio * degrees, degrees); };
+  Outcome outcome;
+  outcome.measured = chi_squared / degrees;
+  outcome.expected = 1;
+  outcome.accepted = [&] { return central_interval(tails, null.alpha, 0, 1000); };
+  outcome.p = outcome.recorded = tails(outcome.measured).two_sided();
+  outcome.measured_words =
+      fmt::format("{}: {} events in {} cells, chi-squared over its degrees of freedom {:.5g} ({})",
+                  call, n, counts.size(), outcome.measured, worst_words);
+  outcome.name = "a ratio";
+  return judge(outcome, null, hints);
+}
+
+std::vector<std::uint64_t> counts_of(std::span<const double> values, std::size_t cells) {
+  std::vector<std::uint64_t> counts(cells);
+  for (const double value : values) {
+    const double cell = std::floor(value * static_cast<double>(cells));
+    if (!(cell >= 0 && cell < static_cast<double>(cells))) {
+      expect_that(false, fmt::format("a value {}", value), "values in [0, 1)", "", "");
+    }
+    ++counts[static_cast<std::size_t>(cell)];
+  }
+  return counts;
+}
+
+}  // namespace mc::checks

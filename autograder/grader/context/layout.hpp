@@ -1,0 +1,41 @@
+#pragma once
+// Where everything is, and how programs are compiled: what CMake found when it configured.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mc::grader {
+
+struct Layout {
+  std::filesystem::path root;   ///< the checkout
+  std::filesystem::path build;  ///< CMake's build directory
+  std::string compiler;         ///< full path of the C++ compiler
+  bool is_clang = false;
+  bool sanitized =
+      false;  ///< are grader and checks built with a sanitizer? Then limits of memory hold nothing
+  std::string version;                  ///< of the project, and the commit where git knows it
+  std::vector<std::string> link_flags;  ///< -static where programs are
+  std::map<std::string, std::vector<std::filesystem::path>>
+      objects;                                            ///< lab name -> experiments, runner
+  std::map<std::string, std::vector<std::string>> peers;  ///< installed library -> flags to link it
+
+  std::filesystem::path labs() const { return root / "labs"; }
+  std::filesystem::path solutions() const { return root / "solutions"; }
+  std::filesystem::path submissions() const { return root / "autograder" / "submissions"; }
+  std::filesystem::path starter() const { return root / "starter"; }
+  std::filesystem::path checks(const std::string& lab) const {
+    return build / "bin" / ("checks_" + lab);
+  }
+  /// The program that measures for the lab's plots and for bench.
+  std::filesystem::path figures(const std::string& lab) const {
+    return build / "bin" / ("figures_" + lab);
+  }
+};
+
+/// Reads layout.txt, which CMake writes into the build directory that this program lies in. Throws
+/// MachineError where it is missing.
+Layout read_layout();
+
+}  // namespace mc::grader

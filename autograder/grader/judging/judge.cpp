@@ -1,0 +1,201 @@
+#include "grader/judging/judge.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "grader/context/errors.hpp"
+#include "grader/judging/catch_xml.hpp"
+#include "grader/judging/task_runner.hpp"
+#include "protocol/environment.hpp"
+#include "runner/text.hpp"
+
+namespace mc::grader {
+namespace {
+
+/// Takes "[1.3][points:8][needs:1.1][needs:1.2]" apart.
+Check parse_check(const XmlRecord& record) {
+  Check check{record.name, record.name.substr(0, record.name.find(' ')), {}, 0, false};
+  for (std::string_view tag : text::split(record.tags, '[')) {
+    if (tag.ends_with(']')) tag.remove_suffix(1);
+    if (tag.starts_with("points:")) check.points = std::strtod(tag.data() + 7, nullptr);
+    if (tag == "slow") check.is_slow = true;
+    if (tag.starts_with("needs:")) check.needs.emplace_back(tag.substr(6));
+  }
+  return check;
+}
+
+/// Checks by task, those with slow ones first: a worker that begins one last would keep all waiting.
+std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results) {
+  std::vector<std::vector<CheckResult*>> tasks;
+  for (CheckResult& result : results) {
+    const auto same = std::find_if(tasks.begin(), tasks.end(), [&](const auto& task) {
+      return task.front()->check.task == result.check.task;
+    });
+    (same == tasks.end() ? tasks.emplace_back() : *same).push_back(&result);
+  }
+  std::stable_partition(tasks.begin(), tasks.end(), [](const auto& task) {
+    return std::any_of(task.begin(), task.end(), [](auto* one) { return one->check.is_slow; });
+  });
+  return tasks;
+}
+
+/// Runs `work(i)` for all i below `count` with a few threads; an exception of one ends the others
+/// after what they are at, and reaches the caller.
+void run_side_by_side(std::size_t count, unsigned workers,
+                      const std::function<void(std::size_t)>& work) {
+  std::mutex mutex;
+  std::size_t next = 0;
+  std::exception_ptr failure;
+  const auto labour = [&] {
+    for (;;) {
+      std::size_t mine = 0;
+      {
+        const std::lock_guard lock(mutex);
+        if (failure || next == count) return;
+        mine = next++;
+      }
+      try {
+        work(mine);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  // One of them is the caller's own: with one worker no thread has to be made.
+  for (unsigned i = 1; i < workers && i < count; ++i) {
+    try {
+      threads.emplace_back(labour);
+    } catch (const std::system_error&) {  // no more threads: those there are do the work
+      break;
+    }
+  }
+  labour();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& program,
+                const JudgeOptions& options, std::vector<CheckResult>& results) {
+  const auto tasks = by_task(results);
+  std::mutex mutex;
+  std::size_t done = 0;
+  run_side_by_side(tasks.size(), std::max(1u, options.workers), [&](std::size_t i) {
+    run_task(layout, lab, program, options, tasks[i], [&] {
+      const std::lock_guard lock(mutex);
+      ++done;
+      if (options.progress) options.progress(done, results.size());
+    });
+  });
+}
+
+/// A check that failed while a task it needs has failed too is waiting: one fault, shown once.
+void find_waiting(std::vector<CheckResult>& results) {
+  const auto stands = [&](const std::string& task) {
+    return std::all_of(results.begin(), results.end(), [&](auto& other) {
+      return other.check.task != task || other.status == Status::passed;
+    });
+  };
+  for (CheckResult& result : results) {
+    const auto& needs = result.check.needs;
+    if (result.status == Status::failed && !std::all_of(needs.begin(), needs.end(), stands)) {
+      result.status = Status::waiting;
+    }
+  }
+}
+
+std::string repeat_command(const Lab& lab, const Check& check, const JudgeOptions& options) {
+  const bool plain = options.submission.empty() || options.submission == "starter";
+  const bool quoted = options.submission.find_first_of(" '\"$&;()<>|*?") != std::string::npos;
+  return fmt::format("./lab check {}{} --only {} --seed {}", lab.name,
+                     plain    ? ""
+                     : quoted ? fmt::format(" \"{}\"", options.submission)
+                              : " " + options.submission,
+                     check.task, options.seed);
+}
+
+}  // namespace
+
+std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
+  static std::mutex mutex;
+  static std::map<std::string, std::vector<Check>> known;  // one run a lab, however many are judged
+  const std::lock_guard lock(mutex);
+  auto& checks = known[lab.name];
+  if (!checks.empty()) return checks;
+  const sandbox::ProcessResult run = sandbox::run_process(
+      {layout.checks(lab.name).string(), "--reporter", "xml"},
+      {.environment = {{protocol::program_variable, ""}, {protocol::program_path_variable, ""}}});
+  for (const XmlRecord& record : read_catch_xml(run.output)) checks.push_back(parse_check(record));
+  if (checks.empty()) {
+    throw MachineError(
+        fmt::format("the checks of lab {} are not built: run ./lab setup", lab.name));
+  }
+  std::stable_sort(checks.begin(), checks.end(), [](const Check& a, const Check& b) {
+    return task_number(a.task) < task_number(b.task);
+  });
+  return checks;
+}
+
+void wait_for_labs(LabVerdict& verdict,
+                   const std::function<bool(const std::string& lab)>& is_finished) {
+  for (CheckResult& result : verdict.checks) {
+    if (result.status != Status::failed) continue;
+    for (const std::string& need : result.check.needs) {
+      const bool is_lab = need.find('.') == std::string::npos;
+      if (!is_lab || is_finished(need)) continue;
+      result.status = Status::waiting;
+      verdict.unfinished.push_back(need);
+      break;
+    }
+  }
+}
+
+LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
+                     const JudgeOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  LabVerdict verdict{lab, {}, built.failure, {}, 0, {}};
+  for (const Check& check : expected_checks(layout, lab)) {
+    if (!options.only.empty() && check.task != options.only) continue;
+    if (options.skip_slow && check.is_slow) continue;
+    CheckResult result;
+    result.check = check;
+    result.repeat = repeat_command(lab, check, options);
+    verdict.checks.push_back(std::move(result));
+  }
+  if (verdict.checks.empty()) {
+    throw UsageError(fmt::format("lab {} has no task {}", lab.name, options.only));
+  }
+  if (built.program) {
+    run_checks(layout, lab, *built.program, options, verdict.checks);
+    find_waiting(verdict.checks);
+  } else {
+    for (CheckResult& result : verdict.checks) {
+      result.status = Status::not_run;
+      result.story = built.failure;
+    }
+  }
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return verdict;
+}
+
+sandbox::ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
+                                        const sandbox::Program& program, const std::string& tag,
+                                        sandbox::ProcessOptions options) {
+  options.environment.insert(
+      options.environment.end(),
+      {{protocol::program_variable, std::to_string(protocol::program_descriptor)},
+       {protocol::seed_variable, "1"}});
+  options.descriptors = {{program.descriptor.get(), protocol::program_descriptor}};
+  const auto path = kind == CaseKind::checks ? layout.checks(lab.name) : layout.figures(lab.name);
+  return sandbox::run_process({path.string(), tag, "--reporter", "xml"}, options);
+}
+
+}  // namespace mc::grader

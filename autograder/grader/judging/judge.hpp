@@ -1,0 +1,52 @@
+#pragma once
+// From a program to a verdict: runs a lab's checks, one process each, and reads their records.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "grader/judging/verdict.hpp"
+#include "grader/submission/build.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+
+struct JudgeOptions {
+  std::uint64_t seed = 0;
+  bool skip_slow = false;  ///< leave out checks tagged [slow]
+  std::string only;        ///< a task ("1.3"): judge its checks alone; empty: all
+  unsigned workers = 2;    ///< tasks at the same time
+  std::string submission;  ///< the directory, for the command that repeats a check
+  /// Told after each check: how many are done, of how many. Called by one worker at a time.
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
+};
+
+/// What one task may use, all its checks together. Right answers take a tenth of it at most.
+constexpr double task_cpu_seconds = 20;
+
+/// The checks of a lab, from a run of them without a program. Throws MachineError where the lab's
+/// checks are not built.
+std::vector<Check> expected_checks(const Layout& layout, const Lab& lab);
+
+/// A verdict depends on the program alone, not on the machine's load nor on the number of workers:
+/// a task is judged by one worker, check after check, within a budget of CPU time; what times out
+/// is left out of the rest of that task, and other tasks are judged by themselves.
+LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
+                     const JudgeOptions& options);
+
+/// A failed check that needs another lab is waiting while that lab, "3", is short of full marks, as
+/// `is_finished` says; it is asked only where it matters.
+void wait_for_labs(LabVerdict& verdict,
+                   const std::function<bool(const std::string& lab)>& is_finished);
+
+/// Which of a lab's programs has a hidden case: its checks (the speed tasks), or its figures (what
+/// plots and bench show).
+enum class CaseKind { checks, figures };
+
+/// Runs the hidden cases with this tag on a program. `options` brings what they are told and how
+/// long they may take; they say what happened in Catch2's XML.
+sandbox::ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
+                                        const sandbox::Program& program, const std::string& tag,
+                                        sandbox::ProcessOptions options);
+
+}  // namespace mc::grader

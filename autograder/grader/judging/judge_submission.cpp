@@ -1,0 +1,102 @@
+#include "grader/judging/judge_submission.hpp"
+
+#include <chrono>
+#include <future>
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/judging/speed.hpp"
+
+namespace mc::grader {
+namespace {
+
+/// Does the submission have full marks in this lab? Judged now, unless it was already.
+class Finished {
+ public:
+  Finished(const Context& context, const Submission& submission, const JudgeOptions& options)
+      : context_(context), submission_(submission), options_(options) {
+    options_.only.clear();
+    options_.progress = {};
+  }
+
+  void add(const LabVerdict& verdict) {
+    known_[std::to_string(verdict.lab.number)] = verdict.earned() == verdict.points();
+  }
+
+  bool operator()(const std::string& number) {
+    if (!known_.contains(number)) {
+      const Lab& lab = find_lab(context_.labs, number);
+      add(judge_lab(context_.layout, lab, build_program(context_.layout, lab, submission_),
+                    options_));
+    }
+    return known_[number];
+  }
+
+ private:
+  const Context& context_;
+  const Submission& submission_;
+  JudgeOptions options_;
+  std::map<std::string, bool> known_;
+};
+
+}  // namespace
+
+void add_speed(const Context& context, const Submission& submission, LabVerdict& judged) {
+  if (!judged.no_program.empty()) return;
+  const Built fast = build_program(context.layout, judged.lab, submission, Variant::speed);
+  if (fast.program) judged.speed = measure_speed(context.layout, judged, *fast.program);
+}
+
+Verdict judge_submission(const Context& context, const Submission& submission,
+                         const std::vector<Lab>& labs, const SubmissionOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Verdict verdict;
+  verdict.submission = submission.label;
+  verdict.seed = options.judge.seed;
+  verdict.version = context.layout.version;
+  verdict.flags = fmt::format("{}", fmt::join(compile_flags(Variant::judged), " "));
+  verdict.jail_complete = sandbox::jail_is_complete();
+
+  JudgeOptions judge = options.judge;
+  judge.submission = submission.label;
+  Finished finished(context, submission, judge);
+  const auto all = static_cast<double>(labs.size());
+  for (std::size_t i = 0; i < labs.size(); ++i) {
+    const Lab& lab = labs[i];
+    const auto tell = [&](double part, const std::string& what) {
+      if (options.progress) options.progress(static_cast<double>(i) + part, all, what);
+    };
+    // What is timed has its own flags: compiled beside the checks, on a core that they leave idle.
+    std::future<Built> fast;
+    if (judge.only.empty() && options.with_speed) {
+      fast = std::async(std::launch::async, [&] {
+        return build_program(context.layout, lab, submission, Variant::speed);
+      });
+    }
+    tell(0, "compiling " + lab.file());
+    const Built built = build_program(context.layout, lab, submission);
+    judge.progress = [&](std::size_t done, std::size_t checks) {
+      tell(static_cast<double>(done) / static_cast<double>(checks), "judging " + lab.name);
+    };
+    LabVerdict judged = judge_lab(context.layout, lab, built, judge);
+    wait_for_labs(judged, std::ref(finished));
+    if (judge.only.empty()) finished.add(judged);
+    if (fast.valid()) {
+      const Built timed = fast.get();
+      if (timed.program && judged.no_program.empty()) {
+        tell(1, "timing " + lab.name);
+        judged.speed = measure_speed(context.layout, judged, *timed.program);
+      }
+    }
+    verdict.labs.push_back(std::move(judged));
+  }
+  for (const Lab& lab : context.labs) {
+    if (!submission.files.contains(lab.name)) verdict.absent.push_back(lab.name);
+  }
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return verdict;
+}
+
+}  // namespace mc::grader

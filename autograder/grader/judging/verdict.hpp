@@ -1,0 +1,87 @@
+#pragma once
+// What a judgement comes to. Every report (terminal, JSON, CSV) is drawn from this and nothing
+// else.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/context/labs.hpp"
+#include "protocol/records.hpp"
+
+namespace mc::grader {
+
+enum class Status {
+  passed,
+  failed,
+  not_written,     ///< the task throws mc::todo
+  waiting,         ///< failed, and so did a task or a lab that it needs: one fault, not two
+  not_run,         ///< the task's time was used up, or there is no program
+  not_judged,      ///< the machine failed: no verdict, and no zero
+  internal_error,  ///< the autograder's own fault: no record of this check
+};
+
+/// What the autograder expects to run: a check as it is written down.
+struct Check {
+  std::string name;                ///< "1.3 two passes keep their digits under a large mean"
+  std::string task;                ///< "1.3"
+  std::vector<std::string> needs;  ///< tasks ("1.1") and labs ("3") without which it cannot pass
+  double points = 0;
+  bool is_slow = false;  ///< takes a good part of the lab's time: begun first, beside the others
+};
+
+struct CheckResult {
+  Check check;
+  Status status = Status::internal_error;
+  std::string story;    ///< of a failure: measured, expected, because, likely
+  std::string printed;  ///< what the submission printed meanwhile
+  std::string repeat;   ///< the command that repeats this check, seed included
+  std::vector<protocol::PValue> p_values;
+  double seconds = 0;
+  double earned() const { return status == Status::passed ? check.points : 0; }
+};
+
+/// How fast a speed task is, and how good its points. Reported, never graded.
+struct Speed {
+  std::string name;                       ///< "2.8 uniforms"
+  double nanoseconds = 0;                 ///< a number, a value, a point
+  std::optional<double> reference;        ///< of the solution, where the checkout has one
+  std::optional<double> error;            ///< RMSE of its points on `integrand`
+  std::optional<double> reference_error;  ///< of the solution's, as many points
+  std::uint64_t points = 0;
+  std::string integrand;
+};
+
+struct LabVerdict {
+  Lab lab;
+  std::vector<CheckResult> checks;
+  std::string no_program;               ///< why there is none to judge; empty where there is
+  std::vector<std::string> unfinished;  ///< labs that some checks are waiting for: "3"
+  double seconds = 0;
+  std::vector<Speed> speed;  ///< of the speed tasks that passed
+  double earned() const;
+  double points() const;
+  /// How many times as fast as the solutions: the geometric mean of its speed tasks.
+  std::optional<double> times_the_reference() const;
+};
+
+struct Verdict {
+  std::string submission;
+  std::uint64_t seed = 0;
+  std::string version, flags;
+  bool jail_complete = true;
+  std::vector<LabVerdict> labs;
+  std::vector<std::string> absent;  ///< labs of which there is no file
+  double seconds = 0;
+  double earned() const;
+  double points() const;
+};
+
+/// Where a task, "1.10", stands in its lab: 10.
+int task_number(const std::string& task);
+
+/// "passed", "failed", "not written yet", "waiting for 1.1", "not run", "internal error"
+std::string describe(const CheckResult& result, const LabVerdict& verdict);
+
+}  // namespace mc::grader

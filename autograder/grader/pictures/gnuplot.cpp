@@ -1,0 +1,64 @@
+#include "grader/pictures/gnuplot.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "grader/context/text_file.hpp"
+#include "sandbox/printable.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+
+bool gnuplot_is_there() {
+  return sandbox::run_process({"gnuplot", "--version"}).exit_code == 0;
+}
+
+std::string gnuplot_string(const std::string& text) {
+  std::string all = "'";
+  for (const char c : text) all += c == '\'' ? "''" : std::string(1, c);
+  return all + "'";
+}
+
+std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + gnuplot_string(text);
+  return fmt::format("array {}[{}] = [{}]\n", name, texts.size(), list);
+}
+
+std::string run_gnuplot(const fs::path& script, const std::string& text) {
+  write_text(script, "set encoding utf8\nset termoption noenhanced\n" + text);
+  const sandbox::ProcessResult drawn = sandbox::run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
+  return drawn.succeeded() ? "" : "gnuplot failed: " + sandbox::printable(drawn.errors);
+}
+
+std::string script_beginning(const Layout& layout, const fs::path& out, const std::string& extension) {
+  return fmt::format("out = {}\next = {}\ndraw = {}\n", gnuplot_string(out.string()),
+                     gnuplot_string(extension),
+                     gnuplot_string((layout.labs() / "common" / "draw.gp").string()));
+}
+
+bool can_draw(Plots& plots) {
+  if (gnuplot_is_there()) return true;
+  plots.remarks.push_back("no plots: gnuplot is not installed (./lab setup)");
+  return false;
+}
+
+void draw(Plots& plots, const fs::path& name,
+          const std::function<std::string(const std::string&)>& script) {
+  for (const std::string extension : {"svg", "png"}) {
+    const std::string failure =
+        run_gnuplot(name.string() + "." + extension + ".gp", script(extension));
+    if (!failure.empty()) plots.remarks.push_back(failure);
+  }
+}
+
+void collect(Plots& plots, const fs::path& place, const std::string& start) {
+  for (const auto& entry : fs::directory_iterator(place)) {
+    if (entry.path().filename().string().starts_with(start)) plots.pictures.push_back(entry.path());
+  }
+  std::sort(plots.pictures.begin(), plots.pictures.end());
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,43 @@
+#pragma once
+// gnuplot: is it there, how a script for it is written, run, and what it drew.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grader/context/layout.hpp"
+
+namespace mc::grader {
+
+/// What was drawn.
+struct Plots {
+  std::vector<std::filesystem::path> pictures;  ///< SVG and PNG of each plot
+  std::vector<std::string> remarks;             ///< what could not be drawn, and why
+};
+
+/// Is gnuplot there?
+bool gnuplot_is_there();
+
+/// The same, with a remark where it is not.
+bool can_draw(Plots& plots);
+
+/// A string, and a list of strings, as gnuplot reads them.
+std::string gnuplot_string(const std::string& text);
+std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts);
+
+/// What every script begins with: where its pictures go, of which kind they are, how they look.
+std::string script_beginning(const Layout& layout, const std::filesystem::path& out,
+                             const std::string& extension);
+
+/// Writes a script and runs it; what gnuplot complains of, or nothing.
+std::string run_gnuplot(const std::filesystem::path& script, const std::string& text);
+
+/// Draws with `script(extension)`, which is kept beside `name`, once for SVG and once for PNG.
+void draw(Plots& plots, const std::filesystem::path& name,
+          const std::function<std::string(const std::string& extension)>& script);
+
+/// Adds the pictures in `place` whose names begin with `start`.
+void collect(Plots& plots, const std::filesystem::path& place, const std::string& start);
+
+}  // namespace mc::grader

@@ -1,0 +1,182 @@
+#include "grader/pictures/renders.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "grader/judging/catch_xml.hpp"
+#include "grader/judging/judge.hpp"
+#include "grader/pictures/gnuplot.hpp"
+#include "grader/submission/build.hpp"
+#include "protocol/environment.hpp"
+#include "runner/text.hpp"
+#include "sandbox/jail.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// The first line of what a failed case says.
+std::string reason_of(const sandbox::ProcessResult& run) {
+  for (const XmlRecord& record : read_catch_xml(run.output)) {
+    for (std::string_view line : text::split(record.message, '\n')) {
+      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+      if (!line.empty()) return sandbox::printable(line);
+    }
+  }
+  return "its measurements failed";
+}
+
+struct Rendering {
+  const Layout& layout;
+  const Lab& lab;
+  const sandbox::Program& program;
+  fs::path data;
+
+  /// Fills in the row; `seconds` is the time to keep to, 0 for none.
+  void measure(Rendered& row, std::uint64_t spp, double seconds) const {
+    fs::create_directories(data);
+    const sandbox::ProcessResult run = run_hidden_cases(
+        layout, lab, CaseKind::figures, program, "[.render]",
+        {.environment = {{protocol::plot_data_variable, data.string()},
+                         {protocol::render_variable, protocol::text_of(protocol::RenderRequest{
+                                                         row.picture, row.kind, spp, seconds})}},
+         .wall_seconds = 300});
+    std::ifstream figures(data / (row.kind + ".txt"));
+    figures >> row.samples >> row.time;
+    if (!run.succeeded() || !figures) row.failure = reason_of(run);
+    row.timed = row.failure.empty() && (seconds > 0 || row.kind == sampler_kinds[0]);
+  }
+};
+
+/// The title of a row's picture; "" where there is none.
+std::string title_of(const Rendered& row, bool in_time) {
+  if (!row.failure.empty() || (in_time && !row.timed)) return "";
+  const protocol::RenderFigures& drawn = in_time ? row.time : row.samples;
+  return fmt::format("{}, {} spp\nRMSE {:.3g}", row.kind, drawn.spp, drawn.rmse);
+}
+
+/// A picture of all submissions.
+struct Sheet {
+  std::string picture, name, headline;
+  std::vector<std::string> labels, data, titles;
+  double white = 1, range = 0;
+};
+
+std::string script_of(const Layout& layout, const Lab& lab, const Sheet& sheet,
+                      const std::vector<std::string>& kinds) {
+  std::string titles;
+  for (const std::string& title : sheet.titles) {  // \n is a line's end between double quotes only
+    std::string escaped = title;
+    if (const auto at = escaped.find('\n'); at != std::string::npos) escaped.replace(at, 1, "\\n");
+    titles += (titles.empty() ? "\"" : ", \"") + escaped + '"';
+  }
+  return fmt::format(
+      "count = {}\ncolumns = {}\n{}{}{}array titles[{}] = [{}]\nheadline = {}\nsheet = {}\n"
+      "white = {}\nrange = {}\nout = {}\next = 'png'\ndraw = {}\nload {}\n",
+      sheet.labels.size(), kinds.size(), gnuplot_array("labels", sheet.labels),
+      gnuplot_array("data", sheet.data), gnuplot_array("kinds", kinds), sheet.titles.size(), titles,
+      gnuplot_string(sheet.headline), gnuplot_string(sheet.name), sheet.white, sheet.range,
+      gnuplot_string((layout.build / "render" / sheet.picture).string()),
+      gnuplot_string((layout.labs() / "common" / "draw.gp").string()),
+      gnuplot_string((layout.labs() / lab.folder / "render.gp").string()));
+}
+
+/// The largest value of a picture, for what is white in it.
+double largest_in(const fs::path& file) {
+  std::ifstream values(file);
+  double largest = 0;
+  for (double value = 0; values >> value;) largest = std::max(largest, value);
+  return largest > 0 ? largest : 1;
+}
+
+}  // namespace
+
+Renders draw_renders(
+    const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
+    const RenderOptions& options,
+    const std::function<void(std::size_t done, std::size_t all, const std::string& what)>& step) {
+  Renders renders;
+  const bool draws = gnuplot_is_there();
+  if (!draws) renders.remarks.push_back("no sheets: gnuplot is not installed (./lab setup)");
+  const std::size_t steps =
+      submissions.size() * (1 + options.pictures.size() * options.kinds.size());
+  std::size_t done = 0;
+  std::vector<Sheet> sheets;
+  for (const std::string& picture : options.pictures) {
+    sheets.push_back(
+        {picture, "samples", fmt::format("{}, {} samples a pixel", picture, options.spp)});
+    sheets.push_back(
+        {picture, "time",
+         fmt::format("{}, in the time of {} independent samples a pixel", picture, options.spp)});
+  }
+  for (const Submission& submission : submissions) {
+    step(done, steps, "compiling " + submission.label);
+    const Built built = build_program(layout, lab, submission, Variant::speed);
+    ++done;
+    if (!built.program) {
+      renders.remarks.push_back(
+          fmt::format("{} is not drawn: {}", submission.label, built.failure));
+      done += steps / submissions.size() - 1;
+      continue;
+    }
+    for (std::size_t p = 0; p < options.pictures.size(); ++p) {
+      const std::string& picture = options.pictures[p];
+      const Rendering rendering{
+          layout, lab, *built.program,
+          layout.build / "render" / "data" /
+              fmt::format("{}-{}", picture, &submission - submissions.data())};
+      fs::remove_all(rendering.data);
+      Rendered reference{submission.label, picture, std::string(sampler_kinds[0])};
+      step(done, steps, fmt::format("{}, {}", submission.label, picture));
+      rendering.measure(reference, options.spp, 0);
+      std::vector<Rendered> rows;
+      for (const std::string& kind : options.kinds) {
+        step(done++, steps, fmt::format("{}, {}, {}", submission.label, picture, kind));
+        rows.push_back(reference);
+        if (kind == reference.kind) continue;
+        rows.back() = {submission.label, picture, kind};
+        rendering.measure(rows.back(), options.spp,
+                          reference.failure.empty() ? reference.samples.seconds : 0);
+      }
+      for (const std::size_t s : {2 * p, 2 * p + 1}) {
+        Sheet& sheet = sheets[s];
+        const bool in_time = s % 2 == 1;
+        std::vector<std::string> titles;
+        for (const Rendered& row : rows) {
+          titles.push_back(title_of(row, in_time));
+          if (!titles.back().empty())
+            sheet.range = std::max(sheet.range, (in_time ? row.time : row.samples).large_error);
+        }
+        if (std::all_of(titles.begin(), titles.end(), [](auto& title) { return title.empty(); })) {
+          continue;
+        }
+        sheet.white = largest_in(rendering.data / "exact.tsv");
+        sheet.labels.push_back(submission.label);
+        sheet.data.push_back(rendering.data.string());
+        sheet.titles.insert(sheet.titles.end(), titles.begin(), titles.end());
+      }
+      renders.table.insert(renders.table.end(), rows.begin(), rows.end());
+    }
+  }
+  for (Sheet& sheet : sheets) {
+    if (!draws || sheet.labels.empty()) continue;
+    if (sheet.range == 0) sheet.range = 1;  // all is exact
+    step(done, steps, "drawing " + sheet.picture);
+    const std::string failure = run_gnuplot(
+        layout.build / "render" / "data" / fmt::format("{}-{}.gp", sheet.picture, sheet.name),
+        script_of(layout, lab, sheet, options.kinds));
+    if (failure.empty()) {
+      renders.sheets.push_back(layout.build / "render" /
+                               fmt::format("{}-{}.png", sheet.picture, sheet.name));
+    } else {
+      renders.remarks.push_back(failure);
+    }
+  }
+  return renders;
+}
+
+}  // namespace mc::grader

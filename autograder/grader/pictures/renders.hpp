@@ -1,0 +1,55 @@
+#pragma once
+// Pictures by every kind of sampler and their errors, with equal samples and in equal time: measured
+// by a hidden case of lab 6's checks, drawn by gnuplot.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/submission/submission.hpp"
+#include "protocol/render.hpp"
+
+namespace mc::grader {
+
+/// What lab 6 has; as labs/6-sampler/experiments.cpp and its header say.
+inline constexpr std::array<std::string_view, 5> render_pictures{"edge", "penumbra", "defocus",
+                                                                 "motion", "stripes"};
+inline constexpr std::array<std::string_view, 5> sampler_kinds{"independent", "stratified",
+                                                               "blue_noise", "halton", "sobol"};
+inline constexpr std::uint64_t most_spp = 4096;
+
+struct RenderOptions {
+  std::vector<std::string> pictures, kinds;
+  std::uint64_t spp = 16;
+};
+
+/// One picture by one kind of sampler of one submission.
+struct Rendered {
+  std::string submission, picture, kind;
+  std::string failure;              ///< why there is nothing, in one line
+  protocol::RenderFigures samples;  ///< with as many as were asked for
+  protocol::RenderFigures
+      time;            ///< with as many as fit into the time that "independent" takes for those
+  bool timed = false;  ///< is there such a time?
+};
+
+struct Renders {
+  std::vector<Rendered> table;
+  std::vector<std::filesystem::path> sheets;
+  std::vector<std::string> remarks;
+};
+
+/// Renders everything, and draws two sheets a picture into build/render. `step` is told before each
+/// of the steps, how many there were and will be, and what is next.
+Renders draw_renders(
+    const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
+    const RenderOptions& options,
+    const std::function<void(std::size_t done, std::size_t all, const std::string& what)>& step);
+
+}  // namespace mc::grader

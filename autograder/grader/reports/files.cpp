@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "grader/reports/report.hpp"
+#include "sandbox/jail.hpp"
+
+namespace mc::grader {
+namespace {
+
+std::string output_of(const CheckResult& result, const LabVerdict& lab) {
+  if (result.status == Status::passed) return "";
+  std::string text = describe(result, lab);
+  if (!result.story.empty() && result.status != Status::not_written) text += "\n" + result.story;
+  if (result.status == Status::failed) {
+    text += fmt::format("\nread      labs/{}/README.md, section {}\nagain     {}", lab.lab.folder,
+                        result.check.task, result.repeat);
+  }
+  if (!result.printed.empty()) text += "\nit printed\n" + sandbox::shortened(result.printed, 2000);
+  return text;
+}
+
+nlohmann::ordered_json as_json(const Speed& speed) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  return {{"name", speed.name},
+          {"nanoseconds", speed.nanoseconds},
+          {"reference", number(speed.reference)},
+          {"error", number(speed.error)},
+          {"reference_error", number(speed.reference_error)},
+          {"points", speed.points}};
+}
+
+std::string quoted(const std::string& text) {
+  std::string all = "\"";
+  for (const char c : text) all += c == '"' ? "\"\"" : std::string(1, c);
+  return all + '"';
+}
+
+}  // namespace
+
+std::string report_json(const Verdict& verdict) {
+  auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
+  std::string output = jail_warning(verdict);
+  for (const LabVerdict& lab : verdict.labs) {
+    output += fmt::format("{}: {:g} of {:g} points\n", lab.lab.title(), lab.earned(), lab.points());
+    if (!lab.no_program.empty()) output += lab.no_program + "\n";
+    output += report_speed(lab);
+    if (const auto times = lab.times_the_reference()) {
+      leaderboard.push_back(
+          {{"name", fmt::format("lab {}: speed, times the reference's", lab.lab.number)},
+           {"value", std::round(*times * 100) / 100}});
+    }
+    for (const Speed& one : lab.speed) speed.push_back(as_json(one));
+    for (const CheckResult& result : lab.checks) {
+      tests.push_back({{"name", result.check.name},
+                       {"number", result.check.task},
+                       {"score", result.earned()},
+                       {"max_score", result.check.points},
+                       {"status", result.status == Status::passed ? "passed" : "failed"},
+                       {"output", output_of(result, lab)},
+                       {"output_format", "text"},
+                       {"visibility", "visible"}});
+    }
+  }
+  if (verdict.labs.empty()) output += "There is no file of any lab in this submission.\n";
+  nlohmann::ordered_json all;
+  all["score"] = verdict.earned();
+  all["execution_time"] = verdict.seconds;
+  all["output"] = output;
+  all["output_format"] = "text";
+  all["visibility"] = "visible";
+  all["tests"] = std::move(tests);
+  all["extra_data"] = {{"seed", verdict.seed},
+                       {"version", verdict.version},
+                       {"flags", verdict.flags},
+                       {"jail_complete", verdict.jail_complete},
+                       {"speed", std::move(speed)}};
+  if (!leaderboard.empty()) all["leaderboard"] = std::move(leaderboard);
+  return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::string report_csv(const std::vector<Verdict>& verdicts) {
+  // A column for each check that any verdict has, in the order of first appearance.
+  std::vector<std::string> columns;
+  for (const Verdict& verdict : verdicts) {
+    for (const LabVerdict& lab : verdict.labs) {
+      for (const CheckResult& result : lab.checks) {
+        if (std::find(columns.begin(), columns.end(), result.check.name) == columns.end()) {
+          columns.push_back(result.check.name);
+        }
+      }
+    }
+  }
+  std::string all = "submission,seed,version,jail_complete,earned,points";
+  for (const std::string& column : columns) all += ',' + quoted(column);
+  all += '\n';
+  for (const Verdict& verdict : verdicts) {
+    std::map<std::string, double> earned;
+    for (const LabVerdict& lab : verdict.labs) {
+      for (const CheckResult& result : lab.checks) earned[result.check.name] = result.earned();
+    }
+    all += fmt::format("{},{},{},{},{:g},{:g}", quoted(verdict.submission), verdict.seed,
+                       quoted(verdict.version), verdict.jail_complete, verdict.earned(),
+                       verdict.points());
+    for (const std::string& column : columns) {
+      const auto found = earned.find(column);
+      all += found == earned.end() ? "," : fmt::format(",{:g}", found->second);
+    }
+    all += '\n';
+  }
+  return all;
+}
+
+}  // namespace mc::grader

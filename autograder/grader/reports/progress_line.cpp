@@ -1,0 +1,103 @@
+#include "grader/reports/progress_line.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace mc::grader {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool is_interactive() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+}
+
+std::size_t columns() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  return 80;
+}
+
+std::string about(double seconds) {
+  return seconds < 90     ? fmt::format("{:.0f} s", seconds)
+         : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60)
+                          : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(std::string what)
+    : next_(start_ + (is_interactive() ? 500ms : 10s)),
+      interactive_(is_interactive()),
+      what_(std::move(what)) {
+  try {
+    ticker_ = std::thread([this] { tick(); });
+  } catch (const std::system_error&) {  // no more threads: then it is silent
+  }
+}
+
+ProgressLine::~ProgressLine() {
+  {
+    const std::lock_guard lock(mutex_);
+    end_ = true;
+  }
+  ended_.notify_all();
+  if (ticker_.joinable()) ticker_.join();
+  clear();
+}
+
+void ProgressLine::show(double done, double all) {
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  all_ = all;
+}
+
+void ProgressLine::show(double done, double all, std::string what) {
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  all_ = all;
+  what_ = std::move(what);
+}
+
+void ProgressLine::clear() {
+  const std::lock_guard lock(mutex_);
+  if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+  is_shown_ = false;
+}
+
+void ProgressLine::tick() {
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_until(lock, next_, [this] { return end_; })) {
+    print();
+    next_ = Clock::now() + (interactive_ ? 250ms : 10s);
+  }
+}
+
+void ProgressLine::print() {
+  const double passed = std::chrono::duration<double>(Clock::now() - start_).count();
+  std::string line = what_;
+  if (all_ > 0) line = fmt::format("{:.0f} of {:.0f}  {}", done_, all_, what_);
+  if (all_ > 0 && done_ > 0 && passed > 2) {
+    line += fmt::format(", about {} left", about(passed * (all_ - done_) / done_));
+  } else {
+    line += fmt::format(", {:.0f} s", passed);
+  }
+  if (!interactive_) {
+    fmt::print(stderr, "{}\n", line);
+    return;
+  }
+  const std::size_t width = columns();
+  if (line.size() >= width) line.resize(width - 1);
+  fmt::print(stderr, "\r\x1b[K{}", line);
+  is_shown_ = true;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,45 @@
+#pragma once
+// How far a verb is, on standard error: at a terminal one line that is written again and again and is
+// gone in the end; elsewhere a line every ten seconds.
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace mc::grader {
+
+class ProgressLine {
+ public:
+  /// `what` is being done: "checking variance".
+  explicit ProgressLine(std::string what);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+
+  /// So much of the work is done. Parts may be anything that takes about as long each, or seconds
+  /// as they were expected.
+  void show(double done, double all);
+  /// The same, and what is being done now.
+  void show(double done, double all, std::string what);
+  /// Takes the line away, so that something else can be printed; it comes back by itself.
+  void clear();
+
+ private:
+  void tick();
+  void print();
+
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point next_;  ///< when it is printed next
+  const bool interactive_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool end_ = false, is_shown_ = false;
+  std::string what_;
+  double done_ = 0, all_ = 0;
+  std::thread ticker_;
+};
+
+}  // namespace mc::grader

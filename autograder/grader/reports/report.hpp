@@ -1,0 +1,39 @@
+#pragma once
+// A verdict, told: to a student at a terminal, to Gradescope, to a spreadsheet.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/judging/verdict.hpp"
+
+namespace mc::grader {
+
+struct Terminal {
+  bool colour = false;
+  std::size_t width = 100;
+  bool interactive = false;  ///< is there one? Then a line may be written again and again
+};
+
+/// The terminal on standard output: colour only there, and not with NO_COLOR; 100 columns at most.
+Terminal this_terminal();
+
+/// One lab, check by check, with the story of each failure.
+std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal);
+
+/// The lines on a lab's speed tasks: "2.8 uniforms  0.6 ns, 1.1 times as fast as the reference".
+std::string report_speed(const LabVerdict& lab);
+
+/// A line for each submission and lab.
+std::string report_summary(const std::vector<Verdict>& verdicts);
+
+/// What must be said of every grade that was given without the whole jail; empty with it.
+std::string jail_warning(const Verdict& verdict);
+
+/// Gradescope's results.json: every check, its points, its story; complete whatever happened.
+std::string report_json(const Verdict& verdict);
+
+/// A header and a row for each submission: points in all, and of each check.
+std::string report_csv(const std::vector<Verdict>& verdicts);
+
+}  // namespace mc::grader

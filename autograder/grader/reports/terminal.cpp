@@ -1,0 +1,215 @@
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "grader/reports/report.hpp"
+#include "runner/text.hpp"
+#include "sandbox/jail.hpp"
+
+namespace mc::grader {
+namespace {
+
+constexpr const char* green = "\x1b[32m";
+constexpr const char* red = "\x1b[31m";
+constexpr const char* grey = "\x1b[2m";
+constexpr const char* bold = "\x1b[1m";
+
+std::string painted(const Terminal& terminal, const char* colour, const std::string& text) {
+  return terminal.colour ? colour + text + "\x1b[0m" : text;
+}
+
+/// Columns that a UTF-8 text takes (every code point one; the labs use no others).
+std::size_t columns_of(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+/// Text broken at blanks to `width` columns; lines after the first begin with `indent` blanks.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+  std::string all, line;
+  for (const std::string_view word : text::split(text, ' ')) {
+    if (!line.empty() && columns_of(line) + 1 + columns_of(word) > width) {
+      all += line + '\n' + std::string(indent, ' ');
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + std::string(word);
+  }
+  return all + line;
+}
+
+/// "measured  x = 1" with its lines wrapped under the second column.
+std::string story_line(std::string_view line, std::size_t margin, std::size_t width) {
+  constexpr std::size_t label = 10;
+  const std::size_t inner = std::max<std::size_t>(width, margin + label + 20) - margin - label;
+  const std::string blank(margin, ' ');
+  if (line.size() > label && line.substr(0, label).find("  ") != std::string_view::npos) {
+    return blank + std::string(line.substr(0, label)) +
+           wrapped(line.substr(label), inner, margin + label) + '\n';
+  }
+  return blank + std::string(line) + '\n';  // not of that shape: a compiler's line, kept as it is
+}
+
+constexpr std::size_t margin = 9;
+
+std::string check_line(const Terminal& terminal, const char* colour, const std::string& mark,
+                       const std::string& name, const std::string& right) {
+  const std::size_t room = terminal.width > 24 ? terminal.width - 14 : 10;
+  std::string text = wrapped(name, room - 9, margin);
+  const auto last = text.rfind('\n');
+  const std::size_t used =
+      last == std::string::npos ? margin + columns_of(text) : columns_of(text.substr(last + 1));
+  const std::size_t gap =
+      used + 1 + right.size() < terminal.width ? terminal.width - used - right.size() : 1;
+  return fmt::format("  {} {}{}{}\n", painted(terminal, colour, mark), text,
+                     std::string(gap > 0 ? gap : 1, ' '), right);
+}
+
+std::string printed_lines(const std::string& printed) {
+  constexpr std::size_t most = 8;
+  const auto lines = text::split(printed, '\n');
+  std::string all;
+  std::size_t count = 0;
+  for (const std::string_view line : lines) {
+    if (line.empty()) continue;
+    if (count++ < most)
+      all += fmt::format("{:{}}| {}\n", "", margin, sandbox::shortened(line, 160));
+  }
+  if (count > most) all += fmt::format("{:{}}| … {} more lines\n", "", margin, count - most);
+  return all.empty() ? all : fmt::format("{:{}}it printed\n{}", "", margin, all);
+}
+
+std::string points_of(double earned, double points) {
+  return fmt::format("{:g}/{:g}", earned, points);
+}
+
+}  // namespace
+
+Terminal this_terminal() {
+  Terminal terminal;
+  const char* no_colour = std::getenv("NO_COLOR");
+  const char* kind = std::getenv("TERM");
+  terminal.interactive =
+      isatty(STDOUT_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.colour = terminal.interactive && (no_colour == nullptr || *no_colour == '\0');
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    terminal.width = std::clamp<std::size_t>(size.ws_col, 40, 100);
+  }
+  return terminal;
+}
+
+std::string jail_warning(const Verdict& verdict) {
+  if (verdict.jail_complete) return {};
+  return "WARNING: no seccomp on this machine. The submission ran without the jail: trust this "
+         "grade\nno more than you trust its author.\n";
+}
+
+std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal) {
+  std::string all = fmt::format("{}  {}, seed {}\n\n", painted(terminal, bold, lab.lab.title()),
+                                verdict.submission, verdict.seed);
+  if (!lab.no_program.empty()) {
+    for (const std::string_view line : text::split(lab.no_program, '\n')) {
+      all += fmt::format("  {}\n", line);
+    }
+    all += '\n';
+  }
+  const CheckResult* next = nullptr;
+  for (std::size_t i = 0; i < lab.checks.size(); ++i) {
+    const CheckResult& result = lab.checks[i];
+    const bool passed = result.status == Status::passed;
+    if (!passed && next == nullptr && result.status != Status::waiting) next = &result;
+    const std::string points = points_of(result.earned(), result.check.points);
+    if (!lab.no_program.empty()) continue;
+    if (passed) {
+      all += check_line(terminal, green, "✓", result.check.name, points);
+    } else if (result.status == Status::failed || result.status == Status::internal_error) {
+      all += check_line(terminal, red, "✗", result.check.name, points);
+      for (const std::string_view line : text::split(result.story, '\n')) {
+        all += story_line(line, margin, terminal.width);
+      }
+      all += story_line(
+          fmt::format("read      labs/{}/README.md, section {}", lab.lab.folder, result.check.task),
+          margin, terminal.width);
+      all += story_line("again     " + result.repeat, margin, terminal.width);
+    } else {
+      // Said once for a task, however many checks it has.
+      double together = result.check.points;
+      std::size_t last = i;
+      while (last + 1 < lab.checks.size() && lab.checks[last + 1].check.task == result.check.task &&
+             lab.checks[last + 1].status == result.status) {
+        together += lab.checks[++last].check.points;
+      }
+      const std::string what = last > i
+                                   ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
+                                   : result.check.name;
+      all += check_line(terminal, grey, "·", what + ": " + describe(result, lab),
+                        points_of(0, together));
+      if (result.status == Status::not_run) {
+        all += story_line("because   " + result.story, margin, terminal.width);
+      }
+      i = last;
+    }
+    all += passed ? "" : printed_lines(result.printed);
+  }
+  if (!lab.speed.empty()) all += "\n" + report_speed(lab);
+  all +=
+      fmt::format("\n  {} points",
+                  painted(terminal, bold, fmt::format("{:g} of {:g}", lab.earned(), lab.points())));
+  if (next != nullptr && lab.no_program.empty()) all += fmt::format("; next: {}", next->check.task);
+  if (next == nullptr && !lab.unfinished.empty()) {
+    all += fmt::format("; next: lab {}", lab.unfinished[0]);
+  }
+  return all + "\n" + jail_warning(verdict);
+}
+
+std::string report_speed(const LabVerdict& lab) {
+  std::string all;
+  const auto line = [&](const std::string& name, const std::string& value,
+                        const std::string& reference) {
+    all += fmt::format("  {:<36}{:>14}", name, value);
+    all += reference.empty() ? "\n" : fmt::format("   (the reference: {})\n", reference);
+  };
+  const auto nanoseconds = [](double value) {
+    return value < 1000 ? fmt::format("{:.3g} ns", value) : fmt::format("{:.0f} ns", value);
+  };
+  for (const Speed& one : lab.speed) {
+    line(one.name, nanoseconds(one.nanoseconds),
+         one.reference ? nanoseconds(*one.reference) : std::string());
+    if (!one.error) continue;
+    line(fmt::format("    error of {} on {}", one.points, one.integrand),
+         fmt::format("{:.2g}", *one.error),
+         one.reference_error ? fmt::format("{:.2g}", *one.reference_error) : std::string());
+  }
+  if (const auto times = lab.times_the_reference()) {
+    all += fmt::format("  {:.2f} times as fast as the reference; speed is not graded.\n", *times);
+  }
+  return all;
+}
+
+std::string report_summary(const std::vector<Verdict>& verdicts) {
+  std::size_t widest = 10;
+  for (const Verdict& verdict : verdicts) {
+    widest = std::max(widest, columns_of(verdict.submission));
+  }
+  std::string all;
+  for (const Verdict& verdict : verdicts) {
+    all += fmt::format("{}{}  {:>9}", verdict.submission,
+                       std::string(widest - columns_of(verdict.submission), ' '),
+                       points_of(verdict.earned(), verdict.points()));
+    for (const LabVerdict& lab : verdict.labs) {
+      all += fmt::format("  {} {}", lab.lab.name,
+                         lab.no_program.empty() ? points_of(lab.earned(), lab.points())
+                                                : std::string("no program"));
+    }
+    if (verdict.labs.empty()) all += "  no lab's file in it";
+    all += '\n';
+  }
+  return all;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,141 @@
+#include "grader/submission/diagnostics.hpp"
+
+#include <charconv>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "runner/text.hpp"
+#include "sandbox/jail.hpp"
+
+namespace mc::grader {
+namespace {
+
+constexpr std::size_t most_lines = 24;
+constexpr std::size_t longest_line = 400;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string line;
+  for (const char c : sandbox::printable(text)) {
+    if (c != '\n') {
+      if (line.size() < longest_line) line += c;
+    } else {
+      lines.push_back(std::move(line));
+      line.clear();
+    }
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string all;
+  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) all += lines[i] + '\n';
+  if (lines.size() > most_lines)
+    all += fmt::format("… and {} more lines\n", lines.size() - most_lines);
+  if (!all.empty()) all.pop_back();
+  return all;
+}
+
+/// The word behind "file:12:5: ": error, warning, note, fatal; empty where a line is not of that
+/// kind.
+std::string_view severity(std::string_view line) {
+  const auto parts = text::split(line.substr(0, line.find_first_of("`'\"")), ':');
+  const auto is_number = [](std::string_view part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  for (std::size_t i = 1; i + 2 < parts.size(); ++i) {
+    if (is_number(parts[i]) && is_number(parts[i + 1])) {
+      return parts[i + 2].substr(0, parts[i + 2].find(' '));
+    }
+  }
+  return {};
+}
+
+/// Adds the source line that "file:12:5: error: …" speaks of, with a caret under the place.
+void quote(const std::string& line, const std::vector<std::string>& source,
+           std::vector<std::string>& to) {
+  const auto parts = text::split(line, ':');
+  const auto number = [&](std::size_t i) {
+    std::size_t value = 0;
+    if (i < parts.size())
+      std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), value);
+    return value;
+  };
+  const std::size_t row = number(1), column = number(2);
+  if (row == 0 || row > source.size() || column == 0 || column > source[row - 1].size() + 1) return;
+  // Blanks up to the caret; a tab stays one, so that it stands where the source's does.
+  std::string blanks = source[row - 1].substr(0, column - 1);
+  for (char& c : blanks) c = c == '\t' ? '\t' : ' ';
+  to.push_back("| " + source[row - 1]);
+  to.push_back("| " + blanks + '^');
+}
+
+/// What stands behind `words` in a linker's line, up to the closing quote.
+std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
+  const auto at = line.find(words);
+  if (at == std::string_view::npos) return {};
+  line.remove_prefix(at + words.size());
+  while (!line.empty() && (line.front() == '`' || line.front() == '\'' || line.front() == ' ')) {
+    line.remove_prefix(1);
+  }
+  return std::string(line.substr(0, line.find_first_of("`';")));
+}
+
+}  // namespace
+
+std::string first_errors(const std::string& diagnostics, const std::string& file,
+                         const std::string& text) {
+  const std::vector<std::string> source = lines_of(text);
+  // Warnings come first in time but not in importance: drop each with the lines that follow it.
+  std::vector<std::string> kept;
+  bool keep = true;
+  for (const std::string& line : lines_of(diagnostics)) {
+    if (const auto kind = severity(line); !kind.empty()) {
+      keep = kind == "error" || kind == "fatal" || (kind == "note" && keep);
+    } else if (line.find(": In ") != std::string::npos || line.starts_with("In file included")) {
+      keep = true;
+    }
+    if (!keep || line.find("compilation terminated") != std::string::npos) continue;
+    kept.push_back(line);
+    if (line.starts_with(file + ':')) quote(line, source, kept);
+  }
+  return joined(kept);
+}
+
+std::string explain_link_errors(const std::string& diagnostics, const Lab& lab) {
+  std::set<std::string> missing, doubled;
+  for (const std::string& line : lines_of(diagnostics)) {
+    for (const char* words : {"undefined reference to", "undefined symbol:"}) {  // bfd, lld
+      if (const auto name = quoted_after(line, words)) missing.insert(*name);
+    }
+    for (const char* words : {"multiple definition of", "duplicate symbol:"}) {
+      if (const auto name = quoted_after(line, words)) doubled.insert(*name);
+    }
+  }
+  std::vector<std::string> lines;
+  for (const std::string& name : missing) {
+    const std::string plain = name.substr(0, name.find('('));
+    lines.push_back(
+        plain.starts_with("mc::")
+            ? fmt::format("Your {} does not define `{}` with the parameters that {} "
+                          "declares.",
+                          lab.file(), plain, lab.header())
+            : fmt::format("Your {} uses `{}`, which nothing defines.", lab.file(), name));
+  }
+  for (const std::string& name : doubled) {
+    lines.push_back(
+        name == "main"
+            ? fmt::format("Your {} defines `main`; the labs bring their own.", lab.file())
+            : fmt::format("`{}` is defined twice.", name));
+  }
+  if (lines.empty()) {
+    lines = lines_of(diagnostics);
+    lines.insert(lines.begin(), fmt::format("{} does not link:", lab.file()));
+  }
+  return sandbox::printable(joined(lines));
+}
+
+}  // namespace mc::grader

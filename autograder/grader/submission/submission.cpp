@@ -1,0 +1,70 @@
+#include "grader/submission/submission.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "grader/context/errors.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+
+Submission open_submission(const Layout& layout, const std::vector<Lab>& labs,
+                           const fs::path& directory) {
+  if (!fs::exists(directory)) {
+    throw UsageError(fmt::format("no such directory: {}", directory.string()));
+  }
+  if (!fs::is_directory(directory)) {
+    throw UsageError(fmt::format("{} is a file: name the directory it is in", directory.string()));
+  }
+  Submission submission{directory.string(), directory, {}, false};
+  while (submission.label.size() > 1 && submission.label.back() == '/') submission.label.pop_back();
+  submission.trusted =
+      fs::exists(layout.solutions()) && fs::equivalent(directory, layout.solutions());
+  for (const Lab& lab : labs) {
+    const fs::path file = directory / lab.file();
+    // A link is no file of one's own: it might lead to the solution.
+    if (fs::is_regular_file(fs::symlink_status(file))) {
+      submission.files[lab.name] = fs::canonical(file);
+    }
+  }
+  return submission;
+}
+
+Submission single_file_submission(const Layout& layout, const std::vector<Lab>& labs,
+                                  const Lab& lab, const fs::path& file, bool trusted) {
+  Submission submission{file.string(), file, {}, trusted};
+  for (const Lab& other : labs) {
+    const fs::path solution = layout.solutions() / other.file();
+    if (fs::exists(solution)) submission.files[other.name] = solution;
+  }
+  submission.files[lab.name] = fs::canonical(file);
+  return submission;
+}
+
+std::optional<Submission> peer_submission(const Layout& layout, const std::vector<Lab>& labs,
+                                          const Lab& lab, const std::string& library) {
+  const fs::path file = layout.submissions() / "peers" / library / lab.file();
+  if (!layout.peers.contains(library) || !fs::exists(file)) return {};
+  Submission peer = single_file_submission(layout, labs, lab, file, true);
+  for (const std::string& other : lab.stands_on) {  // its own, where it has one
+    const fs::path own = file.parent_path() / (other + ".cpp");
+    if (fs::exists(own)) peer.files[other] = own;
+  }
+  peer.label = library;
+  peer.libraries = layout.peers.at(library);
+  return peer;
+}
+
+std::vector<std::string> peer_libraries(const Layout& layout) {
+  std::vector<std::string> names;
+  const fs::path peers = layout.submissions() / "peers";
+  if (!fs::exists(peers)) return names;
+  for (const auto& entry : fs::directory_iterator(peers)) {
+    if (entry.is_directory()) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,40 @@
+#pragma once
+// A submission: files that stand where a student's files stand, one a lab.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+
+namespace mc::grader {
+
+struct Submission {
+  std::string label;                                   ///< how it is called in reports
+  std::filesystem::path path;                          ///< the directory, or the one file
+  std::map<std::string, std::filesystem::path> files;  ///< lab name -> file
+  bool trusted = false;  ///< may include the repository's own sources (solutions, mistakes)
+  std::vector<std::string> libraries = {};  ///< flags to link what it is made of, if it is a peer
+};
+
+/// A directory with some of the labs' .cpp files. The repository's solutions are trusted. Throws
+/// UsageError where there is no such directory.
+Submission open_submission(const Layout& layout, const std::vector<Lab>& labs,
+                           const std::filesystem::path& directory);
+
+/// One file that stands for the file of `lab`; what it lacks of other labs is the solutions'.
+Submission single_file_submission(const Layout& layout, const std::vector<Lab>& labs,
+                                  const Lab& lab, const std::filesystem::path& file, bool trusted);
+
+/// A library behind the interface of a lab, autograder/submissions/peers/<library>/<lab>.cpp; not
+/// every lab has one from every library, and not every library is installed: then nothing.
+std::optional<Submission> peer_submission(const Layout& layout, const std::vector<Lab>& labs,
+                                          const Lab& lab, const std::string& library);
+
+/// The libraries that there are files of.
+std::vector<std::string> peer_libraries(const Layout& layout);
+
+}  // namespace mc::grader

@@ -1,0 +1,71 @@
+// check: one lab of a submission, judged.
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "grader/context/errors.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/judging/judge_submission.hpp"
+#include "grader/reports/progress_line.hpp"
+#include "grader/reports/report.hpp"
+#include "grader/verbs/judging_options.hpp"
+#include "grader/verbs/progress.hpp"
+#include "grader/verbs/verb.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+int check(const Context& context, const Arguments& arguments) {
+  if (arguments.words.empty() || arguments.words.size() > 2) {
+    throw UsageError("usage: ./lab check LAB [DIR] (LAB is 1, variance or 1-variance)");
+  }
+  const Lab& lab = find_lab(context.labs, arguments.words[0]);
+  const bool own = arguments.words.size() == 1;
+  const fs::path directory = own ? context.layout.starter() : fs::path(arguments.words[1]);
+  const auto json = arguments.get("json");
+  require_writable(json);
+  Submission submission = open_submission(context.layout, context.labs, directory);
+  if (own) submission.label = "starter";
+  // For a machine that reads results.json, a missing file is a grade like any other: none.
+  if (!submission.files.contains(lab.name) && !json) {
+    throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));
+  }
+  SubmissionOptions options;
+  options.judge.seed = seed_of(arguments);
+  options.judge.only = arguments.get("only").value_or("");
+  options.with_speed = false;
+  Verdict verdict = [&] {
+    ProgressLine line("checking " + lab.name);
+    options.progress = [&](double done, double all, const std::string& what) {
+      line.show(100 * done, 100 * all, what);
+    };
+    return judge_submission(context, submission, {lab}, options);
+  }();
+  LabVerdict& judged = verdict.labs[0];
+  fmt::print("{}", report_lab(judged, verdict, this_terminal()));
+  if (options.judge.only.empty() && judged.no_program.empty()) {
+    {
+      const ProgressLine line("timing " + lab.name);
+      add_speed(context, submission, judged);
+    }
+    if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
+  }
+  if (json) write_text(*json, report_json(verdict));
+  if (own && options.judge.only.empty()) remember(context.layout, judged);
+  return verdict.earned() == verdict.points() ? 0 : 1;
+}
+
+const RegisterVerb check_verb{{"check", "check LAB [DIR] [--only TASK] [--seed S] [--json FILE]", {"only=", "seed=", "json="},
+    "LAB is a number, a name or a folder: 1, variance, 1-variance.\n"
+       "  --only TASK   the checks of one task: --only 1.3\n"
+       "  --seed S      the run with that seed again; every report names its own\n"
+       "  --json FILE   Gradescope's results.json as well\n"
+       "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "
+       "something.\n",
+ check}};
+
+}  // namespace
+}  // namespace mc::grader

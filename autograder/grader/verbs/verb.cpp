@@ -1,0 +1,43 @@
+#include "grader/verbs/verb.hpp"
+
+#include <algorithm>
+
+namespace mc::grader {
+namespace {
+
+std::vector<Verb>& registry() {
+  static std::vector<Verb> verbs;
+  return verbs;
+}
+
+}  // namespace
+
+RegisterVerb::RegisterVerb(Verb verb) {
+  registry().push_back(std::move(verb));
+}
+
+const std::vector<Verb>& registered_verbs() {
+  return registry();
+}
+
+std::vector<Submission> submissions_beside(const Context& context, const Lab& lab,
+                                           const std::vector<std::string>& directories) {
+  const Layout& layout = context.layout;
+  std::vector<Submission> submissions;
+  for (const std::string& directory : directories) {
+    submissions.push_back(open_submission(layout, context.labs, directory));
+  }
+  if (submissions.empty()) {
+    submissions.push_back(open_submission(layout, context.labs, layout.starter()));
+    submissions.back().label = "starter";
+  }
+  const bool has_solutions =
+      std::any_of(submissions.begin(), submissions.end(), [](auto& one) { return one.trusted; });
+  if (!has_solutions && std::filesystem::exists(layout.solutions() / lab.file())) {
+    submissions.push_back(open_submission(layout, context.labs, layout.solutions()));
+    submissions.back().label = "solutions";
+  }
+  return submissions;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,77 @@
+#include "protocol/records.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace mc::protocol {
+namespace {
+
+/// In the order of RecordKind.
+constexpr std::array<std::string_view, 5> names{"printed", "todo", "timed_out", "p_value",
+                                                "machine"};
+
+std::string escaped(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    if (c == '\n') {
+      line += "\\n";
+    } else {
+      if (c == '\\') line += '\\';
+      line += c;
+    }
+  }
+  return line;
+}
+
+std::string unescaped(std::string_view line) {
+  std::string text;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\\' && i + 1 < line.size()) {
+      text += line[++i] == 'n' ? '\n' : line[i];
+    } else {
+      text += line[i];
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string line_of(const Record& record) {
+  return std::string(names[static_cast<std::size_t>(record.kind)]) + ' ' + escaped(record.text);
+}
+
+std::vector<Record> records_in(std::string_view lines) {
+  std::vector<Record> records;
+  while (!lines.empty()) {
+    const auto end = lines.find('\n');
+    const std::string_view line = lines.substr(0, end);
+    lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
+    const auto blank = line.find(' ');
+    if (blank == std::string_view::npos) continue;
+    for (std::size_t kind = 0; kind < names.size(); ++kind) {
+      if (line.substr(0, blank) != names[kind]) continue;
+      records.push_back({static_cast<RecordKind>(kind), unescaped(line.substr(blank + 1))});
+    }
+  }
+  return records;
+}
+
+std::string text_of(const PValue& value) {
+  char numbers[64];
+  std::snprintf(numbers, sizeof numbers, "%.6g %.6g ", value.p, value.alpha);
+  return numbers + value.null;
+}
+
+PValue p_value_in(const std::string& text) {
+  PValue value;
+  char* end = nullptr;
+  value.p = std::strtod(text.c_str(), &end);
+  value.alpha = std::strtod(end, &end);
+  while (*end == ' ') ++end;
+  value.null = end;
+  return value;
+}
+
+}  // namespace mc::protocol

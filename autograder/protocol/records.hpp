@@ -1,0 +1,39 @@
+#pragma once
+// What a check tells the grader beside Catch2's report: a line each, "kind text", line ends in the
+// text escaped.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mc::protocol {
+
+enum class RecordKind {
+  printed,    ///< what the submission wrote to standard output
+  todo,       ///< a task that is not written yet
+  timed_out,  ///< an experiment that ran out of time
+  p_value,    ///< of a random test (PValue)
+  machine,    ///< the machine failed, and how: what the check says is no verdict
+};
+
+struct Record {
+  RecordKind kind;
+  std::string text;
+};
+
+/// One line, without its end.
+std::string line_of(const Record& record);
+
+/// The records in what a check wrote. Lines that are none are passed over.
+std::vector<Record> records_in(std::string_view lines);
+
+/// A random check's word on itself: under the null hypothesis p is uniform, and it fails below
+/// alpha.
+struct PValue {
+  std::string null;
+  double p = 0, alpha = 0;
+};
+std::string text_of(const PValue& value);
+PValue p_value_in(const std::string& text);
+
+}  // namespace mc::protocol

@@ -1,0 +1,253 @@
+#include "sandbox/jail.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sandbox/lockdown.hpp"
+#include "sandbox/printable.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::sandbox {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A page that parent and child both see until the child's exec.
+class SharedFailure {
+ public:
+  SharedFailure() {
+    void* page = mmap(nullptr, sizeof(LaunchFailure), PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (page == MAP_FAILED) fail("mmap");
+    value_ = new (page) LaunchFailure{0, nullptr};
+  }
+  ~SharedFailure() { munmap(value_, sizeof(LaunchFailure)); }
+  LaunchFailure& operator*() const { return *value_; }
+
+ private:
+  LaunchFailure* value_;
+};
+
+/// Everything the parent hears and sees of one child.
+struct Watch {
+  pid_t pid;
+  Descriptor request, printed, response;
+  std::string printed_text{}, response_bytes{};
+  bool out_of_time = false, printed_too_much = false, answered_too_much = false;
+  bool gone = false;
+  int status = 0;
+  rusage used{};
+
+  void kill_now() const {
+    if (gone) return;     // reaped: the number may be another's by now
+    kill(-pid, SIGKILL);  // its session, once it has one
+    kill(pid, SIGKILL);
+  }
+
+  /// Feeds, drains and waits until the child is gone and everything it said is here.
+  void until_gone(std::string_view to_send, const Limits& limits);
+};
+
+void Watch::until_gone(std::string_view to_send, const Limits& limits) {
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(limits.wall_seconds));
+#ifdef SYS_pidfd_open
+  const int raw = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
+  const Descriptor end = raw < 0 ? Descriptor() : Descriptor(raw, "pidfd");
+#else
+  const Descriptor end;
+#endif
+  constexpr std::size_t most = sizeof(wire::Header) + wire::longest_result;
+  while (!gone || printed.get() >= 0 || response.get() >= 0) {
+    if (to_send.empty()) request.reset();
+    pollfd watched[] = {{request.get(), POLLOUT, 0},
+                        {printed.get(), POLLIN, 0},
+                        {response.get(), POLLIN, 0},
+                        {gone ? -1 : end.get(), POLLIN, 0}};
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0 && !gone && !out_of_time) {
+      out_of_time = true;
+      kill_now();
+    }
+    // Without a descriptor for the child's end, look for it now and then.
+    const int patience = end.get() >= 0 ? std::clamp<int>(static_cast<int>(left), 1, 1000) : 2;
+    poll(watched, 4, patience);
+
+    if (watched[0].revents != 0) {
+      const ssize_t sent = write(request.get(), to_send.data(), to_send.size());
+      if (sent > 0) to_send.remove_prefix(static_cast<std::size_t>(sent));
+      if (sent < 0 && errno != EAGAIN && errno != EINTR) to_send = {};  // it does not listen
+    }
+    if (printed.get() >= 0 && !read_available(printed, printed_text, limits.printed))
+      printed.reset();
+    if (response.get() >= 0 && !read_available(response, response_bytes, most)) response.reset();
+    if (printed_text.size() > limits.printed) {
+      printed_too_much = true;
+      printed.reset();
+      kill_now();
+    }
+    if (response_bytes.size() > most) {
+      answered_too_much = true;
+      response.reset();
+      kill_now();
+    }
+    if (!gone && wait4(pid, &status, WNOHANG, &used) == pid) gone = true;
+  }
+}
+
+std::string crash(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+      return "crashed: segmentation fault (outside an array, or out of stack by endless "
+             "recursion?)";
+    case SIGBUS:
+      return "crashed: bus error";
+    case SIGFPE:
+      return "crashed: an integer divided by zero";
+    case SIGILL:
+      return "crashed: illegal instruction (a function that ends without returning its value?)";
+    case SIGABRT:
+      return "crashed: aborted (a failed assertion, a corrupted heap, or an exception in a "
+             "noexcept)";
+    case SIGSYS:
+      return "made a system call a lab never needs (open a file, start a process, use the network)";
+    case SIGKILL:
+      return "was killed (by the machine: out of memory?)";
+    default:
+      return fmt::format("crashed: signal {} ({})", signal, strsignal(signal));
+  }
+}
+
+/// Takes the response apart. False if it is none.
+bool read_response(std::string_view bytes, Outcome& outcome) {
+  wire::Header header;
+  if (bytes.size() < sizeof header) return false;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  bytes.remove_prefix(sizeof header);
+  if (header.magic != wire::magic || header.reserved != 0 || header.length != bytes.size() ||
+      header.status > wire::Status::other_exception) {
+    return false;
+  }
+  outcome.answered = true;
+  outcome.status = header.status;
+  outcome.bytes = std::string(bytes);
+  if (header.status != wire::Status::value) {
+    // One line of a story: 16 MB of it would drown the check's report, lines could pass for ours.
+    constexpr std::size_t longest_text = 200;
+    outcome.bytes = printable_line(shortened(bytes, longest_text));
+  }
+  return true;
+}
+
+Outcome interpret(const Watch& child, const Limits& limits) {
+  Outcome outcome;
+  outcome.printed = printable(child.printed_text.substr(0, limits.printed));
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  outcome.cpu_seconds = seconds(child.used.ru_utime) + seconds(child.used.ru_stime);
+  outcome.peak_memory = static_cast<std::size_t>(child.used.ru_maxrss) * rusage_memory_unit;
+
+  const std::string too_much_memory =
+      fmt::format("wanted more than {} MB of memory", limits.memory >> 20);
+  const bool signaled = WIFSIGNALED(child.status);
+  const int signal = signaled ? WTERMSIG(child.status) : 0;
+  if (child.printed_too_much) {
+    outcome.failure = fmt::format("printed more than {} KB", limits.printed >> 10);
+  } else if (child.answered_too_much) {
+    outcome.failure = fmt::format("sent a result of more than {} MB", wire::longest_result >> 20);
+  } else if (signal == SIGXCPU || outcome.cpu_seconds > std::ceil(limits.cpu_seconds)) {
+    // Also where it caught the signal and came to an end by itself in the second until SIGKILL.
+    outcome.failure = fmt::format("stopped after {} s of CPU time", limits.cpu_seconds);
+    outcome.timed_out = true;
+  } else if (child.out_of_time && jail_is_complete()) {
+    // In there nothing can wait but for the processor.
+    throw std::system_error(ETIMEDOUT, std::generic_category(),
+                            fmt::format("the machine is too busy: {:.1f} s of CPU time in {} s",
+                                        outcome.cpu_seconds, limits.wall_seconds));
+  } else if (child.out_of_time) {
+    outcome.failure = fmt::format("stopped after {} s", limits.wall_seconds);
+    outcome.timed_out = true;
+  } else if (signaled) {
+    outcome.failure = crash(signal);
+  } else if (const int code = WEXITSTATUS(child.status); child.response_bytes.empty()) {
+    outcome.failure = fmt::format("called exit({}) instead of returning", code);
+  } else if (code != 0 || !read_response(child.response_bytes, outcome)) {
+    outcome.failure = "sent something that is not a result";
+  } else if (outcome.status == wire::Status::other_exception && outcome.bytes == "std::bad_alloc") {
+    outcome.answered = false;
+    outcome.failure = too_much_memory;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+Program open_program(const std::string& path) {
+#ifdef O_PATH
+  const int raw = open(path.c_str(), O_PATH | O_CLOEXEC);
+#else
+  const int raw = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+#endif
+  return {Descriptor(raw, path), path};
+}
+
+Outcome run_jailed(const Program& program, std::string_view request, const Limits& limits) {
+  return run_jailed(program.descriptor.get(), program.path, request, limits);
+}
+
+Outcome run_jailed(int descriptor, const std::string& path, std::string_view request,
+                   const Limits& limits) {
+  static const bool prepared = [] {
+    prepare_lockdown();
+    std::signal(SIGPIPE, SIG_IGN);  // a program that does not read its request is no reason to die
+    return true;
+  }();
+  (void)prepared;
+
+  SharedFailure launch;
+  Pipe asked = make_pipe(), said = make_pipe(), answered = make_pipe();
+  make_nonblocking(asked.write);
+  make_nonblocking(said.read);
+  make_nonblocking(answered.read);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid < 0) fail("fork");
+  if (pid == 0) {
+    lock_down_and_exec({descriptor, path.c_str()},
+                       {asked.read.get(), said.write.get(), answered.write.get()}, limits, parent,
+                       *launch);
+    _exit(127);
+  }
+  asked.read.reset();
+  said.write.reset();
+  answered.write.reset();
+
+  Watch child{pid, std::move(asked.write), std::move(said.read), std::move(answered.read)};
+  child.until_gone(request, limits);
+  if ((*launch).error != 0) {
+    throw std::system_error((*launch).error, std::generic_category(),
+                            fmt::format("starting {}: {}", path, (*launch).action));
+  }
+  return interpret(child, limits);
+}
+
+}  // namespace mc::sandbox

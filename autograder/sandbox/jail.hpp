@@ -1,0 +1,56 @@
+#pragma once
+// Runs a submission's program for one measurement, and trusts nothing it does.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "runner/wire.hpp"
+#include "sandbox/descriptor.hpp"
+
+namespace mc::sandbox {
+
+/// What one measurement may use.
+struct Limits {
+  double cpu_seconds = 2;  ///< rounded up to whole seconds, as the kernel counts them
+  /// Far behind the CPU time: who uses it up without that was kept waiting by the machine.
+  double wall_seconds = 60;
+  std::size_t memory = std::size_t{512} << 20;  ///< address space, in bytes
+  std::size_t printed = std::size_t{64} << 10;  ///< on standard output and standard error together
+};
+
+/// How a measurement ended.
+struct Outcome {
+  bool answered = false;                      ///< a complete response came; else see `failure`
+  wire::Status status = wire::Status::value;  ///< when answered: a value, or which exception
+  std::string bytes;    ///< when answered: the result, or the exception's text, as one short line
+  std::string failure;  ///< when not: one line, "stopped after 2 s of CPU time"
+  bool timed_out = false;
+  std::string printed;     ///< what it wrote to standard output and standard error, made printable
+  double cpu_seconds = 0;  ///< as the kernel counted it, from start to end
+  std::size_t peak_memory = 0;  ///< resident, in bytes; of the judge's own at least
+};
+
+/// A program on disk, opened (O_PATH where there is such a thing) so that what is judged is what
+/// was built, whatever is renamed over it since.
+struct Program {
+  Descriptor descriptor;
+  std::string path;
+};
+Program open_program(const std::string& path);  ///< throws std::system_error
+
+/// Starts the program in the jail, gives it `request`, and waits for its end. What the jail is
+/// stands in docs/security.md. Throws std::system_error where the machine fails, or is too busy to
+/// run it within its wall time, never for anything that the program does.
+Outcome run_jailed(const Program& program, std::string_view request, const Limits& limits = {});
+
+/// The same of a program that another process has opened: `descriptor` stays the caller's.
+Outcome run_jailed(int descriptor, const std::string& path, std::string_view request,
+                   const Limits& limits = {});
+
+/// Is every wall of the jail there? False where the kernel or the build has no seccomp: a grade
+/// must then say so.
+bool jail_is_complete();
+
+}  // namespace mc::sandbox

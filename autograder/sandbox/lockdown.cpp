@@ -1,0 +1,249 @@
+#include "sandbox/lockdown.hpp"
+
+#include <fcntl.h>
+#include <grp.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <system_error>
+#include <vector>
+
+#ifdef __linux__
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#endif
+#ifdef MC_HAVE_SECCOMP
+#include <seccomp.h>
+#endif
+
+namespace mc::sandbox {
+namespace {
+
+constexpr int program_descriptor = 4;  // behind request 0, printed 1 and 2, response 3
+
+/// What execveat is given, on one page at an address nobody can guess. The filter lets exec through
+/// only with pointers into this page; the page goes with the exec, so no second one can follow.
+struct LaunchPage {
+  char empty_path[8];
+  char name[16];
+  char* arguments[2];
+  char* environment[1];
+};
+LaunchPage* launch_page = nullptr;
+
+#ifdef MC_HAVE_SECCOMP
+
+std::vector<sock_filter> filter;
+constexpr std::uint32_t pid_placeholder = 0x5eedc0deu;  // no pid: those end at 2^22
+
+[[noreturn]] void fail_with(int error, const char* action) {
+  throw std::system_error(error < 0 ? -error : error, std::generic_category(), action);
+}
+
+LaunchPage* make_launch_page() {
+  std::random_device random;
+  const auto page_size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  for (int attempt = 0; attempt < 64; ++attempt) {
+    const std::uint64_t bits = std::uint64_t{random()} << 32 | random();
+    const std::uint64_t address = (bits & 0x3fff'ffff'0000u) + 0x1000'0000'0000u;
+    void* page = mmap(reinterpret_cast<void*>(address), page_size, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+    if (page == MAP_FAILED) continue;
+    if (page == reinterpret_cast<void*>(address)) {
+      auto* launch = new (page) LaunchPage{"", "submission", {}, {}};
+      launch->arguments[0] = launch->name;
+      return launch;
+    }
+    munmap(page, page_size);
+  }
+  fail_with(ENOMEM, "no page for the launch");
+}
+
+/// Allows `call` where all `conditions` on its arguments hold.
+template <class... Conditions>
+void allow(scmp_filter_ctx context, int call, Conditions... conditions) {
+  const int error =
+      seccomp_rule_add(context, SCMP_ACT_ALLOW, call, sizeof...(conditions), conditions...);
+  if (error != 0) fail_with(error, "seccomp_rule_add");
+}
+
+scmp_datum_t datum(const void* pointer) {
+  return reinterpret_cast<scmp_datum_t>(pointer);
+}
+
+void add_rules(scmp_filter_ctx context) {
+  // Computing, memory, clocks, ending.
+  for (const int call : {SCMP_SYS(brk),           SCMP_SYS(mmap),         SCMP_SYS(munmap),
+                         SCMP_SYS(mremap),        SCMP_SYS(mprotect),     SCMP_SYS(madvise),
+                         SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres), SCMP_SYS(gettimeofday),
+                         SCMP_SYS(time),          SCMP_SYS(getrandom),    SCMP_SYS(getpid),
+                         SCMP_SYS(gettid),        SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask),
+                         SCMP_SYS(rt_sigreturn),  SCMP_SYS(sigaltstack),  SCMP_SYS(sched_yield),
+                         SCMP_SYS(exit),          SCMP_SYS(exit_group)}) {
+    allow(context, call);
+  }
+  // What a static C library does on its way to main().
+  for (const int call : {SCMP_SYS(arch_prctl), SCMP_SYS(set_tid_address), SCMP_SYS(set_robust_list),
+                         SCMP_SYS(rseq), SCMP_SYS(uname)}) {
+    allow(context, call);
+  }
+  // pthread_once, under std::call_once and the locales, always wakes; nobody may wait.
+  for (const unsigned wake : {1u, 129u}) {  // FUTEX_WAKE, and private
+    allow(context, SCMP_SYS(futex), SCMP_A1_32(SCMP_CMP_EQ, wake));
+  }
+  allow(context, SCMP_SYS(read), SCMP_A0_32(SCMP_CMP_EQ, 0));
+  for (const unsigned descriptor : {1u, 2u, 3u}) {
+    allow(context, SCMP_SYS(write), SCMP_A0_32(SCMP_CMP_EQ, descriptor));
+    allow(context, SCMP_SYS(writev), SCMP_A0_32(SCMP_CMP_EQ, descriptor));
+  }
+  // abort(), of itself only; reading its own limits, setting none.
+  allow(context, SCMP_SYS(tgkill), SCMP_A0_32(SCMP_CMP_EQ, pid_placeholder),
+        SCMP_A2_32(SCMP_CMP_EQ, SIGABRT));
+  allow(context, SCMP_SYS(prlimit64), SCMP_A0_32(SCMP_CMP_EQ, 0), SCMP_A2_64(SCMP_CMP_EQ, 0));
+  // The one exec.
+  allow(context, SCMP_SYS(execveat), SCMP_A0_32(SCMP_CMP_EQ, program_descriptor),
+        SCMP_A1_64(SCMP_CMP_EQ, datum(launch_page->empty_path)),
+        SCMP_A2_64(SCMP_CMP_EQ, datum(launch_page->arguments)),
+        SCMP_A3_64(SCMP_CMP_EQ, datum(launch_page->environment)),
+        SCMP_A4_32(SCMP_CMP_EQ, AT_EMPTY_PATH));
+  // Tried by a static glibc, which copes with a no.
+  for (const int call : {SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(fstat),
+                         SCMP_SYS(newfstatat), SCMP_SYS(statx), SCMP_SYS(ioctl), SCMP_SYS(lseek)}) {
+    const int error = seccomp_rule_add(context, SCMP_ACT_ERRNO(EPERM), call, 0);
+    if (error != 0) fail_with(error, "seccomp_rule_add");
+  }
+}
+
+/// The filter as instructions, the child's pid still a placeholder.
+std::vector<sock_filter> export_filter() {
+  const scmp_filter_ctx context = seccomp_init(SCMP_ACT_KILL_PROCESS);
+  if (context == nullptr) fail_with(ENOMEM, "seccomp_init");
+  add_rules(context);
+  const int file = memfd_create("filter", MFD_CLOEXEC);
+  if (file < 0) fail_with(errno, "memfd_create");
+  if (const int error = seccomp_export_bpf(context, file); error != 0) {
+    fail_with(error, "seccomp_export_bpf");
+  }
+  seccomp_release(context);
+  const auto size = static_cast<std::size_t>(lseek(file, 0, SEEK_END));
+  std::vector<sock_filter> instructions(size / sizeof(sock_filter));
+  if (pread(file, instructions.data(), size, 0) != static_cast<ssize_t>(size)) {
+    fail_with(errno, "reading the filter");
+  }
+  close(file);
+  return instructions;
+}
+
+#endif  // MC_HAVE_SECCOMP
+
+bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
+  const rlimit value{soft, hard};
+  return setrlimit(resource, &value) == 0;
+}
+
+void close_from(int first) {
+#ifdef SYS_close_range
+  if (syscall(SYS_close_range, first, ~0u, 0) == 0) return;
+#endif
+  for (int descriptor = first; descriptor < 4096; ++descriptor) close(descriptor);
+}
+
+}  // namespace
+
+bool jail_is_complete() {
+#ifdef MC_HAVE_SECCOMP
+  return true;
+#else
+  return false;
+#endif
+}
+
+void prepare_lockdown() {
+#ifdef MC_HAVE_SECCOMP
+  launch_page = make_launch_page();
+  filter = export_filter();
+#else
+  static LaunchPage page{"", "submission", {}, {}};
+  page.arguments[0] = page.name;
+  launch_page = &page;
+#endif
+}
+
+void lock_down_and_exec(const Executable& program, const Ends& ends, const Limits& limits,
+                        pid_t parent, LaunchFailure& failure) {
+  const auto failed = [&](const char* action) {
+    failure.action = action;
+    failure.error = errno;
+  };
+
+  if (setsid() < 0) return failed("setsid");
+  if (dup2(ends.request, 0) < 0 || dup2(ends.printed, 1) < 0 || dup2(ends.printed, 2) < 0 ||
+      dup2(ends.response, 3) < 0 || dup2(program.descriptor, program_descriptor) < 0) {
+    return failed("dup2");
+  }
+  if (fcntl(program_descriptor, F_SETFD, FD_CLOEXEC) != 0) return failed("fcntl");
+  close_from(program_descriptor + 1);
+  if (chdir("/") != 0) return failed("chdir");
+
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  signal(SIGPIPE, SIG_DFL);
+
+  const auto cpu = static_cast<rlim_t>(std::ceil(limits.cpu_seconds));
+  constexpr rlim_t stack = rlim_t{16} << 20;
+  if (!limit(RLIMIT_CPU, cpu, cpu + 1) || !limit(RLIMIT_STACK, stack, stack) ||
+      !limit(RLIMIT_FSIZE, 0, 0) || !limit(RLIMIT_CORE, 0, 0)) {
+    return failed("setrlimit");
+  }
+#ifdef __linux__
+  if (!limit(RLIMIT_AS, limits.memory, limits.memory)) return failed("setrlimit");
+#endif
+
+  if (geteuid() == 0) {
+    if (setgroups(0, nullptr) != 0) return failed("setgroups");
+    if (setgid(jailed_user) != 0) return failed("setgid");
+    if (setuid(jailed_user) != 0) return failed("setuid");
+  }
+  // After the user change: a limit of 0 before it would forbid the exec that follows it.
+  if (!limit(RLIMIT_NPROC, 0, 0)) return failed("setrlimit");
+
+#ifdef __linux__
+  // After the user change, which forgets it.
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return failed("prctl");
+  if (getppid() != parent) _exit(127);  // the parent died before it could be told
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("no_new_privs");
+#else
+  (void)parent;
+#endif
+
+#ifdef MC_HAVE_SECCOMP
+  // This process has its own copy of the filter, and one thread: patching it in place is safe.
+  const auto self = static_cast<std::uint32_t>(getpid());
+  for (sock_filter& instruction : filter) {
+    if (BPF_CLASS(instruction.code) == BPF_JMP && instruction.k == pid_placeholder) {
+      instruction.k = self;
+    }
+  }
+  const sock_fprog installed{static_cast<unsigned short>(filter.size()), filter.data()};
+  if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &installed) != 0) return failed("seccomp");
+#endif
+
+#ifdef __linux__
+  syscall(SYS_execveat, program_descriptor, launch_page->empty_path, launch_page->arguments,
+          launch_page->environment, AT_EMPTY_PATH);
+#else
+  execve(program.path, launch_page->arguments, launch_page->environment);
+#endif
+  failed("exec");
+}
+
+}  // namespace mc::sandbox

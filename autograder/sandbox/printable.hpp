@@ -1,0 +1,22 @@
+#pragma once
+// Text of strangers, made fit to be shown.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace mc::sandbox {
+
+/// `text` with everything that is not printable ASCII or well-formed UTF-8 replaced by '?', so that
+/// it can stand in a terminal, in JSON and in XML; line ends and tabs stay. What turns the direction
+/// of writing, and what nobody can see, goes too: whoever reads it sees what there is.
+std::string printable(std::string_view text);
+
+/// The same on one line: line ends and tabs become blanks. For names.
+std::string printable_line(std::string_view text);
+
+/// The beginning of `text`, `most` bytes of it at most, no UTF-8 sequence cut in two; with " …"
+/// where something is missing.
+std::string shortened(std::string_view text, std::size_t most);
+
+}  // namespace mc::sandbox

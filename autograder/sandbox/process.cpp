@@ -1,0 +1,189 @@
+#include "sandbox/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "sandbox/descriptor.hpp"
+
+extern char** environ;
+
+namespace mc::sandbox {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<std::string> environment_with(
+    const std::vector<std::pair<std::string, std::string>>& changes) {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    bool replaced = false;
+    for (const auto& [name, value] : changes) replaced |= text.starts_with(name + "=");
+    if (!replaced) all.push_back(text);
+  }
+  for (const auto& [name, value] : changes) all.push_back(name + "=" + value);
+  return all;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  for (std::string& text : texts) all.push_back(text.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+/// Where PATH has the program; the name itself where it has none, so that exec says what is wrong.
+/// Looked up before the fork: what searches PATH may allocate.
+std::string found_in_path(const std::string& name) {
+  if (name.find('/') != std::string::npos) return name;
+  const char* path = std::getenv("PATH");
+  std::string_view left = path == nullptr ? "/usr/bin:/bin" : path;
+  while (!left.empty()) {
+    const auto colon = left.find(':');
+    const std::string candidate = std::string(left.substr(0, colon)) + '/' + name;
+    if (candidate[0] == '/' && access(candidate.c_str(), X_OK) == 0) return candidate;
+    if (colon == std::string_view::npos) break;
+    left.remove_prefix(colon + 1);
+  }
+  return name;
+}
+
+/// Everything the child needs, made before the fork.
+struct Launch {
+  const char* path;
+  char* const* arguments;
+  char* const* environment;
+  const char* directory;
+  int input, output, errors;
+  pid_t parent;
+};
+
+bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
+  const rlimit both{value, value};
+  return setrlimit(resource, &both) == 0;
+}
+
+/// In the child, between fork and exec: async-signal-safe calls only.
+[[noreturn]] void become(const Launch& launch, const ProcessOptions& options) {
+  // In a session of its own: it is killed with whatever it has started, and never reads a terminal.
+  setsid();
+#ifdef __linux__
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != launch.parent) _exit(exit_not_started);
+#endif
+  if (dup2(launch.input, 0) < 0 || dup2(launch.output, 1) < 0 || dup2(launch.errors, 2) < 0) {
+    _exit(exit_not_started);
+  }
+  // Ours are all above those that a child is given (descriptor.hpp): none lies on another one.
+  for (const auto& [ours, theirs] : options.descriptors) {
+    if (dup2(ours, theirs) < 0) _exit(exit_not_started);
+  }
+  if (*launch.directory != '\0' && chdir(launch.directory) != 0) _exit(exit_not_started);
+  bool limited = true;
+  if (options.cpu_seconds > 0) {
+    limited &= limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(options.cpu_seconds)));
+  }
+  if (options.file_size > 0) limited &= limit(RLIMIT_FSIZE, options.file_size);
+  if (options.memory > 0) limited &= limit(RLIMIT_CORE, 0);
+#ifdef __linux__
+  if (options.memory > 0) limited &= limit(RLIMIT_AS, options.memory);
+#endif
+  if (!limited) _exit(exit_not_started);
+  signal(SIGPIPE, SIG_DFL);
+  execve(launch.path, launch.arguments, launch.environment);
+  _exit(127);
+}
+
+/// Milliseconds until the deadline, rounded up; -1 for none.
+int patience_of(const ProcessOptions& options, Clock::time_point start, bool killed) {
+  int patience = -1;
+  if (options.wall_seconds > 0 && !killed) {
+    const double left =
+        options.wall_seconds - std::chrono::duration<double>(Clock::now() - start).count();
+    patience = std::max(0, static_cast<int>(left * 1000)) + 1;
+  }
+  if (options.stop != nullptr) patience = patience < 0 ? 200 : std::min(patience, 200);
+  return patience;
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+  auto words = command;
+  auto variables = environment_with(options.environment);
+  const auto arguments = pointers(words), environment = pointers(variables);
+  const std::string directory = options.directory.string(), path = found_in_path(command[0]);
+
+  Pipe output = make_pipe(), errors = make_pipe();
+  const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
+  const Launch launch{path.c_str(),  arguments.data(),   environment.data(), directory.c_str(),
+                      nothing.get(), output.write.get(), errors.write.get(), getpid()};
+  const pid_t pid = fork();
+  if (pid < 0) fail("fork");
+  if (pid == 0) become(launch, options);
+  output.write.reset();
+  errors.write.reset();
+  make_nonblocking(output.read);
+  make_nonblocking(errors.read);
+
+  ProcessResult result;
+  const auto start = Clock::now();
+  Descriptor* const ends[] = {&output.read, &errors.read};
+  std::string* const texts[] = {&result.output, &result.errors};
+  bool killed = false;
+  while (*ends[0] || *ends[1]) {
+    pollfd watched[] = {{ends[0]->get(), POLLIN, 0}, {ends[1]->get(), POLLIN, 0}};
+    if (poll(watched, 2, patience_of(options, start, killed)) < 0 && errno != EINTR) fail("poll");
+    for (int i = 0; i < 2; ++i) {
+      if (!*ends[i]) continue;
+      std::string some;
+      if (!read_available(*ends[i], some, std::size_t{1} << 16)) ends[i]->reset();
+      if (texts[i]->size() < options.output) {
+        texts[i]->append(some, 0, options.output - texts[i]->size());
+      }
+    }
+    const bool late =
+        options.wall_seconds > 0 &&
+        std::chrono::duration<double>(Clock::now() - start).count() >= options.wall_seconds;
+    const bool stopped = options.stop != nullptr && *options.stop;
+    if (!killed && (late || stopped)) {
+      killed = true;
+      result.out_of_time = late && !stopped;
+      kill(-pid, SIGKILL);
+      kill(pid, SIGKILL);  // where it has no session of its own yet
+    }
+  }
+  int status = 0;
+  rusage used{};
+  while (wait4(pid, &status, 0, &used) < 0) {
+    if (errno != EINTR) fail("wait4");
+  }
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  if (result.exit_code == exit_not_started) {
+    throw std::system_error(EAGAIN, std::generic_category(), "cannot start " + command[0]);
+  }
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  result.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+  result.peak_memory = static_cast<std::size_t>(used.ru_maxrss) * rusage_memory_unit;
+  return result;
+}
+
+}  // namespace mc::sandbox
