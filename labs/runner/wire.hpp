@@ -102,11 +102,13 @@ class Reader {
   template <class T>
   void get(std::vector<T>& values) {
     const std::uint64_t size = get_size();
-    values.resize(size);
+    values.clear();
     if constexpr (Arithmetic<T>) {
+      if (size > left_.size() / sizeof(T)) throw malformed("too short");
+      values.resize(size);
       take(values.data(), size * sizeof(T));
-    } else {
-      for (T& value : values) get(value);
+    } else {  // one by one: memory for what is there, not for what is claimed
+      for (std::uint64_t i = 0; i < size; ++i) get(values.emplace_back());
     }
   }
   template <Listed T>

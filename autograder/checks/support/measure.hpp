@@ -2,6 +2,7 @@
 // Asking a submission's program for a measurement, from inside a check.
 //
 //   const auto got = MEASURE(variance_two_pass, x);        // Measured<double>: got.value, got.call
+//   const auto& u = MEASURE(uniforms, 1000, seed).exactly(1000, unit);  // lists: through the gate
 //   const auto refused = MEASURE_OUTCOME(covariance, x, y);  // to look at exceptions
 //
 // The types come from the experiment's declaration; nothing of the experiment is linked here. A
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "common/rng.hpp"
+#include "checks/support/gate.hpp"
 #include "protocol/records.hpp"
 #include "runner/text.hpp"
 #include "runner/wire.hpp"
@@ -34,12 +36,53 @@
 
 namespace mc::checks {
 
+/// What a call brought, as it came. A number or a struct of numbers is there as `value`: what a check
+/// expects of it, NaN does not meet. Lists are a stranger's in length and content: they are reached
+/// through the gate only (gate.hpp).
 template <class T>
 struct Measured {
   T value;
   std::string call;             ///< "mean({1, 2, 4})"
   double cpu_seconds = 0;       ///< of the whole program, seen from outside
   std::size_t peak_memory = 0;  ///< of the program, in bytes
+};
+template <HasLists T>
+struct Measured<T> {
+ public:
+  Measured(T value, std::string from, double cpu, std::size_t memory)
+      : call(std::move(from)), cpu_seconds(cpu), peak_memory(memory), value_(std::move(value)) {}
+
+  std::string call;
+  double cpu_seconds = 0;
+  std::size_t peak_memory = 0;
+
+  /// Exactly `count` values in each list, each in `range`; ends the check otherwise.
+  const T& exactly(std::size_t count, const Range& range = finite) const {
+    return admitted(Sizes{{count}, true, false}, range);
+  }
+  /// The same where the lists of a struct differ: the counts of each, in order.
+  const T& exactly(std::initializer_list<std::size_t> counts, const Range& range = finite) const {
+    return admitted(Sizes{counts, false, false}, range);
+  }
+  /// As many values in each list, `most` at the most.
+  const T& at_most(std::size_t most, const Range& range = finite) const {
+    return admitted(Sizes{{most}, true, true}, range);
+  }
+  /// For plots: nothing where exactly() would end the check.
+  const T* if_exactly(std::size_t count, const Range& range = finite) const {
+    return objection(value_, Sizes{{count}, true, false}, range) ? nullptr : &value_;
+  }
+  const T* if_at_most(std::size_t most, const Range& range = finite) const {
+    return objection(value_, Sizes{{most}, true, true}, range) ? nullptr : &value_;
+  }
+
+ private:
+  const T& admitted(const Sizes& sizes, const Range& range) const {
+    if (const auto what = objection(value_, sizes, range)) refuse(call, *what);
+    pass();
+    return value_;
+  }
+  T value_;
 };
 
 struct Call {
@@ -49,12 +92,6 @@ struct Call {
 
 /// The generator of this check in this run: seeded by the run's seed and the check's name.
 Rng check_rng();
-
-/// Ends the check: it failed, and this is the story.
-[[noreturn]] void fail(const std::string& story);
-
-/// Counts one expectation that was met: Catch2 takes a check without any for an empty one.
-void pass();
 
 /// Asks the program; ends the check where there is none, or where it may not be asked any more.
 Call ask(std::string_view experiment, std::string call, std::string request,
@@ -131,7 +168,8 @@ struct Measure<Result(Parameters...)> {
       wire::Reader from(call.outcome.bytes);
       auto result = from.get<Result>();
       from.end();
-      return {std::move(result), call.text, call.outcome.cpu_seconds, call.outcome.peak_memory};
+      return Measured<Result>{std::move(result), call.text, call.outcome.cpu_seconds,
+                              call.outcome.peak_memory};
     } catch (const wire::malformed&) {
       fail("measured  " + call.text + " sent something that is not a result");
     }

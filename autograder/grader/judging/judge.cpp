@@ -21,10 +21,14 @@ namespace {
 
 /// Takes "[1.3][points:8][needs:1.1][needs:1.2]" apart.
 Check parse_check(const XmlRecord& record) {
-  Check check{record.name, record.name.substr(0, record.name.find(' ')), {}, 0, false};
+  Check check;
+  check.name = record.name;
+  check.task = record.name.substr(0, record.name.find(' '));
   for (std::string_view tag : text::split(record.tags, '[')) {
     if (tag.ends_with(']')) tag.remove_suffix(1);
     if (tag.starts_with("points:")) check.points = std::strtod(tag.data() + 7, nullptr);
+    if (tag == "main") check.is_main = true;
+    if (tag == "edge") check.is_edge = true;
     if (tag == "slow") check.is_slow = true;
     if (tag.starts_with("needs:")) check.needs.emplace_back(tag.substr(6));
   }
@@ -112,6 +116,17 @@ void find_waiting(std::vector<CheckResult>& results) {
   }
 }
 
+/// A refusal or an edge case that happens to be right is worth nothing where the task is not done.
+void withhold(std::vector<CheckResult>& results) {
+  for (CheckResult& result : results) {
+    if (result.status != Status::passed || !result.check.is_edge) continue;
+    for (const CheckResult& other : results) {
+      const bool stands = other.status == Status::passed || !other.check.is_main;
+      if (other.check.task == result.check.task && !stands) result.status = Status::withheld;
+    }
+  }
+}
+
 std::string repeat_command(const Lab& lab, const Check& check, const JudgeOptions& options) {
   const bool plain = options.submission.empty() || options.submission == "starter";
   const bool quoted = options.submission.find_first_of(" '\"$&;()<>|*?") != std::string::npos;
@@ -176,6 +191,7 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
   if (built.program) {
     run_checks(layout, lab, *built.program, options, verdict.checks);
     find_waiting(verdict.checks);
+    withhold(verdict.checks);
   } else {
     for (CheckResult& result : verdict.checks) {
       result.status = Status::not_run;

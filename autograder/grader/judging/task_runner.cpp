@@ -19,8 +19,8 @@ namespace {
 
 /// What a process of checks may use for itself, beside the programs that it asks. A right answer is
 /// judged in a second and 200 MB.
-constexpr double check_cpu_seconds = 20;
-constexpr std::size_t check_memory = std::size_t{2} << 30;
+constexpr double check_cpu_seconds = 10;
+constexpr std::size_t check_memory = std::size_t{1} << 30;
 /// No verdict hangs on it: who comes this far was kept waiting by the machine.
 constexpr double check_wall_seconds = 400;
 

@@ -53,6 +53,8 @@ std::string describe(const CheckResult& result, const LabVerdict& verdict) {
       return "failed";
     case Status::not_written:
       return "not written yet";
+    case Status::withheld:
+      return "passed; counts once the main check of " + result.check.task + " passes";
     case Status::waiting:
       for (const std::string& need : result.check.needs) {
         for (const std::string& lab : verdict.unfinished) {

@@ -16,6 +16,7 @@ enum class Status {
   passed,
   failed,
   not_written,     ///< the task throws mc::todo
+  withheld,        ///< passed, but it counts only with its task's main check, which did not
   waiting,         ///< failed, and so did a task or a lab that it needs: one fault, not two
   not_run,         ///< the task's time was used up, or there is no program
   not_judged,      ///< the machine failed: no verdict, and no zero
@@ -28,6 +29,8 @@ struct Check {
   std::string task;                ///< "1.3"
   std::vector<std::string> needs;  ///< tasks ("1.1") and labs ("3") without which it cannot pass
   double points = 0;
+  bool is_main = false;  ///< of its task: what the task is about
+  bool is_edge = false;  ///< refusals, edge cases, speed: counts only where the main check passes
   bool is_slow = false;  ///< takes a good part of the lab's time: begun first, beside the others
 };
 
