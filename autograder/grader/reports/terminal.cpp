@@ -122,7 +122,10 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
     const CheckResult& result = lab.checks[i];
     const bool passed = result.status == Status::passed;
-    if (!passed && next == nullptr && result.status != Status::waiting) next = &result;
+    if (!passed && next == nullptr && result.status != Status::waiting &&
+        result.status != Status::withheld) {
+      next = &result;
+    }
     const std::string points = points_of(result.earned(), result.check.points);
     if (!lab.no_program.empty()) continue;
     if (passed) {
