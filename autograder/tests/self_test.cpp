@@ -13,7 +13,7 @@
 //                                    // earns: the points at most, 0 if nothing is said
 //                                    // says: words that must stand in the story of some check
 //                                    // never says: words that must stand nowhere in it
-//                                    whatever is shown is sandbox::printable and in lines that fit
+//                                    whatever is shown is mc::sandbox::printable and in lines that fit
 //   …/peers/library/x.cpp            // peer: what of the library it is
 //                                    // fails: as "caught by"; of one reason, one after the other
 //                                    // because: why the library does not do what the lab asks for
@@ -38,6 +38,7 @@
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"
 #include "runner/text.hpp"
+#include "sandbox/printable.hpp"
 
 namespace fs = std::filesystem;
 using namespace mc::grader;
@@ -95,7 +96,7 @@ class PValues {
   void add(const LabVerdict& verdict) {
     double alphas = 0;
     for (const CheckResult& result : verdict.checks) {
-      for (const PValue& value : result.p_values) {
+      for (const mc::protocol::PValue& value : result.p_values) {
         alphas += value.alpha;
         of_null_[value.null].push_back(value.p);
         all_.push_back(value.p);
@@ -163,7 +164,7 @@ class Progress {
     std::ifstream file(file_);
     for (std::string line; std::getline(file, line);) {
       char* rest = nullptr;
-      PValue value;
+      mc::protocol::PValue value;
       value.p = std::strtod(line.c_str(), &rest);
       value.alpha = std::strtod(rest, &rest);
       if (line == "seed done") {
@@ -181,7 +182,7 @@ class Progress {
   void keep(const LabVerdict& verdict) const {
     std::string lines;
     for (const CheckResult& result : verdict.checks) {
-      for (const PValue& value : result.p_values) {
+      for (const mc::protocol::PValue& value : result.p_values) {
         lines += fmt::format("{} {}{}\n", value.p, value.alpha, value.null);
       }
     }
@@ -311,7 +312,7 @@ void prove_attack(const Proof& proof, const fs::path& file) {
   for (const std::string& word : said(file, "never says")) {
     if (stories.find(word) != std::string::npos) complain("a story says: " + word);
   }
-  if (sandbox::printable(stories) != stories) complain("what it is told is not printable");
+  if (mc::sandbox::printable(stories) != stories) complain("what it is told is not printable");
   for (const std::string_view line : mc::text::split(proof.report(verdict, seed), '\n')) {
     constexpr std::size_t longest = 420;  // a compiler's line, cut
     if (line.size() > longest) complain(fmt::format("too long a line: {}", line.substr(0, 80)));
