@@ -9,8 +9,9 @@ target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab"
 add_test(NAME grader COMMAND grader_tests)
 
 # Every submission of the repository, with what its first lines say must happen to it.
-add_executable(self_test EXCLUDE_FROM_ALL autograder/tests/self_test.cpp)
-target_link_libraries(self_test PRIVATE grading checking checking_figures)
+add_executable(self_test EXCLUDE_FROM_ALL autograder/tests/self_test.cpp
+  autograder/checks/support/distributions.cpp)
+target_link_libraries(self_test PRIVATE grading)
 own_target(self_test)
 own_target(grader_tests)
 add_test(NAME repository COMMAND self_test repository)
