@@ -6,7 +6,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <future>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -14,9 +13,11 @@
 #include "bench/bench.hpp"
 #include "bench/plots.hpp"
 #include "grader/context/errors.hpp"
+#include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/submission/build.hpp"
+#include "grader/submission/compile.hpp"
 #include "grader/verbs/verb.hpp"
 #include "protocol/environment.hpp"
 #include "runner/text.hpp"
@@ -139,7 +140,7 @@ class BenchRun {
   void enter(const Lab& lab, const std::vector<Submission>& submissions) {
     for (const Submission& submission : submissions) {
       if (stop || !submission.files.contains(lab.name)) continue;
-      Built built = build_program(context_.layout, lab, submission, Variant::speed);
+      Built built = build_program(context_.layout, lab, submission);
       if (built.program) {
         entrants_.push_back({lab, submission.label, std::move(*built.program)});
       } else {
@@ -225,14 +226,8 @@ class BenchRun {
                   workers);
   }
   void run_beside(const std::vector<Job>& jobs, double workers) {
-    std::atomic<std::size_t> next{0};
-    std::vector<std::future<void>> all;
-    for (int i = 0; i < static_cast<int>(workers); ++i) {
-      all.push_back(std::async(std::launch::async, [&] {
-        for (std::size_t k = next++; k < jobs.size(); k = next++) run(jobs[k], workers);
-      }));
-    }
-    for (auto& one : all) one.get();
+    run_side_by_side(jobs.size(), static_cast<unsigned>(workers),
+                     [&](std::size_t k) { run(jobs[k], workers); });
   }
 
   const Context& context_;
@@ -257,7 +252,7 @@ void describe_machine(const Layout& layout, Bench& bench) {
   bench.system = fmt::format("{} {}", system.sysname, system.machine);
   const auto version = sandbox::run_process({layout.compiler, "--version"}).output;
   bench.compiler = version.substr(0, version.find('\n'));
-  bench.flags = fmt::format("{}", fmt::join(compile_flags(Variant::speed), " "));
+  bench.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
   bench.version = layout.version;
 }
 
@@ -272,14 +267,15 @@ int run_bench(const Context& context, const Arguments& arguments) {
   const bool has_solutions = fs::exists(context.layout.solutions());
   if (has_solutions) {
     submissions.push_back(
-        open_submission(context.layout, context.labs, context.layout.solutions()));
+        open_submission(context.labs, context.layout.solutions()));
     submissions.back().label = "solutions";
   }
   for (const std::string& word : arguments.words) {
     if (fs::is_directory(word)) {
-      submissions.push_back(open_submission(context.layout, context.labs, word));
+      submissions.push_back(open_submission(context.labs, word));
       submissions.back().label = as_label(word);
-      if (submissions.back().trusted && submissions.size() > 1) submissions.pop_back();
+      if (is_reference(context.layout, submissions.back()) && submissions.size() > 1)
+        submissions.pop_back();
     } else {
       labs.push_back(find_lab(context.labs, word));
     }

@@ -3,12 +3,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include <fmt/format.h>
 
 #include "grader/context/errors.hpp"
+#include "grader/reports/report.hpp"
 #include "grader/verbs/list.hpp"
 #include "grader/verbs/verb.hpp"
 
@@ -40,11 +42,11 @@ const Verb* find_verb(std::string_view name) {
   return nullptr;
 }
 
-/// Becomes the program that has the verb.
-[[noreturn]] void hand_over(const Layout& layout, const VerbEntry& entry, char** words) {
-  const std::string program = (layout.build / "bin" / entry.program).string();
+/// Becomes another of the programs.
+[[noreturn]] void hand_over(const Layout& layout, std::string_view name, char** words) {
+  const std::string program = (layout.build / "bin" / name).string();
   execv(program.c_str(), words);
-  throw MachineError(fmt::format("{} is not built: run ./lab {}", program, entry.name));
+  throw MachineError(fmt::format("{} is not built: run ./lab setup", program));
 }
 
 int dispatch(char** argv) {
@@ -61,12 +63,15 @@ int dispatch(char** argv) {
   }
   const VerbEntry& entry = find_entry(words.empty() ? "" : words[0]);
   const Verb* const verb = find_verb(entry.name);
-  if (verb == nullptr) hand_over(context.layout, entry, argv);
+  if (verb == nullptr) hand_over(context.layout, entry.program, argv);
   const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
   if (!rest.empty() && (rest[0] == "--help" || rest[0] == "-h")) {
     fmt::print("usage: ./lab {}\n\n{}.\n{}", verb->usage, entry.description, verb->details);
     return 0;
   }
+  const bool wants_json = std::any_of(
+      rest.begin(), rest.end(), [](const std::string& word) { return word.starts_with("--json"); });
+  if (wants_json && report_json == nullptr) hand_over(context.layout, gradebook, argv);
   const Arguments arguments = parse_arguments(rest, verb->options, verb->words_before_verbatim);
   context.labs = find_labs(context.layout);
   return verb->run(context, arguments);

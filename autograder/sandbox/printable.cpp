@@ -38,7 +38,8 @@ std::string printable(std::string_view text) {
     constexpr std::uint32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
     const bool allowed =
         whole && point >= smallest[length] && point <= 0x10ffff &&
-        !(point >= 0xd800 && point <= 0xdfff) && (point & 0xfffe) != 0xfffe && !is_deceptive(point) &&
+        !(point >= 0xd800 && point <= 0xdfff) && (point & 0xfffe) != 0xfffe &&
+        !is_deceptive(point) &&
         (point >= 0xa0 || (point >= 0x20 && point < 0x7f) || point == '\n' || point == '\t');
     if (allowed) {
       clean.append(text.substr(i, length));

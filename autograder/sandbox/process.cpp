@@ -183,6 +183,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   };
   result.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
   result.peak_memory = static_cast<std::size_t>(used.ru_maxrss) * rusage_memory_unit;
+  result.written = static_cast<std::size_t>(used.ru_oublock) * 512;
   return result;
 }
 

@@ -30,7 +30,8 @@ struct ProcessResult {
   std::string output;           ///< standard output
   std::string errors;           ///< standard error
   double cpu_seconds = 0;       ///< with that of the processes that it waited for
-  std::size_t peak_memory = 0;  ///< resident, in bytes
+  std::size_t peak_memory = 0;  ///< resident, in bytes, of the largest
+  std::size_t written = 0;      ///< bytes to disk, where the system counts them
   bool succeeded() const { return exit_code == 0; }
 };
 

@@ -20,7 +20,7 @@ struct Labs {
   std::string failure(const std::string& text, const std::string& directory = "scratch") const {
     const Scratch scratch(directory);
     scratch.write("variance.cpp", text);
-    return build_program(layout, lab, open_submission(layout, labs, scratch.path())).failure;
+    return build_program(layout, lab, open_submission(labs, scratch.path())).failure;
   }
 };
 
@@ -33,7 +33,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("a file that is there in name only") {
   const Labs labs;
   const Scratch scratch;
-  const auto none = open_submission(labs.layout, labs.labs, scratch.path());
+  const auto none = open_submission(labs.labs, scratch.path());
   CHECK(build_program(labs.layout, labs.lab, none).failure == "There is no variance.cpp.");
   CHECK(labs.failure("") == "variance.cpp is empty.");
   CHECK(labs.failure("\xef\xbb\xbf \r\n\t\n") == "variance.cpp is empty.");
@@ -97,7 +97,7 @@ TEST_CASE("two builds at once do not meet") {
   const Labs labs;
   const Scratch scratch;
   scratch.write("variance.cpp", text_of(labs.layout.starter()));
-  const auto submission = open_submission(labs.layout, labs.labs, scratch.path());
+  const auto submission = open_submission(labs.labs, scratch.path());
   Built one, two;
   std::thread first([&] { one = build_program(labs.layout, labs.lab, submission); });
   two = build_program(labs.layout, labs.lab, submission);

@@ -154,7 +154,7 @@ Built build_submission(const std::string& name, const std::string& text) {
   const fs::path directory = submission_directory(name);
   write_text(directory / "variance.cpp", text);
   return build_program(layout, find_lab(labs, "variance"),
-                       open_submission(layout, labs, directory));
+                       open_submission(labs, directory));
 }
 
 const sandbox::Program& program() {
@@ -361,13 +361,13 @@ TEST_CASE("a submission's file is a file") {
   fs::remove_all(directory);
   fs::create_directories(directory);
   fs::create_symlink(layout.solutions() / "variance.cpp", directory / "variance.cpp");
-  CHECK(open_submission(layout, labs, directory).files.empty());
+  CHECK(open_submission(labs, directory).files.empty());
   fs::remove(directory / "variance.cpp");
   fs::create_directory(directory / "variance.cpp");
-  CHECK(open_submission(layout, labs, directory).files.empty());
+  CHECK(open_submission(labs, directory).files.empty());
   fs::remove(directory / "variance.cpp");
   fs::copy_file(layout.starter() / "variance.cpp", directory / "variance.cpp");
-  const auto submission = open_submission(layout, labs, directory);
+  const auto submission = open_submission(labs, directory);
   CHECK(submission.files.size() == 1);
   CHECK_FALSE(submission.trusted);
 }

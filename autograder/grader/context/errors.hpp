@@ -10,7 +10,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The machine lacks something, exit status 3: what, and how to get it.
+/// The machine lacks something, or fails: exit status 3, and never a grade. What, and what to do.
 struct MachineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -34,8 +34,9 @@ std::vector<XmlRecord> read_catch_xml(std::string_view xml) {
     const pugi::xml_node overall = node.child("OverallResult");
     XmlRecord record{node.attribute("name").value(), node.attribute("tags").value(), false, {}};
     record.success = overall.attribute("success").as_bool();
-    for (const pugi::xpath_node& found_failure : node.select_nodes(
-             ".//Failure | .//Exception | .//FatalErrorCondition | .//Expression[@success='false']")) {
+    for (const pugi::xpath_node& found_failure :
+         node.select_nodes(".//Failure | .//Exception | .//FatalErrorCondition | "
+                           ".//Expression[@success='false']")) {
       record.message = message_of(found_failure.node());
       break;
     }

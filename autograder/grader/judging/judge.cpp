@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "grader/context/errors.hpp"
+#include "grader/context/side_by_side.hpp"
 #include "grader/judging/catch_xml.hpp"
 #include "grader/judging/task_runner.hpp"
 #include "protocol/environment.hpp"
@@ -48,43 +47,6 @@ std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results
     return std::any_of(task.begin(), task.end(), [](auto* one) { return one->check.is_slow; });
   });
   return tasks;
-}
-
-/// Runs `work(i)` for all i below `count` with a few threads; an exception of one ends the others
-/// after what they are at, and reaches the caller.
-void run_side_by_side(std::size_t count, unsigned workers,
-                      const std::function<void(std::size_t)>& work) {
-  std::mutex mutex;
-  std::size_t next = 0;
-  std::exception_ptr failure;
-  const auto labour = [&] {
-    for (;;) {
-      std::size_t mine = 0;
-      {
-        const std::lock_guard lock(mutex);
-        if (failure || next == count) return;
-        mine = next++;
-      }
-      try {
-        work(mine);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  // One of them is the caller's own: with one worker no thread has to be made.
-  for (unsigned i = 1; i < workers && i < count; ++i) {
-    try {
-      threads.emplace_back(labour);
-    } catch (const std::system_error&) {  // no more threads: those there are do the work
-      break;
-    }
-  }
-  labour();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
 }
 
 void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& program,

@@ -1,13 +1,13 @@
 #include "grader/judging/judge_submission.hpp"
 
 #include <chrono>
-#include <future>
 #include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "grader/judging/speed.hpp"
+#include "grader/submission/compile.hpp"
 
 namespace mc::grader {
 namespace {
@@ -45,7 +45,7 @@ class Finished {
 
 void add_speed(const Context& context, const Submission& submission, LabVerdict& judged) {
   if (!judged.no_program.empty()) return;
-  const Built fast = build_program(context.layout, judged.lab, submission, Variant::speed);
+  const Built fast = build_program(context.layout, judged.lab, submission);
   if (fast.program) judged.speed = measure_speed(context.layout, judged, *fast.program);
 }
 
@@ -56,7 +56,7 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   verdict.submission = submission.label;
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;
-  verdict.flags = fmt::format("{}", fmt::join(compile_flags(Variant::judged), " "));
+  verdict.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
   verdict.jail_complete = sandbox::jail_is_complete();
 
   JudgeOptions judge = options.judge;
@@ -68,13 +68,6 @@ Verdict judge_submission(const Context& context, const Submission& submission,
     const auto tell = [&](double part, const std::string& what) {
       if (options.progress) options.progress(static_cast<double>(i) + part, all, what);
     };
-    // What is timed has its own flags: compiled beside the checks, on a core that they leave idle.
-    std::future<Built> fast;
-    if (judge.only.empty() && options.with_speed) {
-      fast = std::async(std::launch::async, [&] {
-        return build_program(context.layout, lab, submission, Variant::speed);
-      });
-    }
     tell(0, "compiling " + lab.file());
     const Built built = build_program(context.layout, lab, submission);
     judge.progress = [&](std::size_t done, std::size_t checks) {
@@ -83,12 +76,9 @@ Verdict judge_submission(const Context& context, const Submission& submission,
     LabVerdict judged = judge_lab(context.layout, lab, built, judge);
     wait_for_labs(judged, std::ref(finished));
     if (judge.only.empty()) finished.add(judged);
-    if (fast.valid()) {
-      const Built timed = fast.get();
-      if (timed.program && judged.no_program.empty()) {
-        tell(1, "timing " + lab.name);
-        judged.speed = measure_speed(context.layout, judged, *timed.program);
-      }
+    if (judge.only.empty() && options.with_speed && built.program) {
+      tell(1, "timing " + lab.name);
+      judged.speed = measure_speed(context.layout, judged, *built.program);
     }
     verdict.labs.push_back(std::move(judged));
   }

@@ -10,7 +10,8 @@ namespace mc::grader {
 
 struct SubmissionOptions {
   JudgeOptions judge;
-  bool with_speed = true;  ///< false: somebody waits for the verdict, and asks for add_speed() later
+  bool with_speed =
+      true;  ///< false: somebody waits for the verdict, and asks for add_speed() later
   /// Told what is being done, and how much of all of it is.
   std::function<void(double done, double all, const std::string& what)> progress = {};
 };

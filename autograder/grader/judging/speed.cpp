@@ -43,8 +43,8 @@ std::vector<protocol::Row> rows_of_reference(const Layout& layout, const Lab& la
                                              const std::set<std::string>& tasks) {
   if (!fs::exists(layout.solutions() / lab.file())) return {};
   const auto labs = find_labs(layout);
-  const Submission solutions = open_submission(layout, labs, layout.solutions());
-  const Built built = build_program(layout, lab, solutions, Variant::speed);
+  const Submission solutions = open_submission(labs, layout.solutions());
+  const Built built = build_program(layout, lab, solutions);
   if (!built.program) return {};
   return measure(layout, lab, *built.program, tasks,
                  layout.build / "speed" / fmt::format("{}.{}.reference.tsv", lab.name, getpid()));

@@ -29,11 +29,13 @@ std::string gnuplot_array(const std::string& name, const std::vector<std::string
 
 std::string run_gnuplot(const fs::path& script, const std::string& text) {
   write_text(script, "set encoding utf8\nset termoption noenhanced\n" + text);
-  const sandbox::ProcessResult drawn = sandbox::run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
+  const sandbox::ProcessResult drawn =
+      sandbox::run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
   return drawn.succeeded() ? "" : "gnuplot failed: " + sandbox::printable(drawn.errors);
 }
 
-std::string script_beginning(const Layout& layout, const fs::path& out, const std::string& extension) {
+std::string script_beginning(const Layout& layout, const fs::path& out,
+                             const std::string& extension) {
   return fmt::format("out = {}\next = {}\ndraw = {}\n", gnuplot_string(out.string()),
                      gnuplot_string(extension),
                      gnuplot_string((layout.labs() / "common" / "draw.gp").string()));

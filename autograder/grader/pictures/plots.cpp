@@ -35,7 +35,7 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   std::vector<std::string> labels;
   std::vector<fs::path> data;
   for (const Submission& submission : submissions) {
-    const Built built = build_program(layout, lab, submission, Variant::speed);
+    const Built built = build_program(layout, lab, submission);
     if (!built.program) {
       plots.remarks.push_back(fmt::format("{} is not drawn: {}", submission.label, built.failure));
       continue;

@@ -115,7 +115,7 @@ Renders draw_renders(
   }
   for (const Submission& submission : submissions) {
     step(done, steps, "compiling " + submission.label);
-    const Built built = build_program(layout, lab, submission, Variant::speed);
+    const Built built = build_program(layout, lab, submission);
     ++done;
     if (!built.program) {
       renders.remarks.push_back(

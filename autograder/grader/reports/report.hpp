@@ -31,7 +31,9 @@ std::string report_summary(const std::vector<Verdict>& verdicts);
 std::string jail_warning(const Verdict& verdict);
 
 /// Gradescope's results.json: every check, its points, its story; complete whatever happened.
-std::string report_json(const Verdict& verdict);
+/// Null in a program without it (without_json.cpp): then the gradebook is asked.
+using JsonReporter = std::string (*)(const Verdict& verdict);
+extern const JsonReporter report_json;
 
 /// A header and a row for each submission: points in all, and of each check.
 std::string report_csv(const std::vector<Verdict>& verdicts);

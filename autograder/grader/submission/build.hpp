@@ -1,6 +1,5 @@
 #pragma once
-// From a submission to a program. Compiling a stranger's text is already dangerous: it can include
-// what it should not see, print it in an error message, or never end. See docs/security.md.
+// From a submission to a program.
 
 #include <optional>
 #include <string>
@@ -12,20 +11,15 @@
 
 namespace mc::grader {
 
-/// For judging, the library's assertions are on; for speed they are off.
-enum class Variant { judged, speed };
-
 struct Built {
   std::optional<sandbox::Program> program;
   std::string failure;  ///< where there is no program: why, for the student, in a few lines
 };
 
 /// Compiles what is new (one translation unit a file) and links. Works beside other builds, of this
-/// process or of others.
-Built build_program(const Layout& layout, const Lab& lab, const Submission& submission,
-                    Variant variant = Variant::judged);
-
-/// The flags of a submission's compilation, as they are recorded with a grade.
-std::vector<std::string> compile_flags(Variant variant);
+/// process or of others. There is one program: what is timed is what was judged, so that no text can
+/// tell the one from the other. The library's assertions are on in it; in a loop over a list's own
+/// size they cost nothing. Throws MachineError where the machine fails: that is no grade.
+Built build_program(const Layout& layout, const Lab& lab, const Submission& submission);
 
 }  // namespace mc::grader

@@ -45,10 +45,12 @@ CompilerOutput parse_compiler_output(const std::string& errors) {
   CompilerOutput output;
   for (const std::string_view line : text::split(errors, '\n')) {
     const auto blank = line.find_first_not_of(".!");
-    if (line.starts_with("Multiple include guards")) break;  // a list of advice, to the end
     if (blank != std::string_view::npos && blank > 0 && line[blank] == ' ') {
       output.opened.emplace_back(line.substr(blank + 1));  // ".. file", "! file.gch"
-    } else if (!line.empty()) {
+    } else if (!line.empty() && line[0] != '/' &&
+               line != "Multiple include guards may be useful for:") {
+      // What GCC advises in the end is a list of paths: no message. Nothing ends the list of files
+      // that were opened, for any line can be a stranger's.
       output.messages += std::string(line) + '\n';
     }
   }

@@ -5,22 +5,26 @@
 #include <fmt/format.h>
 
 #include "grader/context/errors.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 
-Submission open_submission(const Layout& layout, const std::vector<Lab>& labs,
-                           const fs::path& directory) {
+Submission open_submission(const std::vector<Lab>& labs, const fs::path& directory) {
   if (!fs::exists(directory)) {
-    throw UsageError(fmt::format("no such directory: {}", directory.string()));
+    throw UsageError(
+        fmt::format("no such directory: {}", sandbox::printable_line(directory.string())));
   }
   if (!fs::is_directory(directory)) {
-    throw UsageError(fmt::format("{} is a file: name the directory it is in", directory.string()));
+    throw UsageError(fmt::format("{} is a file: name the directory it is in",
+                                 sandbox::printable_line(directory.string())));
   }
-  Submission submission{directory.string(), directory, {}, false};
+  Submission submission{sandbox::printable_line(directory.string()), directory, {}, false};
   while (submission.label.size() > 1 && submission.label.back() == '/') submission.label.pop_back();
-  submission.trusted =
-      fs::exists(layout.solutions()) && fs::equivalent(directory, layout.solutions());
+  if (fs::is_symlink(
+          fs::path(directory.string().substr(0, directory.string().find_last_not_of('/') + 1)))) {
+    throw UsageError(fmt::format("{} is a link: name the directory itself", submission.label));
+  }
   for (const Lab& lab : labs) {
     const fs::path file = directory / lab.file();
     // A link is no file of one's own: it might lead to the solution.
@@ -29,6 +33,11 @@ Submission open_submission(const Layout& layout, const std::vector<Lab>& labs,
     }
   }
   return submission;
+}
+
+bool is_reference(const Layout& layout, const Submission& submission) {
+  std::error_code missing;
+  return fs::equivalent(submission.path, layout.solutions(), missing) && !missing;
 }
 
 Submission single_file_submission(const Layout& layout, const std::vector<Lab>& labs,

@@ -16,14 +16,18 @@ struct Submission {
   std::string label;                                   ///< how it is called in reports
   std::filesystem::path path;                          ///< the directory, or the one file
   std::map<std::string, std::filesystem::path> files;  ///< lab name -> file
-  bool trusted = false;  ///< may include the repository's own sources (solutions, mistakes)
+  /// May include the repository's own sources, as mistakes and alternatives do. Given by who opens it,
+  /// never found out from a path.
+  bool trusted = false;
   std::vector<std::string> libraries = {};  ///< flags to link what it is made of, if it is a peer
 };
 
-/// A directory with some of the labs' .cpp files. The repository's solutions are trusted. Throws
-/// UsageError where there is no such directory.
-Submission open_submission(const Layout& layout, const std::vector<Lab>& labs,
-                           const std::filesystem::path& directory);
+/// A directory with some of the labs' .cpp files. Throws UsageError where there is none, where it is a
+/// link (it might lead to the solutions), or is no directory.
+Submission open_submission(const std::vector<Lab>& labs, const std::filesystem::path& directory);
+
+/// Is this the directory of the reference solutions?
+bool is_reference(const Layout& layout, const Submission& submission);
 
 /// One file that stands for the file of `lab`; what it lacks of other labs is the solutions'.
 Submission single_file_submission(const Layout& layout, const std::vector<Lab>& labs,

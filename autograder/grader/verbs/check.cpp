@@ -27,7 +27,7 @@ int check(const Context& context, const Arguments& arguments) {
   const fs::path directory = own ? context.layout.starter() : fs::path(arguments.words[1]);
   const auto json = arguments.get("json");
   require_writable(json);
-  Submission submission = open_submission(context.layout, context.labs, directory);
+  Submission submission = open_submission(context.labs, directory);
   if (own) submission.label = "starter";
   // For a machine that reads results.json, a missing file is a grade like any other: none.
   if (!submission.files.contains(lab.name) && !json) {
@@ -58,14 +58,17 @@ int check(const Context& context, const Arguments& arguments) {
   return verdict.earned() == verdict.points() ? 0 : 1;
 }
 
-const RegisterVerb check_verb{{"check", "check LAB [DIR] [--only TASK] [--seed S] [--json FILE]", {"only=", "seed=", "json="},
-    "LAB is a number, a name or a folder: 1, variance, 1-variance.\n"
-       "  --only TASK   the checks of one task: --only 1.3\n"
-       "  --seed S      the run with that seed again; every report names its own\n"
-       "  --json FILE   Gradescope's results.json as well\n"
-       "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "
-       "something.\n",
- check}};
+const RegisterVerb check_verb{
+    {"check",
+     "check LAB [DIR] [--only TASK] [--seed S] [--json FILE]",
+     {"only=", "seed=", "json="},
+     "LAB is a number, a name or a folder: 1, variance, 1-variance.\n"
+     "  --only TASK   the checks of one task: --only 1.3\n"
+     "  --seed S      the run with that seed again; every report names its own\n"
+     "  --json FILE   Gradescope's results.json as well\n"
+     "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "
+     "something.\n",
+     check}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -56,7 +56,7 @@ int grade(const Context& context, const Arguments& arguments) {
       static_cast<unsigned>(std::clamp<std::uint64_t>(arguments.number("jobs").value_or(2), 1, 64));
   std::vector<Submission> submissions;
   for (const std::string& word : arguments.words) {
-    submissions.push_back(open_submission(context.layout, context.labs, word));
+    submissions.push_back(open_submission(context.labs, word));
   }
   const bool single = submissions.size() == 1;
   std::vector<Verdict> verdicts;
@@ -93,16 +93,19 @@ int grade(const Context& context, const Arguments& arguments) {
   return 0;
 }
 
-const RegisterVerb grade_verb{{"grade", "grade DIR... [--json FILE] [--csv FILE] [--seed S] [-j N] [--no-plots]", {"json=", "csv=", "seed=", "jobs=j", "no-plots"},
-    "Every lab that DIR has a file of. One DIR is reported check by check and its plots are "
-       "drawn;\n"
-       "of several, a line each.\n"
-       "  --json FILE   Gradescope's results.json (one DIR)\n"
-       "  --csv FILE    a row for each DIR\n"
-       "  --seed S      the same seed again\n"
-       "  -j N          so many checks at the same time (2)\n"
-       "  --no-plots    no plots\n",
- grade}};
+const RegisterVerb grade_verb{
+    {"grade",
+     "grade DIR... [--json FILE] [--csv FILE] [--seed S] [-j N] [--no-plots]",
+     {"json=", "csv=", "seed=", "jobs=j", "no-plots"},
+     "Every lab that DIR has a file of. One DIR is reported check by check and its plots are "
+     "drawn;\n"
+     "of several, a line each.\n"
+     "  --json FILE   Gradescope's results.json (one DIR)\n"
+     "  --csv FILE    a row for each DIR\n"
+     "  --seed S      the same seed again\n"
+     "  -j N          so many checks at the same time (2)\n"
+     "  --no-plots    no plots\n",
+     grade}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -11,12 +11,15 @@ struct VerbEntry {
   std::string_view name, description, program;
 };
 
+/// Has all the grader has, and writes JSON.
+inline constexpr std::string_view gradebook = "gradebook";
+
 inline constexpr std::array<VerbEntry, 11> verb_list{{
     {"", "where you stand: labs, points, what to do next", "grader"},
     {"setup", "install what is missing and build everything", "grader"},
     {"check", "judge one lab of starter/ (or DIR)", "grader"},
     {"run", "run one experiment by hand and print its numbers", "grader"},
-    {"grade", "judge whole submissions", "grader"},
+    {"grade", "judge whole submissions", "gradebook"},
     {"plot", "draw the lab's plots, several submissions side by side", "pictures"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", "pictures"},
     {"bench", "speed against error: the solutions, any submission, libraries", "bench"},

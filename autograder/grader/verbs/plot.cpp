@@ -31,10 +31,13 @@ int plot(const Context& context, const Arguments& arguments) {
   return plots.pictures.empty() ? 1 : 0;
 }
 
-const RegisterVerb plot_verb{{"plot", "plot LAB [DIR...] [--alone]", {"alone"},
-    "starter/ without DIR; beside it the solutions, where the checkout has them.\n"
-       "  --alone   without the solutions\n",
- plot}};
+const RegisterVerb plot_verb{
+    {"plot",
+     "plot LAB [DIR...] [--alone]",
+     {"alone"},
+     "starter/ without DIR; beside it the solutions, where the checkout has them.\n"
+     "  --alone   without the solutions\n",
+     plot}};
 
 }  // namespace
 }  // namespace mc::grader

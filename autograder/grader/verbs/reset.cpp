@@ -29,8 +29,8 @@ std::string pristine(const Context& context, const std::string& file) {
   std::string best;
   for (const std::string_view commit : text::split(commits.output, '\n')) {
     if (commit.empty()) continue;
-    const auto version =
-        sandbox::run_process({"git", "-C", root, "show", fmt::format("{}:starter/{}", commit, file)});
+    const auto version = sandbox::run_process(
+        {"git", "-C", root, "show", fmt::format("{}:starter/{}", commit, file)});
     if (version.succeeded() && count(version.output, "todo(") > count(best, "todo(")) {
       best = version.output;
     }
@@ -64,9 +64,11 @@ int reset(const Context& context, const Arguments& arguments) {
   return 0;
 }
 
-const RegisterVerb reset_verb{{"reset", "reset LAB", {},
-    "The newest version in git's history in which no task was begun.\n",
- reset}};
+const RegisterVerb reset_verb{{"reset",
+                               "reset LAB",
+                               {},
+                               "The newest version in git's history in which no task was begun.\n",
+                               reset}};
 
 }  // namespace
 }  // namespace mc::grader

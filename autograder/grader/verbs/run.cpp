@@ -18,7 +18,7 @@ int run(const Context& context, const Arguments& arguments) {
   if (arguments.words.empty()) throw UsageError("usage: ./lab run LAB [EXPERIMENT ARGUMENT...]");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
   const fs::path directory = arguments.get("dir").value_or(context.layout.starter().string());
-  const Submission submission = open_submission(context.layout, context.labs, directory);
+  const Submission submission = open_submission(context.labs, directory);
   const Built built = build_program(context.layout, lab, submission);
   if (!built.program) {
     fmt::print("{}\n", built.failure);
@@ -34,12 +34,16 @@ int run(const Context& context, const Arguments& arguments) {
   become(std::move(command));
 }
 
-const RegisterVerb run_verb{{"run", "run LAB [--dir DIR] [EXPERIMENT ARGUMENT...]", {"dir="},
-    "Without EXPERIMENT: the experiments of the lab. Numbers are written 0.5, lists 1,2,4, "
-       "structs\n"
-       "3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
-       "  ./lab run variance mean 1,2,4\n",
- run, 2}};
+const RegisterVerb run_verb{
+    {"run",
+     "run LAB [--dir DIR] [EXPERIMENT ARGUMENT...]",
+     {"dir="},
+     "Without EXPERIMENT: the experiments of the lab. Numbers are written 0.5, lists 1,2,4, "
+     "structs\n"
+     "3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
+     "  ./lab run variance mean 1,2,4\n",
+     run,
+     2}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -14,11 +14,14 @@ int setup(const Context&, const Arguments& arguments) {
   return 0;
 }
 
-const RegisterVerb setup_verb{{"setup", "setup", {},
-    "With apt, dnf or brew; it says what it runs. At a terminal it asks first, without one or "
-       "with\n"
-       "CI=true it does not. Where nothing is missing, nothing is touched.\n",
- setup}};
+const RegisterVerb setup_verb{
+    {"setup",
+     "setup",
+     {},
+     "With apt, dnf or brew; it says what it runs. At a terminal it asks first, without one or "
+     "with\n"
+     "CI=true it does not. Where nothing is missing, nothing is touched.\n",
+     setup}};
 
 }  // namespace
 }  // namespace mc::grader

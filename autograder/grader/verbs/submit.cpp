@@ -40,9 +40,12 @@ int submit(const Context& context, const Arguments& arguments) {
   return 0;
 }
 
-const RegisterVerb submit_verb{{"submit", "submit LAB", {},
-    "submission.zip, here: your file of that lab and of the labs it stands on.\n",
- submit}};
+const RegisterVerb submit_verb{
+    {"submit",
+     "submit LAB",
+     {},
+     "submission.zip, here: your file of that lab and of the labs it stands on.\n",
+     submit}};
 
 }  // namespace
 }  // namespace mc::grader

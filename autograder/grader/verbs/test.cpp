@@ -21,13 +21,16 @@ int test(const Context& context, const Arguments& arguments) {
           (context.layout.root / "cmake" / "test.cmake").string()});
 }
 
-const RegisterVerb test_verb{{"test", "test [--full]", {"full"},
-    "Every submission of the repository is judged: the starter, the solutions, the mistakes, "
-       "the\n"
-       "alternatives, the attacks. With --full, right ones with 1,000 seeds: hours, but it goes on "
-       "where\n"
-       "it was interrupted.\n",
- test}};
+const RegisterVerb test_verb{
+    {"test",
+     "test [--full]",
+     {"full"},
+     "Every submission of the repository is judged: the starter, the solutions, the mistakes, "
+     "the\n"
+     "alternatives, the attacks. With --full, right ones with 1,000 seeds: hours, but it goes on "
+     "where\n"
+     "it was interrupted.\n",
+     test}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -25,16 +25,16 @@ std::vector<Submission> submissions_beside(const Context& context, const Lab& la
   const Layout& layout = context.layout;
   std::vector<Submission> submissions;
   for (const std::string& directory : directories) {
-    submissions.push_back(open_submission(layout, context.labs, directory));
+    submissions.push_back(open_submission(context.labs, directory));
   }
   if (submissions.empty()) {
-    submissions.push_back(open_submission(layout, context.labs, layout.starter()));
+    submissions.push_back(open_submission(context.labs, layout.starter()));
     submissions.back().label = "starter";
   }
-  const bool has_solutions =
-      std::any_of(submissions.begin(), submissions.end(), [](auto& one) { return one.trusted; });
+  const bool has_solutions = std::any_of(submissions.begin(), submissions.end(),
+                                         [&](auto& one) { return is_reference(layout, one); });
   if (!has_solutions && std::filesystem::exists(layout.solutions() / lab.file())) {
-    submissions.push_back(open_submission(layout, context.labs, layout.solutions()));
+    submissions.push_back(open_submission(context.labs, layout.solutions()));
     submissions.back().label = "solutions";
   }
   return submissions;
