@@ -15,6 +15,9 @@ endif()
 add_library(runner OBJECT labs/runner/main.cpp labs/runner/text.cpp)
 target_include_directories(runner PUBLIC labs)
 target_compile_options(runner PRIVATE ${PROGRAM_FLAGS})
+if(MC_UNITY)
+  set_target_properties(runner PROPERTIES UNITY_BUILD ON)
+endif()
 
 file(GLOB LAB_FOLDERS CONFIGURE_DEPENDS LIST_DIRECTORIES ON RELATIVE ${CMAKE_SOURCE_DIR}/labs
   labs/[0-9]*-*)

@@ -3,14 +3,14 @@ enable_testing()
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/*_test.cpp)
 add_executable(grader_tests EXCLUDE_FROM_ALL ${sources})
-target_link_libraries(grader_tests PRIVATE benching checking checking_figures)
+target_link_libraries(grader_tests PRIVATE grading recording drawing benching checking_figures)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
 add_test(NAME grader COMMAND grader_tests)
 
 # Every submission of the repository, with what its first lines say must happen to it.
 add_executable(self_test EXCLUDE_FROM_ALL autograder/tests/self_test.cpp
-  autograder/checks/support/distributions.cpp)
+  autograder/checks/support/distributions.cpp autograder/grader/reports/without_json.cpp)
 target_link_libraries(self_test PRIVATE grading)
 own_target(self_test)
 own_target(grader_tests)

@@ -36,6 +36,7 @@
 #include "grader/judging/judge.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/build.hpp"
+#include "grader/submission/compile.hpp"
 #include "grader/submission/submission.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
@@ -397,6 +398,7 @@ void prove_file(const fs::path& path) {
     proof.submission = single_file_submission(proof.layout, proof.labs, proof.lab, file,
                                               kind != "attacks" && kind != "starter");
   }
+  precompile_headers(proof.layout);
   proof.submission.label = path.string();
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
   if (!proof.built.program && kind != "attacks") return complain(proof.built.failure);

@@ -88,33 +88,7 @@ void bench_errors_at(const BenchSampler& sampler, std::uint64_t dims, std::uint6
   errors.write(sampler.name);
 }
 
-bool is_asked_for(const std::string& task) {
-  const char* tasks = std::getenv(protocol::speed_tasks_variable);
-  return tasks != nullptr && fmt::format(" {} ", tasks).find(' ' + task + ' ') != std::string::npos;
-}
-
-/// So many rounds that they take about `wanted` seconds, the start of the program included.
-std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted) {
-  constexpr double enough = 0.004;
-  for (std::uint64_t rounds = 1;; rounds *= 4) {
-    const auto took = run(rounds);
-    if (!took) return {};
-    if (*took < enough) continue;
-    return static_cast<std::uint64_t>(
-        std::ceil(static_cast<double>(rounds) * std::max(1.0, wanted / *took)));
-  }
-}
-
 }  // namespace
-
-void bench_row(const protocol::Row& row) {
-  static std::ofstream file = [] {
-    const char* path = std::getenv(protocol::rows_variable);
-    if (path == nullptr) throw std::runtime_error("MC_BENCH_DATA is not set");
-    return std::ofstream(path, std::ios::app);
-  }();
-  file << protocol::line_of(row) << std::endl;
-}
 
 std::optional<double> seconds_once(const Rounds& run) {
   const auto enough = rounds_of(run, 0.025);
@@ -128,40 +102,6 @@ std::optional<double> seconds_once(const Rounds& run) {
     if (*two - *one > 0.25 * *one) return (*two - *one) / static_cast<double>(rounds);
     if (attempt == 3) return {};
   }
-}
-
-void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
-                 const Rounds& rounds) {
-  if (!is_asked_for(task)) return;
-  const auto count = rounds_of(rounds, 0.025);
-  if (!count) return;
-  // The median of three differences, the two runs of each close together: a shared machine changes its
-  // pace from one second to the next.
-  std::array<double, 3> differences{};
-  for (double& difference : differences) {
-    const auto once = rounds(*count), twice = rounds(2 * *count);
-    if (!once || !twice) return;
-    difference = *twice - *once;
-  }
-  std::sort(differences.begin(), differences.end());
-  const double nanoseconds = differences[1] * 1e9 / static_cast<double>(*count * values);
-  if (nanoseconds > 0) bench_row({"speed", task + ' ' + name, "", 0, values, nanoseconds});
-}
-
-void bench_speed_error(const std::string& task, const std::string& name,
-                       const BenchSampler& sampler, std::uint64_t n) {
-  if (!is_asked_for(task)) return;
-  constexpr std::uint64_t sets = 64;
-  const auto got = sampler.points(n, 2, sets, 1);
-  if (!got || got->values.size() != sets * n * 2) return;
-  Errors errors;
-  for (std::uint64_t set = 0; set < sets; ++set) {
-    const std::span<const double> values = std::span(got->values).subspan(set * n * 2, n * 2);
-    const std::array columns{values.first(n), values.last(n)};
-    errors.add(mean_over(*integrands_of(2).front(), columns) - 1);
-  }
-  bench_row({"speed error", task + ' ' + name, "exp(x + y)", 2, n, errors.rmse(),
-             errors.standard_error()});
 }
 
 std::vector<std::uint64_t> bench_sizes(const BenchSampler& sampler, std::uint64_t dims) {

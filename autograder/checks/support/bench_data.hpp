@@ -14,24 +14,14 @@
 
 #include "checks/support/integrands.hpp"
 #include "checks/support/plot_data.hpp"
+#include "checks/support/speed_data.hpp"
 #include "protocol/rows.hpp"
 
 namespace mc::checks {
 
-/// Appends to the file that ./lab bench reads, and tells it at once.
-void bench_row(const protocol::Row& row);
-
-/// CPU time of so many rounds; nothing where the task is not written.
-using Rounds = std::function<std::optional<double>(std::uint64_t)>;
-
 /// Seconds a round, seen from outside: the CPU time of 2R rounds less that of R, R so large that
 /// this is about 25 ms. One such difference: ./lab bench comes back for more of them.
 std::optional<double> seconds_once(const Rounds& run);
-
-/// Rows of kind speed, if `task` is one that MC_SPEED_TASKS names (the grader does: those that
-/// passed): `rounds` makes `values` numbers or points each time. A seventh of a second.
-void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
-                 const Rounds& rounds);
 
 /// Columns of one point set after another; nothing where the task is not written.
 struct PointSets {
@@ -78,9 +68,15 @@ void bench_growth(const std::string& what, std::uint64_t dims, std::uint64_t mos
                   const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds,
                   std::uint64_t least = 1000, std::uint64_t factor = 10);
 
-/// A row of kind speed error: of n points of the plane, integrating exp(x + y).
-void bench_speed_error(const std::string& task, const std::string& name,
-                       const BenchSampler& sampler, std::uint64_t n);
+/// The same as in speed_data.hpp, of a sampler's points.
+inline void bench_speed_error(const std::string& task, const std::string& name,
+                              const BenchSampler& sampler, std::uint64_t n) {
+  bench_speed_error(task, name, n, [&](std::uint64_t sets) -> std::optional<std::vector<double>> {
+    auto got = sampler.points(n, 2, sets, 1);
+    if (!got) return {};
+    return std::move(got->values);
+  });
+}
 
 /// Rows of kind growth over 1, 2, 4, … 32 dimensions, 4,096 points each.
 void bench_growth_of_dims(const BenchSampler& sampler);
@@ -93,10 +89,4 @@ std::optional<Used> used_by(const Measured& measured) {
   if (!measured) return {};
   return Used{measured->cpu_seconds, measured->peak_memory};
 }
-template <class Measured>
-std::optional<double> cpu_seconds_of(const Measured& measured) {
-  if (!measured) return {};
-  return measured->cpu_seconds;
-}
-
 }  // namespace mc::checks

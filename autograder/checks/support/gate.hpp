@@ -102,8 +102,9 @@ std::optional<double> outside(const T& value, const Range& range) {
     return number;
   } else if constexpr (wire::Listed<T>) {
     std::optional<double> found;
-    std::apply([&](const auto&... field) { ((found = found ? found : outside(field, range)), ...); },
-               fields(const_cast<T&>(value)));
+    std::apply(
+        [&](const auto&... field) { ((found = found ? found : outside(field, range)), ...); },
+        fields(const_cast<T&>(value)));
     return found;
   } else {
     return {};

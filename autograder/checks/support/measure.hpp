@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/rng.hpp"
 #include "checks/support/gate.hpp"
+#include "common/rng.hpp"
 #include "protocol/records.hpp"
 #include "runner/text.hpp"
 #include "runner/wire.hpp"

@@ -78,11 +78,5 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   }
 }
 
-TEST_CASE("speed of moments", "[.speed]") {
-  bench_speed("1.8", "moments", 4096, [](std::uint64_t rounds) {
-    return cpu_seconds_of(TRY_MEASURE(repeat_made, 8, 4096, rounds));
-  });
-}
-
 }  // namespace
 }  // namespace mc::checks

@@ -45,33 +45,23 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
   return hash;
 }
 
-/// The standard headers that nearly every file includes, compiled once: this halves the time from
-/// saving to a verdict. Only GCC; without it everything is the same, slower.
-std::vector<std::string> precompiled_header(const Layout& layout,
-                                            const std::vector<std::string>& flags) {
-  if (layout.is_clang) return {};
-  const fs::path source = layout.labs() / "runner" / "standard_headers.hpp";
+/// Where the standard headers lie that nearly every file includes, and compiled beside them, if
+/// somebody did that: then a file takes half of the time. They are included in any case.
+fs::path standard_headers(const Layout& layout, const std::vector<std::string>& flags) {
+  const std::string text = read_text(layout.labs() / "runner" / "standard_headers.hpp");
   const std::string key =
       fmt::format("{} {} {}", layout.compiler, fmt::join(flags, " "),
                   fs::last_write_time(layout.compiler).time_since_epoch().count());
-  const fs::path place = layout.build / "precompiled" /
-                         fmt::format("{:016x}", hash_text(read_text(source), hash_text(key)));
+  const fs::path place =
+      layout.build / "precompiled" / fmt::format("{:016x}", hash_text(text, hash_text(key)));
   const fs::path header = place / "standard_headers.hpp";
-  const fs::path compiled = place / "standard_headers.hpp.gch";
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
-  if (!fs::exists(compiled)) {
-    const ScratchDirectory scratch(layout);
+  if (!fs::exists(header)) {
     fs::create_directories(place);
-    write_text(header, read_text(source));
-    std::vector<std::string> command{layout.compiler};
-    command.insert(command.end(), flags.begin(), flags.end());
-    const fs::path aside = scratch.path() / "gch";
-    command.insert(command.end(), {"-x", "c++-header", header.string(), "-o", aside.string()});
-    if (!sandbox::run_process(command).succeeded()) return {};
-    fs::rename(aside, compiled);
+    write_text(header, text);
   }
-  return {"-include", header.string()};
+  return header;
 }
 
 /// Removes what earlier builds left in a slot. Not the newest: another run may be about to link it.
@@ -108,7 +98,7 @@ std::vector<std::string> command_for(const Unit& unit, const std::vector<std::st
                                      const std::vector<std::string>& includes,
                                      const std::string& name) {
   std::vector<std::string> command{unit.layout.compiler};
-  const auto header = precompiled_header(unit.layout, flags);
+  const std::vector<std::string> header{"-include", standard_headers(unit.layout, flags).string()};
   for (const auto* words : {&flags, &includes, &header}) {
     command.insert(command.end(), words->begin(), words->end());
   }
@@ -185,6 +175,20 @@ std::vector<std::string> compile_flags() {
   }
 #endif
   return flags;
+}
+
+void precompile_headers(const Layout& layout) {
+  if (layout.is_clang) return;
+  const auto flags = compile_flags();
+  const fs::path header = standard_headers(layout, flags);
+  const fs::path compiled = header.string() + ".gch";
+  if (fs::exists(compiled)) return;
+  const ScratchDirectory scratch(layout);
+  const fs::path aside = scratch.path() / "gch";
+  std::vector<std::string> command{layout.compiler};
+  command.insert(command.end(), flags.begin(), flags.end());
+  command.insert(command.end(), {"-x", "c++-header", header.string(), "-o", aside.string()});
+  if (sandbox::run_process(command).succeeded()) fs::rename(aside, compiled);
 }
 
 std::string stopped(const sandbox::ProcessResult& run, const sandbox::ProcessOptions& limits) {

@@ -28,6 +28,10 @@ struct Object {
 /// Compiles it, unless that was done before. Throws MachineError where the machine fails.
 Object compile(const Unit& unit);
 
+/// Compiles the standard headers, once, so that a file takes half of the time from then on. It takes
+/// as long as a file itself: on the way to the very first verdict it would be lost. GCC only.
+void precompile_headers(const Layout& layout);
+
 /// The flags of a submission's compilation, as they are recorded with a grade.
 std::vector<std::string> compile_flags();
 

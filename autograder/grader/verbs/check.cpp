@@ -9,6 +9,7 @@
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
+#include "grader/submission/compile.hpp"
 #include "grader/verbs/judging_options.hpp"
 #include "grader/verbs/progress.hpp"
 #include "grader/verbs/verb.hpp"
@@ -54,6 +55,7 @@ int check(const Context& context, const Arguments& arguments) {
     if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
   }
   if (json) write_text(*json, report_json(verdict));
+  precompile_headers(context.layout);  // for the next time
   if (own && options.judge.only.empty()) remember(context.layout, judged);
   return verdict.earned() == verdict.points() ? 0 : 1;
 }

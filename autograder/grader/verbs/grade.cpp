@@ -11,6 +11,8 @@
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
+#include "grader/submission/compile.hpp"
+#include "grader/submission/scratch.hpp"
 #include "grader/verbs/judging_options.hpp"
 #include "grader/verbs/verb.hpp"
 #include "sandbox/printable.hpp"
@@ -58,6 +60,8 @@ int grade(const Context& context, const Arguments& arguments) {
   for (const std::string& word : arguments.words) {
     submissions.push_back(open_submission(context.labs, word));
   }
+  sweep_scratch(context.layout);
+  precompile_headers(context.layout);
   const bool single = submissions.size() == 1;
   std::vector<Verdict> verdicts;
   for (const Submission& submission : submissions) {

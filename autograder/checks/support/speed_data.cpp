@@ -1,0 +1,88 @@
+#include "checks/support/speed_data.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "protocol/environment.hpp"
+
+namespace mc::checks {
+namespace {
+
+bool is_asked_for(const std::string& task) {
+  const char* tasks = std::getenv(protocol::speed_tasks_variable);
+  return tasks != nullptr && fmt::format(" {} ", tasks).find(' ' + task + ' ') != std::string::npos;
+}
+
+}  // namespace
+
+void bench_row(const protocol::Row& row) {
+  static std::ofstream file = [] {
+    const char* path = std::getenv(protocol::rows_variable);
+    if (path == nullptr) throw std::runtime_error("MC_BENCH_DATA is not set");
+    return std::ofstream(path, std::ios::app);
+  }();
+  file << protocol::line_of(row) << std::endl;
+}
+
+std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted) {
+  constexpr double enough = 0.004;
+  for (std::uint64_t rounds = 1;; rounds *= 4) {
+    const auto took = run(rounds);
+    if (!took) return {};
+    if (*took < enough) continue;
+    return static_cast<std::uint64_t>(
+        std::ceil(static_cast<double>(rounds) * std::max(1.0, wanted / *took)));
+  }
+}
+
+void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
+                 const Rounds& rounds) {
+  if (!is_asked_for(task)) return;
+  const auto count = rounds_of(rounds, 0.025);
+  if (!count) return;
+  // The median of three differences, the two runs of each close together: a shared machine changes its
+  // pace from one second to the next.
+  std::array<double, 3> differences{};
+  for (double& difference : differences) {
+    const auto once = rounds(*count), twice = rounds(2 * *count);
+    if (!once || !twice) return;
+    difference = *twice - *once;
+  }
+  std::sort(differences.begin(), differences.end());
+  const double nanoseconds = differences[1] * 1e9 / static_cast<double>(*count * values);
+  if (nanoseconds > 0) bench_row({"speed", task + ' ' + name, "", 0, values, nanoseconds});
+}
+
+void bench_speed_error(
+    const std::string& task, const std::string& name, std::uint64_t n,
+    const std::function<std::optional<std::vector<double>>(std::uint64_t sets)>& points) {
+  if (!is_asked_for(task)) return;
+  constexpr std::uint64_t sets = 64;
+  const auto got = points(sets);
+  if (!got || got->size() != sets * n * 2) return;
+  constexpr double integral = (std::numbers::e - 1) * (std::numbers::e - 1);
+  double squares = 0, fourths = 0;
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    const double* const x = got->data() + set * n * 2;
+    double sum = 0;
+    for (std::uint64_t i = 0; i < n; ++i) sum += std::exp(x[i] + x[n + i]);
+    const double error = sum / static_cast<double>(n) / integral - 1;
+    squares += error * error / sets;
+    fourths += error * error * error * error / sets;
+  }
+  const double rmse = std::sqrt(squares);
+  // Of the RMSE: that of the mean square, by the delta method.
+  const double standard_error =
+      std::sqrt(std::max(0.0, fourths - squares * squares) / sets) / (2 * rmse);
+  bench_row({"speed error", task + ' ' + name, "exp(x + y)", 2, n, rmse, standard_error});
+}
+
+}  // namespace mc::checks
