@@ -20,6 +20,7 @@
 #endif
 
 #include "sandbox/descriptor.hpp"
+#include "sandbox/reaper.hpp"
 
 extern char** environ;
 
@@ -136,6 +137,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   const pid_t pid = fork();
   if (pid < 0) fail("fork");
   if (pid == 0) become(launch, options);
+  const GroupGuard guard(pid);  // a compiler starts programs of its own
   output.write.reset();
   errors.write.reset();
   make_nonblocking(output.read);

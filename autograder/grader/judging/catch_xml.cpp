@@ -38,6 +38,8 @@ std::vector<XmlRecord> read_catch_xml(std::string_view xml) {
          node.select_nodes(".//Failure | .//Exception | .//FatalErrorCondition | "
                            ".//Expression[@success='false']")) {
       record.message = message_of(found_failure.node());
+      const std::string_view kind = found_failure.node().name();
+      record.crashed = kind == "Exception" || kind == "FatalErrorCondition";
       break;
     }
     // Catch2 calls [!mayfail] and [!shouldfail] a success; here a failure is a failure.

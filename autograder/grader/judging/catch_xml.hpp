@@ -11,7 +11,8 @@ namespace mc::grader {
 struct XmlRecord {
   std::string name, tags;
   bool success = false;
-  std::string message;  ///< of the first failure
+  std::string message;   ///< of the first failure
+  bool crashed = false;  ///< by an exception or a signal: the check itself is at fault, nobody else
 };
 
 /// The records of a report; none of one that is cut short.

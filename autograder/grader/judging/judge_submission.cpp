@@ -1,6 +1,7 @@
 #include "grader/judging/judge_submission.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
@@ -41,6 +42,26 @@ class Finished {
   std::map<std::string, bool> known_;
 };
 
+/// The first check of which there is no verdict, and why.
+std::string fault_in(const LabVerdict& judged) {
+  for (const CheckResult& result : judged.checks) {
+    if (result.status != Status::not_judged && result.status != Status::internal_error) continue;
+    return fmt::format("{}: {}", result.check.name, result.story);
+  }
+  return {};
+}
+
+/// Keeps what the autograder failed on, so that it can be looked into.
+void keep_for_report(const Layout& layout, const Submission& submission, const Verdict& verdict) {
+  std::error_code ignored;  // on a full disk there is no keeping
+  const auto place = layout.build / "not-judged" / std::to_string(verdict.seed);
+  std::filesystem::create_directories(place, ignored);
+  for (const auto& [lab, file] : submission.files) {
+    std::filesystem::copy_file(file, place / file.filename(),
+                               std::filesystem::copy_options::overwrite_existing, ignored);
+  }
+}
+
 }  // namespace
 
 void add_speed(const Context& context, const Submission& submission, LabVerdict& judged) {
@@ -80,8 +101,10 @@ Verdict judge_submission(const Context& context, const Submission& submission,
       tell(1, "timing " + lab.name);
       judged.speed = measure_speed(context.layout, judged, *built.program);
     }
+    if (verdict.not_judged.empty()) verdict.not_judged = fault_in(judged);
     verdict.labs.push_back(std::move(judged));
   }
+  if (!verdict.not_judged.empty()) keep_for_report(context.layout, submission, verdict);
   for (const Lab& lab : context.labs) {
     if (!submission.files.contains(lab.name)) verdict.absent.push_back(lab.name);
   }

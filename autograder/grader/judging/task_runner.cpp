@@ -132,6 +132,10 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
     } else if (record == xml.end()) {
       result->status = Status::internal_error;
       result->story = without_record(run);
+    } else if (record->crashed) {
+      result->status = Status::internal_error;
+      result->story = fmt::format("the autograder failed in this check: tell your instructor\n{}",
+                                  sandbox::printable(record->message));
     } else if (record->success) {
       result->status = Status::passed;
     } else {

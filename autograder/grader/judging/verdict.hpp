@@ -74,6 +74,9 @@ struct Verdict {
   std::uint64_t seed = 0;
   std::string version, flags;
   bool jail_complete = true;
+  /// Why this is no grade: the machine or the autograder failed; empty where it is one. What was judged
+  /// by then can be shown, but no points may be drawn from it, and no zero.
+  std::string not_judged;
   std::vector<LabVerdict> labs;
   std::vector<std::string> absent;  ///< labs of which there is no file
   double seconds = 0;

@@ -27,6 +27,9 @@ std::string report_speed(const LabVerdict& lab);
 /// A line for each submission and lab.
 std::string report_summary(const std::vector<Verdict>& verdicts);
 
+/// Why there is no grade, where there is none; empty otherwise.
+std::string not_judged_line(const Verdict& verdict);
+
 /// What must be said of every grade that was given without the whole jail; empty with it.
 std::string jail_warning(const Verdict& verdict);
 

@@ -109,6 +109,11 @@ std::string jail_warning(const Verdict& verdict) {
          "grade\nno more than you trust its author.\n";
 }
 
+std::string not_judged_line(const Verdict& verdict) {
+  if (verdict.not_judged.empty()) return {};
+  return fmt::format("not judged: {}\n", verdict.not_judged);
+}
+
 std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal) {
   std::string all = fmt::format("{}  {}, seed {}\n\n", painted(terminal, bold, lab.lab.title()),
                                 verdict.submission, verdict.seed);
@@ -201,14 +206,17 @@ std::string report_summary(const std::vector<Verdict>& verdicts) {
   }
   std::string all;
   for (const Verdict& verdict : verdicts) {
-    all += fmt::format("{}{}  {:>9}", verdict.submission,
-                       std::string(widest - columns_of(verdict.submission), ' '),
-                       points_of(verdict.earned(), verdict.points()));
+    all += fmt::format(
+        "{}{}  {:>9}", verdict.submission,
+        std::string(widest - columns_of(verdict.submission), ' '),
+        verdict.not_judged.empty() ? points_of(verdict.earned(), verdict.points()) : "not judged");
     for (const LabVerdict& lab : verdict.labs) {
       all += fmt::format("  {} {}", lab.lab.name,
                          lab.no_program.empty() ? points_of(lab.earned(), lab.points())
                                                 : std::string("no program"));
     }
+    if (!verdict.not_judged.empty())
+      all += "  " + verdict.not_judged.substr(0, verdict.not_judged.find('\n'));
     if (verdict.labs.empty()) all += "  no lab's file in it";
     all += '\n';
   }

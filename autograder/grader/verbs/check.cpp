@@ -47,6 +47,8 @@ int check(const Context& context, const Arguments& arguments) {
   }();
   LabVerdict& judged = verdict.labs[0];
   fmt::print("{}", report_lab(judged, verdict, this_terminal()));
+  // No grade, and no file that could be taken for one.
+  if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
   if (options.judge.only.empty() && judged.no_program.empty()) {
     {
       const ProgressLine line("timing " + lab.name);

@@ -1,0 +1,85 @@
+#include "sandbox/reaper.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <utility>
+
+#include "sandbox/descriptor.hpp"
+
+namespace mc::sandbox {
+namespace {
+
+/// In the watchman: positive numbers are groups to be guarded, negative ones are let go; the end of
+/// the pipe is the judge's end. No memory is allocated: it is forked from a process with threads.
+[[noreturn]] void watch(int notes) {
+  setsid();
+  // The judge's own streams are not ours to keep open.
+  for (int descriptor = 0; descriptor < 1024; ++descriptor) {
+    if (descriptor != notes) close(descriptor);
+  }
+  for (const int ignored : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) signal(ignored, SIG_IGN);
+  static std::array<pid_t, 4096> groups;
+  std::size_t count = 0;
+  pid_t note = 0;
+  for (;;) {
+    const ssize_t got = read(notes, &note, sizeof note);
+    if (got < 0 && errno == EINTR) continue;
+    if (got != static_cast<ssize_t>(sizeof note)) break;
+    if (note > 0 && count < groups.size()) groups[count++] = note;
+    if (note < 0) {
+      const auto end = groups.begin() + static_cast<std::ptrdiff_t>(count);
+      const auto found = std::find(groups.begin(), end, -note);
+      if (found != end) *found = groups[--count];
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) kill(-groups[i], SIGKILL);
+  _exit(0);
+}
+
+/// The end of the watchman's pipe that this process writes to; -1 where there is no watchman.
+int notes() {
+  static const int descriptor = [] {
+    Pipe pipe = make_pipe();
+    const pid_t watchman = fork();
+    if (watchman == 0) {
+      // Twice, so that it is nobody's child and needs no waiting for.
+      if (fork() == 0) watch(pipe.read.get());
+      _exit(0);
+    }
+    if (watchman > 0) {
+      while (waitpid(watchman, nullptr, 0) < 0 && errno == EINTR) {
+      }
+    }
+    static Descriptor kept;
+    kept = std::move(pipe.write);
+    return watchman < 0 ? -1 : kept.get();
+  }();
+  return descriptor;
+}
+
+void tell(pid_t note) {
+  const int descriptor = notes();
+  if (descriptor < 0) return;
+  // Notes are shorter than PIPE_BUF: they never mix.
+  while (write(descriptor, &note, sizeof note) < 0 && errno == EINTR) {
+  }
+}
+
+}  // namespace
+
+GroupGuard::GroupGuard(pid_t leader) : leader_(leader) {
+  tell(leader_);
+}
+
+GroupGuard::~GroupGuard() {
+  tell(-leader_);
+}
+
+}  // namespace mc::sandbox
