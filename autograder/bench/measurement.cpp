@@ -13,14 +13,14 @@ int main(int argc, char** argv) {
         "usage: bench_measurement PROGRAM (a program of lab 1, build/programs/*/*.program)\n");
     return 2;
   }
-  const auto program = mc::grader::open_program(argv[1]);
+  const auto program = mc::sandbox::open_program(argv[1]);
   mc::wire::Writer request;
   request.put(std::string("mean"));
   request.put(std::vector<double>{1, 2, 6});
   std::vector<double> milliseconds;
   for (int i = 0; i < 501; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    if (!mc::grader::run_jailed(program, request.bytes).answered) return 1;
+    if (!mc::sandbox::run_jailed(program, request.bytes).answered) return 1;
     milliseconds.push_back(
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
             .count());

@@ -43,10 +43,14 @@ void wait_for_labs(LabVerdict& verdict,
 /// plots and bench show).
 enum class CaseKind { checks, figures };
 
-/// Runs the hidden cases with this tag on a program. `options` brings what they are told and how
-/// long they may take; they say what happened in Catch2's XML.
+/// The names of a lab's hidden cases with this tag.
+std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
+                                      const std::string& tag);
+
+/// Runs the hidden cases with this tag, or the one of this name, on a program. `options` brings
+/// what they are told and how long they may take; they say what happened in Catch2's XML.
 sandbox::ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
-                                        const sandbox::Program& program, const std::string& tag,
+                                        const sandbox::Program& program, const std::string& which,
                                         sandbox::ProcessOptions options);
 
 }  // namespace mc::grader

@@ -1,28 +1,114 @@
 #include "grader/pictures/plots.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <mutex>
 
 #include <fmt/format.h>
 
+#include "grader/context/side_by_side.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/judging/catch_xml.hpp"
 #include "grader/judging/judge.hpp"
-#include "grader/pictures/gnuplot.hpp"
 #include "grader/submission/build.hpp"
 #include "protocol/environment.hpp"
+#include "runner/text.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-std::string script_of(const Layout& layout, const Lab& lab, const std::vector<std::string>& labels,
-                      const std::vector<fs::path>& data, const fs::path& out,
-                      const std::string& extension) {
-  const fs::path here = layout.labs() / lab.folder;
-  return script_beginning(layout, out, extension) +
-         fmt::format("count = {}\n{}{}here = {}\nload {}\n", labels.size(),
-                     gnuplot_array("labels", labels),
-                     gnuplot_array("data", std::vector<std::string>(data.begin(), data.end())),
-                     gnuplot_string(here.string()), gnuplot_string((here / "plots.gp").string()));
+/// A submission whose numbers are drawn.
+struct Panel {
+  std::string label;
+  Built built;
+  fs::path data;
+};
+
+/// A part of plots.gp: those that begin with a line "# Title ------" draw a picture or two each, and are
+/// drawn apart, so that one that fails takes no other with it.
+struct Section {
+  std::string script;
+};
+
+bool begins_section(std::string_view line) {
+  return line.starts_with("# ") && line.ends_with("----------");
+}
+
+/// Arrays and functions, which later sections may use too.
+bool is_definition(std::string_view line) {
+  if (line.starts_with("array ")) return true;
+  const auto equals = line.find(" = ");
+  return equals != std::string_view::npos && equals > 0 && line[equals - 1] == ')' &&
+         line.find(' ') >= equals;
+}
+
+std::vector<Section> sections_of(const std::string& script) {
+  std::vector<Section> sections;
+  std::string shared;
+  for (const std::string_view piece : text::split(script, '\n')) {
+    const std::string line(piece);
+    if (begins_section(line)) sections.push_back({shared});
+    if (sections.empty() || is_definition(line)) shared += line + '\n';
+    if (sections.empty()) continue;
+    sections.back().script += line + '\n';
+  }
+  return sections;
+}
+
+/// The pictures that a section draws: what it calls "name" or "sheet", by its strings.
+std::vector<std::string> names_in(const std::string& script) {
+  std::vector<std::string> names;
+  for (const std::string_view line : text::split(script, '\n')) {
+    if (!line.starts_with("name = ") && !line.starts_with("sheet = ")) continue;
+    std::string_view assigned = line.substr(0, line.find(';'));
+    if (const auto question = assigned.find('?'); question != std::string_view::npos) {
+      assigned.remove_prefix(question);  // name = against == 1 ? "error" : "time"
+    }
+    const auto parts = text::split(assigned, '"');
+    for (std::size_t i = 1; i < parts.size(); i += 2) names.emplace_back(parts[i]);
+  }
+  return names;
+}
+
+/// Draws the reason in the place of a picture.
+std::string placeholder(const std::string& beginning, const std::string& name,
+                        const std::string& reason) {
+  return beginning + fmt::format(
+                         "name = {}; width = 800; height = 200\nload draw\nunset border\nunset "
+                         "tics\nunset key\n"
+                         "set label 1 {} at graph 0.5,0.5 center noenhanced\nset xrange [0:1]\nset "
+                         "yrange [0:1]\n"
+                         "plot NaN\n",
+                         gnuplot_string(name), gnuplot_string(reason));
+}
+
+/// What a hidden case says of its end; empty where it came there.
+std::string failure_of(const sandbox::ProcessResult& run) {
+  const auto records = read_catch_xml(run.output);
+  if (records.size() == 1 && records[0].success) return {};
+  if (records.empty()) return "its measurement did not end";
+  const std::string message = sandbox::printable(records[0].message);
+  return message.substr(0, message.find('\n'));
+}
+
+/// Measures all that the plots show, submissions and cases side by side.
+void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& panels,
+             std::vector<std::string>& remarks) {
+  const auto cases = hidden_cases(layout, lab, CaseKind::figures, "[.plot]");
+  std::mutex mutex;
+  run_side_by_side(panels.size() * cases.size(), cores(), [&](std::size_t i) {
+    const Panel& panel = panels[i / cases.size()];
+    const std::string& name = cases[i % cases.size()];
+    const auto run =
+        run_hidden_cases(layout, lab, CaseKind::figures, *panel.built.program, name,
+                         {.environment = {{protocol::plot_data_variable, panel.data.string()}},
+                          .wall_seconds = 600});
+    if (const std::string why = failure_of(run); !why.empty()) {
+      const std::lock_guard lock(mutex);
+      remarks.push_back(fmt::format("{}: {} is not whole: {}", panel.label, name, why));
+    }
+  });
 }
 
 }  // namespace
@@ -32,29 +118,47 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   Plots plots;
   if (!can_draw(plots)) return plots;
   const fs::path place = layout.build / "plots" / folder;
-  std::vector<std::string> labels;
-  std::vector<fs::path> data;
+  std::vector<Panel> panels;
   for (const Submission& submission : submissions) {
-    const Built built = build_program(layout, lab, submission);
+    Built built = build_program(layout, lab, submission);
     if (!built.program) {
       plots.remarks.push_back(fmt::format("{} is not drawn: {}", submission.label, built.failure));
       continue;
     }
-    const fs::path measured = place / "data" / fmt::format("{}-{}", lab.name, labels.size());
-    fs::create_directories(measured);
-    const sandbox::ProcessOptions options{
-        .environment = {{protocol::plot_data_variable, measured.string()}}, .wall_seconds = 300};
-    if (run_hidden_cases(layout, lab, CaseKind::figures, *built.program, "[.plot]", options)
-            .succeeded()) {
-      labels.push_back(submission.label);
-      data.push_back(measured);
-    } else {
-      plots.remarks.push_back(submission.label + " is not drawn: its measurements failed");
-    }
+    const fs::path data = place / "data" / fmt::format("{}-{}", lab.name, panels.size());
+    fs::remove_all(data);
+    fs::create_directories(data);
+    panels.push_back({submission.label, std::move(built), data});
   }
-  if (labels.empty()) return plots;
-  draw(plots, place / "data" / lab.name, [&](const std::string& extension) {
-    return script_of(layout, lab, labels, data, place / lab.name, extension);
+  if (panels.empty()) return plots;
+  measure(layout, lab, panels, plots.remarks);
+
+  std::vector<std::string> labels, data;
+  for (const Panel& panel : panels) {
+    labels.push_back(panel.label);
+    data.push_back(panel.data.string());
+  }
+  const fs::path here = layout.labs() / lab.folder;
+  const std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
+  constexpr std::array extensions{"svg", "png"};
+  std::mutex mutex;
+  run_side_by_side(sections.size() * extensions.size(), cores(), [&](std::size_t i) {
+    const Section& section = sections[i / extensions.size()];
+    const std::string extension = extensions[i % extensions.size()];
+    const std::string beginning =
+        script_beginning(layout, place / lab.name, extension) +
+        fmt::format("count = {}\n{}{}here = {}\n", labels.size(), gnuplot_array("labels", labels),
+                    gnuplot_array("data", data), gnuplot_string(here.string()));
+    const auto names = names_in(section.script);
+    const auto script =
+        place / "data" / fmt::format("{}-{}.{}.gp", lab.name, i / extensions.size(), extension);
+    const std::string failure = run_gnuplot(script, beginning + section.script);
+    if (failure.empty()) return;
+    for (const std::string& name : names) {
+      run_gnuplot(script, placeholder(beginning, name, "not drawn: " + failure.substr(0, 90)));
+    }
+    const std::lock_guard lock(mutex);
+    plots.remarks.push_back(failure);
   });
   collect(plots, place, lab.name + "-");
   return plots;
