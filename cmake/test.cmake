@@ -1,8 +1,15 @@
 # Runs every test of a build directory and closes with counts: cmake -D BUILD=build -P cmake/test.cmake
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 set(log ${BUILD}/test.log)
-execute_process(COMMAND ctest --test-dir ${BUILD} -j ${cores} --output-on-failure --output-log ${log}
+set(which)
+if(QUICK)
+  set(which -L quick)
+endif()
+execute_process(COMMAND ctest --test-dir ${BUILD} -j ${cores} ${which} --output-on-failure --output-log ${log}
   RESULT_VARIABLE failed)
+if(POWER)
+  execute_process(COMMAND ${BUILD}/bin/self_test power)
+endif()
 
 file(READ ${log} text)
 function(count kind pattern)

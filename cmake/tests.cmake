@@ -3,33 +3,56 @@ enable_testing()
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/*_test.cpp)
 add_executable(grader_tests EXCLUDE_FROM_ALL ${sources})
+own_target(grader_tests)
 target_link_libraries(grader_tests PRIVATE grading recording drawing benching checking_figures)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
-add_test(NAME grader COMMAND grader_tests)
 
-# Every submission of the repository, with what its first lines say must happen to it.
-add_executable(self_test EXCLUDE_FROM_ALL autograder/tests/self_test.cpp
-  autograder/checks/support/distributions.cpp autograder/grader/reports/without_json.cpp)
-target_link_libraries(self_test PRIVATE grading)
+file(GLOB sources CONFIGURE_DEPENDS autograder/tests/self_test/*.cpp)
+add_executable(self_test EXCLUDE_FROM_ALL ${sources} autograder/checks/support/distributions.cpp
+  autograder/grader/reports/without_json.cpp)
 own_target(self_test)
-own_target(grader_tests)
-add_test(NAME repository COMMAND self_test repository)
+target_link_libraries(self_test PRIVATE grading)
+
+# test_of(<name> <cost> <command>...): those that take long begin first. With a thousand seeds
+# (./lab test --full) one takes the better part of an hour; else a minute is long.
+function(test_of name cost)
+  add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES COST ${cost} TIMEOUT 36000 SKIP_RETURN_CODE 77)
+endfunction()
+# ./lab test --quick runs these.
+function(quick name)
+  set_tests_properties(${name} PROPERTIES LABELS quick)
+endfunction()
+
+test_of(grader 100 grader_tests)
+test_of(repository 5 self_test repository)
+quick(grader)
+quick(repository)
+
+# Every submission of the repository, with what its first lines say must happen to it; of each kind
+# and lab the first is tried by --quick.
 foreach(lab ${LABS})
   foreach(who starter solutions)
     if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
-      add_test(NAME ${who}/${lab} COMMAND self_test ${who}/${lab}.cpp WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+      test_of(${who}/${lab} 50 self_test ${who}/${lab}.cpp)
     endif()
   endforeach()
 endforeach()
 file(GLOB_RECURSE submissions CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/autograder/submissions
   autograder/submissions/*.cpp)
+list(SORT submissions)
+set(folder_before)
 foreach(file ${submissions})
   string(REGEX REPLACE "[.]cpp$" "" name ${file})
-  add_test(NAME ${name} COMMAND self_test autograder/submissions/${file}
-    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  get_filename_component(folder ${file} DIRECTORY)
+  set(cost 10)
+  if(name MATCHES "^alternatives/")
+    set(cost 40)
+  endif()
+  test_of(${name} ${cost} self_test autograder/submissions/${file})
+  if(NOT folder STREQUAL folder_before)
+    quick(${name})
+  endif()
+  set(folder_before ${folder})
 endforeach()
-
-# With a thousand seeds (./lab test --full) one of them takes the better part of an hour.
-get_property(tests DIRECTORY PROPERTY TESTS)
-set_tests_properties(${tests} PROPERTIES TIMEOUT 36000 SKIP_RETURN_CODE 77)

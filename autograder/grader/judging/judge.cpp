@@ -141,7 +141,7 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
   LabVerdict verdict{lab, {}, built.failure, {}, 0, {}};
   for (const Check& check : expected_checks(layout, lab)) {
     if (!options.only.empty() && check.task != options.only) continue;
-    if (options.skip_slow && check.is_slow) continue;
+    if (!options.checks.empty() && !options.checks.contains(check.name)) continue;
     CheckResult result;
     result.check = check;
     result.repeat = repeat_command(lab, check, options);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 
 #include "grader/judging/verdict.hpp"
@@ -13,10 +14,10 @@ namespace mc::grader {
 
 struct JudgeOptions {
   std::uint64_t seed = 0;
-  bool skip_slow = false;  ///< leave out checks tagged [slow]
-  std::string only;        ///< a task ("1.3"): judge its checks alone; empty: all
-  unsigned workers = 2;    ///< tasks at the same time
-  std::string submission;  ///< the directory, for the command that repeats a check
+  std::set<std::string> checks = {};  ///< judge those of these names alone; empty: all
+  std::string only;                   ///< a task ("1.3"): judge its checks alone; empty: all
+  unsigned workers = 2;               ///< tasks at the same time
+  std::string submission;             ///< the directory, for the command that repeats a check
   /// Told after each check: how many are done, of how many. Called by one worker at a time.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };

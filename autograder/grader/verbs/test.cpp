@@ -15,21 +15,31 @@ namespace {
 namespace fs = std::filesystem;
 
 int test(const Context& context, const Arguments& arguments) {
-  if (!arguments.words.empty()) throw UsageError("usage: ./lab test [--full]");
-  if (arguments.has("full")) setenv("MC_SEEDS", "1000", 1);
-  become({"cmake", "-D", "BUILD=" + context.layout.build.string(), "-P",
+  if (!arguments.words.empty()) throw UsageError("usage: ./lab test [--quick | --full] [--power]");
+  if (arguments.has("power") && !arguments.has("full")) {
+    become({(context.layout.build / "bin" / "self_test").string(), "power"});
+  }
+  if (arguments.has("full")) {
+    setenv("MC_SEEDS", "1000", 1);
+    setenv("MC_MISTAKE_SEEDS", "200", 1);
+  }
+  become({"cmake", "-D", "BUILD=" + context.layout.build.string(), "-D",
+          std::string("QUICK=") + (arguments.has("quick") ? "ON" : "OFF"), "-D",
+          std::string("POWER=") + (arguments.has("power") ? "ON" : "OFF"), "-P",
           (context.layout.root / "cmake" / "test.cmake").string()});
 }
 
 const RegisterVerb test_verb{
     {"test",
-     "test [--full]",
-     {"full"},
-     "Every submission of the repository is judged: the starter, the solutions, the mistakes, "
+     "test [--quick | --full] [--power]",
+     {"quick", "full", "power"},
+     "Every submission of the repository is judged: the starters, the solutions, the mistakes, "
      "the\n"
-     "alternatives, the attacks. With --full, right ones with 1,000 seeds: hours, but it goes on "
-     "where\n"
-     "it was interrupted.\n",
+     "alternatives, the attacks.\n"
+     "  --quick   a minute: the grader's own tests, and one submission of every kind and lab\n"
+     "  --full    right ones with 1,000 seeds (their checks that are not random with 2,000),\n"
+     "            mistakes with 200: a night, but it goes on where it was interrupted\n"
+     "  --power   the table of seeds and alphas that runs of --full have left\n",
      test}};
 
 }  // namespace

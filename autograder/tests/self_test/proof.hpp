@@ -1,0 +1,56 @@
+#pragma once
+// What the proofs of submissions have in common: complaints, the word of a file on itself, judging.
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/judging/judge.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/submission/submission.hpp"
+
+namespace mc::self_test {
+
+/// Prints it; the proof has failed.
+void complain(const std::string& what);
+bool has_complained();
+
+/// The values of "// key: value" in the comment that a file begins with.
+std::vector<std::string> said(const std::filesystem::path& path, const std::string& key);
+
+/// A number from the environment, by which ./lab test says how thorough it is.
+std::uint64_t number_from(const char* variable, std::uint64_t otherwise);
+
+struct Proof {
+  grader::Layout layout = grader::read_layout();
+  std::vector<grader::Lab> labs = grader::find_labs(layout);
+  grader::Lab lab;
+  grader::Submission submission;
+  grader::Built built;
+
+  /// All checks, or those of these names.
+  grader::LabVerdict judge(std::uint64_t seed, const std::set<std::string>& checks = {}) const;
+  std::string report(const grader::LabVerdict& verdict, std::uint64_t seed) const;
+  void show(const grader::LabVerdict& verdict, std::uint64_t seed) const;
+};
+
+/// Full marks with every seed; the p-values of its random checks are uniform.
+void prove_right(const Proof& proof);
+
+/// Every task is «not written yet», no point, no crash.
+void prove_starter(const Proof& proof);
+
+/// Exactly the checks that the file names fail, with every seed, and say what it says.
+void prove_mistake(const Proof& proof, const std::filesystem::path& file);
+
+void prove_peer(const Proof& proof, const std::filesystem::path& file);
+void prove_attack(const Proof& proof, const std::filesystem::path& file);
+
+/// Task numbers, points, names.
+void prove_repository();
+
+}  // namespace mc::self_test

@@ -1,0 +1,77 @@
+// The repository itself: every lab has the same tasks everywhere, and its points sum to 100.
+
+#include <cctype>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "grader/context/text_file.hpp"
+#include "tests/self_test/proof.hpp"
+
+namespace mc::self_test {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// The task numbers "N.k" that follow `before` in a text.
+std::set<std::string> tasks_in(const std::string& text, const std::string& before, int number) {
+  std::set<std::string> tasks;
+  const std::string start = before + std::to_string(number) + '.';
+  for (auto at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
+    std::size_t end = at + start.size();
+    while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+    if (end > at + start.size()) {
+      tasks.insert(text.substr(at + before.size(), end - at - before.size()));
+    }
+  }
+  return tasks;
+}
+
+std::string listed(const std::set<std::string>& tasks) {
+  std::string all;
+  for (const std::string& task : tasks) all += task + ' ';
+  return all;
+}
+
+}  // namespace
+
+void prove_repository() {
+  const Layout layout = read_layout();
+  for (const Lab& lab : find_labs(layout)) {
+    const auto checks = expected_checks(layout, lab);
+    std::set<std::string> tasks;
+    std::map<std::string, int> mains;
+    double points = 0;
+    for (const Check& check : checks) {
+      tasks.insert(check.task);
+      mains[check.task] += check.is_main;
+      points += check.points;
+      // Catch2 gives these a meaning of their own in a name that is asked for.
+      if (check.name.find_first_of(",[]*\\\"~") != std::string::npos) {
+        complain(fmt::format("'{}': no , [ ] * \\ \" ~ in a check's name", check.name));
+      }
+      if (check.points <= 0) complain(fmt::format("'{}' has no points", check.name));
+    }
+    for (const auto& [task, count] : mains) {
+      if (count != 1) complain(fmt::format("task {} has {} checks tagged [main]", task, count));
+    }
+    if (points != 100) complain(fmt::format("lab {}: {:g} points, not 100", lab.name, points));
+    const std::pair<fs::path, std::string> places[] = {
+        {layout.labs() / lab.folder / lab.header(), "/// "},
+        {layout.labs() / lab.folder / "README.md", "\n### "},
+        {layout.starter() / lab.file(), "TODO("},
+        {layout.solutions() / lab.file(), "// "}};
+    for (const auto& [file, before] : places) {
+      const auto here = tasks_in(read_text(file), before, lab.number);
+      if (here != tasks) {
+        complain(fmt::format("{} has the tasks {}; the checks have {}", file.string(), listed(here),
+                             listed(tasks)));
+      }
+    }
+  }
+}
+
+}  // namespace mc::self_test

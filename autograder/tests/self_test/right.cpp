@@ -1,0 +1,116 @@
+// Right answers: full marks with many seeds, and what their random checks say of themselves.
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "checks/support/distributions.hpp"
+#include "tests/self_test/kept.hpp"
+#include "tests/self_test/proof.hpp"
+
+namespace mc::self_test {
+
+namespace fs = std::filesystem;
+using grader::CheckResult;
+using grader::LabVerdict;
+using protocol::PValue;
+
+namespace {
+
+/// What the random checks of a lab say of themselves, run after run of a right answer.
+class PValues {
+ public:
+  /// One run: may it fail a right answer more than once in a million?
+  void add(const LabVerdict& verdict) {
+    double alphas = 0;
+    for (const CheckResult& result : verdict.checks) {
+      for (const PValue& value : result.p_values) {
+        alphas += value.alpha;
+        of_null_[value.null].push_back(value.p);
+        all_.push_back(value.p);
+      }
+    }
+    most_ = std::max(most_, alphas);
+  }
+
+  /// All runs: their p-values are uniform, together and test by test.
+  void conclude() const {
+    if (all_.empty()) return;
+    if (most_ >= 1e-6) complain(fmt::format("its alphas add up to {:.2g}: 1e-6 or more", most_));
+    double least = 1;
+    for (const auto& [null, values] : of_null_) {
+      const double p = uniformity(values);
+      if (p < least) least = p;
+      if (p < 1e-6 / static_cast<double>(of_null_.size())) {
+        complain(fmt::format("p-values that are not uniform (p = {:.2g}): {}", p, null));
+      }
+    }
+    const double together = uniformity(all_);
+    if (together < 1e-6) complain(fmt::format("p-values are not uniform (p = {:.2g})", together));
+    fmt::print(
+        "{} p-values of {} tests, alphas of one run {:.2g} in all; smallest {:.2g}; uniform "
+        "together with p = {:.2g}, test by test with {:.2g} at least\n",
+        all_.size(), of_null_.size(), most_, *std::min_element(all_.begin(), all_.end()), together,
+        least);
+  }
+
+ private:
+  /// p-value of Kolmogorov and Smirnov's test that `p` is uniform.
+  static double uniformity(std::vector<double> p) {
+    std::sort(p.begin(), p.end());
+    const auto n = static_cast<double>(p.size());
+    double distance = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double below = static_cast<double>(i) / n;
+      distance = std::max({distance, p[i] - below, below + 1 / n - p[i]});
+    }
+    return mc::checks::kolmogorov_tails(distance, p.size()).upper;
+  }
+
+  double most_ = 0;
+  std::map<std::string, std::vector<double>> of_null_;
+  std::vector<double> all_;
+};
+
+}  // namespace
+
+void prove_right(const Proof& proof) {
+  const bool is_full = std::getenv("MC_SEEDS") != nullptr;
+  const std::uint64_t seeds = number_from("MC_SEEDS", 10);
+  // What is not random but has fresh data, too: with many more seeds, where all night is there.
+  const std::uint64_t fresh_seeds = is_full ? 2 * seeds : seeds;
+  PValues p_values;
+  const Kept kept(proof);
+  std::uint64_t seed = 1;
+  if (is_full) {
+    seed = kept.resume([&](const LabVerdict& verdict) { p_values.add(verdict); });
+  }
+  std::set<std::string> checks, random, fresh;  // empty: all
+  const auto choose = [&] {
+    checks = seed <= seeds ? random : std::set<std::string>{};
+    if (seed <= fresh_seeds) checks.insert(fresh.begin(), fresh.end());
+    return !checks.empty();
+  };
+  // The first run, with all checks, shows which of them are random.
+  const LabVerdict first = proof.judge(1);
+  for (const CheckResult& result : first.checks) {
+    if (result.check.is_slow) continue;  // those depend on no seed
+    (result.p_values.empty() ? fresh : random).insert(result.check.name);
+  }
+  for (; seed == 1 || choose(); ++seed) {
+    const LabVerdict verdict = seed == 1 ? first : proof.judge(seed, checks);
+    if (verdict.earned() != verdict.points()) {
+      proof.show(verdict, seed);
+      complain(fmt::format("seed {}: a right answer without full marks", seed));
+      return;
+    }
+    if (is_full) kept.keep(verdict);
+    p_values.add(verdict);
+  }
+  fmt::print("full marks with {} seeds\n", seeds);
+  p_values.conclude();
+}
+
+}  // namespace mc::self_test

@@ -1,0 +1,155 @@
+// Starters, mistakes, libraries, attacks: each fails as it says.
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "runner/text.hpp"
+#include "sandbox/printable.hpp"
+#include "tests/self_test/kept.hpp"
+#include "tests/self_test/proof.hpp"
+
+namespace mc::self_test {
+
+namespace fs = std::filesystem;
+using grader::CheckResult;
+using grader::LabVerdict;
+using grader::Status;
+
+namespace {
+
+/// The checks that have these names, or beginnings of names.
+std::set<std::string> checks_named(const LabVerdict& verdict,
+                                   const std::vector<std::string>& starts) {
+  std::set<std::string> names;
+  for (const std::string& start : starts) {
+    std::vector<std::string> found;
+    for (const CheckResult& result : verdict.checks) {
+      if (result.check.name.starts_with(start)) found.push_back(result.check.name);
+    }
+    if (found.size() == 1) {
+      names.insert(found[0]);
+    } else {
+      complain(fmt::format("'{}' begins the names of {} checks", start, found.size()));
+    }
+  }
+  return names;
+}
+
+/// Those checks failed, and no others; others may wait for them, or be unwritten. Gives the stories
+/// of what failed.
+std::string compare_failures(const LabVerdict& verdict, const std::set<std::string>& expected,
+                             bool may_be_unwritten) {
+  std::string stories;
+  for (const CheckResult& result : verdict.checks) {
+    const bool excused = result.status == Status::passed || result.status == Status::waiting ||
+                         result.status == Status::withheld ||
+                         (may_be_unwritten && result.status == Status::not_written);
+    const bool is_expected = expected.contains(result.check.name);
+    if (!excused && result.status != Status::failed) {
+      complain(fmt::format("'{}' is {}", result.check.name, describe(result, verdict)));
+    }
+    if (!excused) stories += result.story + '\n';
+    if (!excused && !is_expected) {
+      complain(fmt::format("caught by a check it does not name: {}", result.check.name));
+    }
+    if (excused && is_expected) {
+      complain(fmt::format("not caught by: {} ({})", result.check.name, describe(result, verdict)));
+    }
+  }
+  return stories;
+}
+
+/// What a mistake does with one seed; its stories.
+LabVerdict try_mistake(const Proof& proof, const fs::path& file, std::uint64_t seed,
+                       const std::set<std::string>& checks) {
+  const LabVerdict verdict = proof.judge(seed, checks);
+  auto named = checks_named(verdict, said(file, "caught by"));
+  const std::string stories = compare_failures(verdict, named, false);
+  for (const std::string& hint : said(file, "hint")) {
+    if (stories.find(hint) == std::string::npos) complain("no story says: " + hint);
+  }
+  return verdict;
+}
+
+}  // namespace
+
+void prove_starter(const Proof& proof) {
+  const LabVerdict verdict = proof.judge(1);
+  for (const CheckResult& result : verdict.checks) {
+    if (result.status != Status::not_written) {
+      complain(fmt::format("'{}' is {}\n{}", result.check.name, describe(result, verdict),
+                           result.story));
+    }
+  }
+}
+
+void prove_mistake(const Proof& proof, const fs::path& file) {
+  if (said(file, "caught by").empty() || said(file, "hint").empty()) {
+    complain("the file must say 'caught by:' and 'hint:'");
+  }
+  const std::uint64_t seeds = number_from("MC_MISTAKE_SEEDS", 1);
+  const LabVerdict first = try_mistake(proof, file, 1, {});
+  std::set<std::string> checks;  // slow ones depend on no seed
+  for (const CheckResult& result : first.checks) {
+    if (!result.check.is_slow) checks.insert(result.check.name);
+  }
+  std::uint64_t seed = 2;
+  const Kept kept(proof);
+  if (seeds > 1) seed = std::max<std::uint64_t>(2, kept.resume([](const LabVerdict&) {}) + 1);
+  for (; seed <= seeds && !has_complained(); ++seed) {
+    LabVerdict verdict = try_mistake(proof, file, seed, checks);
+    verdict.checks.clear();  // the p-values of a wrong answer say nothing
+    if (!has_complained()) kept.keep(verdict);
+  }
+  if (has_complained() && seed > 2) fmt::print("with seed {}\n", seed - 1);
+  fmt::print("the same fate with {} seeds\n", seeds);
+  proof.show(first, 1);
+}
+
+/// Of a library nobody expects that it does what a lab asks for; but where it does not, that is
+/// known, and why.
+void prove_peer(const Proof& proof, const fs::path& file) {
+  const std::uint64_t seed = 1;
+  const LabVerdict verdict = proof.judge(seed);
+  if (said(file, "peer").empty()) complain("the file must say 'peer:'");
+  if (said(file, "fails").empty() != said(file, "because").empty()) {
+    complain("the file must say 'because:' where it says 'fails:'");
+  }
+  compare_failures(verdict, checks_named(verdict, said(file, "fails")), true);
+  proof.show(verdict, seed);
+}
+
+void prove_attack(const Proof& proof, const fs::path& file) {
+  const std::uint64_t seed = 1;
+  const LabVerdict verdict = proof.judge(seed);
+  const auto earns = said(file, "earns"), words = said(file, "says");
+  const double most = earns.empty() ? 0 : std::strtod(earns[0].c_str(), nullptr);
+  if (said(file, "attack").empty() || words.empty())
+    complain("the file must say 'attack:' and 'says:'");
+  if (verdict.earned() > most) {
+    complain(fmt::format("it earned {:g} points; {:g} are the most", verdict.earned(), most));
+  }
+  std::string stories = verdict.no_program;
+  for (const CheckResult& result : verdict.checks) {
+    stories += '\n' + result.story + '\n' + result.printed;
+    if (result.status == Status::internal_error) {
+      complain(fmt::format("it broke the autograder in '{}': {}", result.check.name, result.story));
+    }
+  }
+  for (const std::string& word : words) {
+    if (stories.find(word) == std::string::npos) complain("no story says: " + word);
+  }
+  for (const std::string& word : said(file, "never says")) {
+    if (stories.find(word) != std::string::npos) complain("a story says: " + word);
+  }
+  if (sandbox::printable(stories) != stories) complain("what it is told is not printable");
+  for (const std::string_view line : text::split(proof.report(verdict, seed), '\n')) {
+    constexpr std::size_t longest = 420;  // a compiler's line, cut
+    if (line.size() > longest) complain(fmt::format("too long a line: {}", line.substr(0, 80)));
+  }
+  proof.show(verdict, seed);
+}
+
+}  // namespace mc::self_test
