@@ -8,8 +8,8 @@ namespace mc::protocol {
 namespace {
 
 /// In the order of RecordKind.
-constexpr std::array<std::string_view, 5> names{"printed", "todo", "timed_out", "p_value",
-                                                "machine"};
+constexpr std::array<std::string_view, 6> names{"printed", "todo", "timed_out",
+                                                "p_value", "call", "machine"};
 
 std::string escaped(std::string_view text) {
   std::string line;

@@ -13,6 +13,7 @@ enum class RecordKind {
   todo,       ///< a task that is not written yet
   timed_out,  ///< an experiment that ran out of time
   p_value,    ///< of a random test (PValue)
+  call,       ///< what was asked last before a check failed: an experiment, its arguments as typed
   machine,    ///< the machine failed, and how: what the check says is no verdict
 };
 

@@ -188,6 +188,7 @@ Outcome interpret(const Watch& child, const Limits& limits) {
     outcome.timed_out = true;
   } else if (signaled) {
     outcome.failure = crash(signal);
+    outcome.end = signal == SIGSYS ? End::other : End::crashed;
   } else if (const int code = WEXITSTATUS(child.status); child.response_bytes.empty()) {
     outcome.failure = fmt::format("called exit({}) instead of returning", code);
   } else if (code != 0 || !read_response(child.response_bytes, outcome)) {
@@ -195,7 +196,9 @@ Outcome interpret(const Watch& child, const Limits& limits) {
   } else if (outcome.status == wire::Status::other_exception && outcome.bytes == "std::bad_alloc") {
     outcome.answered = false;
     outcome.failure = too_much_memory;
+    outcome.end = End::out_of_memory;
   }
+  if (outcome.timed_out) outcome.end = End::out_of_time;
   return outcome;
 }
 

@@ -20,7 +20,7 @@ struct Experiment {
   std::string_view parameters;   ///< their names, as one types them: "x rounds"
   std::string_view description;  ///< one line
   std::string (*from_wire)(wire::Reader& arguments);
-  std::string (*by_hand)(std::span<char* const> arguments);
+  std::string (*by_hand)(std::span<const std::string> arguments);
 };
 
 /// The experiments of the lab that this program was built for.
@@ -46,7 +46,7 @@ struct Adapter<function> {
     return std::move(to.bytes);
   }
 
-  static std::string by_hand(std::span<char* const> texts) {
+  static std::string by_hand(std::span<const std::string> texts) {
     if (texts.size() != sizeof...(Parameters)) {
       throw std::invalid_argument("wrong number of arguments");
     }

@@ -11,6 +11,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
@@ -93,6 +94,45 @@ void list() {
   }
 }
 
+/// The file that "@file" names, its line ends as commas; any other text as it is.
+std::string contents_of(const std::string& argument) {
+  if (!argument.starts_with('@')) return argument;
+  std::FILE* const file = std::fopen(argument.c_str() + 1, "r");
+  if (file == nullptr) throw std::invalid_argument("cannot read " + argument.substr(1));
+  std::string text;
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) {
+    text += c == '\n' ? ',' : static_cast<char>(c);
+  }
+  std::fclose(file);
+  while (text.ends_with(',')) text.pop_back();
+  return text;
+}
+
+/// Arguments in their order: as they are, or by their names: --points 12 --dims 2.
+std::vector<std::string> in_order(const mc::runner::Experiment& experiment,
+                                  std::span<char* const> given) {
+  std::vector<std::string> names;
+  for (const std::string_view name : mc::text::split(experiment.parameters, ' ')) {
+    if (!name.empty()) names.emplace_back(name);
+  }
+  std::vector<std::string> all;
+  if (given.empty() || !std::string_view(given[0]).starts_with("--")) {
+    for (const char* argument : given) all.push_back(contents_of(argument));
+    return all;
+  }
+  for (const std::string& name : names) {
+    bool found = false;
+    for (std::size_t i = 0; i + 1 < given.size() && !found; i += 2) {
+      if ("--" + name != given[i]) continue;
+      all.push_back(contents_of(given[i + 1]));
+      found = true;
+    }
+    if (!found) throw std::invalid_argument("--" + name + " is missing");
+  }
+  if (given.size() != 2 * names.size()) throw std::invalid_argument("an argument has no such name");
+  return all;
+}
+
 int run_by_hand(std::string_view name, std::span<char* const> arguments) {
   const auto* experiment = find(name);
   if (experiment == nullptr) {
@@ -100,7 +140,8 @@ int run_by_hand(std::string_view name, std::span<char* const> arguments) {
     list();
     return 2;
   }
-  const auto [status, text] = outcome_of([&] { return experiment->by_hand(arguments); });
+  const auto [status, text] =
+      outcome_of([&] { return experiment->by_hand(in_order(*experiment, arguments)); });
   switch (status) {
     case Status::value:
       std::printf("%s\n", text.c_str());

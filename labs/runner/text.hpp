@@ -2,6 +2,7 @@
 // Arguments and results as text, for running an experiment by hand: 3 or 0.5 is a number, 1,2,4 a
 // list, 3:0.5:2 a struct field by field, anything else a word.
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -42,6 +43,12 @@ void parse(std::string_view text, T& value) {
       fields(value));
 }
 
+/// A value as it is typed: what parse() reads back. Lists of lists are not typed.
+template <class T>
+std::string as_typed(const T& value);
+template <class T>
+std::string as_typed(const std::vector<T>& values);
+
 /// The fewest digits that give back the same number.
 std::string print(double value);
 std::string print(std::uint64_t value);
@@ -71,6 +78,27 @@ std::string print(const T& value) {
       },
       fields(const_cast<T&>(value)));
   return all;
+}
+
+template <class T>
+std::string as_typed(const std::vector<T>& values) {
+  std::string all;
+  for (const T& value : values) {
+    if (!all.empty()) all += ',';
+    all += as_typed(value);
+  }
+  return all;
+}
+template <class T>
+std::string as_typed(const T& value) {
+  if constexpr (wire::Listed<T>) {
+    std::string all;
+    std::apply([&](const auto&... field) { ((all += ':' + as_typed(field)), ...); },
+               fields(const_cast<T&>(value)));
+    return all.substr(std::min<std::size_t>(1, all.size()));
+  } else {
+    return print(value);
+  }
 }
 
 }  // namespace mc::text

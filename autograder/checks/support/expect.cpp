@@ -49,10 +49,10 @@ void expect_digits(const std::string& what, double got, double exact, double flo
                    const std::string& because, const Hints& hints) {
   const double kept = digits(got, exact);
   if (kept >= floor) return pass();
-  const std::string how_many =
-      std::isfinite(got) ? fmt::format("; {:.1f} are", std::max(0.0, kept)) : "";
+  const std::string found =
+      std::isfinite(got) ? fmt::format("{:.1f} found", std::max(0.0, kept)) : "no number found";
   tell(fmt::format("{} = {}", what, got),
-       fmt::format("{}, with at least {:.1f} digits right{}", exact, floor, how_many), because,
+       fmt::format("{}: {:.1f} correct digits needed, {}", exact, floor, found), because,
        hint_for(got, hints, [=](double value) { return digits(value, exact) >= floor; }));
 }
 

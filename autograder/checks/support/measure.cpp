@@ -47,6 +47,9 @@ std::uint64_t run_seed() {
   return seed;
 }
 
+/// The experiment that was asked for last, and its arguments, a line each.
+std::string last_call;
+
 bool has_timed_out(std::string_view experiment) {
   const std::string all = ' ' + environment(protocol::timed_out_variable) + ' ';
   return all.find(fmt::format(" {} ", experiment)) != std::string::npos;
@@ -61,6 +64,54 @@ sandbox::Outcome run_or_tell(std::string_view request, const sandbox::Limits& li
     record(protocol::RecordKind::machine, error.what());
     throw;
   }
+}
+
+/// What the library's assertion said before it ended the program, if one did.
+std::string assertion_in(const std::string& printed) {
+  const auto at = printed.find("Assertion '");
+  if (at == std::string::npos) return {};
+  const auto start = at + std::string_view("Assertion '").size();
+  const std::string what = printed.substr(start, printed.find('\'', start) - start);
+  const auto line = printed.rfind('\n', at) + 1;  // 0 where there is none before it
+  const std::string_view where = std::string_view(printed).substr(line, at - line);
+  for (const char* type : {"span", "vector", "array", "string", "optional"}) {
+    if (where.find(fmt::format("::{}<", type)) != std::string_view::npos ||
+        where.find(fmt::format("/{}:", type)) != std::string_view::npos) {
+      return fmt::format("the standard library found {} broken in a std::{}", what, type);
+    }
+  }
+  return fmt::format("the standard library found {} broken", what);
+}
+
+/// A program that brought no answer: how it ended, where that is known, and what usually does that.
+std::string story_of_end(const Call& call) {
+  const sandbox::Outcome& outcome = call.outcome;
+  std::string because = assertion_in(outcome.printed), likely;
+  switch (outcome.end) {
+    case sandbox::End::out_of_time:
+      likely =
+          "a loop that never ends, or far more steps than the task needs: look at the loop's "
+          "condition with these arguments";
+      break;
+    case sandbox::End::out_of_memory:
+      likely =
+          "a list that grows without end, or a size computed below zero: -1 as an unsigned "
+          "number is 1.8e19";
+      break;
+    case sandbox::End::crashed:
+      likely = because.empty()
+                   ? "an index outside a list, a division of integers by zero, or a "
+                     "recursion without end"
+                   : "an index one too large, or an empty list where one value is needed";
+      break;
+    case sandbox::End::other:
+      break;
+  }
+  std::string story =
+      fmt::format("measured  {} {}\nexpected  an answer", call.text, outcome.failure);
+  if (!because.empty()) story += "\nbecause   " + because;
+  if (!likely.empty()) story += "\nlikely    " + likely;
+  return story;
 }
 
 }  // namespace
@@ -84,6 +135,7 @@ Rng check_rng() {
 }
 
 void fail(const std::string& story) {
+  if (!last_call.empty()) record(RecordKind::call, last_call);
   FAIL(story);
   std::abort();  // FAIL throws
 }
@@ -92,8 +144,9 @@ void pass() {
   SUCCEED();
 }
 
-Call ask(std::string_view experiment, std::string call, std::string request,
+Call ask(std::string_view experiment, std::string call, std::string typed, std::string request,
          const sandbox::Limits& limits) {
+  last_call = std::string(experiment) + typed;
   if (has_timed_out(experiment)) {
     fail(fmt::format("skipped: {} already timed out in a check of this task", experiment));
   }
@@ -105,7 +158,7 @@ Call ask(std::string_view experiment, std::string call, std::string request,
 
 void require_value(const Call& call) {
   const sandbox::Outcome& outcome = call.outcome;
-  if (!outcome.answered) fail(fmt::format("measured  {} {}", call.text, outcome.failure));
+  if (!outcome.answered) fail(story_of_end(call));
   switch (outcome.status) {
     case wire::Status::value:
       return;

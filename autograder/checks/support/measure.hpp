@@ -94,7 +94,8 @@ struct Call {
 Rng check_rng();
 
 /// Asks the program; ends the check where there is none, or where it may not be asked any more.
-Call ask(std::string_view experiment, std::string call, std::string request,
+/// `typed` has the arguments as one types them by hand, separated by line ends.
+Call ask(std::string_view experiment, std::string call, std::string typed, std::string request,
          const sandbox::Limits& limits);
 
 /// Ends the check unless the call brought a value.
@@ -143,7 +144,9 @@ struct Measure<Result(Parameters...)> {
     ((call += shown(arguments), call += ", "), ...);
     if constexpr (sizeof...(Parameters) > 0) call.resize(call.size() - 2);
     call += ')';
-    return ask(experiment, std::move(call), std::move(request.bytes), limits);
+    std::string typed;
+    ((typed += '\n' + text::as_typed(arguments)), ...);
+    return ask(experiment, std::move(call), std::move(typed), std::move(request.bytes), limits);
   }
 
   static Measured<Result> value(

@@ -11,6 +11,7 @@
 #include "grader/context/errors.hpp"
 #include "grader/context/side_by_side.hpp"
 #include "grader/judging/catch_xml.hpp"
+#include "grader/judging/commands.hpp"
 #include "grader/judging/task_runner.hpp"
 #include "protocol/environment.hpp"
 #include "runner/text.hpp"
@@ -89,16 +90,6 @@ void withhold(std::vector<CheckResult>& results) {
   }
 }
 
-std::string repeat_command(const Lab& lab, const Check& check, const JudgeOptions& options) {
-  const bool plain = options.submission.empty() || options.submission == "starter";
-  const bool quoted = options.submission.find_first_of(" '\"$&;()<>|*?") != std::string::npos;
-  return fmt::format("./lab check {}{} --only {} --seed {}", lab.name,
-                     plain    ? ""
-                     : quoted ? fmt::format(" \"{}\"", options.submission)
-                              : " " + options.submission,
-                     check.task, options.seed);
-}
-
 }  // namespace
 
 std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
@@ -122,14 +113,17 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
 }
 
 void wait_for_labs(LabVerdict& verdict,
-                   const std::function<bool(const std::string& lab)>& is_finished) {
+                   const std::function<bool(const std::string& need)>& is_finished) {
   for (CheckResult& result : verdict.checks) {
     if (result.status != Status::failed) continue;
     for (const std::string& need : result.check.needs) {
-      const bool is_lab = need.find('.') == std::string::npos;
-      if (!is_lab || is_finished(need)) continue;
+      const bool is_own = std::atoi(need.c_str()) == verdict.lab.number;
+      if (is_own || is_finished(need)) continue;
       result.status = Status::waiting;
-      verdict.unfinished.push_back(need);
+      auto& unfinished = verdict.unfinished;
+      if (std::find(unfinished.begin(), unfinished.end(), need) == unfinished.end()) {
+        unfinished.push_back(need);
+      }
       break;
     }
   }
@@ -154,6 +148,10 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
     run_checks(layout, lab, *built.program, options, verdict.checks);
     find_waiting(verdict.checks);
     withhold(verdict.checks);
+    for (CheckResult& result : verdict.checks) {
+      if (result.status != Status::failed || result.call.empty()) continue;
+      result.by_hand = by_hand_command(layout, lab, result.call, options);
+    }
   } else {
     for (CheckResult& result : verdict.checks) {
       result.status = Status::not_run;

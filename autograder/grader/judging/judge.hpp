@@ -35,10 +35,10 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab);
 LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
                      const JudgeOptions& options);
 
-/// A failed check that needs another lab is waiting while that lab, "3", is short of full marks, as
-/// `is_finished` says; it is asked only where it matters.
+/// A failed check that needs another lab ("3"), or a task of one ("1.4"), is waiting while that is short
+/// of full marks, as `is_finished` says; it is asked only where it matters.
 void wait_for_labs(LabVerdict& verdict,
-                   const std::function<bool(const std::string& lab)>& is_finished);
+                   const std::function<bool(const std::string& need)>& is_finished);
 
 /// Which of a lab's programs has a hidden case: its checks (the speed tasks), or its figures (what
 /// plots and bench show).

@@ -13,7 +13,8 @@
 namespace mc::grader {
 namespace {
 
-/// Does the submission have full marks in this lab? Judged now, unless it was already.
+/// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judged now, unless
+/// it was already.
 class Finished {
  public:
   Finished(const Context& context, const Submission& submission, const JudgeOptions& options)
@@ -23,16 +24,24 @@ class Finished {
   }
 
   void add(const LabVerdict& verdict) {
-    known_[std::to_string(verdict.lab.number)] = verdict.earned() == verdict.points();
+    const std::string lab = std::to_string(verdict.lab.number);
+    known_[lab] = verdict.earned() == verdict.points();
+    for (const CheckResult& result : verdict.checks) known_[result.check.task] = true;
+    for (const CheckResult& result : verdict.checks) {
+      if (result.status != Status::passed) known_[result.check.task] = false;
+    }
   }
 
-  bool operator()(const std::string& number) {
-    if (!known_.contains(number)) {
-      const Lab& lab = find_lab(context_.labs, number);
-      add(judge_lab(context_.layout, lab, build_program(context_.layout, lab, submission_),
-                    options_));
+  bool operator()(const std::string& need) {
+    if (!known_.contains(need)) {
+      const auto dot = need.find('.');
+      const Lab& lab = find_lab(context_.labs, need.substr(0, dot));
+      options_.only = dot == std::string::npos ? "" : need;
+      const Built built = build_program(context_.layout, lab, submission_);
+      const LabVerdict verdict = judge_lab(context_.layout, lab, built, options_);
+      known_[need] = verdict.earned() == verdict.points();
     }
-    return known_[number];
+    return known_[need];
   }
 
  private:

@@ -11,6 +11,7 @@
 #include "grader/judging/catch_xml.hpp"
 #include "protocol/environment.hpp"
 #include "protocol/records.hpp"
+#include "runner/text.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/printable.hpp"
 
@@ -113,6 +114,9 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
           break;
         case protocol::RecordKind::p_value:
           result->p_values.push_back(protocol::p_value_in(record.text));
+          break;
+        case protocol::RecordKind::call:
+          for (const auto line : text::split(record.text, '\n')) result->call.emplace_back(line);
           break;
         case protocol::RecordKind::machine:
           machine = record.text;

@@ -58,7 +58,9 @@ std::string describe(const CheckResult& result, const LabVerdict& verdict) {
     case Status::waiting:
       for (const std::string& need : result.check.needs) {
         for (const std::string& lab : verdict.unfinished) {
-          if (lab == need) return "waiting for lab " + need;
+          if (lab != need) continue;
+          return need.find('.') == std::string::npos ? "waiting for lab " + need
+                                                     : "waiting for task " + need;
         }
         for (const auto& other : verdict.checks) {
           if (other.check.task == need && other.status != Status::passed)

@@ -40,6 +40,9 @@ struct CheckResult {
   std::string story;    ///< of a failure: measured, expected, because, likely
   std::string printed;  ///< what the submission printed meanwhile
   std::string repeat;   ///< the command that repeats this check, seed included
+  /// Of a failure: what was asked last, an experiment and its arguments as one types them.
+  std::vector<std::string> call;
+  std::string by_hand;  ///< the command that asks this again; empty where nothing was asked
   std::vector<protocol::PValue> p_values;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }
@@ -60,7 +63,7 @@ struct LabVerdict {
   Lab lab;
   std::vector<CheckResult> checks;
   std::string no_program;               ///< why there is none to judge; empty where there is
-  std::vector<std::string> unfinished;  ///< labs that some checks are waiting for: "3"
+  std::vector<std::string> unfinished;  ///< what of other labs some checks wait for: "3", "1.4"
   double seconds = 0;
   std::vector<Speed> speed;  ///< of the speed tasks that passed
   double earned() const;

@@ -8,7 +8,7 @@
 namespace mc::grader {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string csv_quoted(const std::string& text) {
   std::string all = "\"";
   for (const char c : text) all += c == '"' ? "\"\"" : std::string(1, c);
   return all + '"';
@@ -29,15 +29,15 @@ std::string report_csv(const std::vector<Verdict>& verdicts) {
     }
   }
   std::string all = "submission,seed,version,jail_complete,earned,points";
-  for (const std::string& column : columns) all += ',' + quoted(column);
+  for (const std::string& column : columns) all += ',' + csv_quoted(column);
   all += '\n';
   for (const Verdict& verdict : verdicts) {
     std::map<std::string, double> earned;
     for (const LabVerdict& lab : verdict.labs) {
       for (const CheckResult& result : lab.checks) earned[result.check.name] = result.earned();
     }
-    all += fmt::format("{},{},{},{},{:g},{:g}", quoted(verdict.submission), verdict.seed,
-                       quoted(verdict.version), verdict.jail_complete, verdict.earned(),
+    all += fmt::format("{},{},{},{},{:g},{:g}", csv_quoted(verdict.submission), verdict.seed,
+                       csv_quoted(verdict.version), verdict.jail_complete, verdict.earned(),
                        verdict.points());
     for (const std::string& column : columns) {
       const auto found = earned.find(column);

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "grader/reports/report.hpp"
 #include "runner/text.hpp"
-#include "sandbox/jail.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
@@ -87,6 +88,47 @@ std::string points_of(double earned, double points) {
   return fmt::format("{:g}/{:g}", earned, points);
 }
 
+std::string points_in_all(const Terminal& terminal, const LabVerdict& lab) {
+  return painted(terminal, bold, fmt::format("{:g} of {:g}", lab.earned(), lab.points()));
+}
+
+/// "lab 3", or "task 1.4"
+std::string called(const std::string& need) {
+  return (need.find('.') == std::string::npos ? "lab " : "task ") + need;
+}
+
+/// What must be right first, where it is not in this lab.
+std::string roots_elsewhere(const LabVerdict& lab) {
+  std::string all;
+  for (const std::string& need : lab.unfinished) {
+    const auto dot = need.find('.');
+    all += fmt::format(
+        "  First: {} is not right yet, and checks below stand on it: ./lab check {}\n",
+        called(need), dot == std::string::npos ? need : need.substr(0, dot) + " --only " + need);
+  }
+  return all.empty() ? all : all + '\n';
+}
+
+/// All there is to say of a failure.
+std::string whole_story(const LabVerdict& lab, const CheckResult& result,
+                        const Terminal& terminal) {
+  std::string all;
+  const auto add = [&](std::string_view line) { all += story_line(line, margin, terminal.width); };
+  for (const std::string_view line : text::split(result.story, '\n')) add(line);
+  add(fmt::format("read      labs/{}/README.md, section {}", lab.lab.folder, result.check.task));
+  add("again     " + result.repeat);
+  if (!result.by_hand.empty()) add("by hand   " + result.by_hand);
+  return all;
+}
+
+/// Of a failure whose task has failed before: one line. The first hint is the one to follow.
+std::string short_story(const CheckResult& result, const Terminal& terminal) {
+  std::string_view line = std::string_view(result.story).substr(0, result.story.find('\n'));
+  constexpr std::string_view label = "measured  ";
+  if (line.starts_with(label)) line.remove_prefix(label.size());
+  return story_line("also      " + sandbox::shortened(line, 160), margin, terminal.width);
+}
+
 }  // namespace
 
 Terminal this_terminal() {
@@ -121,29 +163,28 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     for (const std::string_view line : text::split(lab.no_program, '\n')) {
       all += fmt::format("  {}\n", line);
     }
-    all += '\n';
+    return all + fmt::format("\n  {} points\n", points_in_all(terminal, lab)) +
+           jail_warning(verdict);
   }
+  all += roots_elsewhere(lab);
+  std::set<std::string> told;  // tasks of which the first failure stands above
   const CheckResult* next = nullptr;
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
     const CheckResult& result = lab.checks[i];
-    const bool passed = result.status == Status::passed;
-    if (!passed && next == nullptr && result.status != Status::waiting &&
-        result.status != Status::withheld) {
-      next = &result;
-    }
     const std::string points = points_of(result.earned(), result.check.points);
-    if (!lab.no_program.empty()) continue;
-    if (passed) {
+    const bool is_next = result.status != Status::passed && result.status != Status::waiting &&
+                         result.status != Status::withheld;
+    if (is_next && next == nullptr) next = &result;
+    if (result.status == Status::passed) {
       all += check_line(terminal, green, "✓", result.check.name, points);
-    } else if (result.status == Status::failed || result.status == Status::internal_error) {
+      continue;
+    }
+    if (result.status == Status::failed || result.status == Status::internal_error ||
+        result.status == Status::not_judged) {
       all += check_line(terminal, red, "✗", result.check.name, points);
-      for (const std::string_view line : text::split(result.story, '\n')) {
-        all += story_line(line, margin, terminal.width);
-      }
-      all += story_line(
-          fmt::format("read      labs/{}/README.md, section {}", lab.lab.folder, result.check.task),
-          margin, terminal.width);
-      all += story_line("again     " + result.repeat, margin, terminal.width);
+      const bool is_first = told.insert(result.check.task).second;
+      all += is_first || result.status != Status::failed ? whole_story(lab, result, terminal)
+                                                         : short_story(result, terminal);
     } else {
       // Said once for a task, however many checks it has.
       double together = result.check.points;
@@ -162,15 +203,14 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       }
       i = last;
     }
-    all += passed ? "" : printed_lines(result.printed);
+    all += printed_lines(result.printed);
   }
   if (!lab.speed.empty()) all += "\n" + report_speed(lab);
-  all +=
-      fmt::format("\n  {} points",
-                  painted(terminal, bold, fmt::format("{:g} of {:g}", lab.earned(), lab.points())));
-  if (next != nullptr && lab.no_program.empty()) all += fmt::format("; next: {}", next->check.task);
-  if (next == nullptr && !lab.unfinished.empty()) {
-    all += fmt::format("; next: lab {}", lab.unfinished[0]);
+  all += fmt::format("\n  {} points", points_in_all(terminal, lab));
+  if (next != nullptr) {
+    all += fmt::format("; next: {}", next->check.task);
+  } else if (!lab.unfinished.empty()) {
+    all += fmt::format("; next: {}", called(lab.unfinished[0]));
   }
   return all + "\n" + jail_warning(verdict);
 }
