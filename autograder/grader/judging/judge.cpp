@@ -50,6 +50,27 @@ std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results
   return tasks;
 }
 
+/// Tasks in their order, until one is not right; what is behind it is not reported.
+void run_until_first_failure(const Layout& layout, const Lab& lab, const sandbox::Program& program,
+                             const JudgeOptions& options, std::vector<CheckResult>& results) {
+  std::size_t begin = 0, done = 0;
+  bool failed = false;
+  while (begin < results.size() && !failed) {
+    std::vector<CheckResult*> task;
+    std::size_t end = begin;
+    for (; end < results.size() && results[end].check.task == results[begin].check.task; ++end) {
+      task.push_back(&results[end]);
+    }
+    run_task(layout, lab, program, options, task, [&] {
+      if (options.progress) options.progress(++done, results.size());
+    });
+    failed = std::any_of(task.begin(), task.end(),
+                         [](auto* result) { return result->status != Status::passed; });
+    begin = end;
+  }
+  results.resize(begin);
+}
+
 void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& program,
                 const JudgeOptions& options, std::vector<CheckResult>& results) {
   const auto tasks = by_task(results);
@@ -145,7 +166,8 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
     throw UsageError(fmt::format("lab {} has no task {}", lab.name, options.only));
   }
   if (built.program) {
-    run_checks(layout, lab, *built.program, options, verdict.checks);
+    (options.first ? run_until_first_failure : run_checks)(layout, lab, *built.program, options,
+                                                           verdict.checks);
     find_waiting(verdict.checks);
     withhold(verdict.checks);
     for (CheckResult& result : verdict.checks) {

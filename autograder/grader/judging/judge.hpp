@@ -16,6 +16,7 @@ struct JudgeOptions {
   std::uint64_t seed = 0;
   std::set<std::string> checks = {};  ///< judge those of these names alone; empty: all
   std::string only;                   ///< a task ("1.3"): judge its checks alone; empty: all
+  bool first = false;                 ///< stop after the first task that has not all its points
   unsigned workers = 2;               ///< tasks at the same time
   std::string submission;             ///< the directory, for the command that repeats a check
   /// Told after each check: how many are done, of how many. Called by one worker at a time.

@@ -37,7 +37,9 @@ int check(const Context& context, const Arguments& arguments) {
   SubmissionOptions options;
   options.judge.seed = seed_of(arguments);
   options.judge.only = arguments.get("only").value_or("");
+  options.judge.first = arguments.has("first");
   options.with_speed = false;
+  const bool is_whole = options.judge.only.empty() && !options.judge.first;
   Verdict verdict = [&] {
     ProgressLine line("checking " + lab.name);
     options.progress = [&](double done, double all, const std::string& what) {
@@ -49,7 +51,7 @@ int check(const Context& context, const Arguments& arguments) {
   fmt::print("{}", report_lab(judged, verdict, this_terminal()));
   // No grade, and no file that could be taken for one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
-  if (options.judge.only.empty() && judged.no_program.empty()) {
+  if (judged.no_program.empty()) {
     {
       const ProgressLine line("timing " + lab.name);
       add_speed(context, submission, judged);
@@ -58,16 +60,17 @@ int check(const Context& context, const Arguments& arguments) {
   }
   if (json) write_text(*json, report_json(verdict));
   precompile_headers(context.layout);  // for the next time
-  if (own && options.judge.only.empty()) remember(context.layout, judged);
+  if (own && is_whole) remember(context.layout, judged);
   return verdict.earned() == verdict.points() ? 0 : 1;
 }
 
 const RegisterVerb check_verb{
     {"check",
-     "check LAB [DIR] [--only TASK] [--seed S] [--json FILE]",
-     {"only=", "seed=", "json="},
+     "check LAB [DIR] [--only TASK | --first] [--seed S] [--json FILE]",
+     {"only=", "first", "seed=", "json="},
      "LAB is a number, a name or a folder: 1, variance, 1-variance.\n"
      "  --only TASK   the checks of one task: --only 1.3\n"
+     "  --first       stop at the first task that is not right\n"
      "  --seed S      the run with that seed again; every report names its own\n"
      "  --json FILE   Gradescope's results.json as well\n"
      "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "

@@ -24,10 +24,10 @@
 
 #include <cstdlib>
 #include <functional>
+#include <string_view>
 
 #include <fmt/format.h>
 
-#include "grader/submission/compile.hpp"
 #include "tests/self_test/kept.hpp"
 #include "tests/self_test/proof.hpp"
 
@@ -38,37 +38,19 @@ using namespace mc::self_test;
 namespace {
 
 void prove_file(const fs::path& path) {
-  Proof proof;
-  const fs::path file = fs::canonical(path);
-  const std::string top = file.parent_path().filename().string();
-  const bool of_course = top == "starter" || top == "solutions";
-  const std::string kind = of_course ? top : file.parent_path().parent_path().filename().string();
-  const bool by_stem = of_course || kind == "peers";
-  proof.lab = find_lab(proof.labs, by_stem ? file.stem().string() : top);
-  if (kind == "peers") {
-    const auto peer = peer_submission(proof.layout, proof.labs, proof.lab, top);
-    if (!peer) {
-      fmt::print("{} is not installed\n", top);
-      std::exit(77);  // skipped, for CTest
-    }
-    proof.submission = *peer;
-  } else {
-    proof.submission = single_file_submission(proof.layout, proof.labs, proof.lab, file,
-                                              kind != "attacks" && kind != "starter");
-  }
-  precompile_headers(proof.layout);
-  proof.submission.label = path.string();
-  proof.built = build_program(proof.layout, proof.lab, proof.submission);
-  if (!proof.built.program && kind != "attacks") return complain(proof.built.failure);
-
-  const std::pair<const char*, std::function<void()>> kinds[] = {{"starter", [&] { prove_starter(proof); }},
-                                                                 {"solutions", [&] { prove_right(proof); }},
-                                                                 {"alternatives", [&] { prove_right(proof); }},
-                                                                 {"mistakes", [&] { prove_mistake(proof, file); }},
-                                                                 {"peers", [&] { prove_peer(proof, file); }},
-                                                                 {"attacks", [&] { prove_attack(proof, file); }}};
+  const std::string kind = kind_of(path);
+  const std::pair<const char*, void (*)(const Proof&, const fs::path&)> kinds[] = {
+      {"starter", [](const Proof& proof, const fs::path&) { prove_starter(proof); }},
+      {"solutions", [](const Proof& proof, const fs::path&) { prove_right(proof); }},
+      {"alternatives", [](const Proof& proof, const fs::path&) { prove_right(proof); }},
+      {"mistakes", prove_mistake},
+      {"peers", prove_peer},
+      {"attacks", prove_attack}};
   for (const auto& [name, prove] : kinds) {
-    if (kind == name) return prove();
+    if (kind != name) continue;
+    const Proof proof = proof_of(path);
+    if (!proof.built.program && kind != "attacks") return complain(proof.built.failure);
+    return prove(proof, path);
   }
   complain("no such kind of submission: " + kind);
 }
@@ -76,16 +58,18 @@ void prove_file(const fs::path& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print("usage: self_test FILE | repository | power\n");
-    return 2;
-  }
-  if (std::string_view(argv[1]) == "repository") {
+  const std::string_view what = argc > 1 ? argv[1] : "";
+  if (what == "repository") {
     prove_repository();
-  } else if (std::string_view(argv[1]) == "power") {
+  } else if (what == "power") {
     print_power();
+  } else if (what == "load" && argc > 3) {
+    prove_under_load({argv + 3, argv + argc}, static_cast<unsigned>(std::atoi(argv[2])));
+  } else if (argc == 2) {
+    prove_file(fs::canonical(argv[1]));
   } else {
-    prove_file(argv[1]);
+    fmt::print("usage: self_test FILE | load RUNS FILE... | repository | power\n");
+    return 2;
   }
   return has_complained() ? 1 : 0;
 }

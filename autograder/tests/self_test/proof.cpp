@@ -6,8 +6,12 @@
 #include <fmt/format.h>
 
 #include "grader/reports/report.hpp"
+#include "grader/submission/compile.hpp"
 
 namespace mc::self_test {
+
+using namespace grader;
+
 namespace {
 
 int complaints = 0;
@@ -38,11 +42,40 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-grader::LabVerdict Proof::judge(std::uint64_t seed, const std::set<std::string>& checks) const {
+std::string kind_of(const std::filesystem::path& file) {
+  const std::string top = file.parent_path().filename().string();
+  if (top == "starter" || top == "solutions") return top;
+  return file.parent_path().parent_path().filename().string();
+}
+
+Proof proof_of(const std::filesystem::path& file) {
+  Proof proof;
+  const std::string kind = kind_of(file), top = file.parent_path().filename().string();
+  const bool by_stem = kind == top || kind == "peers";
+  proof.lab = find_lab(proof.labs, by_stem ? file.stem().string() : top);
+  if (kind == "peers") {
+    const auto peer = peer_submission(proof.layout, proof.labs, proof.lab, top);
+    if (!peer) {
+      fmt::print("{} is not installed\n", top);
+      std::exit(77);  // skipped, for CTest
+    }
+    proof.submission = *peer;
+  } else {
+    proof.submission = single_file_submission(proof.layout, proof.labs, proof.lab, file,
+                                              kind != "attacks" && kind != "starter");
+  }
+  precompile_headers(proof.layout);
+  proof.submission.label = std::filesystem::relative(file, proof.layout.root).string();
+  proof.built = build_program(proof.layout, proof.lab, proof.submission);
+  return proof;
+}
+
+grader::LabVerdict Proof::judge(std::uint64_t seed, const std::set<std::string>& checks,
+                                unsigned workers) const {
   grader::JudgeOptions options;
   options.seed = seed;
   options.checks = checks;
-  options.workers = 1;  // ctest runs as many of us as there are cores
+  options.workers = workers;
   options.submission = submission.label;
   return grader::judge_lab(layout, lab, built, options);
 }

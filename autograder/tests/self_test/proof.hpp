@@ -32,8 +32,9 @@ struct Proof {
   grader::Submission submission;
   grader::Built built;
 
-  /// All checks, or those of these names.
-  grader::LabVerdict judge(std::uint64_t seed, const std::set<std::string>& checks = {}) const;
+  /// All checks, or those of these names. One worker: ctest runs as many of us as there are cores.
+  grader::LabVerdict judge(std::uint64_t seed, const std::set<std::string>& checks = {},
+                           unsigned workers = 1) const;
   std::string report(const grader::LabVerdict& verdict, std::uint64_t seed) const;
   void show(const grader::LabVerdict& verdict, std::uint64_t seed) const;
 };
@@ -49,6 +50,16 @@ void prove_mistake(const Proof& proof, const std::filesystem::path& file);
 
 void prove_peer(const Proof& proof, const std::filesystem::path& file);
 void prove_attack(const Proof& proof, const std::filesystem::path& file);
+
+/// The same verdict on a busy machine: of each of these submissions, if it meets a limit of time or of
+/// memory, with 1, 2 and 4 workers, `runs` times beside four busy loops.
+void prove_under_load(const std::vector<std::filesystem::path>& files, unsigned runs);
+
+/// What a file of the repository is, by its folder: "starter", "solutions", "mistakes", …
+std::string kind_of(const std::filesystem::path& file);
+
+/// The proof of a file of the repository, its program built.
+Proof proof_of(const std::filesystem::path& file);
 
 /// Task numbers, points, names.
 void prove_repository();
