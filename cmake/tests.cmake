@@ -56,3 +56,23 @@ foreach(file ${submissions})
   endif()
   set(folder_before ${folder})
 endforeach()
+
+# Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The fuzzing
+# wire stands before the labs' own.
+set(solution_files)
+foreach(lab ${LABS})
+  list(APPEND solution_files ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)
+  if(EXISTS ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)
+    file(GLOB experiments CONFIGURE_DEPENDS labs/[0-9]*-*/experiments.cpp)
+    string(REPLACE "_" "-" dashed ${lab})
+    list(FILTER experiments INCLUDE REGEX "/[0-9]+-${dashed}/")
+    add_executable(fuzz_${lab} EXCLUDE_FROM_ALL ${experiments} ${solution_files} labs/runner/main.cpp
+      labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
+    target_include_directories(fuzz_${lab} BEFORE PRIVATE autograder/tests/fuzz)
+    target_include_directories(fuzz_${lab} PRIVATE labs ${LAB_INCLUDES})
+    target_compile_options(fuzz_${lab} PRIVATE ${PROGRAM_FLAGS})
+    target_link_options(fuzz_${lab} PRIVATE ${PROGRAM_LINK_FLAGS})
+    add_dependencies(self_test fuzz_${lab})
+    test_of(fuzz/${lab} 20 self_test fuzz ${lab} 6)
+  endif()
+endforeach()

@@ -55,6 +55,10 @@ void prove_attack(const Proof& proof, const std::filesystem::path& file);
 /// memory, with 1, 2 and 4 workers, `runs` times beside four busy loops.
 void prove_under_load(const std::vector<std::filesystem::path>& files, unsigned runs);
 
+/// `count` programs that answer with numbers and lengths of a stranger's choice: no check of the lab
+/// falls, and none of a task's main checks passes that a right answer would not pass.
+void prove_against_lies(const std::string& lab, unsigned count);
+
 /// What a file of the repository is, by its folder: "starter", "solutions", "mistakes", …
 std::string kind_of(const std::filesystem::path& file);
 

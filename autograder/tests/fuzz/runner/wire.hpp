@@ -1,0 +1,44 @@
+#pragma once
+// Stands before labs/runner/wire.hpp for programs that lie to the judge: what they write is the
+// solution's answer with some numbers, or the lengths of lists, replaced. See mutation.hpp.
+
+#define Writer HonestWriter
+#include "../../../../labs/runner/wire.hpp"
+#undef Writer
+
+#include "mutation.hpp"
+
+namespace mc::wire {
+
+class Writer {
+ public:
+  std::string bytes;
+
+  template <Arithmetic T>
+  void put(const T& value) {
+    const T told = fuzz::mutated(value);
+    append(&told, sizeof told);
+  }
+  void put(const std::string& text) {
+    put_size(text.size());
+    append(text.data(), text.size());
+  }
+  template <class T>
+  void put(const std::vector<T>& values) {
+    const std::size_t told = fuzz::mutated_size(values.size());
+    put_size(told);
+    for (std::size_t i = 0; i < told; ++i) put(values.empty() ? T{} : values[i % values.size()]);
+  }
+  template <Listed T>
+  void put(const T& value) {
+    std::apply([this](const auto&... field) { (put(field), ...); }, fields(const_cast<T&>(value)));
+  }
+
+ private:
+  void put_size(std::uint64_t size) { append(&size, sizeof size); }
+  void append(const void* data, std::size_t size) {
+    bytes.append(static_cast<const char*>(data), size);
+  }
+};
+
+}  // namespace mc::wire
