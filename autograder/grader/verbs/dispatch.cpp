@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -16,9 +17,10 @@
 namespace mc::grader {
 namespace {
 
-void print_overview() {
+void print_overview(bool is_handout) {
   fmt::print("usage: ./lab VERB ...   (./lab VERB --help says more)\n\n");
   for (const VerbEntry& verb : verb_list) {
+    if (verb.for_instructors && is_handout) continue;
     fmt::print("  ./lab {:<10} {}\n", verb.name, verb.description);
   }
 }
@@ -51,11 +53,11 @@ const Verb* find_verb(std::string_view name) {
 int dispatch(char** argv) {
   std::vector<std::string> words;
   for (char** word = argv + 1; *word != nullptr; ++word) words.emplace_back(*word);
+  Context context{read_layout(), {}};
   if (!words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "help")) {
-    print_overview();
+    print_overview(!std::filesystem::exists(context.layout.solutions()));
     return 0;
   }
-  Context context{read_layout(), {}};
   if (!words.empty() && (words[0] == "--version" || words[0] == "version")) {
     fmt::print("Monte Carlo labs {}\n", context.layout.version);
     return 0;

@@ -2,30 +2,31 @@
 // The verbs there are, in the order in which ./lab --help lists them, and the program that each is
 // part of: a check should not wait until what draws pictures is compiled.
 
-#include <array>
 #include <string_view>
 
 namespace mc::grader {
 
 struct VerbEntry {
   std::string_view name, description, program;
+  bool for_instructors = false;  ///< not listed where there are no solutions: in a handout
 };
 
 /// Has all the grader has, and writes JSON.
 inline constexpr std::string_view gradebook = "gradebook";
 
-inline constexpr std::array<VerbEntry, 11> verb_list{{
+inline constexpr VerbEntry verb_list[] = {
     {"", "where you stand: labs, points, what to do next", "grader"},
     {"setup", "install what is missing and build everything", "grader"},
     {"check", "judge one lab of starter/ (or DIR)", "grader"},
     {"run", "run one experiment by hand and print its numbers", "grader"},
-    {"grade", "judge whole submissions", "gradebook"},
     {"plot", "draw the lab's plots, several submissions side by side", "pictures"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", "pictures"},
-    {"bench", "speed against error: the solutions, any submission, libraries", "bench"},
     {"reset", "the starter of a lab again (your file is kept as a backup)", "grader"},
     {"submit", "write the zip to hand in", "grader"},
-    {"test", "the repository's own tests", "grader"},
-}};
+    {"grade", "judge whole submissions", gradebook, true},
+    {"handout", "write the repository that students get", gradebook, true},
+    {"bench", "speed against error: the solutions, any submission, libraries", "bench", true},
+    {"test", "the repository's own tests", "grader", true},
+};
 
 }  // namespace mc::grader
