@@ -1,4 +1,6 @@
 // What stands behind ./lab, used as a person would, right and wrong.
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
@@ -7,6 +9,7 @@
 #include "tests/submissions.hpp"
 
 using namespace mc::grader;
+namespace sandbox = mc::sandbox;
 using mc::tests::Scratch;
 using mc::tests::text_of;
 namespace fs = std::filesystem;

@@ -4,10 +4,12 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checks/support/catch.hpp"
@@ -17,8 +19,10 @@
 #include "runner/wire.hpp"
 #include "sandbox/jail.hpp"
 #include "sandbox/lockdown.hpp"
+#include "sandbox/printable.hpp"
 
 namespace fs = std::filesystem;
+namespace sandbox = mc::sandbox;
 using namespace mc::grader;
 
 namespace {
@@ -249,7 +253,8 @@ TEST_CASE("limits are as promised") {
 
 TEST_CASE("it is nobody where the judge is root") {
 #ifdef __linux__
-  const std::string id = geteuid() == 0 ? std::to_string(jailed_user) : std::to_string(geteuid());
+  const std::string id =
+      geteuid() == 0 ? std::to_string(sandbox::jailed_user) : std::to_string(geteuid());
   const auto ids = text_of(run(tell_user));
   CHECK(ids.starts_with(id + ' ' + id + ' '));
   if (geteuid() == 0) CHECK(ids == id + ' ' + id + ' ' + id + ' ' + id);

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "checks/support/catch.hpp"
-#include "grader/judging/judge.hpp"
+#include "grader/judging/catch_xml.hpp"
 
 using mc::grader::read_catch_xml;
 

@@ -1,6 +1,7 @@
 // run: one experiment by hand.
 
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
