@@ -7,26 +7,18 @@
 #include "grader/reports/report.hpp"
 #include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
+#include "tests/text.hpp"
 
-using namespace mc::grader;
-namespace sandbox = mc::sandbox;
-using mc::tests::Scratch;
-using mc::tests::text_of;
+namespace mc::tests::door {
+
 namespace fs = std::filesystem;
+using namespace grader;
 
 namespace {
 
 sandbox::ProcessResult lab(std::vector<std::string> words, sandbox::ProcessOptions options = {}) {
   words.insert(words.begin(), (read_layout().build / "bin" / "grader").string());
   return sandbox::run_process(words, options);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
 struct Wrong {
@@ -217,3 +209,5 @@ TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished"
   CHECK(contains(run.output, "waiting for lab 3"));
   CHECK(!contains(run.output, "measured"));  // one fault, and it is not here
 }
+
+}  // namespace mc::tests::door

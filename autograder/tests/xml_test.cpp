@@ -4,7 +4,9 @@
 #include "checks/support/catch.hpp"
 #include "grader/judging/catch_xml.hpp"
 
-using mc::grader::read_catch_xml;
+namespace mc::tests::xml {
+
+using grader::read_catch_xml;
 
 namespace {
 
@@ -85,3 +87,5 @@ TEST_CASE("a report that is not whole has no records") {
   REQUIRE(records.size() == 1);
   CHECK_FALSE(records[0].success);
 }
+
+}  // namespace mc::tests::xml
