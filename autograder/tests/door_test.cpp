@@ -44,6 +44,10 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
       {{"check", "variance", "--only"}, "--only takes a value"},
       {{"check", "variance", "--onyl", "1.3"}, "no option --onyl; did you mean --only?"},
       {{"check", "variance", "--only", "7.7"}, "no task 7.7"},
+      {{"check", "1.77"}, "no task 1.77"},
+      {{"check", "variance", "2.3"}, "2.3 is no task of lab variance"},
+      {{"check", "99.1"}, "no lab '99'"},
+      {{"check", "variance", "1.3", "a", "b"}, "usage: ./lab check LAB"},
       {{"check", "variance", "--seed", "-1"}, "whole number"},
       {{"check", "variance", "--seed", "12x"}, "whole number"},
       {{"check", "variance", "--json", "/no/such/place/results.json"}, "no such directory"},
@@ -168,7 +172,87 @@ TEST_CASE("an experiment by hand") {
   CHECK(lab({"run", "--dir", solutions, "variance", "mean", "-1,-2,-6"}).output == "-3\n");
   CHECK(contains(lab({"run", "--dir", solutions, "variance"}).output, "welford x"));
   CHECK(lab({"run", "--dir", solutions, "variance", "nothing"}).exit_code == 2);
+  // As its help writes it, options behind the lab; behind the experiment, all is its own.
+  CHECK(lab({"run", "variance", "--dir", solutions, "mean", "1,2,6"}).output == "3\n");
+  CHECK(lab({"run", "variance", "--dir", solutions, "mean", "-1,-2,-6"}).output == "-3\n");
+  CHECK(lab({"run", "variance", "mean", "--dir", solutions}).exit_code == 1);
   CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
+}
+
+TEST_CASE("an experiment under the sanitizers") {
+  const Layout layout = read_layout();
+  const fs::path directory = layout.build / "tests" / "sanitize";
+  fs::create_directories(directory);
+  const auto run = [&](const std::string& text) {
+    write_text(directory / "variance.cpp", text);
+    return lab({"run", "--sanitize", "variance", "--dir", directory.string(), "mean", "1,2,6"});
+  };
+  const std::string right = text_of(layout.solutions());
+  const auto good = run(right);
+  CHECK(good.output == "3\n");
+  CHECK(good.exit_code == 0);
+  CHECK(lines(good.errors) == 1);
+  const fs::path program = good.errors.substr(0, good.errors.find('\n'));
+  CHECK(program.string().starts_with((layout.build / "sanitize" / "variance").string()));
+  const auto built = fs::last_write_time(program);
+  CHECK(run(right).output == "3\n");
+  CHECK(fs::last_write_time(program) == built);  // nothing has changed
+
+  const auto with_first_line_of_mean = [&](const std::string& line) {
+    const std::string head = "double mean(std::span<const double> x) {";
+    std::string text = right;
+    REQUIRE(contains(text, head));
+    return text.insert(text.find(head) + head.size(), line);
+  };
+  const auto behind =
+      run(with_first_line_of_mean("double* few = new double[3]{}; return few[int(x[0]) + 2];"));
+  CHECK(behind.exit_code != 0);
+  CHECK(contains(behind.errors, "AddressSanitizer: heap-buffer-overflow"));
+  const auto overflow = run(with_first_line_of_mean("return int(x[0]) + 2147483647;"));
+  CHECK(overflow.exit_code != 0);
+  CHECK(contains(overflow.errors, "runtime error: signed integer overflow"));
+  const auto unfinished = run(right + "int f() { return nothing; }\n");
+  CHECK(unfinished.exit_code == 1);
+  CHECK(contains(unfinished.errors, "variance.cpp"));
+  CHECK(contains(unfinished.errors, "nothing"));
+}
+
+TEST_CASE("a lab and its task") {
+  const std::string solutions = read_layout().solutions().string();
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "1.3", solutions},
+        {"check", "variance", "1.3", solutions},
+        {"check", "1", "1.3", solutions},
+        {"check", "1-variance", solutions, "--only", "1.3"}}) {
+    const auto run = lab(words);
+    CAPTURE(words);
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.output, "18 of 18 points"));
+    CHECK(!contains(run.output, " 1.2 "));
+  }
+}
+
+TEST_CASE("the door finds the lab among a verb's words") {
+  const std::string root = read_layout().root.string();
+  const auto found = [&](const std::string& words) {
+    const auto run = sandbox::run_process(
+        {"sh", "-euc", "root='" + root + "'; . \"$root/cmake/setup.sh\"; lab_among " + words});
+    CHECK(run.exit_code == 0);
+    return run.output;
+  };
+  for (const char* words :
+       {"check 1", "check variance", "check 1-variance", "check 1.3", "check variance 2.3",
+        "check --seed 3 variance", "check --seed=3 variance", "check --only 1.3 1",
+        "check variance --seed 3", "run --dir 2 variance mean 3", "run --sanitize 1 mean 3"}) {
+    CAPTURE(words);
+    CHECK(found(words) == "variance\n");
+  }
+  CHECK(found("check 4-blue-noise") == "blue_noise\n");
+  for (const char* words :
+       {"", "check", "check --seed 3", "check 99", "check vari", "check 99.1"}) {
+    CAPTURE(words);
+    CHECK(found(words).empty());
+  }
 }
 
 TEST_CASE("a report fits a small terminal") {
