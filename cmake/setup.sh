@@ -1,11 +1,28 @@
 # Read by ./lab: what the machine must have, and how it gets it.
 
-# The name of a lab that is given as 1, variance or 1-variance.
+# The name of the lab that a word means: 1, variance, 1-variance, or 1.3, a task of it.
 lab_of() {
+  word=$1
+  case $word in [0-9]*.[0-9]*) word=${word%%.*} ;; esac
   for folder in "$root"/labs/[0-9]*-*; do
     folder=${folder##*/}
     name=$(printf %s "${folder#*-}" | tr - _)
-    case $1 in "${folder%%-*}" | "$folder" | "$name") echo "$name" ;; esac
+    case $word in "${folder%%-*}" | "$folder" | "$name") echo "$name" ;; esac
+  done
+}
+
+# The lab that a verb is about: the first of its words that is no option, nor the value of one.
+lab_among() {  # verb word...
+  [ $# -gt 1 ] || return 0
+  shift
+  value_of=
+  for word in "$@"; do
+    case $value_of$word in
+      --seed | --only | --json | --dir) value_of=$word ;;
+      --seed* | --only* | --json* | --dir*) value_of= ;;
+      -*) ;;
+      *) lab_of "$word"; return 0 ;;
+    esac
   done
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "grader/submission/submission.hpp"
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <string>
 #include <vector>
 
+#include "runner/wire.hpp"
 #include "sandbox/jail.hpp"
 
 int main(int argc, char** argv) {

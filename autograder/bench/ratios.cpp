@@ -8,16 +8,23 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <random>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #ifdef MC_HAVE_GSL
 #include <gsl/gsl_qrng.h>
 #endif
 
+#include "common/points.hpp"
+#include "common/rng.hpp"
 #include "halton.hpp"
 #include "independent.hpp"
 #include "sampler.hpp"

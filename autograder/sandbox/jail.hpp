@@ -2,7 +2,6 @@
 // Runs a submission's program for one measurement, and trusts nothing it does.
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 

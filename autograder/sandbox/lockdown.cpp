@@ -4,6 +4,7 @@
 #include <grp.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <random>
 #include <system_error>
 #include <vector>
@@ -79,6 +81,11 @@ scmp_datum_t datum(const void* pointer) {
   return reinterpret_cast<scmp_datum_t>(pointer);
 }
 
+/// An argument of a call that has exactly this value.
+scmp_arg_cmp equal(unsigned argument, scmp_datum_t value) {
+  return {argument, SCMP_CMP_EQ, value, 0};
+}
+
 void add_rules(scmp_filter_ctx context) {
   // Computing, memory, clocks, ending.
   for (const int call : {SCMP_SYS(brk),           SCMP_SYS(mmap),         SCMP_SYS(munmap),
@@ -97,23 +104,20 @@ void add_rules(scmp_filter_ctx context) {
   }
   // pthread_once, under std::call_once and the locales, always wakes; nobody may wait.
   for (const unsigned wake : {1u, 129u}) {  // FUTEX_WAKE, and private
-    allow(context, SCMP_SYS(futex), SCMP_A1_32(SCMP_CMP_EQ, wake));
+    allow(context, SCMP_SYS(futex), equal(1, wake));
   }
-  allow(context, SCMP_SYS(read), SCMP_A0_32(SCMP_CMP_EQ, 0));
+  allow(context, SCMP_SYS(read), equal(0, 0));
   for (const unsigned descriptor : {1u, 2u, 3u}) {
-    allow(context, SCMP_SYS(write), SCMP_A0_32(SCMP_CMP_EQ, descriptor));
-    allow(context, SCMP_SYS(writev), SCMP_A0_32(SCMP_CMP_EQ, descriptor));
+    allow(context, SCMP_SYS(write), equal(0, descriptor));
+    allow(context, SCMP_SYS(writev), equal(0, descriptor));
   }
   // abort(), of itself only; reading its own limits, setting none.
-  allow(context, SCMP_SYS(tgkill), SCMP_A0_32(SCMP_CMP_EQ, pid_placeholder),
-        SCMP_A2_32(SCMP_CMP_EQ, SIGABRT));
-  allow(context, SCMP_SYS(prlimit64), SCMP_A0_32(SCMP_CMP_EQ, 0), SCMP_A2_64(SCMP_CMP_EQ, 0));
+  allow(context, SCMP_SYS(tgkill), equal(0, pid_placeholder), equal(2, SIGABRT));
+  allow(context, SCMP_SYS(prlimit64), equal(0, 0), equal(2, 0));
   // The one exec.
-  allow(context, SCMP_SYS(execveat), SCMP_A0_32(SCMP_CMP_EQ, program_descriptor),
-        SCMP_A1_64(SCMP_CMP_EQ, datum(launch_page->empty_path)),
-        SCMP_A2_64(SCMP_CMP_EQ, datum(launch_page->arguments)),
-        SCMP_A3_64(SCMP_CMP_EQ, datum(launch_page->environment)),
-        SCMP_A4_32(SCMP_CMP_EQ, AT_EMPTY_PATH));
+  allow(context, SCMP_SYS(execveat), equal(0, program_descriptor),
+        equal(1, datum(launch_page->empty_path)), equal(2, datum(launch_page->arguments)),
+        equal(3, datum(launch_page->environment)), equal(4, AT_EMPTY_PATH));
   // Tried by a static glibc, which copes with a no.
   for (const int call : {SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(fstat),
                          SCMP_SYS(newfstatat), SCMP_SYS(statx), SCMP_SYS(ioctl), SCMP_SYS(lseek)}) {

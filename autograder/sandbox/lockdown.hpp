@@ -2,7 +2,6 @@
 // The part of the jail between fork and exec: what the new process gives up before a line of
 // foreign code runs in it.
 
-#include <sys/resource.h>
 #include <sys/types.h>
 
 #include "sandbox/jail.hpp"

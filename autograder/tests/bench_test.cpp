@@ -1,6 +1,7 @@
 // What the bench makes of its rows.
 
 #include <cmath>
+#include <utility>
 
 #include "bench/bench.hpp"
 #include "checks/support/catch.hpp"
@@ -53,9 +54,9 @@ TEST_CASE("an exponent is the slope of the logarithms") {
 void add_rows(Bench& bench, const std::string& what, double c, double nanoseconds) {
   for (const std::uint64_t n : {64u, 256u}) {
     const double rmse = c / std::sqrt(static_cast<double>(n));
-    bench.rows.push_back({"sampler", "solutions", "error", what, "a scene", 2, n, rmse, 0});
+    bench.rows.push_back({{"error", what, "a scene", 2, n, rmse, 0}, "sampler", "solutions"});
   }
-  bench.rows.push_back({"sampler", "solutions", "time", what, "a scene", 2, 64, nanoseconds, 0});
+  bench.rows.push_back({{"time", what, "a scene", 2, 64, nanoseconds, 0}, "sampler", "solutions"});
 }
 
 TEST_CASE("efficiency is against independent points, measured where nothing is known of them") {
@@ -72,16 +73,16 @@ TEST_CASE("efficiency is against independent points, measured where nothing is k
 TEST_CASE("efficiency takes the exact variance where it is known") {
   Bench bench;
   add_rows(bench, "independent", 1, 10);
-  bench.rows.push_back({"lab", "solutions", "variance", "a scene", "", 2, 0, 4, 0});
+  bench.rows.push_back({{"variance", "a scene", "", 2, 0, 4, 0}, "lab", "solutions"});
   const auto curves = curves_of(bench);
   REQUIRE(curves.size() == 1);
   CHECK(curves[0].points[0].efficiency == Approx(4));  // twice as good as it can be, by chance
 }
 
 TEST_CASE("rounds of the same row become their median") {
-  std::vector<BenchRow> rows(5, {"lab", "somebody", "time", "points", "", 2, 64, 0, 0});
+  std::vector<BenchRow> rows(5, {{"time", "points", "", 2, 64, 0, 0}, "lab", "somebody"});
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].value = static_cast<double>(i * i);
-  rows.push_back({"lab", "somebody", "time", "points", "", 2, 256, 7, 0});
+  rows.push_back({{"time", "points", "", 2, 256, 7, 0}, "lab", "somebody"});
   const auto all = medians(rows);
   REQUIRE(all.size() == 2);
   CHECK(all[0].value == 4);

@@ -2,9 +2,11 @@
 #include "grader/submission/diagnostics.hpp"
 #include "checks/support/catch.hpp"
 
-using mc::grader::explain_link_errors;
-using mc::grader::first_errors;
-using mc::grader::Lab;
+namespace mc::tests::diagnostics {
+
+using grader::explain_link_errors;
+using grader::first_errors;
+using grader::Lab;
 
 namespace {
 
@@ -119,3 +121,5 @@ TEST_CASE("a linker's unknown words are passed on, few and printable") {
   CHECK(shown.starts_with("variance.cpp does not link:\nld: internal ?[31m trouble"));
   CHECK(shown.size() < 1000);
 }
+
+}  // namespace mc::tests::diagnostics

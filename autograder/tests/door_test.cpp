@@ -1,30 +1,20 @@
 // What stands behind ./lab, used as a person would, right and wrong.
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
 #include "grader/reports/report.hpp"
-#include "sandbox/process.hpp"
+#include "tests/door.hpp"
 #include "tests/submissions.hpp"
+#include "tests/text.hpp"
 
-using namespace mc::grader;
-using mc::tests::Scratch;
-using mc::tests::text_of;
+namespace mc::tests::door {
+
 namespace fs = std::filesystem;
+using namespace grader;
 
 namespace {
-
-sandbox::ProcessResult lab(std::vector<std::string> words, sandbox::ProcessOptions options = {}) {
-  words.insert(words.begin(), (read_layout().build / "bin" / "grader").string());
-  return sandbox::run_process(words, options);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
 
 struct Wrong {
   std::vector<std::string> words;
@@ -49,6 +39,10 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
       {{"check", "variance", "--only"}, "--only takes a value"},
       {{"check", "variance", "--onyl", "1.3"}, "no option --onyl; did you mean --only?"},
       {{"check", "variance", "--only", "7.7"}, "no task 7.7"},
+      {{"check", "1.77"}, "no task 1.77"},
+      {{"check", "variance", "2.3"}, "2.3 is no task of lab variance"},
+      {{"check", "99.1"}, "no lab '99'"},
+      {{"check", "variance", "1.3", "a", "b"}, "usage: ./lab check LAB"},
       {{"check", "variance", "--seed", "-1"}, "whole number"},
       {{"check", "variance", "--seed", "12x"}, "whole number"},
       {{"check", "variance", "--json", "/no/such/place/results.json"}, "no such directory"},
@@ -160,20 +154,11 @@ TEST_CASE("several submissions are a line each") {
   CHECK(contains(run.output, "no lab's file in it"));
 }
 
-TEST_CASE("the zip to hand in and the starter again") {
+TEST_CASE("the zip to hand in") {
   const Scratch scratch;
   const auto run = lab({"submit", "variance"}, {.directory = scratch.path()});
   CHECK(run.exit_code == 0);
   CHECK(fs::file_size(scratch.path() / "submission.zip") > 500);
-}
-
-TEST_CASE("an experiment by hand") {
-  const std::string solutions = read_layout().solutions().string();
-  CHECK(lab({"run", "--dir", solutions, "variance", "mean", "1,2,6"}).output == "3\n");
-  CHECK(lab({"run", "--dir", solutions, "variance", "mean", "-1,-2,-6"}).output == "-3\n");
-  CHECK(contains(lab({"run", "--dir", solutions, "variance"}).output, "welford x"));
-  CHECK(lab({"run", "--dir", solutions, "variance", "nothing"}).exit_code == 2);
-  CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
 }
 
 TEST_CASE("a report fits a small terminal") {
@@ -214,3 +199,5 @@ TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished"
   CHECK(contains(run.output, "waiting for lab 3"));
   CHECK(!contains(run.output, "measured"));  // one fault, and it is not here
 }
+
+}  // namespace mc::tests::door

@@ -1,12 +1,13 @@
 // The scenes of lab 6 and their closed forms, each against the other, and both against reference
 // values; wrong scenes are told apart.
 #include <cmath>
+#include <cstdlib>
 #include <functional>
-#include <sstream>
 
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
 #include "grader/pictures/renders.hpp"
+#include "sampler.hpp"
 
 using namespace mc;
 using namespace mc::checks;

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string>
 
-#include "grader/submission/build.hpp"
 #include "grader/context/labs.hpp"
 #include "grader/context/layout.hpp"
 #include "grader/context/text_file.hpp"
+#include "grader/submission/build.hpp"
 
 namespace mc::tests {
 

@@ -1,10 +1,16 @@
 // read_catch_xml on reports as Catch2 writes them: points depend on nothing else.
+#include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include "checks/support/catch.hpp"
-#include "grader/judging/judge.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/judging/catch_xml.hpp"
+#include "sandbox/process.hpp"
 
-using mc::grader::read_catch_xml;
+namespace mc::tests::xml {
+
+using grader::read_catch_xml;
 
 namespace {
 
@@ -36,6 +42,39 @@ expected  3
       </Section>
       <OverallResult success="false"/>
     </TestCase>
+    <TestCase name="1.6 requires" tags="[1.6]" filename="s.cpp" line="12">
+      <Expression success="true" type="CHECK" filename="s.cpp" line="13">
+        <Original>
+          true
+        </Original>
+        <Expanded>
+          true
+        </Expanded>
+      </Expression>
+      <Expression success="false" type="REQUIRE" filename="s.cpp" line="14">
+        <Original>
+          n &lt; most
+        </Original>
+        <Expanded>
+          3 &lt; 2
+        </Expanded>
+      </Expression>
+      <OverallResult success="false"/>
+    </TestCase>
+    <TestCase name="1.7 throws where it asks" tags="[1.7]" filename="s.cpp" line="20">
+      <Expression success="false" type="REQUIRE" filename="s.cpp" line="21">
+        <Original>
+          f() == 1
+        </Original>
+        <Expanded>
+          f() == 1
+        </Expanded>
+        <Exception filename="s.cpp" line="21">
+          no value
+        </Exception>
+      </Expression>
+      <OverallResult success="false"/>
+    </TestCase>
 )";
 const std::string head = R"(<?xml version="1.0" encoding="UTF-8"?>)";
 const std::string version_2 =
@@ -50,7 +89,7 @@ const std::string version_3 =
 TEST_CASE("both versions of Catch2's report") {
   for (const std::string& report : {version_2, version_3}) {
     const auto records = read_catch_xml(report);
-    REQUIRE(records.size() == 5);
+    REQUIRE(records.size() == 7);
     CHECK(records[0].name == "1.1 fails");
     CHECK(records[0].tags == "[1.1][needs:1.0][points:3]");
     CHECK_FALSE(records[0].success);
@@ -61,14 +100,68 @@ TEST_CASE("both versions of Catch2's report") {
     CHECK(records[3].message == "this check checked nothing");
     CHECK_FALSE(records[4].success);
     CHECK(records[4].message.find("SIGSEGV") != std::string::npos);
+    CHECK_FALSE(records[5].success);
+    CHECK(records[5].message == "REQUIRE(n < most) was 3 < 2");
+    CHECK_FALSE(records[6].success);
+    CHECK(records[6].message == "REQUIRE(f() == 1) threw: no value");
   }
 }
 
 TEST_CASE("a failure is a failure, whatever Catch2 calls it") {
   const auto records = read_catch_xml(version_2);
-  REQUIRE(records.size() == 5);
+  REQUIRE(records.size() == 7);
   CHECK(records[2].name == "1.3 may fail");
   CHECK_FALSE(records[2].success);
+}
+
+// Not tests: what the next one reads the report of. They fail, and are hidden for it.
+TEST_CASE("1.1 requires", "[.report][points:3]") {
+  const int n = 3;
+  REQUIRE(n < 2);
+}
+TEST_CASE("1.2 checks, later", "[.report]") {
+  CHECK(true);
+  CHECK(std::string("a") == "b");
+  CHECK(1 == 2);
+}
+TEST_CASE("1.3 fails", "[.report]") {
+  FAIL("measured  1");
+}
+TEST_CASE("1.4 throws", "[.report]") {
+  throw std::runtime_error("no value");
+}
+TEST_CASE("1.5 throws where it asks", "[.report]") {
+  const auto f = []() -> int { throw std::runtime_error("no value"); };
+  REQUIRE(f() == 1);
+}
+TEST_CASE("1.6 checks nothing", "[.report]") {}
+TEST_CASE("1.7 passes", "[.report]") {
+  CHECK(true);
+}
+
+TEST_CASE("the report of the Catch2 that is installed here") {
+  const auto program = grader::read_layout().build / "bin" / "grader_tests";
+  const auto run = sandbox::run_process(
+      {program.string(), "[.report]", "--reporter", "xml", "--warn", "NoAssertions"});
+  const auto records = read_catch_xml(run.output);
+  const auto record = [&](const std::string& task) {
+    const auto found = std::find_if(records.begin(), records.end(),
+                                    [&](auto& one) { return one.name.starts_with(task); });
+    REQUIRE(found != records.end());
+    return *found;
+  };
+  CHECK(records.size() == 7);
+  CHECK(record("1.1").message == "REQUIRE(n < 2) was 3 < 2");
+  CHECK(record("1.1").tags.find("[points:3]") != std::string::npos);
+  CHECK(record("1.2").message.find("\"a\" == \"b\"") != std::string::npos);
+  CHECK(record("1.3").message == "measured  1");
+  CHECK(record("1.4").message == "no value");
+  CHECK(record("1.5").message == "REQUIRE(f() == 1) threw: no value");
+  CHECK(record("1.6").message == "this check checked nothing");
+  for (const char* task : {"1.1", "1.2", "1.3", "1.4", "1.5", "1.6"}) {
+    CHECK_FALSE(record(task).success);
+  }
+  CHECK(record("1.7").success);
 }
 
 TEST_CASE("a report that is not whole has no records") {
@@ -85,3 +178,5 @@ TEST_CASE("a report that is not whole has no records") {
   REQUIRE(records.size() == 1);
   CHECK_FALSE(records[0].success);
 }
+
+}  // namespace mc::tests::xml

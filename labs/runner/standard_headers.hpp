@@ -1,5 +1,5 @@
 // The standard headers that most submissions include. The autograder compiles them once (see
-// autograder/grader/build.cpp); include what you use all the same.
+// autograder/grader/submission/build.cpp); include what you use all the same.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,10 +1,9 @@
 #include "runner/text.hpp"
 
-#include <cctype>
-#include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <stdexcept>
+#include <system_error>
 
 // No fmt here: no distribution ships a static one, and header-only it costs eight seconds of every
 // fresh build.

@@ -78,7 +78,8 @@ class Writer {
   }
   template <Listed T>
   void put(const T& value) {
-    std::apply([this](const auto&... field) { (put(field), ...); }, fields(const_cast<T&>(value)));
+    std::apply([this](const auto&... field) { (this->put(field), ...); },
+               fields(const_cast<T&>(value)));
   }
 
  private:
@@ -113,7 +114,7 @@ class Reader {
   }
   template <Listed T>
   void get(T& value) {
-    std::apply([this](auto&... field) { (get(field), ...); }, fields(value));
+    std::apply([this](auto&... field) { (this->get(field), ...); }, fields(value));
   }
   template <class T>
   T get() {

@@ -38,10 +38,10 @@ struct BenchSampler {
   /// `sets` sets of n points, by that seed.
   std::function<std::optional<PointSets>(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
                                          std::uint64_t seed)>
-      points;
+      points = {};
   /// CPU seconds of making n points so many times.
   std::function<std::optional<double>(std::uint64_t n, std::uint64_t dims, std::uint64_t rounds)>
-      rounds;
+      rounds = {};
   bool same_for_all_n = false;  ///< what a point costs: then it is timed at one n only
 };
 

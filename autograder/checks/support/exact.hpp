@@ -2,6 +2,7 @@
 // Moments of doubles, exactly enough to judge by: double-double arithmetic, 106 bits.
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <span>
 

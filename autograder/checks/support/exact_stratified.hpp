@@ -3,13 +3,12 @@
 // has within the strata. Nothing here is asymptotic: at N = 64 as at N = 1024 it is known what a
 // right answer's error is.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
-
-#include "common/points.hpp"
 
 namespace mc::checks {
 

@@ -3,7 +3,6 @@
 // by them, they are as many as were asked for, and each is in its range.
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -30,11 +29,12 @@ struct Range {
   bool any;  ///< NaN and infinities too: each is judged by itself, and counts nothing
   const char* words;
 };
-inline constexpr double largest = std::numeric_limits<double>::max();
-inline constexpr Range finite{-largest, largest, false, false, "finite numbers"};
+inline constexpr double largest_finite = std::numeric_limits<double>::max();
+inline constexpr Range finite{-largest_finite, largest_finite, false, false, "finite numbers"};
 inline constexpr Range unit{0, 1, true, false, "numbers in [0, 1)"};
 inline constexpr Range closed_unit{0, 1, false, false, "numbers in [0, 1]"};
-inline constexpr Range non_negative{0, largest, false, false, "finite numbers, none negative"};
+inline constexpr Range non_negative{0, largest_finite, false, false,
+                                    "finite numbers, none negative"};
 inline constexpr Range any_number{0, 0, false, true, "numbers"};
 /// Whole numbers up to `most`.
 constexpr Range up_to(double most) {

@@ -2,9 +2,9 @@
 // What every sampler of the bench is asked to integrate: functions of known mean and variance, from
 // the kindest to the least kind, each scaled to the mean 1, so that an error is a relative error.
 
+#include <cstddef>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace mc::checks {
 

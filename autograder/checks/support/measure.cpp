@@ -1,5 +1,6 @@
 #include "checks/support/measure.hpp"
 
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <stdexcept>

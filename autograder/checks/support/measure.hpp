@@ -8,11 +8,9 @@
 // The types come from the experiment's declaration; nothing of the experiment is linked here. A
 // measurement without a value (not written yet, crashed, threw …) ends the check, with the reason.
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>

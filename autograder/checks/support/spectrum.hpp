@@ -26,8 +26,8 @@ struct Spectrum {
 inline Spectrum spectrum_of(std::span<const double> x, std::span<const double> y, int kmax) {
   const auto side = static_cast<std::size_t>(2 * kmax + 1);
   std::vector<std::complex<double>> sum(side * side), along(side);
-  const auto wave = [](int k, double x) {
-    const double turns = k * x;
+  const auto wave = [](int k, double position) {
+    const double turns = k * position;
     return std::polar(1.0, -2 * std::numbers::pi * (turns - std::round(turns)));
   };
   for (std::size_t p = 0; p < x.size(); ++p) {

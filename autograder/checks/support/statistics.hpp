@@ -5,7 +5,7 @@
 // tells its story when it fails: measured, expected, because, likely.
 //
 // One run of a lab must not fail a right answer more than once in a million: its alphas add up to
-// less than 1e-6, which `prove` counts. The distributions are exact for Gaussian errors; a sample
+// less than 1e-6, which self_test counts. The distributions are exact for Gaussian errors; a sample
 // mean's errors are nearly that, and kurtosis widens what is sensitive to it.
 //
 // Suspects of a hint are given in the unit of what is measured (a mean, a ratio of variances, an

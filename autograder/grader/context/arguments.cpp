@@ -3,6 +3,9 @@
 #include <getopt.h>
 
 #include <charconv>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #pragma once
 // The labs there are: a folder labs/N-name each, found by looking.
 
-#include <filesystem>
 #include <string>
 #include <vector>
 

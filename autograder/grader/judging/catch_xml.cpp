@@ -1,5 +1,7 @@
 #include "grader/judging/catch_xml.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <pugixml.hpp>
 

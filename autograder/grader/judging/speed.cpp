@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/context/text_file.hpp"
 #include "grader/judging/judge.hpp"
 #include "protocol/environment.hpp"
 #include "protocol/rows.hpp"

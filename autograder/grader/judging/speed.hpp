@@ -2,7 +2,7 @@
 // The speed tasks of a submission beside the reference: reported with a grade, no part of it.
 
 #include "grader/judging/verdict.hpp"
-#include "grader/submission/build.hpp"
+#include "sandbox/jail.hpp"
 
 namespace mc::grader {
 

@@ -1,7 +1,6 @@
 #pragma once
 // The checks of one task on one program, one after the other, each in a process of its own.
 
-#include <string>
 #include <vector>
 
 #include "grader/judging/judge.hpp"

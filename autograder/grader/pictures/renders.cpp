@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -62,7 +61,7 @@ std::string title_of(const Rendered& row, bool in_time) {
 /// A picture of all submissions.
 struct Sheet {
   std::string picture, name, headline;
-  std::vector<std::string> labels, data, titles;
+  std::vector<std::string> labels = {}, data = {}, titles = {};
   double white = 1, range = 0;
 };
 

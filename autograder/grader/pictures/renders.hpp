@@ -32,11 +32,10 @@ struct RenderOptions {
 /// One picture by one kind of sampler of one submission.
 struct Rendered {
   std::string submission, picture, kind;
-  std::string failure;              ///< why there is nothing, in one line
-  protocol::RenderFigures samples;  ///< with as many as were asked for
-  protocol::RenderFigures
-      time;            ///< with as many as fit into the time that "independent" takes for those
-  bool timed = false;  ///< is there such a time?
+  std::string failure = {};              ///< why there is nothing, in one line
+  protocol::RenderFigures samples = {};  ///< with as many as were asked for
+  protocol::RenderFigures time = {};     ///< with as many as fit into the time of "independent"
+  bool timed = false;                    ///< is there such a time?
 };
 
 struct Renders {

@@ -208,6 +208,9 @@ std::string stopped(const sandbox::ProcessResult& run, const sandbox::ProcessOpt
     return fmt::format("wanted more than {} MB of memory", limits.memory >> 20);
   }
   if (run.signal != 0) return fmt::format("crashed (signal {})", run.signal);
+  constexpr int gcc_lost_a_program =
+      4;  // its driver, when the compiler or assembler died of a signal
+  if (run.exit_code == gcc_lost_a_program) return "crashed";
   return {};
 }
 

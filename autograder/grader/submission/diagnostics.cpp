@@ -3,11 +3,12 @@
 #include <charconv>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "runner/text.hpp"
-#include "sandbox/jail.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {

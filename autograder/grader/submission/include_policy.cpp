@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <system_error>
 
 #include "runner/text.hpp"
 #include "sandbox/process.hpp"

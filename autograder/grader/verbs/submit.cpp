@@ -1,6 +1,7 @@
 // submit: the zip to hand in.
 
 #include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

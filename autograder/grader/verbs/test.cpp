@@ -3,8 +3,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <fmt/format.h>
-
 #include "grader/context/errors.hpp"
 #include "grader/verbs/become.hpp"
 #include "grader/verbs/verb.hpp"

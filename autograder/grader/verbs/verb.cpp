@@ -1,6 +1,7 @@
 #include "grader/verbs/verb.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace mc::grader {
 namespace {

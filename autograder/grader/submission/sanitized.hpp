@@ -1,0 +1,24 @@
+#pragma once
+// A lab's program for finding one's own mistakes: run by hand, never judged.
+
+#include <filesystem>
+#include <string>
+
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/submission/submission.hpp"
+
+namespace mc::grader {
+
+struct SanitizedProgram {
+  std::filesystem::path path;
+  std::string failure;  ///< the compiler's or the linker's words, where there is none
+};
+
+/// Compiles the submission's files, the lab's experiments and the runner with debug information and
+/// the address and undefined-behaviour sanitizers, and links them into build/sanitize/<lab>/. What has
+/// not changed since the last time, in itself and in what it includes, is taken from there.
+SanitizedProgram build_sanitized(const Layout& layout, const Lab& lab,
+                                 const Submission& submission);
+
+}  // namespace mc::grader

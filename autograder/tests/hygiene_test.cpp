@@ -1,0 +1,138 @@
+// A grader that judges many submissions: it loses no descriptor, and an exception in one of its
+// workers ends it with a line and a status.
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/judging/judge.hpp"
+#include "grader/pictures/plots.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/submission/submission.hpp"
+#include "sandbox/process.hpp"
+#include "tests/hygiene.hpp"
+#include "tests/submissions.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::hygiene {
+
+using namespace grader;
+
+namespace {
+
+struct Labs {
+  Layout layout = read_layout();
+  std::vector<Lab> labs = find_labs(layout);
+  const Lab& lab = find_lab(labs, "variance");
+  std::string starter = text_of(layout.starter());
+
+  /// The starter with another comment.
+  Submission submission(const Scratch& place, int number) const {
+    place.write("variance.cpp", starter + fmt::format("// {}\n", number));
+    return open_submission(labs, place.path());
+  }
+};
+
+/// How many of them came to this.
+std::size_t count(const LabVerdict& verdict, Status status) {
+  std::size_t found = 0;
+  for (const CheckResult& result : verdict.checks) found += result.status == status;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("300 submissions under 64 descriptors") {
+  const Labs labs;
+  const Scratch place;
+  JudgeOptions options;
+  options.seed = 1;
+  options.only = "1.1";
+  std::size_t judged = 0;
+  const FewDescriptors few(64);
+  const std::size_t before = open_descriptors();
+  for (int i = 0; i < 300; ++i) {  // ten of them are compiled, 290 found where they were left
+    const Built built = build_program(labs.layout, labs.lab, labs.submission(place, i % 10));
+    REQUIRE(built.program);
+    const LabVerdict verdict = judge_lab(labs.layout, labs.lab, built, options);
+    judged += count(verdict, Status::not_written) == verdict.checks.size();
+  }
+  CHECK(judged == 300);
+  CHECK(open_descriptors() == before);
+}
+
+TEST_CASE("plots under 64 descriptors") {
+  const Labs labs;
+  if (!std::filesystem::exists(labs.layout.figures(labs.lab.name))) return;  // it is not built
+  const Scratch place;
+  const FewDescriptors few(64);
+  const std::size_t before = open_descriptors();
+  for (int i = 0; i < 4; ++i) {
+    draw_plots(labs.layout, labs.lab, {labs.submission(place, i % 2)}, "tests");
+  }
+  CHECK(open_descriptors() == before);
+}
+
+TEST_CASE("an exception in a worker reaches who asked, and the others come to an end") {
+  const Labs labs;
+  const Scratch place;
+  const Built built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
+  REQUIRE(built.program);
+  const std::size_t before = open_descriptors();
+  for (const unsigned workers : {1u, 2u, 4u}) {
+    JudgeOptions options;
+    options.workers = workers;
+    std::size_t told = 0;
+    options.progress = [&](std::size_t, std::size_t) {
+      if (++told == 3) throw std::runtime_error("no more of this");
+    };
+    CHECK_THROWS_WITH(judge_lab(labs.layout, labs.lab, built, options), "no more of this");
+    options.progress = {};
+    const LabVerdict after = judge_lab(labs.layout, labs.lab, built, options);
+    CHECK(count(after, Status::not_written) == after.checks.size());
+  }
+  CHECK(open_descriptors() == before);
+}
+
+TEST_CASE("signals change no verdict") {
+  const Labs labs;
+  const Scratch place;
+  JudgeOptions options;
+  const Interrupted interrupted;
+  const Built built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
+  INFO(built.failure);
+  REQUIRE(built.program);
+  const LabVerdict verdict = judge_lab(labs.layout, labs.lab, built, options);
+  CHECK(count(verdict, Status::not_written) == verdict.checks.size());
+  CHECK(interrupted.times() > 50);
+}
+
+TEST_CASE("without descriptors the grader ends with a line and status 3, wherever they run out") {
+  const Labs labs;
+  const Scratch place;
+  labs.submission(place, 0);
+  const std::string grader = (labs.layout.build / "bin" / "grader").string();
+  std::size_t lacking = 0, judged = 0;
+  for (int most = 17; most <= 40; ++most) {
+    const auto run = sandbox::run_process(
+        {"sh", "-c",
+         fmt::format("ulimit -n {} && exec '{}' check variance '{}' --only 1.1", most, grader,
+                     place.path().string())});
+    CAPTURE(most, run.errors);
+    CHECK(run.signal == 0);
+    CHECK((run.exit_code == 1 || run.exit_code == 3));
+    if (run.exit_code == 3) CHECK(lines(run.errors) == 1);
+    lacking += run.exit_code == 3;
+    judged += run.exit_code == 1;
+  }
+  CHECK(lacking > 0);
+  CHECK(judged > 0);
+}
+
+}  // namespace mc::tests::hygiene

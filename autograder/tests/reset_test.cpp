@@ -1,0 +1,117 @@
+// ./lab reset, on a repository with a history of its own.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/context/text_file.hpp"
+#include "sandbox/process.hpp"
+#include "tests/submissions.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::reset {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// A checkout beside which the grader is built, as far as it can tell: it is found by where it lies,
+/// and the checkout by the layout beside it.
+class Checkout {
+ public:
+  Checkout() {
+    const Layout real = read_layout();
+    fs::create_directories(place_.path() / "build" / "bin");
+    fs::copy_file(real.build / "bin" / "grader", place_.path() / "build" / "bin" / "grader");
+    std::string layout = read_text(real.build / "layout.txt");
+    layout.replace(0, layout.find('\n'), "root=" + root().string());
+    write_text(place_.path() / "build" / "layout.txt", layout);
+    fs::create_directories(root() / "starter");
+    fs::create_directory_symlink(real.labs(), root() / "labs");
+    git({"init", "-q"});
+  }
+
+  fs::path root() const { return place_.path() / "checkout"; }
+  fs::path file() const { return root() / "starter" / "variance.cpp"; }
+
+  void commit(const std::string& text) const {
+    write_text(file(), text);
+    git({"add", "starter"});
+    git({"-c", "user.name=somebody", "-c", "user.email=somebody@example.org", "commit", "-q", "-m",
+         "a step"});
+  }
+  sandbox::ProcessResult reset() const {
+    const fs::path grader = place_.path() / "build" / "bin" / "grader";
+    return sandbox::run_process({grader.string(), "reset", "variance"}, {.environment = alone()});
+  }
+
+ private:
+  /// Whatever is configured for the person who runs this test, or above the scratch directory.
+  std::vector<std::pair<std::string, std::string>> alone() const {
+    return {{"GIT_CONFIG_GLOBAL", "/dev/null"},
+            {"GIT_CONFIG_NOSYSTEM", "1"},
+            {"GIT_CEILING_DIRECTORIES", place_.path().string()}};
+  }
+  void git(std::vector<std::string> words) const {
+    words.insert(words.begin(), {"git", "-C", root().string()});
+    const auto run = sandbox::run_process(words, {.environment = alone()});
+    INFO(run.errors);
+    REQUIRE(run.succeeded());
+  }
+
+  Scratch place_{"reset"};
+};
+
+/// The starter with its first task begun.
+std::string begun(std::string text) {
+  const std::string todo = "throw todo(\"1.1\");";
+  REQUIRE(contains(text, todo));
+  return text.replace(text.find(todo), todo.size(), "return 0;");
+}
+
+}  // namespace
+
+TEST_CASE("the starter again, and nothing that was written is lost") {
+  const Checkout checkout;
+  const std::string given = text_of(read_layout().starter());
+  checkout.commit("// an older handout\n" + given);
+  checkout.commit(given);
+  checkout.commit(begun(given));
+  write_text(checkout.file(), "mine\n");
+
+  const auto first = checkout.reset();
+  INFO(first.errors);
+  CHECK(first.exit_code == 0);
+  CHECK(read_text(checkout.file()) == given);  // the newest in which no task was begun
+  CHECK(read_text(checkout.file().string() + ".1.bak") == "mine\n");
+  CHECK(contains(first.output, "variance.cpp.1.bak"));
+
+  const auto again = checkout.reset();  // there is nothing to keep
+  CHECK(again.exit_code == 0);
+  CHECK(contains(again.output, "is as it was given to you"));
+  CHECK_FALSE(fs::exists(checkout.file().string() + ".2.bak"));
+
+  write_text(checkout.file(), "mine too\n");
+  CHECK(checkout.reset().exit_code == 0);
+  CHECK(read_text(checkout.file().string() + ".1.bak") == "mine\n");
+  CHECK(read_text(checkout.file().string() + ".2.bak") == "mine too\n");
+
+  fs::remove(checkout.file());
+  CHECK(checkout.reset().exit_code == 0);
+  CHECK(read_text(checkout.file()) == given);
+  CHECK_FALSE(fs::exists(checkout.file().string() + ".3.bak"));
+}
+
+TEST_CASE("without a history there is no starter, and the file stays as it is") {
+  const Checkout checkout;
+  write_text(checkout.file(), "mine\n");
+  const auto run = checkout.reset();
+  CHECK(run.exit_code == 3);
+  CHECK(lines(run.errors) == 1);
+  CHECK(contains(run.errors, "git has no starter/variance.cpp here"));
+  CHECK(read_text(checkout.file()) == "mine\n");
+}
+
+}  // namespace mc::tests::reset
