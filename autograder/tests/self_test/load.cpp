@@ -23,8 +23,8 @@ class BusyLoops {
     for (int i = 0; i < count; ++i) {
       const pid_t pid = fork();
       if (pid == 0) {
-        for (volatile unsigned long x = 0;; x = x + 1) {
-        }
+        volatile unsigned long x = 0;
+        for (;;) x = x + 1;
       }
       if (pid > 0) loops_.push_back(pid);
     }
