@@ -52,7 +52,7 @@ endforeach()
 # draws, what benches. Libraries of objects, since a verb registers itself: nothing asks for it by name.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/context/*.cpp autograder/grader/submission/*.cpp
   autograder/grader/judging/*.cpp autograder/grader/reports/*.cpp)
-list(FILTER sources EXCLUDE REGEX "json[.]cpp$")
+list(FILTER sources EXCLUDE REGEX "(json|html)[.]cpp$")
 set(verbs check dispatch overview progress reset run setup submit test verb)
 list(TRANSFORM verbs PREPEND autograder/grader/verbs/)
 list(TRANSFORM verbs APPEND .cpp)
@@ -62,13 +62,18 @@ target_link_libraries(grading PUBLIC sandbox protocol pugixml::pugixml Threads::
 
 # A check waits for no JSON library.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp)
-list(FILTER sources EXCLUDE REGEX "/(check|dispatch|overview|progress|reset|run|setup|submit|test|verb|plot|render)[.]cpp$")
+list(FILTER sources EXCLUDE REGEX "/(check|dispatch|overview|progress|reset|run|setup|submit|test|verb|plot|render|report)[.]cpp$")
 add_library(recording OBJECT autograder/grader/reports/json.cpp ${sources})
 own_target(recording)
 target_link_libraries(recording PUBLIC sandbox protocol nlohmann_json::nlohmann_json)
 
+add_library(pages OBJECT autograder/grader/reports/html.cpp)
+own_target(pages)
+target_link_libraries(pages PUBLIC sandbox protocol)
+
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/pictures/*.cpp)
-add_library(drawing OBJECT ${sources} autograder/grader/verbs/plot.cpp autograder/grader/verbs/render.cpp)
+add_library(drawing OBJECT ${sources} autograder/grader/verbs/plot.cpp autograder/grader/verbs/render.cpp
+  autograder/grader/verbs/report.cpp)
 own_target(drawing)
 target_link_libraries(drawing PUBLIC sandbox protocol)
 
@@ -88,12 +93,12 @@ add_executable(gradebook autograder/grader/main.cpp)
 add_executable(pictures autograder/grader/main.cpp ${without_json})
 if(TARGET benching)
   add_executable(bench autograder/grader/main.cpp ${without_json})
-  target_link_libraries(bench PRIVATE drawing benching)
+  target_link_libraries(bench PRIVATE drawing pages benching)
 endif()
 foreach(program ${programs})
   own_target(${program})
   target_link_libraries(${program} PRIVATE grading)
 endforeach()
-target_link_libraries(gradebook PRIVATE recording)
-target_link_libraries(pictures PRIVATE drawing)
+target_link_libraries(gradebook PRIVATE recording pages)
+target_link_libraries(pictures PRIVATE drawing pages)
 add_dependencies(judge_all gradebook pictures)

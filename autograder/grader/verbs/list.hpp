@@ -21,6 +21,7 @@ inline constexpr VerbEntry verb_list[] = {
     {"run", "run one experiment by hand and print its numbers", "grader"},
     {"plot", "draw the lab's plots, several submissions side by side", "pictures"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", "pictures"},
+    {"report", "your work on a lab as a page", "pictures"},
     {"reset", "the starter of a lab again (your file is kept as a backup)", "grader"},
     {"submit", "write the zip to hand in", "grader"},
     {"grade", "judge whole submissions", gradebook, true},

@@ -1,0 +1,320 @@
+#include "grader/reports/html.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "grader/context/text_file.hpp"
+#include "grader/reports/report.hpp"
+#include "runner/text.hpp"
+
+namespace mc::grader {
+namespace {
+
+/// Colours of 4.5:1 and more on both grounds; status is told by a word and a mark, never by colour alone.
+constexpr const char* style = R"css(
+:root { color-scheme: light dark; --ink: #1b1b1b; --ground: #fff; --soft: #f2f2f0; --line: #c9c9c5;
+  --good: #00664f; --bad: #a63a00; --quiet: #5c5c5c; --bar: #0072b2; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e8e8e6; --ground: #161616; --soft: #232322;
+  --line: #4a4a48; --good: #4fc3a1; --bad: #ff9d66; --quiet: #a8a8a4; --bar: #56b4e9; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 62rem; padding: 1rem; color: var(--ink); background: var(--ground);
+  font: 1rem/1.5 system-ui, sans-serif; overflow-wrap: anywhere; }
+h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin-top: 2rem; } h3 { font-size: 1rem; }
+table { border-collapse: collapse; width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: .25rem .5rem; border-bottom: 1px solid var(--line); }
+td.number, th.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
+pre { background: var(--soft); padding: .6rem; margin: .4rem 0; white-space: pre-wrap; font-size: .85rem; }
+details > summary { cursor: pointer; }
+.passed { color: var(--good); } .failed { color: var(--bad); } .other, .quiet { color: var(--quiet); }
+ol.code { background: var(--soft); padding: .6rem .6rem .6rem 3.6rem; margin: .4rem 0;
+  font: .8rem/1.4 ui-monospace, monospace; }
+ol.code li { white-space: pre-wrap; } ol.code .message { color: var(--bad); font-weight: 600; }
+.bar { display: inline-block; height: .7rem; background: var(--bar); vertical-align: middle; }
+img { width: 100%; height: auto; background: #fff; }
+.scroll { overflow-x: auto; }
+)css";
+
+std::string page(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
+      "<main>\n{}</main>\n</body>\n</html>\n",
+      html_escaped(title), style, body);
+}
+
+std::string points_cell(double earned, double points) {
+  return fmt::format("<td class=\"number\">{:g} of {:g}</td>", earned, points);
+}
+
+/// The messages of a compilation, "variance.cpp:12:5: error: …", by their lines.
+std::multimap<std::size_t, std::string> messages_in(const std::string& text,
+                                                    const std::string& file) {
+  std::multimap<std::size_t, std::string> messages;
+  for (const std::string_view line : text::split(text, '\n')) {
+    if (!line.starts_with(file + ':')) continue;
+    const auto parts = text::split(line, ':');
+    std::size_t row = 0;
+    if (parts.size() < 3) continue;
+    std::from_chars(parts[1].data(), parts[1].data() + parts[1].size(), row);
+    const auto behind = line.find(": ", file.size());
+    if (row > 0 && behind != std::string_view::npos) {
+      messages.emplace(row, std::string(line.substr(behind + 2)));
+    }
+  }
+  return messages;
+}
+
+/// The file with its line numbers, and what the compiler said under the lines it speaks of.
+std::string code(const std::string& source, const std::string& file,
+                 const std::string& diagnostics) {
+  const auto messages = messages_in(diagnostics, file);
+  std::string all = "<ol class=\"code\">\n";
+  std::size_t row = 0;
+  for (std::size_t begin = 0; begin <= source.size();) {
+    const auto end = std::min(source.find('\n', begin), source.size());
+    if (begin == source.size()) break;  // behind the last line's end
+    ++row;
+    all += "<li>" + html_escaped(source.substr(begin, end - begin));
+    const auto [first, last] = messages.equal_range(row);
+    for (auto message = first; message != last; ++message) {
+      all += fmt::format("\n<span class=\"message\">↑ {}</span>", html_escaped(message->second));
+    }
+    all += "</li>\n";
+    begin = end + 1;
+  }
+  const std::string list = all + "</ol>\n";
+  const std::string name = html_escaped(file);
+  return messages.empty() ? fmt::format("<details><summary>{}, {} lines</summary>\n{}</details>\n",
+                                        name, row, list)
+                          : fmt::format("<h3>{}</h3>\n{}", name, list);
+}
+
+std::string mark_of(const CheckResult& result) {
+  if (result.status == Status::passed) return "<span class=\"passed\">✓ passed</span>";
+  if (result.status == Status::failed) return "<span class=\"failed\">✗ failed</span>";
+  return {};
+}
+
+std::string check_row(const CheckResult& result, const LabVerdict& lab) {
+  std::string mark = mark_of(result);
+  if (mark.empty()) {
+    mark = fmt::format("<span class=\"other\">{}</span>", html_escaped(describe(result, lab)));
+  }
+  std::string what = html_escaped(result.check.name);
+  if (!result.story.empty() && result.status == Status::failed) {
+    std::string story = result.story + "\nread      labs/" + lab.lab.folder +
+                        "/README.md, section " + result.check.task + "\nagain     " + result.repeat;
+    if (!result.by_hand.empty()) story += "\nby hand   " + result.by_hand;
+    what += "<pre>" + html_escaped(story) + "</pre>";
+  } else if (!result.story.empty() && result.status != Status::not_written &&
+             lab.no_program.empty()) {
+    what += "<pre>" + html_escaped(result.story) + "</pre>";
+  }
+  if (!result.printed.empty()) {
+    what += "<details><summary>it printed</summary><pre>" +
+            html_escaped(result.printed.substr(0, 4000)) + "</pre></details>";
+  }
+  return fmt::format("<tr><td>{}</td><td>{}</td>{}</tr>\n", mark, what,
+                     points_cell(result.earned(), result.check.points));
+}
+
+std::string speed_table(const LabVerdict& lab) {
+  if (lab.speed.empty()) return {};
+  std::string all =
+      "<h3>Speed (not graded)</h3>\n<table>\n<tr><th scope=\"col\">task</th>"
+      "<th scope=\"col\" class=\"number\">ns each</th><th scope=\"col\" "
+      "class=\"number\">reference</th>"
+      "<th scope=\"col\" class=\"number\">error</th><th scope=\"col\" "
+      "class=\"number\">reference</th></tr>\n";
+  const auto cell = [](const std::optional<double>& value) {
+    return value ? fmt::format("<td class=\"number\">{:.3g}</td>", *value)
+                 : std::string("<td class=\"number\">not measured</td>");
+  };
+  for (const Speed& one : lab.speed) {
+    all +=
+        fmt::format("<tr><td>{}</td>{}{}{}{}</tr>\n", html_escaped(one.name), cell(one.nanoseconds),
+                    cell(one.reference), cell(one.error), cell(one.reference_error));
+  }
+  return all + "</table>\n";
+}
+
+/// A file's bytes as part of a page.
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string all;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      all += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return all;
+}
+
+std::string pictures_of(const std::vector<std::filesystem::path>& files) {
+  std::string all;
+  for (const auto& file : files) {
+    const std::string name = html_escaped(file.stem().string());
+    all += fmt::format(
+        "<figure><img alt=\"plot {0}\" src=\"data:image/svg+xml;base64,{1}\">"
+        "<figcaption class=\"quiet\">{0}</figcaption></figure>\n",
+        name, base64(read_text(file)));
+  }
+  return all;
+}
+
+template <class Map>
+auto found_or_empty(const Map& map, const std::string& key) {
+  const auto found = map.find(key);
+  return found == map.end() ? typename Map::mapped_type{} : found->second;
+}
+
+std::string lab_section(const LabVerdict& lab, const PageMaterial& material) {
+  std::string all = fmt::format("<h2>{}: {:g} of {:g} points</h2>\n", html_escaped(lab.lab.title()),
+                                lab.earned(), lab.points());
+  if (!lab.no_program.empty()) all += "<pre>" + html_escaped(lab.no_program) + "</pre>\n";
+  for (const std::string& need : lab.unfinished) {
+    all += fmt::format("<p>First: {} {} is not right yet, and checks below stand on it.</p>\n",
+                       need.find('.') == std::string::npos ? "lab" : "task", html_escaped(need));
+  }
+  if (lab.no_program.empty()) {
+    all +=
+        "<table>\n<tr><th scope=\"col\">verdict</th><th scope=\"col\">check</th>"
+        "<th scope=\"col\" class=\"number\">points</th></tr>\n";
+    for (const CheckResult& result : lab.checks) all += check_row(result, lab);
+    all += "</table>\n";
+  }
+  all += speed_table(lab) + pictures_of(found_or_empty(material.pictures, lab.lab.name));
+  const std::string source = found_or_empty(material.sources, lab.lab.name);
+  if (!source.empty()) all += code(source, lab.lab.file(), lab.no_program);
+  return all;
+}
+
+/// How many have so much: ten bars of a tenth of the points each.
+std::string histogram(const std::vector<IndexEntry>& entries) {
+  std::array<std::size_t, 10> counts{};
+  std::size_t most = 1;
+  for (const IndexEntry& entry : entries) {
+    const double points = entry.verdict->points();
+    if (!entry.verdict->not_judged.empty() || points <= 0) continue;
+    const double part = entry.verdict->earned() / points;
+    most = std::max(most, ++counts[std::min<std::size_t>(9, static_cast<std::size_t>(10 * part))]);
+  }
+  std::string all =
+      "<h2>Points</h2>\n<table>\n<tr><th scope=\"col\">part of the points</th>"
+      "<th scope=\"col\" class=\"number\">submissions</th><th scope=\"col\"></th></tr>\n";
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    all += fmt::format(
+        "<tr><td>{}–{} %</td><td class=\"number\">{}</td><td><span class=\"bar\" "
+        "style=\"width:{:.1f}rem\"></span></td></tr>\n",
+        10 * i, 10 * i + 10, counts[i],
+        20.0 * static_cast<double>(counts[i]) / static_cast<double>(most));
+  }
+  return all + "</table>\n";
+}
+
+/// Each check with the part of those who pass it, the hardest first.
+std::string hardest(const std::vector<IndexEntry>& entries) {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> passed_of;
+  for (const IndexEntry& entry : entries) {
+    for (const LabVerdict& lab : entry.verdict->labs) {
+      for (const CheckResult& result : lab.checks) {
+        auto& [passed, all] = passed_of[result.check.name];
+        passed += result.status == Status::passed;
+        ++all;
+      }
+    }
+  }
+  std::vector<std::pair<double, std::string>> order;
+  for (const auto& [name, counts] : passed_of) {
+    order.emplace_back(static_cast<double>(counts.first) / static_cast<double>(counts.second),
+                       name);
+  }
+  std::sort(order.begin(), order.end());
+  std::string all =
+      "<h2>Checks, the hardest first</h2>\n<table>\n<tr><th scope=\"col\">check</th>"
+      "<th scope=\"col\" class=\"number\">passed</th></tr>\n";
+  for (const auto& [part, name] : order) {
+    all += fmt::format("<tr><td>{}</td><td class=\"number\">{:.0f} %</td></tr>\n",
+                       html_escaped(name), 100 * part);
+  }
+  return all + "</table>\n";
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+  std::string all;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        all += "&lt;";
+        break;
+      case '>':
+        all += "&gt;";
+        break;
+      case '&':
+        all += "&amp;";
+        break;
+      case '"':
+        all += "&quot;";
+        break;
+      default:
+        all += c;
+    }
+  }
+  return all;
+}
+
+std::string submission_page(const Verdict& verdict, const PageMaterial& material) {
+  std::string body = fmt::format("<h1>{}</h1>\n", html_escaped(verdict.submission));
+  if (!verdict.not_judged.empty()) {
+    body +=
+        fmt::format("<p class=\"failed\">Not judged: {}</p>\n", html_escaped(verdict.not_judged));
+  } else {
+    body += fmt::format("<p><strong>{:g} of {:g} points</strong></p>\n", verdict.earned(),
+                        verdict.points());
+  }
+  body += fmt::format("<p class=\"quiet\">seed {}, version {}</p>\n", verdict.seed,
+                      html_escaped(verdict.version));
+  if (const std::string warning = jail_warning(verdict); !warning.empty()) {
+    body += "<p class=\"failed\">" + html_escaped(warning) + "</p>\n";
+  }
+  for (const LabVerdict& lab : verdict.labs) body += lab_section(lab, material);
+  return page(verdict.submission, body);
+}
+
+std::string class_page(const std::vector<IndexEntry>& entries) {
+  std::string body = fmt::format("<h1>{} submissions</h1>\n", entries.size());
+  body +=
+      "<div class=\"scroll\"><table>\n<tr><th scope=\"col\">submission</th>"
+      "<th scope=\"col\" class=\"number\">points</th><th scope=\"col\">labs</th></tr>\n";
+  for (const IndexEntry& entry : entries) {
+    const Verdict& verdict = *entry.verdict;
+    const std::string name = html_escaped(verdict.submission);
+    std::string labs;
+    for (const LabVerdict& lab : verdict.labs) {
+      labs += fmt::format("{} {:g}  ", html_escaped(lab.lab.name), lab.earned());
+    }
+    body += fmt::format("<tr><td>{}</td>{}<td>{}</td></tr>\n",
+                        entry.page.empty()
+                            ? name
+                            : fmt::format("<a href=\"{}\">{}</a>", html_escaped(entry.page), name),
+                        verdict.not_judged.empty() ? points_cell(verdict.earned(), verdict.points())
+                                                   : "<td class=\"number\">not judged</td>",
+                        verdict.not_judged.empty() ? labs : html_escaped(verdict.not_judged));
+  }
+  body += "</table></div>\n" + histogram(entries) + hardest(entries);
+  return page("Grades", body);
+}
+
+}  // namespace mc::grader
