@@ -54,7 +54,13 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
     }
     curves += "\n\n";
   }
-  for (const char* submission : {"solutions", "std", "gsl", "boost"}) {
+  std::vector<std::string> who;  // the solutions, any submission, any library
+  for (const BenchRow& row : bench.of("digits")) {
+    if (std::find(who.begin(), who.end(), row.submission) == who.end()) {
+      who.push_back(row.submission);
+    }
+  }
+  for (const std::string& submission : who) {
     variances += fmt::format("# {}\n", submission) + variance_points(bench, submission) + "\n\n";
   }
   write_text(place / "curves.tsv", curves);
@@ -62,7 +68,7 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
   draw(plots, place / "plots", [&](const std::string& extension) {
     return script_beginning(layout, place / "bench", extension) +
            fmt::format(
-               "data = {}\nload {}\n", gnuplot_string(place.string()),
+               "data = {}\n{}load {}\n", gnuplot_string(place.string()), gnuplot_array("who", who),
                gnuplot_string((layout.root / "autograder" / "bench" / "plots.gp").string()));
   });
   collect(plots, place, "bench-");

@@ -45,9 +45,7 @@ do for [axis in "samples time"] {
 }
 
 # Variance: time against digits -------------------------------------------------------------------
-array who[4] = ["solutions", "std", "gsl", "boost"]
-array is_called[4] = ["the solution", "std", "GSL", "Boost"]
-array above[4] = [1, -1, 1, -1]
+# who[i], the submissions, comes from the bench.
 name = "variance"; width = 900; height = 560
 load draw
 set title "Variance of 4096 values from 1e9 to 1e9 + 1, in cache"
@@ -60,5 +58,5 @@ set ylabel "decimal digits that are right (more is better)"
 set key at graph 0.02,0.55 left Left reverse
 set label "1.2 textbook\n1.3 two passes\n1.4 Welford\n1.5 merged parts\n1.8 moments" at graph 0.03,0.3
 set datafile separator "\t"
-plot for [i=1:4] data."/variances.tsv" index who[i] using 1:2 with points ls i ps 1.8 title is_called[i], \
-     for [i=1:4] data."/variances.tsv" index who[i] using 1:2:3 with labels offset 0,above[i] notitle
+plot for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2 with points ls i ps 1.8 title who[i], \
+     for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2:3 with labels offset 0,(i % 2 == 1 ? 1 : -1) notitle

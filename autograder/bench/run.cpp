@@ -16,6 +16,7 @@
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/judging/judge.hpp"
+#include "grader/reports/progress_line.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/verbs/verb.hpp"
@@ -66,11 +67,11 @@ std::string name_of(const Job& job) {
   return fmt::format("{} {} {}", job.entrant->lab.name, job.kind, job.entrant->label);
 }
 
-/// How far it is: a bar at a terminal, a line for each job elsewhere. What each job took the last
-/// time is kept, so that the next estimate is a good one.
+/// How far it is, in seconds as they were expected. What each job took the last time is kept, so that
+/// the next estimate is a good one.
 class Progress {
  public:
-  explicit Progress(fs::path memory) : memory_(std::move(memory)) {
+  explicit Progress(fs::path memory) : memory_(std::move(memory)), line_("bench") {
     std::ifstream file(memory_);
     double seconds = 0;
     for (std::string name; file >> seconds && std::getline(file >> std::ws, name);) {
@@ -81,7 +82,6 @@ class Progress {
     std::string all;
     for (const auto& [name, seconds] : seconds_) all += fmt::format("{:.2f} {}\n", seconds, name);
     write_text(memory_, all);
-    if (is_terminal_) fmt::print(stderr, "\r\x1b[K");
   }
   Progress(const Progress&) = delete;
 
@@ -90,12 +90,11 @@ class Progress {
   }
   void begin(const std::string& name) {
     const std::lock_guard lock(mutex_);
-    show(name);
+    line_.show(done_, total_, name);
   }
   void end(const std::string& name, double seconds, double workers = 1) {
     const std::lock_guard lock(mutex_);
     done_ += expected_[name] / workers;
-    taken_ += seconds / workers;
     seconds_[name] = seconds;
   }
   double expected() const { return total_; }
@@ -105,27 +104,12 @@ class Progress {
     const auto found = seconds_.find(name);
     return found == seconds_.end() ? 6 : found->second;
   }
-  void show(const std::string& name) {
-    const double part = total_ > 0 ? std::min(1.0, done_ / total_) : 0;
-    // As much faster or slower than expected as it was so far.
-    const double left = (total_ - done_) * (done_ > 0 ? taken_ / done_ : 1);
-    const std::string about =
-        left < 90 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60);
-    if (!is_terminal_) {
-      fmt::print("{:3.0f} %, about {} left: {}\n", 100 * part, about, name);
-      return;
-    }
-    constexpr int width = 30;
-    const int full = static_cast<int>(part * width);
-    fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {:3.0f} %  about {} left  {}", "", full, "",
-               width - full, 100 * part, about, name);
-  }
 
   fs::path memory_;
-  bool is_terminal_ = isatty(STDERR_FILENO) != 0;
   std::map<std::string, double> seconds_, expected_;
-  double total_ = 0, done_ = 0, taken_ = 0;
+  double total_ = 0, done_ = 0;
   std::mutex mutex_;
+  ProgressLine line_;
 };
 
 class BenchRun {
@@ -266,8 +250,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
   std::vector<Submission> submissions;
   const bool has_solutions = fs::exists(context.layout.solutions());
   if (has_solutions) {
-    submissions.push_back(
-        open_submission(context.labs, context.layout.solutions()));
+    submissions.push_back(open_submission(context.labs, context.layout.solutions()));
     submissions.back().label = "solutions";
   }
   for (const std::string& word : arguments.words) {

@@ -29,6 +29,7 @@ th, td { text-align: left; vertical-align: top; padding: .25rem .5rem; border-bo
 td.number, th.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 pre { background: var(--soft); padding: .6rem; margin: .4rem 0; white-space: pre-wrap; font-size: .85rem; }
 details > summary { cursor: pointer; }
+span.passed, span.failed { white-space: nowrap; }
 .passed { color: var(--good); } .failed { color: var(--bad); } .other, .quiet { color: var(--quiet); }
 ol.code { background: var(--soft); padding: .6rem .6rem .6rem 3.6rem; margin: .4rem 0;
   font: .8rem/1.4 ui-monospace, monospace; }
@@ -126,7 +127,7 @@ std::string check_row(const CheckResult& result, const LabVerdict& lab) {
 std::string speed_table(const LabVerdict& lab) {
   if (lab.speed.empty()) return {};
   std::string all =
-      "<h3>Speed (not graded)</h3>\n<table>\n<tr><th scope=\"col\">task</th>"
+      "<h3>Speed (not graded)</h3>\n<div class=\"scroll\"><table>\n<tr><th scope=\"col\">task</th>"
       "<th scope=\"col\" class=\"number\">ns each</th><th scope=\"col\" "
       "class=\"number\">reference</th>"
       "<th scope=\"col\" class=\"number\">error</th><th scope=\"col\" "
@@ -140,7 +141,7 @@ std::string speed_table(const LabVerdict& lab) {
         fmt::format("<tr><td>{}</td>{}{}{}{}</tr>\n", html_escaped(one.name), cell(one.nanoseconds),
                     cell(one.reference), cell(one.error), cell(one.reference_error));
   }
-  return all + "</table>\n";
+  return all + "</table></div>\n";
 }
 
 /// A file's bytes as part of a page.
