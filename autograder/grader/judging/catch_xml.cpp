@@ -20,9 +20,12 @@ std::string message_of(const pugi::xml_node& failure) {
     const std::string text = trimmed(failure.text().get());
     return text.empty() ? failure.name() : text;
   }
-  return fmt::format("{}({}) was {}", failure.attribute("type").value(),
-                     trimmed(failure.child("Original").text().get()),
-                     trimmed(failure.child("Expanded").text().get()));
+  const std::string asked = fmt::format("{}({})", failure.attribute("type").value(),
+                                        trimmed(failure.child("Original").text().get()));
+  if (const auto thrown = failure.child("Exception")) {
+    return fmt::format("{} threw: {}", asked, trimmed(thrown.text().get()));
+  }
+  return fmt::format("{} was {}", asked, trimmed(failure.child("Expanded").text().get()));
 }
 
 }  // namespace
@@ -36,13 +39,14 @@ std::vector<XmlRecord> read_catch_xml(std::string_view xml) {
     const pugi::xml_node overall = node.child("OverallResult");
     XmlRecord record{node.attribute("name").value(), node.attribute("tags").value(), false, {}};
     record.success = overall.attribute("success").as_bool();
-    for (const pugi::xpath_node& found_failure :
-         node.select_nodes(".//Failure | .//Exception | .//FatalErrorCondition | "
-                           ".//Expression[@success='false']")) {
-      record.message = message_of(found_failure.node());
-      const std::string_view kind = found_failure.node().name();
-      record.crashed = kind == "Exception" || kind == "FatalErrorCondition";
-      break;
+    const auto failures = node.select_nodes(
+        ".//Failure | .//Exception | .//FatalErrorCondition | .//Expression[@success='false']");
+    if (!failures.empty()) {
+      const pugi::xml_node failure = failures.first().node();  // in the order of the report
+      const std::string_view kind = failure.name();
+      record.message = message_of(failure);
+      record.crashed =
+          kind == "Exception" || kind == "FatalErrorCondition" || failure.child("Exception");
     }
     // Catch2 calls [!mayfail] and [!shouldfail] a success; here a failure is a failure.
     if (!record.message.empty()) record.success = false;

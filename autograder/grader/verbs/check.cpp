@@ -11,6 +11,7 @@
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/verbs/judging_options.hpp"
+#include "grader/verbs/lab_and_task.hpp"
 #include "grader/verbs/progress.hpp"
 #include "grader/verbs/verb.hpp"
 
@@ -20,12 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 
 int check(const Context& context, const Arguments& arguments) {
-  if (arguments.words.empty() || arguments.words.size() > 2) {
-    throw UsageError("usage: ./lab check LAB [DIR] (LAB is 1, variance or 1-variance)");
-  }
-  const Lab& lab = find_lab(context.labs, arguments.words[0]);
-  const bool own = arguments.words.size() == 1;
-  const fs::path directory = own ? context.layout.starter() : fs::path(arguments.words[1]);
+  const char* const usage =
+      "usage: ./lab check LAB [TASK] [DIR] (LAB is 1, variance or 1-variance; TASK 1.3)";
+  if (arguments.words.empty()) throw UsageError(usage);
+  const LabAndTask meant = lab_and_task(context.labs, arguments.words);
+  if (meant.rest.size() > 1) throw UsageError(usage);
+  const Lab& lab = meant.lab;
+  const bool own = meant.rest.empty();
+  const fs::path directory = own ? context.layout.starter() : fs::path(meant.rest[0]);
   const auto json = arguments.get("json");
   require_writable(json);
   Submission submission = open_submission(context.labs, directory);
@@ -36,7 +39,7 @@ int check(const Context& context, const Arguments& arguments) {
   }
   SubmissionOptions options;
   options.judge.seed = seed_of(arguments);
-  options.judge.only = arguments.get("only").value_or("");
+  options.judge.only = arguments.get("only").value_or(meant.task);
   options.judge.first = arguments.has("first");
   options.with_speed = false;
   const bool is_whole = options.judge.only.empty() && !options.judge.first;
@@ -66,10 +69,10 @@ int check(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb check_verb{
     {"check",
-     "check LAB [DIR] [--only TASK | --first] [--seed S] [--json FILE]",
+     "check LAB [TASK] [DIR] [--first] [--seed S] [--json FILE]",
      {"only=", "first", "seed=", "json="},
-     "LAB is a number, a name or a folder: 1, variance, 1-variance.\n"
-     "  --only TASK   the checks of one task: --only 1.3\n"
+     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, its checks alone:\n"
+     "./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
      "  --first       stop at the first task that is not right\n"
      "  --seed S      the run with that seed again; every report names its own\n"
      "  --json FILE   Gradescope's results.json as well\n"
