@@ -59,6 +59,11 @@ list(TRANSFORM verbs APPEND .cpp)
 add_library(grading OBJECT ${sources} ${verbs})
 own_target(grading)
 target_link_libraries(grading PUBLIC sandbox protocol pugixml::pugixml Threads::Threads)
+if(ARCHIVE_LIBRARY AND ARCHIVE_INCLUDE)
+  target_compile_definitions(grading PRIVATE MC_HAVE_ARCHIVE)
+  target_include_directories(grading PRIVATE ${ARCHIVE_INCLUDE})
+  target_link_libraries(grading PUBLIC ${ARCHIVE_LIBRARY})
+endif()
 
 # A check waits for no JSON library.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp)

@@ -18,7 +18,8 @@ struct JudgeOptions {
   std::string only;                   ///< a task ("1.3"): judge its checks alone; empty: all
   bool first = false;                 ///< stop after the first task that has not all its points
   unsigned workers = 2;               ///< tasks at the same time
-  std::string submission;             ///< the directory, for the command that repeats a check
+  /// The directory or zip, for the command that repeats a check; empty: the student's own.
+  std::string submission;
   /// Told after each check: how many are done, of how many. Called by one worker at a time.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };

@@ -85,13 +85,16 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   const auto start = std::chrono::steady_clock::now();
   Verdict verdict;
   verdict.submission = submission.label;
+  verdict.found_in = submission.found_in;
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;
   verdict.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
   verdict.jail_complete = sandbox::jail_is_complete();
 
   JudgeOptions judge = options.judge;
-  judge.submission = submission.label;
+  std::error_code none;
+  const bool own = std::filesystem::equivalent(submission.path, context.layout.starter(), none);
+  judge.submission = own ? "" : submission.path.string();
   Finished finished(context, submission, judge);
   const auto all = static_cast<double>(labs.size());
   for (std::size_t i = 0; i < labs.size(); ++i) {

@@ -74,6 +74,7 @@ struct LabVerdict {
 
 struct Verdict {
   std::string submission;
+  std::string found_in;  ///< where in it the files are, if not at its top
   std::uint64_t seed = 0;
   std::string version, flags;
   bool jail_complete = true;

@@ -36,6 +36,7 @@ nlohmann::ordered_json as_json(const Speed& speed) {
 std::string as_results(const Verdict& verdict) {
   auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
   std::string output = jail_warning(verdict);
+  if (!verdict.found_in.empty()) output += fmt::format("found in {}\n", verdict.found_in);
   for (const LabVerdict& lab : verdict.labs) {
     output += fmt::format("{}: {:g} of {:g} points\n", lab.lab.title(), lab.earned(), lab.points());
     if (!lab.no_program.empty()) output += lab.no_program + "\n";

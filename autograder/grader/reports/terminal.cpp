@@ -159,6 +159,7 @@ std::string not_judged_line(const Verdict& verdict) {
 std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal) {
   std::string all = fmt::format("{}  {}, seed {}\n\n", painted(terminal, bold, lab.lab.title()),
                                 verdict.submission, verdict.seed);
+  if (!verdict.found_in.empty()) all += fmt::format("  found in {}\n\n", verdict.found_in);
   if (!lab.no_program.empty()) {
     for (const std::string_view line : text::split(lab.no_program, '\n')) {
       all += fmt::format("  {}\n", line);
@@ -257,7 +258,8 @@ std::string report_summary(const std::vector<Verdict>& verdicts) {
     }
     if (!verdict.not_judged.empty())
       all += "  " + verdict.not_judged.substr(0, verdict.not_judged.find('\n'));
-    if (verdict.labs.empty()) all += "  no lab's file in it";
+    if (verdict.labs.empty() && verdict.not_judged.empty()) all += "  no lab's file in it";
+    if (!verdict.found_in.empty()) all += fmt::format("  found in {}", verdict.found_in);
     all += '\n';
   }
   return all;
