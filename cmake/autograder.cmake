@@ -66,9 +66,10 @@ if(ARCHIVE_LIBRARY AND ARCHIVE_INCLUDE)
 endif()
 
 # A check waits for no JSON library.
-file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp autograder/grader/gradebook/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/(check|dispatch|overview|progress|reset|run|setup|submit|test|verb|plot|render)[.]cpp$")
-add_library(recording OBJECT autograder/grader/reports/json.cpp ${sources})
+add_library(recording OBJECT autograder/grader/reports/json.cpp
+  autograder/grader/reports/verdict_json.cpp ${sources})
 own_target(recording)
 target_link_libraries(recording PUBLIC sandbox protocol nlohmann_json::nlohmann_json)
 

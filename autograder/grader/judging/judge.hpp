@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "grader/judging/budget.hpp"
 #include "grader/judging/verdict.hpp"
 #include "grader/submission/build.hpp"
 #include "sandbox/process.hpp"
@@ -20,6 +21,7 @@ struct JudgeOptions {
   unsigned workers = 2;               ///< tasks at the same time
   /// The directory or zip, for the command that repeats a check; empty: the student's own.
   std::string submission;
+  Budget* budget = nullptr;  ///< of the whole submission; null: none
   /// Told after each check: how many are done, of how many. Called by one worker at a time.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };

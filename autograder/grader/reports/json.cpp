@@ -58,7 +58,10 @@ std::string as_results(const Verdict& verdict) {
                        {"visibility", "visible"}});
     }
   }
-  if (verdict.labs.empty()) output += "There is no file of any lab in this submission.\n";
+  if (!verdict.unreadable.empty()) {
+    output += "This submission cannot be read: " + verdict.unreadable + "\n";
+  } else if (verdict.labs.empty())
+    output += "There is no file of any lab in this submission.\n";
   nlohmann::ordered_json all;
   all["score"] = verdict.earned();
   all["execution_time"] = verdict.seconds;

@@ -263,10 +263,10 @@ Object compile(const Unit& unit) {
   const auto compiled = sandbox::run_process(command_for(unit, flags, includes, name), limits);
   if (!compiled.succeeded()) {
     if (const std::string why = stopped(compiled, limits); !why.empty()) {
-      return {{}, fmt::format("The compiler {} on {}.", why, name)};
+      return {{}, fmt::format("The compiler {} on {}.", why, name), compiled.cpu_seconds};
     }
     require_sound_machine(unit.layout);
-    return {{}, failure_of(unit, text, directory, compiled)};
+    return {{}, failure_of(unit, text, directory, compiled), compiled.cpu_seconds};
   }
   for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter knows of .incbin
     if (const auto file = forbidden(unit.layout, unit.trusted, directory,
@@ -278,7 +278,7 @@ Object compile(const Unit& unit) {
   sweep(slot);
   fs::rename(directory / "unit.o", object);
   write_text(whole_key, key);
-  return {object, {}};
+  return {object, {}, compiled.cpu_seconds};
 }
 
 }  // namespace mc::grader
