@@ -59,11 +59,17 @@ list(TRANSFORM verbs APPEND .cpp)
 add_library(grading OBJECT ${sources} ${verbs})
 own_target(grading)
 target_link_libraries(grading PUBLIC sandbox protocol pugixml::pugixml Threads::Threads)
+if(ARCHIVE_LIBRARY AND ARCHIVE_INCLUDE)
+  target_compile_definitions(grading PRIVATE MC_HAVE_ARCHIVE)
+  target_include_directories(grading PRIVATE ${ARCHIVE_INCLUDE})
+  target_link_libraries(grading PUBLIC ${ARCHIVE_LIBRARY})
+endif()
 
 # A check waits for no JSON library.
-file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp autograder/grader/gradebook/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/(check|dispatch|overview|progress|reset|run|setup|submit|test|verb|plot|render|report)[.]cpp$")
-add_library(recording OBJECT autograder/grader/reports/json.cpp ${sources})
+add_library(recording OBJECT autograder/grader/reports/json.cpp
+  autograder/grader/reports/verdict_json.cpp ${sources})
 own_target(recording)
 target_link_libraries(recording PUBLIC sandbox protocol nlohmann_json::nlohmann_json)
 

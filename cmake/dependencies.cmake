@@ -22,6 +22,10 @@ find_package(Threads REQUIRED)
 find_library(SECCOMP_LIBRARY seccomp)
 find_path(SECCOMP_INCLUDE seccomp.h)
 
+# Without libarchive zips have to be unpacked by hand.
+find_library(ARCHIVE_LIBRARY archive)
+find_path(ARCHIVE_INCLUDE archive.h)
+
 # Libraries that the labs are compared with (autograder/submissions/peers), each as the flags that it is
 # linked with. Where one is missing, its comparison is.
 set(PEER_LAYOUT "peers.std=\n")

@@ -35,7 +35,7 @@ missing_things() {
   command -v ninja >/dev/null 2>&1 || command -v make >/dev/null 2>&1 || echo make
   command -v gnuplot >/dev/null 2>&1 || echo gnuplot
   if [ -z "$compiler" ]; then
-    echo catch2 fmt json pugixml seccomp
+    echo catch2 fmt json pugixml archive seccomp
     return
   fi
   {
@@ -44,7 +44,9 @@ missing_things() {
     for pair in fmt:fmt/format.h json:nlohmann/json.hpp pugixml:pugixml.hpp; do
       printf '#if !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
     done
-    printf '#if defined(__linux__) && !__has_include(<seccomp.h>)\nmissing seccomp\n#endif\n'
+    for pair in archive:archive.h seccomp:seccomp.h; do  # Homebrew's libarchive is not where one looks
+      printf '#if defined(__linux__) && !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
+    done
   } | "$compiler" -E -P -x c++ - 2>/dev/null | sed -n 's/^missing //p'
 }
 
@@ -61,6 +63,8 @@ package_of() {  # thing manager
     json:brew) echo nlohmann-json ;;
     pugixml:apt) echo libpugixml-dev ;;
     pugixml:dnf) echo pugixml-devel ;;
+    archive:apt) echo libarchive-dev ;;
+    archive:dnf) echo libarchive-devel ;;
     seccomp:apt) echo libseccomp-dev ;;
     seccomp:dnf) echo libseccomp-devel ;;
     gnuplot:apt) echo gnuplot-nox ;;

@@ -14,6 +14,12 @@ add_executable(self_test EXCLUDE_FROM_ALL ${sources} autograder/checks/support/d
 own_target(self_test)
 target_link_libraries(self_test PRIVATE grading)
 
+# Intake, batches, machines that fail: what only whoever grades has.
+file(GLOB sources CONFIGURE_DEPENDS autograder/tests/gradebook/*.cpp)
+add_executable(gradebook_tests EXCLUDE_FROM_ALL ${sources})
+own_target(gradebook_tests)
+target_link_libraries(gradebook_tests PRIVATE grading recording Catch2::Catch2WithMain)
+
 # test_of(<name> <cost> <command>...): those that take long begin first. With a thousand seeds
 # (./lab test --full) one takes the better part of an hour; else a minute is long.
 function(test_of name cost)
@@ -26,8 +32,10 @@ function(quick name)
 endfunction()
 
 test_of(grader 100 grader_tests)
+test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
 quick(grader)
+quick(gradebook)
 quick(repository)
 
 # Every submission of the repository, with what its first lines say must happen to it; of each kind

@@ -45,7 +45,7 @@ Arguments parse_arguments(const std::vector<std::string>& words,
     const char letter =
         equals != std::string::npos && equals + 1 < text.size() ? text[equals + 1] : '\0';
     options.push_back({text.substr(0, equals), equals != std::string::npos, letter});
-    if (letter != '\0') letters += std::string(1, letter) + ':';
+    if (letter != '\0' && letter != ',') letters += std::string(1, letter) + ':';
   }
   std::vector<option> longs;
   for (const Known& one : options) {
@@ -91,7 +91,9 @@ Arguments parse_arguments(const std::vector<std::string>& words,
     }
     for (std::size_t i = 0; i < options.size(); ++i) {
       if (static_cast<int>(i) == index || (index < 0 && options[i].letter == found)) {
-        arguments.options[options[i].name] = options[i].takes_value ? optarg : "";
+        std::string& value = arguments.options[options[i].name];
+        const bool is_list = options[i].letter == ',' && !value.empty();
+        value = (is_list ? value + ',' : "") + (options[i].takes_value ? optarg : "");
       }
     }
   }

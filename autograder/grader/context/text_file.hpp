@@ -1,6 +1,7 @@
 #pragma once
 // Whole files, read and written at once.
 
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +17,19 @@ namespace mc::grader {
 inline std::string read_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The same, but throws std::system_error where there is no such file or it cannot be read: for texts
+/// that are taken for empty by nobody.
+inline std::string read_whole_text(const std::filesystem::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad() || errno == EIO) {
+    throw std::system_error(errno == 0 ? EIO : errno, std::generic_category(),
+                            "cannot read " + path.string());
+  }
+  return text;
 }
 
 /// Writes beside and renames into place: whoever reads sees the old text or the new one, whole.

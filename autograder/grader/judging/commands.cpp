@@ -1,28 +1,16 @@
 #include "grader/judging/commands.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
+#include "grader/context/shell.hpp"
 #include "grader/context/text_file.hpp"
 #include "runner/text.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
-
-/// A word as a shell takes it.
-std::string shell_quoted(const std::string& word) {
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("_-+./,:@=%").find(c) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
-  std::string all = "'";
-  for (const char c : word) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return all + "'";
-}
 
 bool is_own(const JudgeOptions& options) {
   return options.submission.empty() || options.submission == "starter";

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "grader/judging/budget.hpp"
 #include "grader/judging/verdict.hpp"
 #include "grader/submission/build.hpp"
 #include "sandbox/process.hpp"
@@ -18,7 +19,9 @@ struct JudgeOptions {
   std::string only;                   ///< a task ("1.3"): judge its checks alone; empty: all
   bool first = false;                 ///< stop after the first task that has not all its points
   unsigned workers = 2;               ///< tasks at the same time
-  std::string submission;             ///< the directory, for the command that repeats a check
+  /// The directory or zip, for the command that repeats a check; empty: the student's own.
+  std::string submission;
+  Budget* budget = nullptr;  ///< of the whole submission; null: none
   /// Told after each check: how many are done, of how many. Called by one worker at a time.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };

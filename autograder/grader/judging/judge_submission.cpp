@@ -8,11 +8,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "grader/context/text_file.hpp"
 #include "grader/judging/speed.hpp"
 #include "grader/submission/compile.hpp"
 
 namespace mc::grader {
 namespace {
+
+/// The program, as long as the submission's budget lasts.
+Built build_within(const Context& context, const Lab& lab, const Submission& submission,
+                   const JudgeOptions& options) {
+  if (options.budget != nullptr && options.budget->is_used_up()) {
+    Built none;
+    none.failure = Budget::why() + ".";
+    return none;
+  }
+  // One worker: others have submissions of their own.
+  Built built = build_program(context.layout, lab, submission, options.workers == 1 ? 1 : cores());
+  if (options.budget != nullptr) options.budget->use(built.cpu_seconds);
+  return built;
+}
 
 /// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judged now, unless
 /// it was already.
@@ -38,7 +53,7 @@ class Finished {
       const auto dot = need.find('.');
       const Lab& lab = find_lab(context_.labs, need.substr(0, dot));
       options_.only = dot == std::string::npos ? "" : need;
-      const Built built = build_program(context_.layout, lab, submission_);
+      const Built built = build_within(context_, lab, submission_, options_);
       const LabVerdict verdict = judge_lab(context_.layout, lab, built, options_);
       known_[need] = verdict.earned() == verdict.points();
     }
@@ -64,7 +79,9 @@ std::string fault_in(const LabVerdict& judged) {
 /// Keeps what the autograder failed on, so that it can be looked into.
 void keep_for_report(const Layout& layout, const Submission& submission, const Verdict& verdict) {
   std::error_code ignored;  // on a full disk there is no keeping
-  const auto place = layout.build / "not-judged" / std::to_string(verdict.seed);
+  const auto place = layout.build / "not-judged" /
+                     fmt::format("{}-{:08x}", verdict.seed,
+                                 static_cast<std::uint32_t>(hash_text(verdict.submission)));
   std::filesystem::create_directories(place, ignored);
   for (const auto& [lab, file] : submission.files) {
     std::filesystem::copy_file(file, place / file.filename(),
@@ -85,13 +102,16 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   const auto start = std::chrono::steady_clock::now();
   Verdict verdict;
   verdict.submission = submission.label;
+  verdict.found_in = submission.found_in;
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;
   verdict.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
   verdict.jail_complete = sandbox::jail_is_complete();
 
   JudgeOptions judge = options.judge;
-  judge.submission = submission.label;
+  std::error_code none;
+  const bool own = std::filesystem::equivalent(submission.path, context.layout.starter(), none);
+  judge.submission = own ? "" : submission.path.string();
   Finished finished(context, submission, judge);
   const auto all = static_cast<double>(labs.size());
   for (std::size_t i = 0; i < labs.size(); ++i) {
@@ -100,7 +120,7 @@ Verdict judge_submission(const Context& context, const Submission& submission,
       if (options.progress) options.progress(static_cast<double>(i) + part, all, what);
     };
     tell(0, "compiling " + lab.file());
-    const Built built = build_program(context.layout, lab, submission);
+    const Built built = build_within(context, lab, submission, judge);
     judge.progress = [&](std::size_t done, std::size_t checks) {
       tell(static_cast<double>(done) / static_cast<double>(checks), "judging " + lab.name);
     };

@@ -71,6 +71,13 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
   double left = task_cpu_seconds;
   std::set<std::string> timed_out;
   for (CheckResult* const result : checks) {
+    if (options.budget != nullptr && (options.budget->is_used_up() || options.budget->is_late())) {
+      const bool used_up = options.budget->is_used_up();
+      result->status = used_up ? Status::not_run : Status::not_judged;
+      result->story = used_up ? Budget::why() : Budget::why_late();
+      done();
+      continue;
+    }
     if (left <= 0) {
       result->status = Status::not_run;
       result->story = fmt::format("the {} s of CPU time of task {} were used up before this check",
@@ -98,6 +105,7 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
     result->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     left -= run.cpu_seconds;
+    if (options.budget != nullptr) options.budget->use(run.cpu_seconds);
 
     bool todo = false;
     std::string machine;

@@ -74,12 +74,17 @@ struct LabVerdict {
 
 struct Verdict {
   std::string submission;
+  std::string found_in;  ///< where in it the files are, if not at its top
+  std::string text;      ///< a hash of what was handed in: another text is judged again
   std::uint64_t seed = 0;
   std::string version, flags;
   bool jail_complete = true;
   /// Why this is no grade: the machine or the autograder failed; empty where it is one. What was judged
   /// by then can be shown, but no points may be drawn from it, and no zero.
   std::string not_judged;
+  /// Why nothing could be read of what was handed in; empty where it could. No grade either, but no
+  /// fault of the machine's.
+  std::string unreadable;
   std::vector<LabVerdict> labs;
   std::vector<std::string> absent;  ///< labs of which there is no file
   double seconds = 0;

@@ -1,51 +1,122 @@
+#include "grader/reports/csv.hpp"
+
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
-#include "grader/reports/report.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
 
-std::string csv_quoted(const std::string& text) {
-  std::string all = "\"";
-  for (const char c : text) all += c == '"' ? "\"\"" : std::string(1, c);
-  return all + '"';
+/// Spreadsheets take what begins so for a formula.
+bool begins_formula(std::string_view text) {
+  return !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+}
+
+const LabVerdict* judged_in(const Verdict& verdict, const Lab& lab) {
+  for (const LabVerdict& one : verdict.labs) {
+    if (one.lab.name == lab.name) return &one;
+  }
+  return nullptr;
+}
+
+std::string status_of(const Verdict& verdict, const Lab& lab, const LabVerdict* judged) {
+  if (!verdict.unreadable.empty()) return "unreadable";
+  const auto& absent = verdict.absent;
+  if (std::find(absent.begin(), absent.end(), lab.name) != absent.end()) return "no file";
+  if (!verdict.not_judged.empty()) return "not judged";
+  if (judged == nullptr) return "";
+  return judged->no_program.empty() ? "judged" : "no program";
+}
+
+std::string reason_of(const Verdict& verdict) {
+  if (!verdict.unreadable.empty()) return "unreadable: " + verdict.unreadable;
+  if (!verdict.not_judged.empty()) return "not judged: " + verdict.not_judged;
+  return verdict.jail_complete ? "" : "judged without the jail: no seccomp on this machine";
 }
 
 }  // namespace
 
-std::string report_csv(const std::vector<Verdict>& verdicts) {
-  // A column for each check that any verdict has, in the order of first appearance.
-  std::vector<std::string> columns;
-  for (const Verdict& verdict : verdicts) {
-    for (const LabVerdict& lab : verdict.labs) {
-      for (const CheckResult& result : lab.checks) {
-        if (std::find(columns.begin(), columns.end(), result.check.name) == columns.end()) {
-          columns.push_back(result.check.name);
-        }
+std::string csv_field(const std::string& text) {
+  std::string line = sandbox::printable_line(text);
+  if (begins_formula(text)) line.insert(0, "'");
+  if (line.find_first_of("\",;' ") == std::string::npos) return line;
+  std::string all = "\"";
+  for (const char c : line) all += c == '"' ? "\"\"" : std::string(1, c);
+  return all + '"';
+}
+
+std::string csv_header(const std::vector<LabColumns>& labs) {
+  std::string line = "id,seed,version,seconds,reason";
+  for (const LabColumns& one : labs) {
+    line += fmt::format(",{0} status,{0} total", one.lab.name);
+  }
+  for (const LabColumns& one : labs) {
+    for (const std::string& check : one.checks) line += ',' + csv_field(check);
+  }
+  return line + '\n';
+}
+
+std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict) {
+  std::string line =
+      fmt::format("{},{},{},{:.1f},{}", csv_field(verdict.submission), verdict.seed,
+                  csv_field(verdict.version), verdict.seconds, csv_field(reason_of(verdict)));
+  const bool is_grade = verdict.not_judged.empty() && verdict.unreadable.empty();
+  for (const LabColumns& one : labs) {
+    const LabVerdict* const judged = judged_in(verdict, one.lab);
+    line += ',' + csv_field(status_of(verdict, one.lab, judged)) + ',';
+    if (judged != nullptr && is_grade) line += fmt::format("{:g}", judged->earned());
+  }
+  for (const LabColumns& one : labs) {
+    const LabVerdict* const judged = judged_in(verdict, one.lab);
+    for (const std::string& check : one.checks) {
+      line += ',';
+      if (judged == nullptr || !is_grade) continue;
+      for (const CheckResult& result : judged->checks) {
+        if (result.check.name == check) line += fmt::format("{:g}", result.earned());
       }
     }
   }
-  std::string all = "submission,seed,version,jail_complete,earned,points";
-  for (const std::string& column : columns) all += ',' + csv_quoted(column);
-  all += '\n';
-  for (const Verdict& verdict : verdicts) {
-    std::map<std::string, double> earned;
-    for (const LabVerdict& lab : verdict.labs) {
-      for (const CheckResult& result : lab.checks) earned[result.check.name] = result.earned();
+  return line + '\n';
+}
+
+std::vector<std::vector<std::string>> csv_rows(std::string_view table) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> row;
+  std::string field;
+  bool quoted = false, begun = false;
+  const auto end_field = [&] {
+    const bool made_harmless =
+        field.starts_with('\'') && begins_formula(std::string_view(field).substr(1));
+    row.push_back(made_harmless ? field.substr(1) : field);
+    field.clear();
+  };
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const char c = table[i];
+    const bool next_is_quote = i + 1 < table.size() && table[i + 1] == '"';
+    if (quoted) {
+      if (c != '"')
+        field += c;
+      else if (next_is_quote)
+        field += table[++i];
+      else
+        quoted = false;
+    } else if (c == '"') {
+      quoted = begun = true;
+    } else if (c == ',') {
+      end_field();
+      begun = true;
+    } else if (c == '\n') {
+      if (begun || !field.empty()) end_field(), rows.push_back(std::move(row));
+      row.clear();
+      begun = false;
+    } else if (c != '\r') {
+      field += c;
     }
-    all += fmt::format("{},{},{},{},{:g},{:g}", csv_quoted(verdict.submission), verdict.seed,
-                       csv_quoted(verdict.version), verdict.jail_complete, verdict.earned(),
-                       verdict.points());
-    for (const std::string& column : columns) {
-      const auto found = earned.find(column);
-      all += found == earned.end() ? "," : fmt::format(",{:g}", found->second);
-    }
-    all += '\n';
   }
-  return all;
+  if (begun || !field.empty()) end_field(), rows.push_back(std::move(row));
+  return rows;
 }
 
 }  // namespace mc::grader

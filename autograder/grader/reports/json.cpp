@@ -36,6 +36,7 @@ nlohmann::ordered_json as_json(const Speed& speed) {
 std::string as_results(const Verdict& verdict) {
   auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
   std::string output = jail_warning(verdict);
+  if (!verdict.found_in.empty()) output += fmt::format("found in {}\n", verdict.found_in);
   for (const LabVerdict& lab : verdict.labs) {
     output += fmt::format("{}: {:g} of {:g} points\n", lab.lab.title(), lab.earned(), lab.points());
     if (!lab.no_program.empty()) output += lab.no_program + "\n";
@@ -57,7 +58,10 @@ std::string as_results(const Verdict& verdict) {
                        {"visibility", "visible"}});
     }
   }
-  if (verdict.labs.empty()) output += "There is no file of any lab in this submission.\n";
+  if (!verdict.unreadable.empty()) {
+    output += "This submission cannot be read: " + verdict.unreadable + "\n";
+  } else if (verdict.labs.empty())
+    output += "There is no file of any lab in this submission.\n";
   nlohmann::ordered_json all;
   all["score"] = verdict.earned();
   all["execution_time"] = verdict.seconds;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grader/judging/verdict.hpp"
@@ -24,8 +25,11 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
 /// The lines on a lab's speed tasks: "2.8 uniforms  0.6 ns, 1.1 times as fast as the reference".
 std::string report_speed(const LabVerdict& lab);
 
-/// A line for each submission and lab.
-std::string report_summary(const std::vector<Verdict>& verdicts);
+/// A line for each submission and lab; names take `columns` at least.
+std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t columns = 10);
+
+/// How wide a name is in a terminal.
+std::size_t columns_of(std::string_view text);
 
 /// Why there is no grade, where there is none; empty otherwise.
 std::string not_judged_line(const Verdict& verdict);
@@ -37,8 +41,5 @@ std::string jail_warning(const Verdict& verdict);
 /// Null in a program without it (without_json.cpp): then the gradebook is asked.
 using JsonReporter = std::string (*)(const Verdict& verdict);
 extern const JsonReporter report_json;
-
-/// A header and a row for each submission: points in all, and of each check.
-std::string report_csv(const std::vector<Verdict>& verdicts);
 
 }  // namespace mc::grader

@@ -24,12 +24,6 @@ std::string painted(const Terminal& terminal, const char* colour, const std::str
   return terminal.colour ? colour + text + "\x1b[0m" : text;
 }
 
-/// Columns that a UTF-8 text takes (every code point one; the labs use no others).
-std::size_t columns_of(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
 /// Text broken at blanks to `width` columns; lines after the first begin with `indent` blanks.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
   std::string all, line;
@@ -131,6 +125,12 @@ std::string short_story(const CheckResult& result, const Terminal& terminal) {
 
 }  // namespace
 
+/// Columns that a UTF-8 text takes (every code point one; the labs use no others).
+std::size_t columns_of(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
 Terminal this_terminal() {
   Terminal terminal;
   const char* no_colour = std::getenv("NO_COLOR");
@@ -159,6 +159,7 @@ std::string not_judged_line(const Verdict& verdict) {
 std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal) {
   std::string all = fmt::format("{}  {}, seed {}\n\n", painted(terminal, bold, lab.lab.title()),
                                 verdict.submission, verdict.seed);
+  if (!verdict.found_in.empty()) all += fmt::format("  found in {}\n\n", verdict.found_in);
   if (!lab.no_program.empty()) {
     for (const std::string_view line : text::split(lab.no_program, '\n')) {
       all += fmt::format("  {}\n", line);
@@ -239,25 +240,31 @@ std::string report_speed(const LabVerdict& lab) {
   return all;
 }
 
-std::string report_summary(const std::vector<Verdict>& verdicts) {
-  std::size_t widest = 10;
+std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t columns) {
+  std::size_t widest = columns;
   for (const Verdict& verdict : verdicts) {
     widest = std::max(widest, columns_of(verdict.submission));
   }
   std::string all;
   for (const Verdict& verdict : verdicts) {
-    all += fmt::format(
-        "{}{}  {:>9}", verdict.submission,
-        std::string(widest - columns_of(verdict.submission), ' '),
-        verdict.not_judged.empty() ? points_of(verdict.earned(), verdict.points()) : "not judged");
-    for (const LabVerdict& lab : verdict.labs) {
-      all += fmt::format("  {} {}", lab.lab.name,
-                         lab.no_program.empty() ? points_of(lab.earned(), lab.points())
-                                                : std::string("no program"));
+    all += verdict.submission + std::string(widest - columns_of(verdict.submission), ' ');
+    const std::string& why = verdict.unreadable.empty() ? verdict.not_judged : verdict.unreadable;
+    if (!why.empty()) {
+      all += fmt::format("  {}: {}\n", verdict.unreadable.empty() ? "not judged" : "unreadable",
+                         why.substr(0, why.find('\n')));
+      continue;
     }
-    if (!verdict.not_judged.empty())
-      all += "  " + verdict.not_judged.substr(0, verdict.not_judged.find('\n'));
+    all += fmt::format("  {:>9}", points_of(verdict.earned(), verdict.points()));
+    for (const LabVerdict& lab : verdict.labs) {
+      const auto& absent = verdict.absent;
+      const bool is_absent = std::find(absent.begin(), absent.end(), lab.lab.name) != absent.end();
+      all += fmt::format("  {} {}", lab.lab.name,
+                         is_absent                ? "no file"
+                         : lab.no_program.empty() ? points_of(lab.earned(), lab.points())
+                                                  : "no program");
+    }
     if (verdict.labs.empty()) all += "  no lab's file in it";
+    if (!verdict.found_in.empty()) all += fmt::format("  found in {}", verdict.found_in);
     all += '\n';
   }
   return all;

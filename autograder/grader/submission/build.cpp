@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/context/side_by_side.hpp"
+#include "grader/context/errors.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/diagnostics.hpp"
@@ -18,7 +18,9 @@ constexpr std::size_t most_static_memory = std::size_t{400} << 20;
 
 }  // namespace
 
-Built build_program(const Layout& layout, const Lab& lab, const Submission& submission) {
+Built build_program(const Layout& layout, const Lab& lab, const Submission& submission,
+                    unsigned workers) {
+  Built built;
   std::vector<std::string> names = lab.stands_on;
   names.push_back(lab.name);
   const std::vector<Lab> labs = find_labs(layout);
@@ -27,21 +29,23 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
     const auto file = submission.files.find(name);
     const Lab& owner = find_lab(labs, name);
     if (file == submission.files.end()) {
-      return {{},
-              name == lab.name ? fmt::format("There is no {}.", owner.file())
-                               : fmt::format("{} stands on lab {}: it needs {} too.", lab.file(),
-                                             owner.number, owner.file())};
+      built.failure = name == lab.name ? fmt::format("There is no {}.", owner.file())
+                                       : fmt::format("{} stands on lab {}: it needs {} too.",
+                                                     lab.file(), owner.number, owner.file());
+      return built;
     }
     units.push_back({layout, owner, file->second, submission.trusted});
   }
 
   std::vector<Object> compiled(units.size());
-  run_side_by_side(units.size(), cores(), [&](std::size_t i) { compiled[i] = compile(units[i]); });
+  run_side_by_side(units.size(), workers, [&](std::size_t i) { compiled[i] = compile(units[i]); });
   std::vector<fs::path> objects;
   for (const Object& object : compiled) {
-    if (!object.failure.empty()) return {{}, object.failure};
+    built.cpu_seconds += object.cpu_seconds;
+    if (built.failure.empty()) built.failure = object.failure;
     objects.push_back(object.path);
   }
+  if (!built.failure.empty()) return built;
 
   const auto& trusted_objects = layout.objects.at(lab.name);
   std::string key =
@@ -53,7 +57,10 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   }
   const fs::path slot = slot_of(units.back());
   const fs::path path = slot / fmt::format("{:016x}.program", hash_text(key));
-  if (is_kept(path)) return {sandbox::open_program(path.string()), {}};
+  if (is_kept(path)) {
+    built.program = sandbox::open_program(path.string());
+    return built;
+  }
 
   const ScratchDirectory scratch(layout);
   const fs::path aside = scratch.path() / "program";
@@ -69,29 +76,37 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   command.insert(command.end(), {"-o", aside.string()});
   sandbox::ProcessOptions limits = compiler_limits(scratch.path());
   const sandbox::ProcessResult linked = sandbox::run_process(command, limits);
+  built.cpu_seconds += linked.cpu_seconds;
   if (const std::string why = stopped(linked, limits); !why.empty()) {
-    return {{}, fmt::format("The linker {} on {}.", why, lab.file())};
+    built.failure = fmt::format("The linker {} on {}.", why, lab.file());
+    return built;
   }
   if (!linked.succeeded()) {
     require_sound_machine(layout);
-    return {{}, explain_link_errors(linked.errors, lab)};
+    for (const fs::path& object : objects) {
+      if (!fs::exists(object)) throw MachineError(object.string() + " was taken away");
+    }
+    built.failure = explain_link_errors(linked.errors, lab);
+    return built;
   }
   const Segments segments = segments_of(aside);
   if (segments.memory > most_static_memory) {
-    return {{},
-            fmt::format("The global variables of {} take {} MB; {} MB is the most.", lab.file(),
-                        segments.memory >> 20, most_static_memory >> 20)};
+    built.failure = fmt::format("The global variables of {} take {} MB; {} MB is the most.",
+                                lab.file(), segments.memory >> 20, most_static_memory >> 20);
+    return built;
   }
   // The kernel would open it on the program's behalf, jail or no jail.
   if (segments.loader) {
-    return {{}, fmt::format("{} names a loader of its own (a section .interp).", lab.file())};
+    built.failure = fmt::format("{} names a loader of its own (a section .interp).", lab.file());
+    return built;
   }
   fs::permissions(aside, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                              fs::perms::others_read | fs::perms::others_exec);
   sandbox::Program program = sandbox::open_program(aside.string());  // whatever is renamed over it
   fs::rename(aside, path);
   program.path = path.string();
-  return {std::move(program), {}};
+  built.program = std::move(program);
+  return built;
 }
 
 }  // namespace mc::grader

@@ -6,6 +6,7 @@
 
 #include "grader/context/labs.hpp"
 #include "grader/context/layout.hpp"
+#include "grader/context/side_by_side.hpp"
 #include "grader/submission/submission.hpp"
 #include "sandbox/jail.hpp"
 
@@ -13,13 +14,16 @@ namespace mc::grader {
 
 struct Built {
   std::optional<sandbox::Program> program;
-  std::string failure;  ///< where there is no program: why, for the student, in a few lines
+  std::string failure;     ///< where there is no program: why, for the student, in a few lines
+  double cpu_seconds = 0;  ///< of compilers and linker
 };
 
 /// Compiles what is new (one translation unit a file) and links. Works beside other builds, of this
 /// process or of others. There is one program: what is timed is what was judged, so that no text can
 /// tell the one from the other. The library's assertions are on in it; in a loop over a list's own
 /// size they cost nothing. Throws MachineError where the machine fails: that is no grade.
-Built build_program(const Layout& layout, const Lab& lab, const Submission& submission);
+/// `workers` files are compiled at the same time.
+Built build_program(const Layout& layout, const Lab& lab, const Submission& submission,
+                    unsigned workers = cores());
 
 }  // namespace mc::grader

@@ -41,14 +41,14 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
     }
   }
   std::uint64_t hash = hash_text(layout.compiler);
-  for (const fs::path& file : files) hash = hash_text(read_text(file), hash);
+  for (const fs::path& file : files) hash = hash_text(read_whole_text(file), hash);
   return hash;
 }
 
 /// Where the standard headers lie that nearly every file includes, and compiled beside them, if
 /// somebody did that: then a file takes half of the time. They are included in any case.
 fs::path standard_headers(const Layout& layout, const std::vector<std::string>& flags) {
-  const std::string text = read_text(layout.labs() / "runner" / "standard_headers.hpp");
+  const std::string text = read_whole_text(layout.labs() / "runner" / "standard_headers.hpp");
   const std::string key =
       fmt::format("{} {} {}", layout.compiler, fmt::join(flags, " "),
                   fs::last_write_time(layout.compiler).time_since_epoch().count());
@@ -233,13 +233,12 @@ void require_sound_machine(const Layout& layout) {
 
 Object compile(const Unit& unit) {
   const std::string name = unit.lab.file();
-  std::error_code unreadable;
-  const auto size = fs::file_size(unit.file, unreadable);
-  if (unreadable) return {{}, fmt::format("{} cannot be read: {}", name, unreadable.message())};
+  // One that is gone or cannot be opened is no wrong answer: both throw.
+  const auto size = fs::file_size(unit.file);
   if (size > longest_file) {  // before it is in memory
     return {{}, fmt::format("{} is {} KB long; 1 MB is the most.", name, size >> 10)};
   }
-  const std::string text = read_text(unit.file);
+  const std::string text = read_whole_text(unit.file);
   if (text.find_first_not_of(" \t\r\n\xef\xbb\xbf") == std::string::npos) {
     return {{}, fmt::format("{} is empty.", name)};
   }
@@ -264,14 +263,14 @@ Object compile(const Unit& unit) {
   const auto compiled = sandbox::run_process(command_for(unit, flags, includes, name), limits);
   if (!compiled.succeeded()) {
     if (const std::string why = stopped(compiled, limits); !why.empty()) {
-      return {{}, fmt::format("The compiler {} on {}.", why, name)};
+      return {{}, fmt::format("The compiler {} on {}.", why, name), compiled.cpu_seconds};
     }
     require_sound_machine(unit.layout);
-    return {{}, failure_of(unit, text, directory, compiled)};
+    return {{}, failure_of(unit, text, directory, compiled), compiled.cpu_seconds};
   }
   for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter knows of .incbin
     if (const auto file = forbidden(unit.layout, unit.trusted, directory,
-                                    dependencies(read_text(directory / list)))) {
+                                    dependencies(read_whole_text(directory / list)))) {
       return refused(unit, *file);
     }
   }
@@ -279,7 +278,7 @@ Object compile(const Unit& unit) {
   sweep(slot);
   fs::rename(directory / "unit.o", object);
   write_text(whole_key, key);
-  return {object, {}};
+  return {object, {}, compiled.cpu_seconds};
 }
 
 }  // namespace mc::grader

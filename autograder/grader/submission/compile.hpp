@@ -22,7 +22,8 @@ struct Unit {
 
 struct Object {
   std::filesystem::path path;
-  std::string failure;  ///< why there is none, for the student
+  std::string failure;     ///< why there is none, for the student
+  double cpu_seconds = 0;  ///< of the compiler; none where it was kept
 };
 
 /// Compiles it, unless that was done before. Throws MachineError where the machine fails.

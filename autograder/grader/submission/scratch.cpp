@@ -3,9 +3,12 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,6 +33,40 @@ ScratchDirectory::ScratchDirectory(const Layout& layout) {
 ScratchDirectory::~ScratchDirectory() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
+}
+
+void sweep_programs(const Layout& layout, std::size_t most_bytes,
+                    const std::set<fs::path>& done_with) {
+  struct Slot {
+    fs::file_time_type used = fs::file_time_type::min();
+    std::size_t bytes = 0;
+    fs::path path;
+  };
+  std::vector<Slot> slots;
+  std::size_t bytes = 0;
+  std::error_code ignored;  // others sweep, too
+  for (const auto& entry : fs::directory_iterator(layout.build / "programs", ignored)) {
+    Slot slot;
+    slot.path = entry.path();
+    for (const auto& file : fs::directory_iterator(entry.path(), ignored)) {
+      std::error_code gone;
+      const auto size = file.file_size(gone);
+      if (gone) continue;
+      slot.bytes += size;
+      slot.used = std::max(slot.used, file.last_write_time(ignored));
+    }
+    bytes += slot.bytes;
+    slots.push_back(std::move(slot));
+  }
+  std::sort(slots.begin(), slots.end(), [](auto& a, auto& b) { return a.used < b.used; });
+  // A build takes a few minutes at the very most: each of its compilers may use one.
+  const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(15);
+  for (const Slot& slot : slots) {
+    if (bytes <= most_bytes) return;
+    if (slot.used > old && !done_with.contains(slot.path)) continue;
+    fs::remove_all(slot.path, ignored);
+    bytes -= slot.bytes;
+  }
 }
 
 void sweep_scratch(const Layout& layout) {

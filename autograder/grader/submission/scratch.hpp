@@ -2,6 +2,7 @@
 // Directories that go away with their owner.
 
 #include <filesystem>
+#include <set>
 
 #include "grader/context/layout.hpp"
 
@@ -18,6 +19,11 @@ class ScratchDirectory {
  private:
   std::filesystem::path path_;
 };
+
+/// Removes the programs that were not used for longest until `most_bytes` are left, but none that a
+/// build may be about to link, except of files in `done_with`.
+void sweep_programs(const Layout& layout, std::size_t most_bytes,
+                    const std::set<std::filesystem::path>& done_with);
 
 /// Removes what processes left in build/tmp that are no more.
 void sweep_scratch(const Layout& layout);

@@ -7,7 +7,7 @@
 namespace mc::grader {
 
 Segments segments_of(const std::filesystem::path& program) {
-  const std::string bytes = read_text(program);
+  const std::string bytes = read_whole_text(program);
   const auto at = [&](std::size_t offset, std::size_t size) {
     std::uint64_t value = 0;
     if (offset + size <= bytes.size()) bytes.copy(reinterpret_cast<char*>(&value), size, offset);

@@ -10,6 +10,7 @@
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
+#include "grader/submission/intake.hpp"
 #include "grader/verbs/judging_options.hpp"
 #include "grader/verbs/lab_and_task.hpp"
 #include "grader/verbs/progress.hpp"
@@ -31,8 +32,8 @@ int check(const Context& context, const Arguments& arguments) {
   const fs::path directory = own ? context.layout.starter() : fs::path(meant.rest[0]);
   const auto json = arguments.get("json");
   require_writable(json);
-  Submission submission = open_submission(context.labs, directory);
-  if (own) submission.label = "starter";
+  const Intake intake = take_in_one(context, directory);
+  const Submission& submission = intake.handed[0].submission;
   // For a machine that reads results.json, a missing file is a grade like any other: none.
   if (!submission.files.contains(lab.name) && !json) {
     throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));

@@ -1,20 +1,28 @@
 // grade: whole submissions, judged.
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "grader/context/errors.hpp"
+#include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
+#include "grader/gradebook/batch.hpp"
+#include "grader/gradebook/book.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
+#include "grader/submission/intake.hpp"
 #include "grader/submission/scratch.hpp"
 #include "grader/verbs/judging_options.hpp"
 #include "grader/verbs/verb.hpp"
+#include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 
@@ -23,12 +31,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Lab> labs_in(const Context& context, const Submission& submission) {
-  std::vector<Lab> present;
-  for (const Lab& lab : context.labs) {
-    if (submission.files.contains(lab.name)) present.push_back(lab);
+/// The labs that --lab names, by number; empty where it is not there: those that were handed in.
+std::vector<Lab> labs_asked_for(const Context& context, const Arguments& arguments) {
+  std::vector<Lab> labs;
+  const auto names = arguments.get("lab");
+  if (!names) return labs;
+  for (const std::string_view name : text::split(*names, ',')) {
+    const Lab& lab = find_lab(context.labs, std::string(name));
+    const auto same = [&](auto& one) { return one.number == lab.number; };
+    if (std::none_of(labs.begin(), labs.end(), same)) labs.push_back(lab);
   }
-  return present;
+  std::sort(labs.begin(), labs.end(), [](auto& a, auto& b) { return a.number < b.number; });
+  return labs;
 }
 
 /// Draws with the program that can: its pictures are listed.
@@ -36,79 +50,188 @@ void show_plots(const Context& context, const Submission& submission,
                 const std::vector<Lab>& labs) {
   const std::string program = (context.layout.build / "bin" / "pictures").string();
   for (const Lab& lab : labs) {
-    const auto drawn =
-        sandbox::run_process({program, "plot", lab.name, submission.path.string(), "--alone"});
+    const auto file = submission.files.find(lab.name);
+    if (file == submission.files.end()) continue;
+    const auto drawn = sandbox::run_process(
+        {program, "plot", lab.name, file->second.parent_path().string(), "--alone"});
     fmt::print("{}", drawn.output);
     if (!drawn.succeeded()) fmt::print("{}", sandbox::printable(drawn.errors));
   }
 }
 
+/// One of the class on n machines: "2/3" has every third submission, the second one first.
+std::vector<Handed> shard_of(std::vector<Handed> handed, const std::optional<std::string>& shard) {
+  if (!shard) return handed;
+  std::size_t which = 0, count = 0;
+  const char* const end = shard->data() + shard->size();
+  const auto first = std::from_chars(shard->data(), end, which);
+  const bool is_pair = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+  const auto second = is_pair ? std::from_chars(first.ptr + 1, end, count) : first;
+  if (!is_pair || second.ec != std::errc{} || second.ptr != end || which == 0 || which > count) {
+    throw UsageError(fmt::format("--shard takes k/n with 1 <= k <= n, not '{}'",
+                                 sandbox::printable_line(*shard)));
+  }
+  std::vector<Handed> mine;
+  for (std::size_t i = which - 1; i < handed.size(); i += count) {
+    mine.push_back(std::move(handed[i]));
+  }
+  return mine;
+}
+
+/// The seed of what is gone on with; a new one is the given or a fresh one.
+std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::string>& csv) {
+  const auto given = arguments.number("seed");
+  if (!csv) {
+    if (arguments.has("resume")) throw UsageError("--resume takes the --csv that it goes on with");
+    return seed_of(arguments);
+  }
+  const BookState state = read_book_state(*csv);
+  if (!arguments.has("resume")) {
+    if (state.exists && !state.finished && state.verdicts > 0) {
+      throw UsageError(
+          fmt::format("{} has {} verdicts of a run that did not end: --resume goes on "
+                      "with it; to begin again, remove it",
+                      verdicts_beside(*csv).string(), state.verdicts));
+    }
+    return seed_of(arguments);
+  }
+  if (state.exists && given && *given != state.seed) {
+    throw UsageError(fmt::format("{} was begun with seed {}", *csv, state.seed));
+  }
+  return state.exists ? state.seed : seed_of(arguments);
+}
+
+std::optional<Book> open_book(const Context& context, const Arguments& arguments,
+                              const std::vector<Handed>& all, const std::vector<Handed>& mine,
+                              const std::vector<Lab>& asked_for, std::uint64_t seed) {
+  const auto csv = arguments.get("csv");
+  if (!csv) return {};
+  std::vector<std::string> ids;
+  for (const Handed& one : mine) ids.push_back(one.submission.label);
+  // Of all, so that the tables of several shards have the same columns.
+  return std::make_optional<Book>(Book::Setup{*csv, columns_for(context, all, asked_for),
+                                              std::move(ids), seed, arguments.has("resume")});
+}
+
+/// Everything about one submission.
+int grade_one(const Context& context, const Handed& handed, Book* book, const Arguments& arguments,
+              const std::vector<Lab>& asked_for, SubmissionOptions options) {
+  const Submission& submission = handed.submission;
+  const auto json = arguments.get("json");
+  const auto labs = labs_of(context, submission, asked_for);
+  if (!handed.unreadable.empty() && book == nullptr && !json) throw UsageError(handed.unreadable);
+  if (labs.empty() && book == nullptr && !json && handed.unreadable.empty()) {
+    throw UsageError(fmt::format("{} has no file of any lab ({} …)", submission.label,
+                                 context.labs.empty() ? "" : context.labs[0].file()));
+  }
+  const Verdict verdict = [&] {
+    ProgressLine line("grading " + submission.label);
+    options.progress = [&](double done, double all, const std::string& what) {
+      line.show(100 * done, 100 * all, fmt::format("{}, {}", submission.label, what));
+    };
+    return judge_handed(context, handed, labs, options);
+  }();
+  if (book != nullptr) {
+    book->begin();
+    book->add(verdict);
+    book->finish(true);
+  }
+  for (const LabVerdict& lab : verdict.labs) {
+    fmt::print("{}\n", report_lab(lab, verdict, this_terminal()));
+  }
+  if (labs.size() > 1 || !verdict.unreadable.empty()) fmt::print("{}", report_summary({verdict}));
+  if (!verdict.absent.empty() && asked_for.empty() && verdict.unreadable.empty()) {
+    fmt::print("not handed in: {}\n", fmt::join(verdict.absent, ", "));
+  }
+  // No grade, and no file that could be taken for one.
+  if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
+  if (json) write_text(*json, report_json(verdict));
+  if (!arguments.has("no-plots")) show_plots(context, submission, labs);
+  return 0;
+}
+
+int grade_many(const Context& context, const std::vector<Handed>& handed, Book* book,
+               const BatchOptions& options) {
+  const BatchOutcome outcome = run_batch(context, handed, book, options);
+  if (book != nullptr) book->finish(outcome.stopped.empty() && outcome.not_judged == 0);
+  if (!sandbox::jail_is_complete()) {
+    Verdict without;
+    without.jail_complete = false;
+    fmt::print("{}", jail_warning(without));
+  }
+  fmt::print("{} submissions: {} judged", handed.size(), outcome.judged);
+  if (outcome.known > 0) fmt::print(", {} were before", outcome.known);
+  if (outcome.unreadable > 0) fmt::print(", {} unreadable", outcome.unreadable);
+  if (outcome.not_judged > 0) fmt::print(", {} not judged", outcome.not_judged);
+  fmt::print("; seed {}\n", options.judging.judge.seed);
+  const std::string next = book == nullptr ? "" : "; once that is mended, go on with --resume";
+  if (!outcome.stopped.empty()) {
+    throw MachineError(
+        fmt::format("three submissions in a row were not judged ({}): the rest was "
+                    "not tried{}",
+                    outcome.stopped, next));
+  }
+  if (outcome.not_judged > 0) {
+    throw MachineError(fmt::format("{} of the submissions not judged{}", outcome.not_judged, next));
+  }
+  return 0;
+}
+
 int grade(const Context& context, const Arguments& arguments) {
   if (arguments.words.empty())
-    throw UsageError("usage: ./lab grade DIR... (try: ./lab grade solutions)");
+    throw UsageError("usage: ./lab grade DIR|ZIP... (try: ./lab grade solutions)");
   const auto json = arguments.get("json"), csv = arguments.get("csv");
   require_writable(json);
   require_writable(csv);
   if (json && arguments.words.size() > 1) {
     throw UsageError("--json takes one DIR; for several there is --csv");
   }
-  SubmissionOptions options;
-  options.judge.seed = seed_of(arguments);
-  options.judge.workers =
-      static_cast<unsigned>(std::clamp<std::uint64_t>(arguments.number("jobs").value_or(2), 1, 64));
-  std::vector<Submission> submissions;
-  for (const std::string& word : arguments.words) {
-    submissions.push_back(open_submission(context.labs, word));
-  }
+  BatchOptions options;
+  options.asked_for = labs_asked_for(context, arguments);
+  options.workers = static_cast<unsigned>(
+      std::clamp<std::uint64_t>(arguments.number("jobs").value_or(cores()), 1, 512));
+  options.with_speed = arguments.has("speed");
+  options.judging.judge.seed = seed_for(arguments, csv);
+  options.judging.judge.workers = options.workers;
   sweep_scratch(context.layout);
+  Intake intake = take_in(context, arguments.words, json ? Meaning::one : Meaning::many);
+  const bool single = intake.handed.size() == 1 && !arguments.has("shard");
+  const std::vector<Handed> mine = shard_of(intake.handed, arguments.get("shard"));
+  auto book = open_book(context, arguments, intake.handed, mine, options.asked_for,
+                        options.judging.judge.seed);
   precompile_headers(context.layout);
-  const bool single = submissions.size() == 1;
-  std::vector<Verdict> verdicts;
-  for (const Submission& submission : submissions) {
-    const auto labs = labs_in(context, submission);
-    if (labs.empty() && single && !json && !csv) {
-      throw UsageError(fmt::format("{} has no file of any lab ({} …)", submission.label,
-                                   context.labs.empty() ? "" : context.labs[0].file()));
-    }
-    {
-      ProgressLine line("grading " + submission.label);
-      options.progress = [&](double done, double all, const std::string& what) {
-        line.show(100 * done, 100 * all, fmt::format("{}, {}", submission.label, what));
-      };
-      verdicts.push_back(judge_submission(context, submission, labs, options));
-    }
-    const Verdict& verdict = verdicts.back();
-    if (!single) {
-      fmt::print("{}", report_summary({verdict}));
-      continue;
-    }
-    for (const LabVerdict& lab : verdict.labs) {
-      fmt::print("{}\n", report_lab(lab, verdict, this_terminal()));
-    }
-    if (labs.size() > 1) fmt::print("{}", report_summary(verdicts));
-    if (!verdict.absent.empty()) {
-      fmt::print("not handed in: {}\n", fmt::join(verdict.absent, ", "));
-    }
-    if (!arguments.has("no-plots")) show_plots(context, submission, labs);
+  Book* const to = book ? &*book : nullptr;
+  if (single) {
+    return grade_one(context, mine[0], to, arguments, options.asked_for, options.judging);
   }
-  if (!single) fmt::print("{}", jail_warning(verdicts[0]));
-  if (json) write_text(*json, report_json(verdicts[0]));
-  if (csv) write_text(*csv, report_csv(verdicts));
-  return 0;
+  return grade_many(context, mine, to, options);
 }
 
 const RegisterVerb grade_verb{
     {"grade",
-     "grade DIR... [--json FILE] [--csv FILE] [--seed S] [-j N] [--no-plots]",
-     {"json=", "csv=", "seed=", "jobs=j", "no-plots"},
-     "Every lab that DIR has a file of. One DIR is reported check by check and its plots are "
-     "drawn;\n"
-     "of several, a line each.\n"
+     "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--json FILE] [--seed S] [-j N] ...",
+     {"lab=,", "json=", "csv=", "resume", "shard=", "seed=", "jobs=j", "speed", "no-plots"},
+     "Every lab that DIR has a file of: at its top, in starter/, or wherever it is below. A "
+     "directory\n"
+     "or zip of several people's work, as Gradescope, Canvas and Moodle export it, means each of "
+     "them.\n"
+     "One submission is reported check by check and its plots are drawn; of several, a line "
+     "each.\n"
+     "  --lab LAB     that lab, whatever was handed in: no file is 0 points (several: --lab 1,2)\n"
+     "  --csv FILE    a row for each submission as soon as it is judged, and its whole verdict in\n"
+     "                FILE-verdicts/\n"
+     "  --resume      go on where a run with the same FILE ended, with its seed; what has changed "
+     "or\n"
+     "                was not judged is judged again\n"
      "  --json FILE   Gradescope's results.json (one DIR)\n"
-     "  --csv FILE    a row for each DIR\n"
      "  --seed S      the same seed again\n"
-     "  -j N          so many checks at the same time (2)\n"
-     "  --no-plots    no plots\n",
+     "  -j N          so many at the same time: submissions, or of one its checks (all cores)\n"
+     "  --speed       measure the speed tasks, too: of several in the end, one after the other\n"
+     "  --shard k/n   every n-th submission from the k-th on, for n machines (see merge)\n"
+     "  --no-plots    no plots\n"
+     "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some are not judged, and "
+     "have\n"
+     "no points.\n",
      grade}};
 
 }  // namespace

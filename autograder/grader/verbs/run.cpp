@@ -9,6 +9,7 @@
 #include "grader/context/errors.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/submission/build.hpp"
+#include "grader/submission/intake.hpp"
 #include "grader/submission/sanitized.hpp"
 #include "grader/verbs/become.hpp"
 #include "grader/verbs/verb.hpp"
@@ -41,8 +42,8 @@ int run(const Context& context, const Arguments& arguments) {
   if (arguments.words.empty()) throw UsageError("usage: ./lab run LAB [EXPERIMENT ARGUMENT...]");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
   const fs::path directory = arguments.get("dir").value_or(context.layout.starter().string());
-  Submission submission = open_submission(context.labs, directory);
-  if (!arguments.has("dir")) submission.label = "starter";
+  const Intake intake = take_in_one(context, directory);
+  const Submission& submission = intake.handed[0].submission;
   const std::string program = program_of(context, lab, submission, arguments.has("sanitize"));
   if (program.empty()) return 1;
   if (arguments.words.size() == 1) {

@@ -1,0 +1,26 @@
+#pragma once
+// Words of commands that people copy into a shell.
+
+#include <algorithm>
+#include <string>
+
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+
+/// `word` as one word of a POSIX shell, whatever is in it; what cannot be shown is not in it either, so
+/// that the command may fail but does nothing else. A name that begins with a dash is no option.
+inline std::string shell_quoted(const std::string& word) {
+  std::string shown = sandbox::printable_line(word);
+  if (shown.starts_with('-')) shown.insert(0, "./");
+  const bool plain = !shown.empty() && std::all_of(shown.begin(), shown.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("/._-+=:,@%").find(c) != std::string_view::npos;
+  });
+  if (plain) return shown;
+  std::string quoted = "'";
+  for (const char c : shown) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,254 @@
+#include "grader/gradebook/batch.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <numeric>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "grader/context/side_by_side.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/judging/budget.hpp"
+#include "grader/reports/progress_line.hpp"
+#include "grader/reports/report.hpp"
+#include "grader/submission/compile.hpp"
+#include "grader/submission/scratch.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// So much of build/programs is kept.
+constexpr std::size_t most_programs = std::size_t{300} << 20;
+
+/// So many in a row that fail the same way, and the others would.
+constexpr int most_same_failures = 3;
+
+/// A hash of all that a verdict depends on and that was handed in.
+std::string text_of(const Handed& handed) {
+  std::uint64_t hash = hash_text(handed.unreadable, hash_text(handed.submission.found_in));
+  for (const auto& [lab, file] : handed.submission.files) {
+    hash = hash_text(lab, hash);
+    hash = hash_text(read_text(file), hash);  // one that cannot be read fails when it is compiled
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+/// What kept the machine from judging: "No space left on device" of "1.3 …: cannot write /a/b: No space
+/// left on device". Empty where it judged, and where only the autograder failed.
+std::string machines_failure(const Verdict& verdict) {
+  if (verdict.not_judged.empty()) return {};
+  bool is_machines = verdict.labs.empty();
+  for (const LabVerdict& lab : verdict.labs) {
+    for (const CheckResult& result : lab.checks) is_machines |= result.status == Status::not_judged;
+  }
+  if (!is_machines) return {};
+  const std::string line = verdict.not_judged.substr(0, verdict.not_judged.find('\n'));
+  const auto colon = line.rfind(": ");
+  return colon == std::string::npos ? line : line.substr(colon + 2);
+}
+
+std::vector<std::string> absent_from(const Context& context, const Submission& submission) {
+  std::vector<std::string> absent;
+  for (const Lab& lab : context.labs) {
+    if (!submission.files.contains(lab.name)) absent.push_back(lab.name);
+  }
+  return absent;
+}
+
+class Batch {
+ public:
+  Batch(const Context& context, const std::vector<Handed>& handed, Book* book,
+        const BatchOptions& options)
+      : context_(context), handed_(handed), book_(book), options_(options) {
+    for (const Handed& one : handed) {
+      widest_ = std::max(widest_, std::min<std::size_t>(columns_of(one.submission.label), 40));
+    }
+  }
+
+  BatchOutcome run() {
+    find_known();
+    {
+      ProgressLine line("grading");
+      line_ = &line;
+      parts_.assign(open_.size(), 0);
+      run_side_by_side(open_.size(), options_.workers, [&](std::size_t i) { judge(i); });
+      line_ = nullptr;
+    }
+    if (options_.with_speed && outcome_.stopped.empty()) measure();
+    return outcome_;
+  }
+
+ private:
+  void find_known() {
+    for (std::size_t i = 0; i < handed_.size(); ++i) {
+      const Handed& one = handed_[i];
+      const auto labs = labs_of(context_, one.submission, options_.asked_for);
+      const auto known = book_ == nullptr
+                             ? std::nullopt
+                             : book_->known(one.submission.label, text_of(one),
+                                            context_.layout.version, judged_labs(one, labs));
+      if (!known) {
+        open_.push_back(i);
+        continue;
+      }
+      ++outcome_.known;
+      outcome_.unreadable += known->unreadable.empty() ? 0 : 1;
+      book_->keep(*known);
+    }
+    if (book_ != nullptr) book_->begin();
+  }
+
+  static std::vector<Lab> judged_labs(const Handed& handed, const std::vector<Lab>& labs) {
+    return handed.unreadable.empty() ? labs : std::vector<Lab>();
+  }
+
+  void judge(std::size_t at) {
+    if (is_stopped_) return;
+    const Handed& one = handed_[open_[at]];
+    SubmissionOptions options = options_.judging;
+    options.judge.workers = 1;
+    options.with_speed = false;
+    options.progress = [&](double done, double all, const std::string&) {
+      tell(at, all > 0 ? done / all : 0);
+    };
+    const auto labs = labs_of(context_, one.submission, options_.asked_for);
+    const Verdict verdict = judge_handed(context_, one, labs, options);
+    if (book_ != nullptr) book_->add(verdict);
+    tell(at, 1);
+    note(verdict);
+    sweep(one);
+  }
+
+  void tell(std::size_t at, double part) {
+    const std::lock_guard lock(mutex_);
+    parts_[at] = part;
+    const double done = std::accumulate(parts_.begin(), parts_.end(), 0.0);
+    const auto all = static_cast<double>(parts_.size());
+    line_->show(done, all, fmt::format("submissions, {} at a time", options_.workers));
+  }
+
+  void note(const Verdict& verdict) {
+    const std::lock_guard lock(mutex_);
+    line_->clear();
+    fmt::print("{}", report_summary({verdict}, widest_));
+    if (!verdict.unreadable.empty()) {
+      ++outcome_.unreadable;
+    } else if (!verdict.not_judged.empty()) {
+      ++outcome_.not_judged;
+    } else {
+      ++outcome_.judged;
+    }
+    const std::string failure = machines_failure(verdict);
+    failures_ = failure.empty() ? 0 : failure == last_failure_ ? failures_ + 1 : 1;
+    last_failure_ = failure;
+    if (failures_ < most_same_failures) return;
+    outcome_.stopped = failure;
+    is_stopped_ = true;
+  }
+
+  void sweep(const Handed& done) {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [lab, file] : done.submission.files) {
+      const Lab& owner = find_lab(context_.labs, lab);
+      done_with_.insert(slot_of({context_.layout, owner, file, done.submission.trusted}));
+    }
+    sweep_programs(context_.layout, most_programs, done_with_);
+  }
+
+  /// Alone: what else runs would be measured with it.
+  void measure() {
+    if (book_ == nullptr) return;
+    ProgressLine line("timing");
+    for (std::size_t i = 0; i < handed_.size(); ++i) {
+      line.show(static_cast<double>(i), static_cast<double>(handed_.size()), "timed");
+      const Handed& one = handed_[i];
+      auto verdict = book_->read(one.submission.label);
+      if (!verdict || !verdict->not_judged.empty() || !verdict->unreadable.empty()) continue;
+      bool changed = false;
+      for (LabVerdict& lab : verdict->labs) {
+        if (!lab.speed.empty()) continue;  // timed before it was interrupted
+        add_speed(context_, one.submission, lab);
+        changed |= !lab.speed.empty();
+      }
+      if (changed) book_->update(*verdict);
+    }
+  }
+
+  const Context& context_;
+  const std::vector<Handed>& handed_;
+  Book* const book_;
+  const BatchOptions& options_;
+  std::size_t widest_ = 10;
+  std::vector<std::size_t> open_;  ///< those that are still to be judged
+  ProgressLine* line_ = nullptr;
+
+  std::mutex mutex_;
+  std::vector<double> parts_;
+  BatchOutcome outcome_;
+  std::string last_failure_;
+  int failures_ = 0;
+  std::atomic<bool> is_stopped_ = false;
+  std::set<fs::path> done_with_;
+};
+
+}  // namespace
+
+std::vector<Lab> labs_of(const Context& context, const Submission& submission,
+                         const std::vector<Lab>& asked_for) {
+  if (!asked_for.empty()) return asked_for;
+  std::vector<Lab> present;
+  for (const Lab& lab : context.labs) {
+    if (submission.files.contains(lab.name)) present.push_back(lab);
+  }
+  return present;
+}
+
+std::vector<LabColumns> columns_for(const Context& context, const std::vector<Handed>& handed,
+                                    const std::vector<Lab>& asked_for) {
+  std::vector<LabColumns> columns;
+  for (const Lab& lab : context.labs) {
+    const bool is_judged = std::any_of(handed.begin(), handed.end(), [&](auto& one) {
+      const auto labs = labs_of(context, one.submission, asked_for);
+      return std::any_of(labs.begin(), labs.end(), [&](auto& a) { return a.name == lab.name; });
+    });
+    if (!is_judged) continue;
+    columns.push_back({lab, {}});
+    for (const Check& check : expected_checks(context.layout, lab)) {
+      columns.back().checks.push_back(check.name);
+    }
+  }
+  return columns;
+}
+
+Verdict judge_handed(const Context& context, const Handed& handed, const std::vector<Lab>& labs,
+                     SubmissionOptions options) {
+  Verdict verdict;
+  if (handed.unreadable.empty()) {
+    Budget budget;
+    options.judge.budget = &budget;
+    try {
+      verdict = judge_submission(context, handed.submission, labs, options);
+    } catch (const std::exception& error) {  // MachineError, a full disk, no more processes
+      verdict.not_judged = error.what();
+    }
+  }
+  verdict.submission = handed.submission.label;
+  verdict.found_in = handed.submission.found_in;
+  verdict.text = text_of(handed);
+  verdict.seed = options.judge.seed;
+  verdict.version = context.layout.version;
+  verdict.jail_complete = sandbox::jail_is_complete();
+  verdict.unreadable = handed.unreadable;
+  if (verdict.absent.empty()) verdict.absent = absent_from(context, handed.submission);
+  return verdict;
+}
+
+BatchOutcome run_batch(const Context& context, const std::vector<Handed>& handed, Book* book,
+                       const BatchOptions& options) {
+  return Batch(context, handed, book, options).run();
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,152 @@
+#include "grader/gradebook/book.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "grader/context/errors.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/reports/verdict_json.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path state_file(const fs::path& csv) {
+  return verdicts_beside(csv) / "state";
+}
+
+/// Removes what write_text() had not renamed when its process died.
+void sweep_unfinished(const fs::path& directory, const std::string& begin) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(directory, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const auto at = name.rfind(".new-");
+    if (at == std::string::npos || !name.starts_with(begin)) continue;
+    const pid_t owner = std::atoi(name.c_str() + at + 5);
+    if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace
+
+fs::path verdicts_beside(const fs::path& csv) {
+  return fs::absolute(csv).parent_path() / (csv.stem().string() + "-verdicts");
+}
+
+fs::path verdict_file(const fs::path& csv, const std::string& id) {
+  return verdicts_beside(csv) / (id + ".json");
+}
+
+BookState read_book_state(const fs::path& csv) {
+  BookState state;
+  std::istringstream text(read_text(state_file(csv)));
+  std::string how, seed;
+  state.exists = static_cast<bool>(text >> how >> seed >> state.seed);
+  state.finished = how == "finished";
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(verdicts_beside(csv), none)) {
+    state.verdicts += entry.path().extension() == ".json" ? 1 : 0;
+  }
+  return state;
+}
+
+Book::Book(Setup setup) : setup_(std::move(setup)) {
+  const fs::path directory = verdicts_beside(setup_.csv);
+  fs::create_directories(directory);
+  // Held until this process is gone, however it goes.
+  lock_ = sandbox::Descriptor(
+      open((directory / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644), "opening the lock");
+  if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
+    throw UsageError(fmt::format("another run is writing {}", setup_.csv.string()));
+  }
+  sweep_unfinished(directory, "");
+  sweep_unfinished(fs::absolute(setup_.csv).parent_path(), setup_.csv.filename().string());
+  if (!setup_.resume) {
+    for (const auto& entry : fs::directory_iterator(directory)) {
+      if (entry.path().extension() == ".json") fs::remove(entry.path());
+    }
+  }
+  write_state(false);
+}
+
+void Book::keep(const Verdict& verdict) {
+  rows_[verdict.submission] = csv_row(setup_.columns, verdict);
+}
+
+void Book::begin() {
+  write_table();
+  table_ = sandbox::Descriptor(open(setup_.csv.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC),
+                               "opening " + setup_.csv.string());
+}
+
+std::optional<Verdict> Book::known(const std::string& id, const std::string& text,
+                                   const std::string& version, const std::vector<Lab>& labs) const {
+  if (!setup_.resume) return {};
+  auto verdict = read(id);
+  if (!verdict) return {};
+  const bool same_labs = verdict->labs.size() == labs.size() &&
+                         std::equal(labs.begin(), labs.end(), verdict->labs.begin(),
+                                    [](auto& lab, auto& one) { return lab.name == one.lab.name; });
+  const bool stands = verdict->text == text && verdict->version == version &&
+                      verdict->seed == setup_.seed && same_labs && verdict->not_judged.empty();
+  return stands ? verdict : std::nullopt;
+}
+
+std::optional<Verdict> Book::read(const std::string& id) const {
+  const fs::path file = verdict_file(setup_.csv, id);
+  if (!fs::exists(file)) return {};
+  const std::string text = read_whole_text(file);
+  try {
+    Verdict verdict = verdict_from_json(text);
+    return verdict.submission == id ? std::optional(std::move(verdict)) : std::nullopt;
+  } catch (const std::exception&) {  // of another version, or edited by hand
+    return {};
+  }
+}
+
+void Book::add(const Verdict& verdict) {
+  const std::string row = csv_row(setup_.columns, verdict);
+  const std::lock_guard lock(mutex_);
+  write_text(verdict_file(setup_.csv, verdict.submission), verdict_to_json(verdict));
+  rows_[verdict.submission] = row;
+  // In one piece: a reader, and whoever comes after a kill, sees whole rows.
+  const ssize_t written = write(table_.get(), row.data(), row.size());
+  if (written != static_cast<ssize_t>(row.size())) {
+    if (written >= 0) errno = ENOSPC;
+    sandbox::fail("writing " + setup_.csv.string());
+  }
+}
+
+void Book::update(const Verdict& verdict) {
+  write_text(verdict_file(setup_.csv, verdict.submission), verdict_to_json(verdict));
+}
+
+void Book::finish(bool whole) {
+  const std::lock_guard lock(mutex_);
+  write_table();
+  write_state(whole);
+}
+
+void Book::write_table() const {
+  std::string table = csv_header(setup_.columns);
+  for (const std::string& id : setup_.ids) {
+    if (const auto row = rows_.find(id); row != rows_.end()) table += row->second;
+  }
+  write_text(setup_.csv, table);
+}
+
+void Book::write_state(bool finished) const {
+  write_text(state_file(setup_.csv),
+             fmt::format("{} seed {}\n", finished ? "finished" : "begun", setup_.seed));
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,176 @@
+#include "grader/reports/verdict_json.hpp"
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace mc::grader {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Raised when what a verdict consists of changes: older ones are then judged again.
+constexpr int verdict_format = 1;
+
+constexpr std::array<std::pair<Status, const char*>, 8> status_names{{
+    {Status::passed, "passed"},
+    {Status::failed, "failed"},
+    {Status::not_written, "not written"},
+    {Status::withheld, "withheld"},
+    {Status::waiting, "waiting"},
+    {Status::not_run, "not run"},
+    {Status::not_judged, "not judged"},
+    {Status::internal_error, "internal error"},
+}};
+
+const char* name_of(Status status) {
+  for (const auto& [one, name] : status_names) {
+    if (one == status) return name;
+  }
+  return "internal error";
+}
+
+Status status_named(const std::string& text) {
+  for (const auto& [one, name] : status_names) {
+    if (name == text) return one;
+  }
+  throw std::invalid_argument("no such status: " + text);
+}
+
+/// NaN is null in JSON.
+double number_in(const Json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+Json maybe(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+std::optional<double> maybe_in(const Json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+Json json_of(const Lab& lab) {
+  return {{"number", lab.number},
+          {"name", lab.name},
+          {"folder", lab.folder},
+          {"stands_on", lab.stands_on}};
+}
+Lab lab_in(const Json& json) {
+  return {json.at("number"), json.at("name"), json.at("folder"), json.at("stands_on")};
+}
+
+Json json_of(const CheckResult& result) {
+  auto p_values = Json::array();
+  for (const protocol::PValue& one : result.p_values) {
+    p_values.push_back({{"null", one.null}, {"p", one.p}, {"alpha", one.alpha}});
+  }
+  const Check& check = result.check;
+  return {{"name", check.name},        {"task", check.task},
+          {"needs", check.needs},      {"points", check.points},
+          {"main", check.is_main},     {"edge", check.is_edge},
+          {"slow", check.is_slow},     {"status", name_of(result.status)},
+          {"story", result.story},     {"printed", result.printed},
+          {"repeat", result.repeat},   {"call", result.call},
+          {"by_hand", result.by_hand}, {"p_values", std::move(p_values)},
+          {"seconds", result.seconds}};
+}
+CheckResult check_in(const Json& json) {
+  CheckResult result;
+  result.check = {json.at("name"), json.at("task"), json.at("needs"), json.at("points"),
+                  json.at("main"), json.at("edge"), json.at("slow")};
+  result.status = status_named(json.at("status"));
+  result.story = json.at("story");
+  result.printed = json.at("printed");
+  result.repeat = json.at("repeat");
+  result.call = json.at("call").get<std::vector<std::string>>();
+  result.by_hand = json.at("by_hand");
+  for (const Json& one : json.at("p_values")) {
+    result.p_values.push_back({one.at("null"), number_in(one.at("p")), number_in(one.at("alpha"))});
+  }
+  result.seconds = json.at("seconds");
+  return result;
+}
+
+Json json_of(const Speed& speed) {
+  return {{"name", speed.name},
+          {"nanoseconds", speed.nanoseconds},
+          {"reference", maybe(speed.reference)},
+          {"error", maybe(speed.error)},
+          {"reference_error", maybe(speed.reference_error)},
+          {"points", speed.points},
+          {"integrand", speed.integrand}};
+}
+Speed speed_in(const Json& json) {
+  return {json.at("name"),
+          json.at("nanoseconds"),
+          maybe_in(json.at("reference")),
+          maybe_in(json.at("error")),
+          maybe_in(json.at("reference_error")),
+          json.at("points"),
+          json.at("integrand")};
+}
+
+Json json_of(const LabVerdict& lab) {
+  auto checks = Json::array(), speed = Json::array();
+  for (const CheckResult& result : lab.checks) checks.push_back(json_of(result));
+  for (const Speed& one : lab.speed) speed.push_back(json_of(one));
+  return {
+      {"lab", json_of(lab.lab)}, {"earned", lab.earned()},  // for whoever reads the file; not read back
+      {"points", lab.points()},  {"no_program", lab.no_program}, {"unfinished", lab.unfinished},
+      {"seconds", lab.seconds},  {"checks", std::move(checks)},  {"speed", std::move(speed)}};
+}
+LabVerdict lab_verdict_in(const Json& json) {
+  LabVerdict lab;
+  lab.lab = lab_in(json.at("lab"));
+  lab.no_program = json.at("no_program");
+  lab.unfinished = json.at("unfinished").get<std::vector<std::string>>();
+  lab.seconds = json.at("seconds");
+  for (const Json& one : json.at("checks")) lab.checks.push_back(check_in(one));
+  for (const Json& one : json.at("speed")) lab.speed.push_back(speed_in(one));
+  return lab;
+}
+
+}  // namespace
+
+std::string verdict_to_json(const Verdict& verdict) {
+  auto labs = Json::array();
+  for (const LabVerdict& lab : verdict.labs) labs.push_back(json_of(lab));
+  const Json all{{"format", verdict_format},
+                 {"submission", verdict.submission},
+                 {"found_in", verdict.found_in},
+                 {"text", verdict.text},
+                 {"seed", verdict.seed},
+                 {"version", verdict.version},
+                 {"flags", verdict.flags},
+                 {"jail_complete", verdict.jail_complete},
+                 {"not_judged", verdict.not_judged},
+                 {"unreadable", verdict.unreadable},
+                 {"absent", verdict.absent},
+                 {"seconds", verdict.seconds},
+                 {"labs", std::move(labs)}};
+  return all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Verdict verdict_from_json(const std::string& text) {
+  const Json json = Json::parse(text);
+  if (json.at("format") != verdict_format) throw std::invalid_argument("another format");
+  Verdict verdict;
+  verdict.submission = json.at("submission");
+  verdict.found_in = json.at("found_in");
+  verdict.text = json.at("text");
+  verdict.seed = json.at("seed");
+  verdict.version = json.at("version");
+  verdict.flags = json.at("flags");
+  verdict.jail_complete = json.at("jail_complete");
+  verdict.not_judged = json.at("not_judged");
+  verdict.unreadable = json.at("unreadable");
+  verdict.absent = json.at("absent").get<std::vector<std::string>>();
+  verdict.seconds = json.at("seconds");
+  for (const Json& lab : json.at("labs")) verdict.labs.push_back(lab_verdict_in(lab));
+  return verdict;
+}
+
+}  // namespace mc::grader

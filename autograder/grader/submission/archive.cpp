@@ -1,0 +1,186 @@
+#include "grader/submission/archive.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <clocale>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sandbox/descriptor.hpp"
+#include "sandbox/printable.hpp"
+
+// libarchive: CMake brings it along on every system, it is tested against hostile archives, and it gives
+// names and types before a byte is unpacked. `unzip` and `cmake -E tar` write first: what they do with a
+// link in the way, or with a list that does not say what the archive does, would have to be believed.
+#ifdef MC_HAVE_ARCHIVE
+#include <archive.h>
+#include <archive_entry.h>
+#endif
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+
+bool is_ignored(const fs::path& name) {
+  const std::string text = name.string();
+  return text.starts_with('.') || text == "__MACOSX" || text == "build" ||
+         text.starts_with("build-") || text.starts_with("cmake-build-");
+}
+
+#ifdef MC_HAVE_ARCHIVE
+namespace {
+
+/// A byte more than a compilation takes: the student is told that it is too long.
+constexpr std::size_t most_of_a_source = (std::size_t{1} << 20) + 1;
+
+/// libarchive turns names into the locale's; in "C" those with an umlaut are lost. Of this thread only.
+class NamesAsTheyAre {
+ public:
+  NamesAsTheyAre() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (utf8_ == nullptr) utf8_ = newlocale(LC_CTYPE_MASK, "en_US.UTF-8", nullptr);
+    if (utf8_ != nullptr) before_ = uselocale(utf8_);
+  }
+  ~NamesAsTheyAre() {
+    if (utf8_ == nullptr) return;
+    uselocale(before_);
+    freelocale(utf8_);
+  }
+  NamesAsTheyAre(const NamesAsTheyAre&) = delete;
+
+ private:
+  locale_t utf8_, before_ = nullptr;
+};
+
+struct Closed {
+  void operator()(archive* one) const { archive_read_free(one); }
+};
+
+/// Where an entry goes, below the directory; empty for what is left out.
+fs::path place_of(archive_entry* entry) {
+  const char* name = archive_entry_pathname_utf8(entry);
+  if (name == nullptr) name = archive_entry_pathname(entry);
+  if (name == nullptr || *name == '\0') return {};
+  const fs::path whole = name;
+  fs::path place;
+  bool ignored = false;
+  for (const fs::path& part : whole) {
+    if (part == ".." || part.is_absolute()) {
+      throw Unreadable(fmt::format("the zip names a place outside of itself, {}",
+                                   sandbox::printable_line(sandbox::shortened(name, 100))));
+    }
+    if (part.empty() || part == ".") continue;
+    ignored |= is_ignored(part);
+    place /= part;
+  }
+  return ignored ? fs::path() : place;
+}
+
+/// Copies at most `most` bytes of the entry into a new file; the number of bytes it wrote. True in
+/// `longer` where there are more.
+std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& longer) {
+  const sandbox::Descriptor file(
+      open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600), "unpacking");
+  std::vector<char> buffer(std::size_t{1} << 16);
+  std::size_t written = 0;
+  for (;;) {
+    const la_ssize_t got = archive_read_data(from, buffer.data(), buffer.size());
+    if (got < 0) throw Unreadable("the zip is damaged");
+    if (got == 0) return written;
+    longer = written + static_cast<std::size_t>(got) > most;
+    const std::size_t part = longer ? most - written : static_cast<std::size_t>(got);
+    for (std::size_t done = 0; done < part;) {
+      const ssize_t put = write(file.get(), buffer.data() + done, part - done);
+      if (put < 0 && errno != EINTR) sandbox::fail("unpacking");
+      if (put > 0) done += static_cast<std::size_t>(put);
+    }
+    written += part;
+    if (longer) return written;
+  }
+}
+
+/// A name that the disk does not take is left out; a disk that takes nothing is the machine's fault.
+bool make_directory(const fs::path& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error == std::errc::filename_too_long || error == std::errc::not_a_directory ||
+      error == std::errc::illegal_byte_sequence || error == std::errc::file_exists) {
+    return false;
+  }
+  if (error) throw std::system_error(error, "unpacking");
+  return true;
+}
+
+bool takes_name(const fs::path& file) {
+  constexpr std::size_t longest_name = 255;
+  return file.filename().string().size() <= longest_name && !fs::is_directory(file);
+}
+
+}  // namespace
+
+void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits& limits) {
+  const NamesAsTheyAre utf8;
+  const std::unique_ptr<archive, Closed> reading(archive_read_new());
+  if (!reading) throw std::system_error(ENOMEM, std::generic_category(), "unpacking");
+  archive_read_support_format_zip_seekable(reading.get());
+  const auto damaged = [&](const char* what) {
+    const int error = archive_errno(reading.get());
+    if (error == EMFILE || error == ENFILE || error == ENOMEM || error == EIO) {
+      throw std::system_error(error, std::generic_category(), "unpacking");
+    }
+    throw Unreadable(what);
+  };
+  constexpr std::size_t block = std::size_t{1} << 16;
+  if (archive_read_open_filename(reading.get(), zip.c_str(), block) != ARCHIVE_OK) {
+    damaged("it is no zip");
+  }
+  std::size_t entries = 0, bytes = 0;
+  for (archive_entry* entry = nullptr;;) {
+    const int next = archive_read_next_header(reading.get(), &entry);
+    if (next == ARCHIVE_EOF) return;
+    if (next < ARCHIVE_WARN) damaged(entries == 0 ? "it is no zip" : "the zip is damaged");
+    if (++entries > limits.entries) {
+      throw Unreadable(fmt::format("the zip has more than {} entries", limits.entries));
+    }
+    const fs::path place = place_of(entry);
+    const auto type = archive_entry_filetype(entry);
+    // A link might lead to the solutions.
+    if (place.empty() || (type != AE_IFREG && type != AE_IFDIR)) continue;
+    const fs::path to = directory / place;
+    if (!make_directory(type == AE_IFDIR ? to : to.parent_path())) continue;
+    if (type == AE_IFDIR || !takes_name(to)) continue;
+    const bool is_source = to.extension() == ".cpp", is_zip = to.extension() == ".zip";
+    if (archive_entry_is_encrypted(entry) != 0 && (is_source || is_zip)) {
+      throw Unreadable("the zip has a password");
+    }
+    bool longer = false;
+    const std::size_t most = is_source ? most_of_a_source : is_zip ? limits.file : 0;
+    if (most == 0) {
+      const sandbox::Descriptor empty(
+          open(to.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600), "unpacking");
+      continue;
+    }
+    bytes += copy(reading.get(), to, most, longer);
+    if (longer && is_zip) fs::resize_file(to, 0);  // said when it is looked at
+    if (bytes > limits.bytes) {
+      throw Unreadable(fmt::format("the zip holds more than {} MB", limits.bytes >> 20));
+    }
+  }
+}
+
+#else
+
+void unpack(const fs::path&, const fs::path&, const ArchiveLimits&) {
+  throw Unreadable("a zip, and this build has no libarchive: run ./lab setup, or unpack it");
+}
+
+#endif
+
+}  // namespace mc::grader

@@ -1,0 +1,315 @@
+#include "grader/submission/intake.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "grader/context/errors.hpp"
+#include "grader/submission/archive.hpp"
+#include "grader/submission/exports.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+using Files = std::map<std::string, fs::path>;  // lab name -> file
+
+/// Nobody lays out work deeper than that, or in so many directories.
+constexpr int deepest = 12;
+constexpr std::size_t most_entries = 20'000;
+
+/// The lab files that lie in `directory` itself. A link is no file of one's own: it might lead to the
+/// solution.
+Files files_in(const std::vector<Lab>& labs, const fs::path& directory) {
+  Files files;
+  if (fs::is_symlink(fs::symlink_status(directory))) return files;
+  for (const Lab& lab : labs) {
+    if (fs::is_regular_file(fs::symlink_status(directory / lab.file()))) {
+      files[lab.name] = fs::canonical(directory / lab.file());
+    }
+  }
+  return files;
+}
+
+/// What lies in a directory, by name: directories, zips and other files; no links.
+struct Listing {
+  std::vector<fs::path> directories, zips, files, links;
+};
+
+Listing listing_of(const fs::path& directory) {
+  Listing listing;
+  std::vector<fs::directory_entry> entries;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    if (entries.size() == most_entries) {
+      throw Unreadable(fmt::format("more than {} files in one directory", most_entries));
+    }
+    if (!is_ignored(entry.path().filename())) entries.push_back(entry);
+  }
+  std::sort(entries.begin(), entries.end());
+  for (const fs::directory_entry& entry : entries) {
+    const fs::file_status status = entry.symlink_status();
+    auto& kind = fs::is_symlink(status)         ? listing.links
+                 : fs::is_directory(status)     ? listing.directories
+                 : !fs::is_regular_file(status) ? listing.links  // a device: no more than that
+                 : entry.path().extension() == ".zip" ? listing.zips
+                                                      : listing.files;
+    kind.push_back(entry.path());
+  }
+  return listing;
+}
+
+/// Adds the files of every directory at or below `directory` that has some; not what is below one.
+void search(const std::vector<Lab>& labs, const fs::path& directory, int depth, std::size_t& left,
+            std::vector<Files>& places) {
+  for (const fs::path& here : {directory, directory / "starter"}) {
+    if (Files files = files_in(labs, here); !files.empty()) {
+      places.push_back(std::move(files));
+      return;
+    }
+  }
+  if (depth == deepest) return;
+  for (const fs::path& below : listing_of(directory).directories) {
+    if (left-- == 0) throw Unreadable(fmt::format("more than {} directories", most_entries));
+    search(labs, below, depth + 1, left, places);
+  }
+}
+
+/// Where `file` lies, as seen from `root`; empty for the root itself.
+std::string seen_from(const fs::path& root, const fs::path& file) {
+  const fs::path place = file.parent_path().lexically_relative(fs::canonical(root));
+  return place == "." ? "" : sandbox::printable_line(place.string());
+}
+
+/// The one way to have each file once, in all these places together.
+Files together(const fs::path& root, const std::vector<Files>& places) {
+  Files all;
+  for (const Files& files : places) {
+    for (const auto& [lab, file] : files) {
+      const auto [before, is_new] = all.emplace(lab, file);
+      if (is_new) continue;
+      throw Unreadable(fmt::format("{} is in {} and in {}: which one counts?",
+                                   file.filename().string(), seen_from(root, before->second),
+                                   seen_from(root, file)));
+    }
+  }
+  return all;
+}
+
+bool looks_like_one_persons(const fs::path& directory) {
+  for (const char* name : {".git", "README", "README.md", "CMakeLists.txt", "Makefile", "lab"}) {
+    if (fs::exists(fs::symlink_status(directory / name))) return true;
+  }
+  return false;
+}
+
+/// The directory, this one or the only one below it, whose children are people's.
+std::optional<fs::path> parent_in(const std::vector<Lab>& labs, fs::path directory) {
+  for (int depth = 0; depth < deepest; ++depth) {
+    if (!files_in(labs, directory).empty() || !files_in(labs, directory / "starter").empty() ||
+        looks_like_one_persons(directory)) {
+      return {};
+    }
+    const Listing listing = listing_of(directory);
+    const bool is_flat = std::any_of(listing.files.begin(), listing.files.end(), [](auto& file) {
+      return named_by_platform(file).has_value();
+    });
+    if (!listing.zips.empty() || is_flat || listing.directories.size() > 1) return directory;
+    if (listing.directories.empty()) return {};
+    directory = listing.directories[0];
+  }
+  return {};
+}
+
+/// Out of memory or descriptors, a broken disk: says nothing of what was handed in.
+bool is_machines(const std::error_code& code) {
+  for (const std::errc one :
+       {std::errc::too_many_files_open, std::errc::too_many_files_open_in_system,
+        std::errc::not_enough_memory, std::errc::io_error, std::errc::no_space_on_device}) {
+    if (code == one) return true;
+  }
+  return false;
+}
+
+class Taking {
+ public:
+  Taking(const Context& context, Meaning meaning) : context_(context), meaning_(meaning) {}
+
+  void word(const std::string& word) {
+    // "alice/" and "." have names, too.
+    const auto end = word.find_last_not_of('/');
+    const fs::path place = end == std::string::npos ? word : word.substr(0, end + 1);
+    guarded(id_of(place), word, [&](Handed& handed) {
+      const fs::file_status status = fs::symlink_status(place);
+      const std::string shown = sandbox::printable_line(word);
+      if (!fs::exists(status)) throw Unreadable("no such directory: " + shown);
+      if (fs::is_symlink(status)) throw Unreadable(shown + " is a link: name the directory itself");
+      const bool is_zip = fs::is_regular_file(status) && place.extension() == ".zip";
+      if (!is_zip && !fs::is_directory(status)) {
+        throw Unreadable(shown + " is a file: name the directory it is in, or a zip");
+      }
+      const fs::path root = is_zip ? unpacked(place) : place;
+      const auto parent = meaning_ == Meaning::many ? parent_in(context_.labs, root) : std::nullopt;
+      if (!parent) return open(root, handed);
+      children(*parent, is_zip);
+      handed.submission.label.clear();  // nobody's own
+    });
+  }
+
+  Intake finish() {
+    make_unique();
+    return std::move(intake_);
+  }
+
+ private:
+  static std::string id_of(const fs::path& place) {
+    fs::path name = place.filename();
+    if (name.empty() || name == "." || name == "..") {
+      std::error_code unknown;
+      name = fs::weakly_canonical(place, unknown).filename();
+    }
+    return id_from_name(name.extension() == ".zip" ? name.stem().string() : name.string());
+  }
+
+  /// Adds what `work` makes of `named`, or why it cannot be read.
+  template <class Work>
+  void guarded(std::string id, const fs::path& named, const Work& work) {
+    Handed handed;
+    handed.submission.label = std::move(id);
+    handed.submission.path = named;
+    try {
+      work(handed);
+    } catch (const Unreadable& error) {
+      handed.unreadable = error.what();
+    } catch (const fs::filesystem_error& error) {
+      if (is_machines(error.code())) throw;
+      handed.unreadable = error.code().message();
+    }
+    if (!handed.submission.label.empty()) intake_.handed.push_back(std::move(handed));
+  }
+
+  fs::path unpacked(const fs::path& zip) {
+    if (fs::file_size(zip) == 0) throw Unreadable("the zip is empty, or longer than 64 MB");
+    intake_.unpacked.push_back(std::make_unique<ScratchDirectory>(context_.layout));
+    unpack(zip, intake_.unpacked.back()->path());
+    return intake_.unpacked.back()->path();
+  }
+
+  /// One person's work below `root`. What holds nothing but a zip is that zip.
+  void open(fs::path root, Handed& handed) {
+    std::vector<Files> places = places_in(root);
+    if (places.empty()) {
+      const Listing listing = listing_of(root);
+      if (listing.zips.size() > 1) throw Unreadable("several zips: which one counts?");
+      if (listing.zips.size() == 1) {
+        root = unpacked(listing.zips[0]);
+        places = places_in(root);
+      }
+    }
+    take(root, places, handed);
+  }
+
+  std::vector<Files> places_in(const fs::path& root) const {
+    std::vector<Files> places;
+    std::size_t left = most_entries;
+    search(context_.labs, root, 0, left, places);
+    return places;
+  }
+
+  static void take(const fs::path& root, const std::vector<Files>& places, Handed& handed) {
+    handed.submission.files = together(root, places);
+    std::set<std::string> where;
+    for (const auto& [lab, file] : handed.submission.files) where.insert(seen_from(root, file));
+    for (const std::string& place : where) {
+      if (place.empty()) continue;
+      handed.submission.found_in += (handed.submission.found_in.empty() ? "" : ", ") + place;
+    }
+  }
+
+  /// Several people's work, side by side in `parent`.
+  void children(const fs::path& parent, bool is_unpacked) {
+    const Listing listing = listing_of(parent);
+    std::map<std::string, std::vector<PlatformName>> flat;  // by person
+    for (const auto* kind : {&listing.files, &listing.zips}) {
+      for (const fs::path& file : *kind) {
+        if (const auto name = named_by_platform(file)) flat[name->person].push_back(*name);
+      }
+    }
+    const auto named = [&](const fs::path& path) { return is_unpacked ? fs::path() : path; };
+    const std::size_t first = intake_.handed.size();
+    for (const fs::path& directory : listing.directories) {
+      guarded(id_of(directory), named(directory), [&](Handed& handed) { open(directory, handed); });
+    }
+    for (const fs::path& zip : listing.zips) {
+      if (named_by_platform(zip)) continue;
+      guarded(id_of(zip), named(zip), [&](Handed& handed) { open(unpacked(zip), handed); });
+    }
+    for (const auto& [person, files] : flat) {
+      guarded(person, {}, [&, &all = files](Handed& handed) { gather(all, handed); });
+    }
+    for (const fs::path& link : listing.links) {
+      guarded(id_of(link), {}, [](Handed&) { throw Unreadable("it is a link"); });
+    }
+    std::stable_sort(intake_.handed.begin() + static_cast<std::ptrdiff_t>(first),
+                     intake_.handed.end(),
+                     [](auto& a, auto& b) { return a.submission.label < b.submission.label; });
+  }
+
+  /// One person's files among everybody's.
+  void gather(const std::vector<PlatformName>& files, Handed& handed) {
+    std::vector<Files> places;
+    for (const PlatformName& one : files) {
+      for (const Lab& lab : context_.labs) {
+        if (one.file == lab.file()) places.push_back({{lab.name, fs::canonical(one.path)}});
+      }
+    }
+    if (!places.empty()) return take(files[0].path.parent_path(), places, handed);
+    std::vector<fs::path> zips;
+    for (const PlatformName& one : files) {
+      if (one.path.extension() == ".zip") zips.push_back(one.path);
+    }
+    if (zips.size() > 1) throw Unreadable("several zips: which one counts?");
+    if (zips.size() == 1) open(unpacked(zips[0]), handed);
+  }
+
+  /// An id is also the name of a file, on disks that take A for a.
+  void make_unique() {
+    std::set<std::string> taken;
+    for (Handed& one : intake_.handed) {
+      const std::string plain = one.submission.label;
+      const auto key = [&] {
+        std::string lower = one.submission.label;
+        for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return lower;
+      };
+      for (int i = 2; !taken.insert(key()).second; ++i) {
+        one.submission.label = fmt::format("{} ({})", plain, i);
+      }
+    }
+  }
+
+  const Context& context_;
+  const Meaning meaning_;
+  Intake intake_;
+};
+
+}  // namespace
+
+Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning) {
+  Taking taking(context, meaning);
+  for (const std::string& word : words) taking.word(word);
+  return taking.finish();
+}
+
+Intake take_in_one(const Context& context, const fs::path& place) {
+  Intake intake = take_in(context, {place.string()}, Meaning::one);
+  if (!intake.handed[0].unreadable.empty()) throw UsageError(intake.handed[0].unreadable);
+  return intake;
+}
+
+}  // namespace mc::grader

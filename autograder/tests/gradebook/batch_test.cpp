@@ -1,0 +1,333 @@
+// A class is graded, whatever happens meanwhile.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "grader/gradebook/book.hpp"
+#include "grader/reports/verdict_json.hpp"
+#include "grader/submission/compile.hpp"
+#include "grader/submission/scratch.hpp"
+#include "sandbox/process.hpp"
+#include "tests/submissions.hpp"
+
+using namespace mc::grader;
+using mc::sandbox::ProcessOptions;
+using mc::sandbox::ProcessResult;
+using mc::sandbox::run_process;
+using mc::tests::Scratch;
+using mc::tests::text_of;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Course : Scratch {
+  Layout layout = read_layout();
+  std::vector<Lab> labs = find_labs(layout);
+  std::vector<std::string> ids;
+
+  void hand_in(const std::string& id, const std::string& text) {
+    fs::create_directories(path() / "class" / id);
+    write_text(path() / "class" / id / "variance.cpp", text);
+    ids.push_back(id);
+  }
+  /// Cheap ones: most do not compile, a few are the starter.
+  void hand_in_tiny(int count) {
+    for (int i = 0; i < count; ++i) {
+      const std::string id = fmt::format("s{:02}", i);
+      hand_in(id, i % 5 == 0 ? fmt::format("// {}\n", i) + text_of(layout.starter())
+                             : fmt::format("int {} is no name;\n", i));
+    }
+  }
+  fs::path csv(const std::string& name = "grades") const { return path() / (name + ".csv"); }
+
+  ProcessResult grade(std::vector<std::string> more, const ProcessOptions& options = {}) const {
+    std::vector<std::string> words{(layout.build / "bin" / "gradebook").string(), "grade",
+                                   (path() / "class").string(), "--lab", "variance"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_process(words, options);
+  }
+};
+
+/// The table without what depends on the day: id -> its row.
+std::map<std::string, std::vector<std::string>> rows_of(const fs::path& csv) {
+  auto rows = csv_rows(read_text(csv));
+  std::map<std::string, std::vector<std::string>> by_id;
+  REQUIRE(!rows.empty());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    REQUIRE(rows[i].size() == rows[0].size());  // no half row
+    rows[i][3] = "";
+    REQUIRE(by_id.emplace(rows[i][0], rows[i]).second);  // nobody twice
+  }
+  return by_id;
+}
+
+/// All verdicts beside a table, without seconds.
+std::map<std::string, std::string> verdicts_of(const fs::path& csv) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : fs::directory_iterator(verdicts_beside(csv))) {
+    if (entry.path().extension() != ".json") continue;
+    Verdict verdict = verdict_from_json(read_text(entry.path()));
+    verdict.seconds = 0;
+    for (LabVerdict& lab : verdict.labs) {
+      lab.seconds = 0;
+      for (CheckResult& result : lab.checks) result.seconds = 0;
+    }
+    all[verdict.submission] = verdict_to_json(verdict);
+  }
+  return all;
+}
+
+/// Processes that judge one of this course's submissions: compilers by where they run, checks and
+/// programs by what they have open.
+std::vector<std::string> processes_of(const Course& course, const std::string& seed) {
+  std::set<std::string> slots;
+  for (const std::string& id : course.ids) {
+    slots.insert(slot_of({course.layout, find_lab(course.labs, "variance"),
+                          fs::canonical(course.path() / "class" / id / "variance.cpp"), false})
+                     .filename()
+                     .string());
+  }
+  std::vector<std::string> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
+    const std::string pid = entry.path().filename().string();
+    if (pid.find_first_not_of("0123456789") != std::string::npos) continue;
+    const std::string program = fs::read_symlink(entry.path() / "exe", ignored).string();
+    const std::string words = read_text(entry.path() / "environ");
+    bool is_ours = words.find("MC_SEED=" + seed) != std::string::npos;
+    for (const std::string& slot : slots) is_ours |= program.find(slot) != std::string::npos;
+    if (is_ours) found.push_back(pid + " " + program);
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a verdict survives its way to disk") {
+  Verdict verdict;
+  verdict.submission = "müller \"x\"";
+  verdict.found_in = "a/b";
+  verdict.seed = 0xffffffffffffffffu;
+  verdict.not_judged = "line\nline";
+  verdict.unreadable = "no";
+  verdict.text = "00ff";
+  verdict.version = "1";
+  verdict.flags = "-O3";
+  verdict.jail_complete = false;
+  verdict.absent = {"halton"};
+  verdict.seconds = 0.1;
+  LabVerdict lab;
+  lab.lab = {6, "sampler", "6-sampler", {"variance", "halton"}};
+  lab.no_program = "because";
+  lab.unfinished = {"3", "1.4"};
+  lab.seconds = 1e-9;
+  CheckResult result;
+  result.check = {"6.1 a name", "6.1", {"3", "1.1"}, 2.5, true, true, true};
+  result.story = "measured  \x01 \xff";
+  result.printed = "…\n";
+  result.repeat = "./lab";
+  result.call = {"mean", "1,2"};
+  result.by_hand = "./lab run";
+  result.p_values = {{"uniform", 1e-300, 1e-9}, {"", std::nan(""), 0}};
+  result.seconds = 2;
+  for (const Status status :
+       {Status::passed, Status::failed, Status::not_written, Status::withheld, Status::waiting,
+        Status::not_run, Status::not_judged, Status::internal_error}) {
+    result.status = status;
+    lab.checks.push_back(result);
+  }
+  lab.speed = {{"1.8 moments", 0.5, 1.0, {}, 3.0, 1u << 20, "edge"}};
+  verdict.labs = {lab};
+  const std::string text = verdict_to_json(verdict);
+  const Verdict back = verdict_from_json(text);
+  CHECK(verdict_to_json(back) == text);
+  CHECK(back.seed == verdict.seed);
+  CHECK(back.labs[0].checks[3].status == Status::withheld);
+  CHECK(back.labs[0].checks[0].p_values[0].p == 1e-300);
+  CHECK(std::isnan(back.labs[0].checks[0].p_values[1].p));
+  CHECK(!back.labs[0].speed[0].error.has_value());
+  for (std::size_t cut : {std::size_t{0}, text.size() / 2, text.size() - 3}) {
+    CHECK_THROWS(verdict_from_json(text.substr(0, cut)));
+  }
+}
+
+TEST_CASE(
+    "a table for spreadsheets: no formula, no line too many, nothing where nothing was judged") {
+  for (const char* text : {"=HYPERLINK(\"x\")", "+1", "-1", "@a", "\t=1", "plain", "it's", "'=1"}) {
+    CHECK(csv_field(text)[csv_field(text)[0] == '"' ? 1 : 0] != '=');
+    CHECK(std::string("+-@\t").find(csv_field(text)[0]) == std::string::npos);
+  }
+  CHECK(csv_field("=1+1, x") == "\"'=1+1, x\"");
+  CHECK(csv_rows(csv_field("=1+1, x") + ",2\r\n") ==
+        std::vector<std::vector<std::string>>{{"=1+1, x", "2"}});
+  CHECK(csv_rows("a,,\"b\"\"\n\"\n\n1").size() == 2);
+
+  Verdict verdict;
+  verdict.submission = "=x\n";
+  LabVerdict lab;
+  lab.lab = {1, "variance", "1-variance", {}};
+  CheckResult passed;
+  passed.check.name = "1.1 a";
+  passed.check.points = 7;
+  passed.status = Status::passed;
+  lab.checks = {passed};
+  verdict.labs = {lab};
+  const std::vector<LabColumns> columns{{lab.lab, {"1.1 a", "1.1 b"}}};
+  const auto row = [&] { return csv_rows(csv_row(columns, verdict))[0]; };
+  CHECK(csv_rows(csv_header(columns))[0].size() == row().size());
+  CHECK(csv_row(columns, verdict) == "\"'=x \",0,,0.0,,judged,7,7,\n");
+  verdict.not_judged = "the disk is full";
+  CHECK(csv_row(columns, verdict) ==
+        "\"'=x \",0,,0.0,\"not judged: the disk is full\",\"not judged\",,,\n");
+}
+
+TEST_CASE("a batch that is killed at any moment loses nothing and does nothing twice") {
+  Course course;
+  course.hand_in_tiny(30);
+  const std::string seed = std::to_string(700'000'000 + getpid());
+  const auto whole = course.grade({"--csv", course.csv("whole").string(), "--seed", seed});
+  CAPTURE(whole.errors);
+  REQUIRE(whole.exit_code == 0);
+  REQUIRE(rows_of(course.csv("whole")).size() == 30);
+
+  std::mt19937 random(static_cast<unsigned>(getpid()));
+  std::uniform_real_distribution<double> moment(0.05, 0.9);
+  int kills = 0, hits = 0;
+  while (kills < 20) {
+    const auto state = read_book_state(course.csv());
+    std::vector<std::string> words{"--csv", course.csv().string(), "--seed", seed};
+    if (!state.finished) words.push_back("--resume");
+    const auto run = course.grade(words, {.wall_seconds = moment(random)});
+    REQUIRE((run.out_of_time || run.exit_code == 0));
+    kills += run.out_of_time ? 1 : 0;
+    if (!fs::exists(course.csv())) continue;  // before it had begun
+    hits += rows_of(course.csv()).empty() ? 0 : 1;
+    for (const auto& [id, verdict] : verdicts_of(course.csv())) CHECK(verdict.size() > 100);
+  }
+  CHECK(hits > 0);
+  std::vector<std::string> left;
+  for (int i = 0; i < 100; ++i) {
+    left = processes_of(course, seed);
+    if (left.empty()) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  CHECK(left == std::vector<std::string>());
+
+  const auto last = course.grade({"--csv", course.csv().string(), "--resume"});
+  CAPTURE(last.output, last.errors);
+  CHECK(last.exit_code == 0);
+  CHECK(rows_of(course.csv()) == rows_of(course.csv("whole")));
+  CHECK(verdicts_of(course.csv()) == verdicts_of(course.csv("whole")));
+  std::vector<std::string> order;
+  for (const auto& row : csv_rows(read_text(course.csv()))) order.push_back(row[0]);
+  CHECK(std::is_sorted(order.begin() + 1, order.end()));
+  // Nothing lies about: neither halves of files, nor what was compiled in.
+  for (const auto& entry : fs::recursive_directory_iterator(course.path())) {
+    CHECK(entry.path().string().find(".new-") == std::string::npos);
+  }
+  CHECK(read_book_state(course.csv()).finished);
+}
+
+TEST_CASE("what changed is judged again, and nothing else") {
+  Course course;
+  course.hand_in_tiny(6);
+  const std::string csv = course.csv().string();
+  REQUIRE(course.grade({"--csv", csv, "--seed", "7"}).exit_code == 0);
+  course.hand_in("s03", "int another;\n");
+  const auto again = course.grade({"--csv", csv, "--resume"});
+  CHECK(again.exit_code == 0);
+  CHECK(again.output.find("6 submissions: 1 judged, 5 were before; seed 7") != std::string::npos);
+  CHECK(course.grade({"--csv", csv, "--resume", "--seed", "8"}).exit_code == 2);
+  // What was not finished is not thrown away by forgetting --resume.
+  write_text(verdicts_beside(csv) / "state", "begun seed 7\n");
+  const auto forgotten = course.grade({"--csv", csv});
+  CHECK(forgotten.exit_code == 2);
+  CHECK(forgotten.errors.find("--resume goes on") != std::string::npos);
+  // A row that an editor has spoiled, a verdict cut in two: judged again.
+  const fs::path verdict = verdict_file(csv, "s01");
+  write_text(verdict, read_text(verdict).substr(0, 100));
+  CHECK(course.grade({"--csv", csv, "--resume"}).output.find("1 judged, 5 were before") !=
+        std::string::npos);
+  CHECK(verdicts_of(csv).size() == 6);
+}
+
+TEST_CASE("two runs do not write one table") {
+  Course course;
+  course.hand_in_tiny(2);
+  fs::create_directories(verdicts_beside(course.csv()));
+  const mc::sandbox::Descriptor other(
+      open((verdicts_beside(course.csv()) / "lock").c_str(), O_RDWR | O_CREAT, 0644), "lock");
+  REQUIRE(flock(other.get(), LOCK_EX) == 0);
+  const auto run = course.grade({"--csv", course.csv().string()});
+  CHECK(run.exit_code == 2);
+  CHECK(run.errors.find("another run is writing") != std::string::npos);
+}
+
+TEST_CASE("the rows of a class: no file and no program are 0, unreadable is neither") {
+  Course course;
+  course.hand_in_tiny(2);
+  fs::create_directories(course.path() / "class" / "zoe" / "notes");
+  write_text(course.path() / "class" / "broken.zip", "no zip");
+  const std::string csv = course.csv().string();
+  const auto run = course.grade({"--csv", csv});
+  CHECK(run.exit_code == 0);
+  const auto rows = rows_of(csv);
+  REQUIRE(rows.size() == 4);
+  const auto cells = [&](const char* id) {
+    const auto& row = rows.at(id);
+    return row[5] + "|" + row[6] + "|" + row[7] + "|" + row[4];
+  };
+  CHECK(cells("s00") == "judged|0|0|");
+  CHECK(cells("s01") == "no program|0|0|");
+  CHECK(cells("zoe") == "no file|0|0|");
+  CHECK(cells("broken") == "unreadable|||unreadable: it is no zip");
+}
+
+TEST_CASE("shards are a class in parts") {
+  Course course;
+  course.hand_in_tiny(5);
+  for (const char* shard : {"1/2", "2/2"}) {
+    const auto run = course.grade({"--csv", course.csv(std::string("part") + shard[0]).string(),
+                                   "--shard", shard, "--seed", "1"});
+    CHECK(run.exit_code == 0);
+  }
+  CHECK(rows_of(course.csv("part1")).size() == 3);
+  CHECK(rows_of(course.csv("part2")).count("s01") == 1);
+  for (const char* wrong : {"0/2", "3/2", "1", "1/2/3", "x/y"}) {
+    CHECK(course.grade({"--shard", wrong}).exit_code == 2);
+  }
+}
+
+TEST_CASE("programs that nobody needs any more are swept, those just used are not") {
+  Layout layout = read_layout();
+  const Scratch build;
+  layout.build = build.path();
+  const auto slot = [&](const char* name, int minutes) {
+    const fs::path place = build.path() / "programs" / name;
+    fs::create_directories(place);
+    write_text(place / "x.program", std::string(1000, 'x'));
+    fs::last_write_time(place / "x.program",
+                        fs::file_time_type::clock::now() - std::chrono::minutes(minutes));
+    return place;
+  };
+  const auto oldest = slot("a", 100), old = slot("b", 50), fresh = slot("c", 2),
+             done = slot("d", 1);
+  sweep_programs(layout, 3000, {});
+  CHECK(!fs::exists(oldest));
+  CHECK(fs::exists(old));
+  sweep_programs(layout, 0, {done});
+  CHECK(!fs::exists(old));
+  CHECK(fs::exists(fresh));
+  CHECK(!fs::exists(done));
+}

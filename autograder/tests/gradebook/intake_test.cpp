@@ -1,0 +1,246 @@
+// What people hand in, laid out as they do it and as platforms export it.
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/errors.hpp"
+#include "grader/context/shell.hpp"
+#include "grader/submission/archive.hpp"
+#include "grader/submission/exports.hpp"
+#include "grader/submission/intake.hpp"
+#include "sandbox/process.hpp"
+#include "tests/submissions.hpp"
+
+using namespace mc::grader;
+using mc::tests::Scratch;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Place : Scratch {
+  Context context = [] {
+    Context made{read_layout(), {}};
+    made.labs = find_labs(made.layout);
+    return made;
+  }();
+
+  Place& file(const std::string& name, const std::string& text = "int x;\n") {
+    fs::create_directories((path() / name).parent_path());
+    write_text(path() / name, text);
+    return *this;
+  }
+  /// Packs what is in `directory`, as it is named from there, and takes it away.
+  Place& zip(const std::string& directory, const std::string& name) {
+    std::vector<std::string> command{"cmake", "-E", "tar", "cf", path() / name, "--format=zip"};
+    for (const auto& entry : fs::directory_iterator(path() / directory)) {
+      command.push_back(entry.path().filename());
+    }
+    REQUIRE(mc::sandbox::run_process(command, {.directory = path() / directory}).succeeded());
+    fs::remove_all(path() / directory);
+    return *this;
+  }
+  Intake take(const std::string& name = "class", Meaning meaning = Meaning::many) const {
+    return take_in(context, {(path() / name).string()}, meaning);
+  }
+};
+
+/// "alice: variance@x/y stratification; bob: !why"
+std::string told(const Intake& intake) {
+  std::string all;
+  for (const Handed& one : intake.handed) {
+    all += (all.empty() ? "" : "; ") + one.submission.label + ":";
+    if (!one.unreadable.empty()) all += " !" + one.unreadable;
+    for (const auto& [lab, file] : one.submission.files) all += " " + lab;
+    if (!one.submission.found_in.empty()) all += " @" + one.submission.found_in;
+  }
+  return all;
+}
+
+/// A zip of stored entries, name and text as they are given, with this mode.
+std::string raw_zip(const std::vector<std::pair<std::string, std::string>>& entries,
+                    unsigned mode = 0100644) {
+  std::string local, central;
+  const auto number = [](std::string& to, std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) to += static_cast<char>(value >> (8 * i) & 0xff);
+  };
+  for (const auto& [name, text] : entries) {
+    std::uint32_t crc = ~0u;
+    for (const char c : text) {
+      crc ^= static_cast<unsigned char>(c);
+      for (int i = 0; i < 8; ++i) crc = (crc >> 1) ^ (0xedb88320u & (0u - (crc & 1u)));
+    }
+    std::string common;
+    number(common, 20, 2);  // version needed, flags, method, time and date
+    number(common, 0, 2);
+    number(common, 0, 2);
+    number(common, 0x21'0000, 4);
+    number(common, ~crc & 0xffffffffu, 4);
+    number(common, text.size(), 4);
+    number(common, text.size(), 4);
+    number(common, name.size(), 2);
+    number(common, 0, 2);
+    const std::size_t at = local.size();
+    local += "PK\3\4" + common + name + text;
+    central += std::string("PK\1\2") + "\x14\x03" + common;
+    number(central, 0, 2);  // comment, disk, attributes
+    number(central, 0, 2);
+    number(central, 0, 2);
+    number(central, std::uint64_t{mode} << 16, 4);
+    number(central, at, 4);
+    central += name;
+  }
+  std::string end = "PK\5\6";
+  number(end, 0, 4);
+  number(end, entries.size(), 2);
+  number(end, entries.size(), 2);
+  number(end, central.size(), 4);
+  number(end, local.size(), 4);
+  number(end, 0, 2);
+  return local + central + end;
+}
+
+}  // namespace
+
+TEST_CASE("one person's files are found wherever they are") {
+  CHECK(told(Place().file("a/variance.cpp").take("a")) == "a: variance");
+  CHECK(told(Place().file("a/variance.cpp").file("a/x/variance.cpp").take("a/")) == "a: variance");
+  CHECK(told(Place().file("a/starter/variance.cpp").file("a/old/variance.cpp").take("a")) ==
+        "a: variance @starter");
+  CHECK(told(Place().file("a/x/y/variance.cpp").file("a/x/notes.txt").take("a")) ==
+        "a: variance @x/y");
+  // A checkout in a directory: what it brings along does not count.
+  CHECK(told(Place()
+                 .file("a/mc/README.md")
+                 .file("a/mc/starter/variance.cpp")
+                 .file("a/mc/solutions/variance.cpp")
+                 .take("a")) == "a: variance @mc/starter");
+  CHECK(told(Place()
+                 .file("a/README.md")
+                 .file("a/1/variance.cpp")
+                 .file("a/2/independent.cpp")
+                 .take("a")) == "a: independent variance @1, 2");
+  CHECK(told(Place()
+                 .file("a/README.md")
+                 .file("a/__MACOSX/variance.cpp")
+                 .file("a/.git/variance.cpp")
+                 .file("a/build/variance.cpp")
+                 .take("a")) == "a:");
+  CHECK(told(Place().file("a/1/variance.cpp").file("a/2/variance.cpp").take("a", Meaning::one)) ==
+        "a: !variance.cpp is in 1 and in 2: which one counts?");
+}
+
+TEST_CASE("a parent directory means its children") {
+  Place place;
+  place.file("class/bob/variance.cpp")
+      .file("class/anna/starter/variance.cpp")
+      .file("class/nothing/notes.txt")
+      .file("class/two/1/variance.cpp")
+      .file("class/two/2/variance.cpp")
+      .file("class/grades.csv")
+      .file("z/sub/variance.cpp")
+      .file("z/._variance.cpp")
+      .zip("z", "class/zoe.zip")
+      .file("class/broken.zip", "no zip at all");
+  fs::create_directory_symlink(place.context.layout.solutions(),
+                               place.path() / "class" / "mallory");
+  CHECK(told(place.take()) ==
+        "anna: variance @starter; bob: variance; broken: !it is no zip; mallory: !it is a link; "
+        "nothing:; two: !variance.cpp is in 1 and in 2: which one counts?; zoe: variance @sub");
+}
+
+TEST_CASE("ids are unique, printable, and fit to name files") {
+  Place place;
+  place.file("x/anna/variance.cpp").file("y/anna/variance.cpp").file("y/Anna/variance.cpp");
+  place.file("x/\x1b[31m\n\xe2\x80\xae/variance.cpp");
+  const auto at = [&](const char* name) { return (place.path() / name).string(); };
+  const Intake intake = take_in(place.context, {at("x"), at("y")}, Meaning::many);
+  CHECK(told(intake) ==
+        "?[31m ???: variance; anna: variance; Anna (2): variance; anna (3): variance");
+}
+
+TEST_CASE("the exports of learning platforms") {
+  Place gradescope;
+  gradescope.file("z/assignment_7_export/submission_11/variance.cpp")
+      .file("z/assignment_7_export/submission_12/lab/starter/variance.cpp")
+      .file("z/assignment_7_export/submission_13/notes.txt")
+      .file("z/assignment_7_export/submission_metadata.yml")
+      .zip("z", "class.zip");
+  CHECK(told(gradescope.take("class.zip")) ==
+        "submission_11: variance; submission_12: variance @lab/starter; submission_13:");
+
+  Place canvas;
+  canvas.file("z/doejane_4711_991_variance-2.cpp")
+      .file("z/doejane_4711_992_independent.cpp")
+      .file("z/roe_LATE_4712_993_variance.cpp")
+      .file("in/x/variance.cpp")
+      .zip("in", "z/müller_4713_994_submission.zip")
+      .zip("z", "submissions.zip");
+  CHECK(told(canvas.take("submissions.zip")) ==
+        "doejane_4711: independent variance; müller_4713: variance @x; roe_4712: variance");
+
+  Place moodle;
+  moodle.file("in/variance.cpp")
+      .zip("in", "z.zip")
+      .file("z/Jane Doe_123_assignsubmission_file_/variance.cpp")
+      .file("z/Rob Roe_124_assignsubmission_file_/notes.txt");
+  fs::rename(moodle.path() / "z.zip",
+             moodle.path() / "z" / "Rob Roe_124_assignsubmission_file_" / "my work.zip");
+  moodle.zip("z", "class.zip");
+  CHECK(told(moodle.take("class.zip")) == "Jane Doe_123: variance; Rob Roe_124: variance");
+
+  CHECK(!named_by_platform("lab_1_2_alice.zip"));
+  CHECK(named_by_platform("Jo_12_assignsubmission_file_variance.cpp")->file == "variance.cpp");
+}
+
+TEST_CASE("a zip leads nowhere but into its own directory") {
+  Place place;
+  const auto taken = [&](const std::string& zip) {
+    place.file("a.zip", zip);
+    return told(place.take("a.zip"));
+  };
+  CHECK(taken(raw_zip({{"variance.cpp", "int x;\n"}})) == "a: variance");
+  for (const char* name : {"../variance.cpp", "/tmp/variance.cpp", "x/../../variance.cpp"}) {
+    CHECK(taken(raw_zip({{name, "int x;\n"}})).find("a: !the zip names a place outside") == 0);
+  }
+  CHECK(taken(raw_zip({{"variance.cpp", "/etc/passwd"}}, 0120777)) == "a:");  // a link
+  CHECK(taken(raw_zip({{"variance.cpp/x", "1"}, {"variance.cpp", "2"}})) == "a:");
+  CHECK(taken(raw_zip({{"variance.cpp", "old"}, {"variance.cpp", "new"}})) == "a: variance");
+  CHECK(taken(raw_zip({{std::string(300, 'x') + "/variance.cpp", "1"}})) == "a:");
+  const std::string whole = raw_zip({{"variance.cpp", std::string(5000, 'x')}});
+  CHECK(taken(whole.substr(0, 3000)).find("a: !") == 0);
+  CHECK(taken("").find("a: !the zip is empty") == 0);
+
+  place.file("many.zip", raw_zip({{"1", ""}, {"2", ""}, {"3", ""}}));
+  const Scratch to;
+  CHECK_THROWS_AS(unpack(place.path() / "many.zip", to.path(), {.entries = 2}), Unreadable);
+  place
+      .file("z/variance.cpp", std::string(std::size_t{3} << 20, ' '))  // 3 MB of blanks
+      .file("z/independent.cpp", std::string(std::size_t{3} << 20, ' '))
+      .zip("z", "large.zip");
+  CHECK_THROWS_AS(unpack(place.path() / "large.zip", to.path(), {.bytes = 1'500'000}), Unreadable);
+  // A text is unpacked up to where the compiler says that it is too long.
+  CHECK(fs::file_size(to.path() / "variance.cpp") <= (std::size_t{1} << 20) + 1);
+}
+
+TEST_CASE("a word that cannot be read ends nothing but itself") {
+  Place place;
+  place.file("a/variance.cpp").file("b.cpp");
+  const auto at = [&](const char* name) { return (place.path() / name).string(); };
+  const Intake intake = take_in(place.context, {at("a"), at("gone"), at("b.cpp")}, Meaning::many);
+  REQUIRE(intake.handed.size() == 3);
+  CHECK(intake.handed[0].unreadable == "");
+  CHECK(intake.handed[1].unreadable.find("no such directory") == 0);
+  CHECK(intake.handed[2].unreadable.find("is a file") != std::string::npos);
+  CHECK_THROWS_AS(take_in_one(place.context, at("gone")), UsageError);
+}
+
+TEST_CASE("a path in a command is one word, whatever it is called") {
+  CHECK(shell_quoted("class/anna") == "class/anna");
+  CHECK(shell_quoted("übung 1") == "'übung 1'");
+  CHECK(shell_quoted("$(rm x)`'\"") == "'$(rm x)`'\\''\"'");
+  CHECK(shell_quoted("-rf") == "./-rf");
+  CHECK(shell_quoted("a\nb") == "'a b'");
+  CHECK(shell_quoted("") == "''");
+}
