@@ -21,7 +21,8 @@ set ylabel "digits kept"
 set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width -2
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title way[i]
+  plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 notitle, \
+       for [i=1:5] keyentry with linespoints ls i title way[i]
   unset key
   unset ylabel
 }
