@@ -126,7 +126,9 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   if (joint.size() % columns != 0) throw std::invalid_argument("joint: the last row is ragged");
   double total = 0;
   for (double weight : joint) {
-    if (!(weight >= 0)) throw std::invalid_argument("joint: a weight is negative or NaN");
+    if (!(weight >= 0 && std::isfinite(weight))) {
+      throw std::invalid_argument("joint: a weight is negative, infinite or NaN");
+    }
     total += weight;
   }
   if (!(total > 0)) throw std::invalid_argument("joint: the total is not positive");

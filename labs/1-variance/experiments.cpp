@@ -1,8 +1,11 @@
 #include "experiments.hpp"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
+#include "common/rng.hpp"
 #include "runner/experiment.hpp"
 
 namespace mc::experiments {
@@ -16,16 +19,21 @@ double variance_textbook(std::vector<double> x) {
 double variance_two_pass(std::vector<double> x) {
   return mc::variance_two_pass(x);
 }
+std::vector<double> two_pass_of_constants(std::vector<double> constants, std::uint64_t n) {
+  std::vector<double> all;
+  for (const double c : constants) all.push_back(mc::variance_two_pass(std::vector<double>(n, c)));
+  return all;
+}
 
 namespace {
 
-Moments added(const std::vector<double>& x) {
+Moments added(std::span<const double> x) {
   Moments all;
   for (const double value : x) add(all, value);
   return all;
 }
 
-Moments merged(const std::vector<double>& x, const std::vector<std::uint64_t>& sizes) {
+Moments merged(std::span<const double> x, const std::vector<std::uint64_t>& sizes) {
   Moments all;
   std::size_t i = 0;
   for (const std::uint64_t size : sizes) {
@@ -48,11 +56,14 @@ double variance_of(Moments moments) {
   return variance(moments);
 }
 
-Moments stream(std::uint64_t count, double offset) {
-  const double pattern[] = {offset + 4, offset + 7, offset + 13, offset + 16};
-  Moments all;
-  for (std::uint64_t i = 0; i < count; ++i) add(all, pattern[i % 4]);
-  return all;
+Moments stream(Moments moments, std::vector<double> x, std::uint64_t count) {
+  if (x.empty()) throw std::invalid_argument("x: there are no values to add");
+  std::size_t next = 0;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    add(moments, x[next]);
+    if (++next == x.size()) next = 0;
+  }
+  return moments;
 }
 
 Moments merge(Moments a, Moments b) {
@@ -77,42 +88,54 @@ Moments moments(std::vector<double> x) {
 
 namespace {
 
-double repeat_over(const std::vector<double>& x, unsigned task, std::uint64_t rounds) {
-  double last = 0;
-  for (std::uint64_t round = 0; round < rounds; ++round) {
-    switch (task) {
-      case 2:
-        last = mc::variance_textbook(x);
-        break;
-      case 3:
-        last = mc::variance_two_pass(x);
-        break;
-      case 4:
-        last = variance(added(x));
-        break;
-      case 5:
-        last = variance(merged(x, std::vector<std::uint64_t>(x.size() / 64 + 1, 64)));
-        break;
-      case 8:
-        last = variance(mc::moments(x));
-        break;
-      default:
-        throw std::out_of_range("task: 2, 3, 4, 5 or 8");
-    }
+double variance_by(unsigned task, std::span<const double> x) {
+  switch (task) {
+    case 2:
+      return mc::variance_textbook(x);
+    case 3:
+      return mc::variance_two_pass(x);
+    case 4:
+      return variance(added(x));
+    case 5:
+      return variance(merged(x, std::vector<std::uint64_t>(x.size() / 64 + 1, 64)));
+    case 8:
+      return variance(mc::moments(x));
+    default:
+      throw std::out_of_range("task: 2, 3, 4, 5 or 8");
   }
-  return last;
 }
 
 }  // namespace
 
-double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds) {
-  return repeat_over(x, task, rounds);
+std::vector<double> variances(unsigned task, std::vector<double> x, std::uint64_t size) {
+  if (size == 0) throw std::invalid_argument("size: parts of no values");
+  std::vector<double> all;
+  std::span<const double> left = x;
+  for (; left.size() >= size; left = left.subspan(size)) {
+    all.push_back(variance_by(task, left.first(size)));
+  }
+  return all;
 }
 
-double repeat_made(unsigned task, std::uint64_t n, std::uint64_t rounds) {
+double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds, std::uint64_t seed) {
+  if (x.empty()) throw std::invalid_argument("x: there are no values");
+  const std::vector<double> original = x;
+  Rng changes(seed);
+  double sum = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    if (round > 0) {
+      double& changed = x[changes() % x.size()];
+      changed = original[changes() % x.size()];
+    }
+    sum += variance_by(task, x);
+  }
+  return sum / static_cast<double>(rounds);
+}
+
+double repeat_made(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_t seed) {
   std::vector<double> x(n);
   for (std::uint64_t i = 0; i < n; ++i) x[i] = 1e9 + static_cast<double>(i * 7919 % 1000) * 1e-3;
-  return repeat_over(x, task, rounds);
+  return repeat(task, std::move(x), rounds, seed);
 }
 
 }  // namespace mc::experiments
@@ -122,17 +145,25 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(mean, "x", "1.1  mean of x"),
       MC_EXPERIMENT(variance_textbook, "x", "1.2  variance of x by E{X^2} - E{X}^2"),
       MC_EXPERIMENT(variance_two_pass, "x", "1.3  variance of x in two passes"),
-      MC_EXPERIMENT(welford, "x", "1.4  add() of each value of x"),
-      MC_EXPERIMENT(variance_of, "count:mean:m2", "1.4  variance of moments"),
-      MC_EXPERIMENT(stream, "count offset",
-                    "1.4  add() of count values offset + 4, 7, 13, 16, ..."),
-      MC_EXPERIMENT(merge, "count:mean:m2 count:mean:m2", "1.5  moments of two streams"),
-      MC_EXPERIMENT(merge_parts, "x sizes", "1.5  x added in parts of these sizes, then merged"),
-      MC_EXPERIMENT(covariance, "x y", "1.6  covariance of the pairs (x, y)"),
-      MC_EXPERIMENT(dependence, "joint columns", "1.7  distance of a table from independence"),
-      MC_EXPERIMENT(moments, "x", "1.8  moments of x, fast"),
-      MC_EXPERIMENT(repeat, "task x rounds", "the function of task 1.task, rounds times (timing)"),
-      MC_EXPERIMENT(repeat_made, "task n rounds", "the same over n values made here (timing)"),
+      MC_EXPERIMENT(two_pass_of_constants, "constants n",
+                    "1.3  variance of n equal values, for each constant"),
+      MC_EXPERIMENT(welford, "x", "1.4  moments after add() of each value of x"),
+      MC_EXPERIMENT(variance_of, "moments", "1.4  variance() of moments, given as count:mean:m2"),
+      MC_EXPERIMENT(stream, "moments x count",
+                    "1.4  add() of count values (x over and over) to moments count:mean:m2"),
+      MC_EXPERIMENT(merge, "a b", "1.5  merge() of moments, each given as count:mean:m2"),
+      MC_EXPERIMENT(merge_parts, "x sizes",
+                    "1.5  add() of x in parts of these sizes, each merged into the whole"),
+      MC_EXPERIMENT(covariance, "x y", "1.6  covariance of the pairs (x[i], y[i])"),
+      MC_EXPERIMENT(dependence, "joint columns",
+                    "1.7  dependence of a joint table of weights, row by row"),
+      MC_EXPERIMENT(moments, "x", "1.8  moments of x, all at once"),
+      MC_EXPERIMENT(variances, "task x size",
+                    "variance by task 1.task of each part of x, size values long (plots)"),
+      MC_EXPERIMENT(repeat, "task x rounds seed",
+                    "mean of rounds variances by task 1.task, x changing (timing)"),
+      MC_EXPERIMENT(repeat_made, "task n rounds seed",
+                    "the same over n values near 1e9 that are made here (timing)"),
   };
   return all;
 }

@@ -21,7 +21,8 @@ set ylabel "digits kept"
 set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width -2
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title way[i]
+  plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 notitle, \
+       for [i=1:5] keyentry with linespoints ls i title way[i]
   unset key
   unset ylabel
 }
@@ -42,10 +43,12 @@ set xlabel "digits kept (more is better)"
 set ylabel "ns a value (less is better)"
 unset key
 array above[5] = [1, 1, 1, -1, 1]
+array task[5] = [2, 3, 4, 5, 8]
+speed(s, i) = sprintf("%s/speed-%d.tsv", data[s], task[i])
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2 with points ls i ps 2, \
-       for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 3:2:(way[i]) with labels offset 0,1.1*above[i]
+  plot for [i=1:5] speed(s, i) using 3:2 with points ls i ps 2, \
+       for [i=1:5] speed(s, i) using 3:2:(way[i]) with labels offset 0,1.1*above[i]
   unset ylabel
 }
 unset multiplot

@@ -3,7 +3,8 @@
 //
 // Var{X} = E{(X - E{X})^2} is one line of mathematics. Each function below is one way of getting a
 // computer to agree with it. Throughout: what is undefined is a quiet NaN, misuse throws
-// std::invalid_argument naming the argument, and "variance" is the sample variance, over n - 1.
+// std::invalid_argument naming the argument, and "variance" is the sample variance, over n - 1. An
+// infinity or a NaN among the values is never hidden: what depends on it is infinite or NaN, too.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@
 namespace mc {
 
 /// 1.1  The mean of `x`. NaN if there are no values. Finite wherever the true mean is a double, so
-/// also for {1e308, 1e308}, whose sum is not.
+/// also for {1e308, 1e308} and {-1e308, -1e308}, whose sums are not.
 double mean(std::span<const double> x);
 
 /// 1.2  Sample variance by the handy fact Var{X} = E{X^2} - E{X}^2, scaled by n/(n-1). In double,
@@ -33,7 +34,7 @@ struct Moments {
 };
 
 /// 1.4  Takes one more value into `moments`, in constant memory (Welford 1962; Knuth, TAOCP vol. 2,
-/// 4.2.2, eq. 15-16).
+/// 4.2.2, eq. 15-16). The count has 64 bits, all of which count.
 void add(Moments& moments, double x);
 
 /// 1.4  The sample variance of everything added so far. NaN below two values.
@@ -44,14 +45,17 @@ double variance(const Moments& moments);
 /// more than 64 bits: multiply them as doubles.
 Moments merge(const Moments& a, const Moments& b);
 
-/// 1.6  Sample covariance of the pairs (x[i], y[i]), over n - 1. NaN for fewer than two pairs.
+/// 1.6  Sample covariance of the pairs (x[i], y[i]), over n - 1. NaN for fewer than two pairs. Its
+/// error is at most 10 n eps (kappa_x + kappa_y) sigma_x sigma_y with kappa = sqrt(1 + mean^2 /
+/// variance) of each, whatever the scales of x and y are, alike or not.
 /// Throws std::invalid_argument where the sizes of x and y differ.
 double covariance(std::span<const double> x, std::span<const double> y);
 
 /// 1.7  How far a joint distribution is from independence: max |p(x,y) - p(x) p(y)|. `joint` is a
-/// table of weights, row by row, `columns` wide; any positive total (it is normalised here). Zero,
-/// up to 4 eps, exactly when X and Y are independent. Throws std::invalid_argument for no columns,
-/// a size that is no multiple of `columns`, a negative or NaN weight, a total that is not positive.
+/// table of weights, row by row, `columns` wide; any positive total that is a double (it is
+/// normalised here). Zero, up to 4 eps, exactly when X and Y are independent. Throws
+/// std::invalid_argument for no columns, a size that is no multiple of `columns`, a negative,
+/// infinite or NaN weight, a total that is not positive.
 double dependence(std::span<const double> joint, std::size_t columns);
 
 /// 1.8  The speed task: the moments of `x`, all at once, as fast as you can and with no fewer

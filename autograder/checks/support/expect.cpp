@@ -77,6 +77,22 @@ void expect_nan(const std::string& what, double got, const std::string& because)
               "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
 }
 
+void expect_refused(const Call& call, const std::string& because) {
+  const auto& outcome = call.outcome;
+  const bool threw_another = outcome.answered && (outcome.status == wire::Status::out_of_range ||
+                                                  outcome.status == wire::Status::other_exception);
+  if (threw_another || (outcome.answered && outcome.status == wire::Status::value)) {
+    tell(threw_another ? fmt::format("{} threw another exception: {}", call.text, outcome.bytes)
+                       : fmt::format("{} returned a value", call.text),
+         "std::invalid_argument", because,
+         "misuse throws std::invalid_argument, before anything is computed");
+  }
+  if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
+    require_value(call);  // ends the check with what happened instead
+  }
+  pass();
+}
+
 void expect_invalid_argument(const Call& call, const std::string& argument,
                              const std::string& because) {
   const auto& outcome = call.outcome;

@@ -92,7 +92,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double weight = joint[row * columns + column];
-      if (weight < 0 || std::isnan(weight)) throw std::invalid_argument("joint: a bad weight");
+      if (weight < 0 || !std::isfinite(weight)) throw std::invalid_argument("joint: a bad weight");
       total += weight;
       of_row[row] += weight;
       of_column[column] += weight;

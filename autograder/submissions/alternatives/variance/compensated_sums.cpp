@@ -109,7 +109,8 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   Sum total;
   std::vector<Sum> rows(joint.size() / columns), of_column(columns);
   for (std::size_t i = 0; i < joint.size(); ++i) {
-    if (!(joint[i] >= 0)) throw std::invalid_argument("joint has a negative weight or a NaN");
+    if (!(joint[i] >= 0) || std::isinf(joint[i]))
+      throw std::invalid_argument("joint has a negative, infinite or NaN weight");
     total += joint[i];
     rows[i / columns] += joint[i];
     of_column[i % columns] += joint[i];

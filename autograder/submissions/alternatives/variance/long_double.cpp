@@ -104,8 +104,9 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 double dependence(std::span<const double> joint, std::size_t columns) {
   if (columns == 0) throw std::invalid_argument("columns: 0");
   if (joint.size() % columns > 0) throw std::invalid_argument("joint is not full rows of columns");
-  if (std::any_of(joint.begin(), joint.end(), [](double weight) { return !(weight >= 0); })) {
-    throw std::invalid_argument("weights are not negative, and not NaN");
+  if (std::any_of(joint.begin(), joint.end(),
+                  [](double weight) { return !(weight >= 0) || std::isinf(weight); })) {
+    throw std::invalid_argument("weights are finite and not negative");
   }
   const long double total = sum_of(joint);
   if (total <= 0) throw std::invalid_argument("the total must be positive");

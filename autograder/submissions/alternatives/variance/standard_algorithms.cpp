@@ -81,7 +81,7 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 
 double dependence(std::span<const double> joint, std::size_t columns) {
   if (columns == 0 || joint.size() % columns != 0) throw std::invalid_argument("columns");
-  if (!std::ranges::all_of(joint, [](double weight) { return weight >= 0; })) {
+  if (!std::ranges::all_of(joint, [](double weight) { return weight >= 0 && weight < INFINITY; })) {
     throw std::invalid_argument("joint: weights from 0");
   }
   const double total = std::accumulate(joint.begin(), joint.end(), 0.0);

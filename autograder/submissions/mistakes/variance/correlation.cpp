@@ -1,6 +1,7 @@
 // mistake: the correlation where the covariance is asked for
 // caught by: 1.6 the covariance of pairs
-// caught by: 1.6 the covariance keeps its digits
+// caught by: 1.6 the covariance keeps its digits under
+// caught by: 1.6 the covariance keeps its digits at any scale
 // hint: this is the correlation
 #include "variance.hpp"
 #define covariance right_covariance

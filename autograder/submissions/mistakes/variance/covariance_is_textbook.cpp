@@ -1,5 +1,5 @@
 // mistake: E{XY} - E{X} E{Y}, the textbook formula of the covariance
-// caught by: 1.6 the covariance keeps its digits
+// caught by: 1.6 the covariance keeps its digits under
 // hint: E{XY} - E{X}E{Y} is the textbook formula again
 #include "variance.hpp"
 #define covariance right_covariance

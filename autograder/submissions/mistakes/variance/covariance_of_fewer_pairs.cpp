@@ -1,5 +1,6 @@
 // mistake: takes as many pairs as there are where the sizes differ
-// caught by: 1.6 the covariance of pairs
+// caught by: 1.6 lists of two sizes
+// caught by: 1.6 the refusal names
 // hint: misuse throws std::invalid_argument
 #include "variance.hpp"
 #define covariance right_covariance

@@ -1,6 +1,7 @@
 // mistake: divides by n where a sample covariance divides by n - 1
 // caught by: 1.6 the covariance of pairs
-// caught by: 1.6 the covariance keeps its digits
+// caught by: 1.6 the covariance keeps its digits under
+// caught by: 1.6 the covariance keeps its digits at any scale
 // hint: this divides by n; a sample covariance divides by n - 1
 #include "variance.hpp"
 #define covariance right_covariance

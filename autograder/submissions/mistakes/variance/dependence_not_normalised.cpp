@@ -2,7 +2,6 @@
 // caught by: 1.7 the dependence of a joint table
 // caught by: 1.7 independent variables have dependence zero
 // caught by: 1.7 the circle
-// caught by: 1.7 what is no distribution
 // hint: the weights are no probabilities yet: divide by their total
 #include "variance.hpp"
 #define dependence right_dependence

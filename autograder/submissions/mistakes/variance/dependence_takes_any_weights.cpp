@@ -1,5 +1,6 @@
 // mistake: takes negative and NaN weights as they come
 // caught by: 1.7 what is no distribution
+// caught by: 1.7 each refusal names
 // hint: misuse throws std::invalid_argument
 #include "variance.hpp"
 #define dependence right_dependence

@@ -1,7 +1,7 @@
 // mistake: adds the values up in a float
 // caught by: 1.1 the mean of a list of values
 // caught by: 1.1 the mean is finite
-// hint: these are the digits of a float
+// hint: a float keeps seven digits
 // hint: a float ends at 3.4e38
 #include "variance.hpp"
 #define mean(x) right_mean(x)

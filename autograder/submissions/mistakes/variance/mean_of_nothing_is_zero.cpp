@@ -1,5 +1,5 @@
 // mistake: calls the mean of nothing 0
-// caught by: 1.1 the mean of a list of values
+// caught by: 1.1 the mean of nothing
 // hint: quiet_NaN() for what is undefined
 #include "variance.hpp"
 #define mean(x) right_mean(x)

@@ -1,6 +1,7 @@
 // mistake: sums in float lanes, twice as many to a register
 // caught by: 1.8 the moments of a list of any length
 // caught by: 1.8 the moments keep their digits on hard data
+// caught by: 1.8 the moments keep their digits beside outliers
 // hint: Is any sum a float?
 #include "variance.hpp"
 #define moments right_moments

@@ -1,6 +1,7 @@
 // mistake: shifts the data and leaves the mean where it was shifted to
 // caught by: 1.8 the moments of a list of any length
 // caught by: 1.8 the moments keep their digits on hard data
+// caught by: 1.8 the moments keep their digits beside outliers
 // hint: was the shift put back
 #include "variance.hpp"
 #define moments right_moments

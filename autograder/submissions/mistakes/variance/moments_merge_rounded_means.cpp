@@ -1,6 +1,6 @@
 // mistake: merges blocks by their means, each rounded where the data are
 // caught by: 1.8 the moments keep their digits on hard data
-// hint: carry them as offsets from one shift near the data
+// hint: is a mean rounded here before it is compared
 #include "variance.hpp"
 #define moments right_moments
 #include "solutions/variance.cpp"

@@ -1,6 +1,6 @@
 // mistake: one pass about the first value, which may be far from all others
-// caught by: 1.8 the moments keep their digits on hard data
-// hint: the first value may lie far from all others
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: these are the digits of sums about the first value
 #include "variance.hpp"
 #define moments right_moments
 #include "solutions/variance.cpp"

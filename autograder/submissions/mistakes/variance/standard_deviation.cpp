@@ -3,6 +3,7 @@
 // caught by: 1.3 the two-pass variance of tame data
 // caught by: 1.3 two passes keep their digits under a large mean
 // caught by: 1.3 two passes on hard cases
+// caught by: 1.3 sigma of aX
 // hint: this is the standard deviation
 #include "variance.hpp"
 #define variance_two_pass right_variance_two_pass

@@ -1,5 +1,5 @@
 // mistake: calls the variance of one value 0
-// caught by: 1.3 the two-pass variance of tame data
+// caught by: 1.3 fewer than two values
 // hint: quiet_NaN() for what is undefined
 #include "variance.hpp"
 #define variance_two_pass right_variance_two_pass

@@ -1,4 +1,5 @@
 // mistake: counts in a float, which 1 no longer changes from 2^24 on
+// caught by: 1.4 one more value after very many
 // caught by: 1.4 Welford survives a stream
 // hint: a float counts to 2^24 only
 #include "variance.hpp"

@@ -2,8 +2,7 @@
 // caught by: 1.4 add keeps count and mean and m2
 // caught by: 1.4 Welford keeps his digits
 // caught by: 1.4 Welford on constant data
-// caught by: 1.4 Welford survives a stream
-// hint: these are the digits of a float
+// hint: a float keeps seven digits
 #include "variance.hpp"
 #define add right_add
 #include "solutions/variance.cpp"
