@@ -89,7 +89,7 @@ TEST_CASE("3.5 each point is uniform in its cell", "[3.5][points:2]") {
       for (std::size_t k = 0; k < n; ++k) u[d][set * n + cells[k]] = jitter_of(column[k], per_axis);
     }
   }
-  for (const auto& [one, other] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+  for (const auto& [one, other] : pairs_of_three) {
     expect_independent(
         got.call, u[one], u[other],
         fmt::format("jitter along axes {} and {} is uniform and independent", one, other),
@@ -194,7 +194,7 @@ TEST_CASE("3.6 the orders of the axes are independent", "[3.6][points:3][needs:3
     }
   }
   for (std::size_t d = 0; d < dims; ++d) u[d] = jitters_of(got, d, n);
-  for (const auto& [one, other] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+  for (const auto& [one, other] : pairs_of_three) {
     expect_all_orders(got.call, relative_orders(orders[one], orders[other], n), n,
                       fmt::format("axes {} and {} come in independent orders", one, other),
                       own_shuffle, "shuffle every column by itself, with the shuffle of 3.4");

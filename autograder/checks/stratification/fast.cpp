@@ -41,7 +41,7 @@ Values lag_correlations(const Values& u, const Values& v, std::size_t first, std
 }
 
 TEST_CASE("3.9 fast numbers are as independent as slow ones",
-          "[3.9][points:3][needs:3.1][needs:3.3]") {
+          "[3.9][edge][points:3][needs:3.1][needs:3.3]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 32000, lags = 40;
   const std::string streams =

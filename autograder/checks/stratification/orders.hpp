@@ -10,6 +10,8 @@ namespace mc::checks {
 
 using Order = std::vector<std::size_t>;  ///< a permutation of 0 … n-1
 
+inline constexpr std::pair<std::size_t, std::size_t> pairs_of_three[] = {{0, 1}, {0, 2}, {1, 2}};
+
 /// The number, below n!, of a permutation of 0 … n-1 (Lehmer's code).
 inline std::size_t rank_of(std::span<const std::size_t> order) {
   std::size_t rank = 0;

@@ -98,9 +98,9 @@ inline std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
   for (std::size_t k = 0; k < x.size(); ++k) {
     ++points[*stratum_of(x[k], grid.nx) + grid.nx * *stratum_of(y[k], grid.ny)];
   }
-  const std::size_t cell =
+  const auto cell = static_cast<std::size_t>(
       std::find_if(points.begin(), points.end(), [](auto count) { return count != 1; }) -
-      points.begin();
+      points.begin());
   const std::size_t n = x.size();
   expect_that(
       false,
