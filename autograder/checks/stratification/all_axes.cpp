@@ -48,12 +48,14 @@ Order expect_one_in_each_box(const Sets& sets, std::size_t set, std::size_t per_
     for (std::size_t d = 0; d < sets.dims; ++d) {
       axes = axes && has_each(sets.column(set, d), per_axis, sets.n / per_axis);
     }
-    expect_that(false, fmt::format("{}: {} points in cell ({})", sets.call, points[cell], place),
-                "one point", "every cell of the grid over all dimensions has one, in any order",
-                axes && sets.n > 16
-                    ? "each axis has its points, but not each cell: point k lies in cell k, whose "
-                      "strata are the digits of k in base per_axis"
-                    : "point k lies in cell k: its strata are the digits of k in base per_axis");
+    expect_that(
+        false, fmt::format("{}: {} points in cell ({})", sets.call, points[cell], place),
+        "one point", "every cell of the grid over all dimensions has one, in any order",
+        axes && sets.n > 16
+            ? "each axis has its points, but not each cell: one for each k, whose strata are "
+              "the digits of k in base per_axis"
+            : "one point for each cell k, whose strata are the digits of k in base "
+              "per_axis");
   }
   pass();
   return cells;

@@ -5,13 +5,13 @@
 #include "checks/stratification/orders.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/data.hpp"
+#include "checks/support/distributions.hpp"
 #include "checks/support/strata.hpp"
 
 namespace mc::checks {
 namespace {
 
-const std::string fair =
-    "swap each value with one of those not placed yet, itself included: j from i to n-1";
+const std::string fair = "each of the n values left is as likely to come next as any other";
 
 Values counting(std::size_t n) {
   Values x(n);
@@ -48,12 +48,65 @@ Order orders_of(Rng& rng, std::size_t n, std::size_t times, std::string& call) {
   return all;
 }
 
+/// How likely each of the 120 orders of five values is where every value changes places with any of
+/// the five: of 5^5 equally likely ways.
+Values orders_of_swaps_with_any(bool backwards) {
+  Values chances(120);
+  for (std::size_t way = 0; way < 3125; ++way) {
+    std::array<std::size_t, 5> order{0, 1, 2, 3, 4};
+    for (std::size_t k = 0, rest = way; k < 5; ++k, rest /= 5) {
+      std::swap(order[backwards ? 4 - k : k], order[rest % 5]);
+    }
+    chances[rank_of(order)] += 1.0 / 3125;
+  }
+  return chances;
+}
+
+/// What is wrong with a shuffle whose orders of five values are not equally likely, if it is one of
+/// those that everybody writes once.
+std::string shuffle_hint(const Order& orders) {
+  constexpr std::size_t n = 5;
+  std::vector<std::uint64_t> counts(120);
+  bool only_cycles = true;
+  std::array<bool, n> stays{true, true, true, true, true};
+  for (std::size_t first = 0; first < orders.size(); first += n) {
+    const auto order = std::span(orders).subspan(first, n);
+    ++counts[rank_of(order)];
+    std::size_t length = 1;
+    for (std::size_t at = order[0]; at != 0; at = order[at]) ++length;
+    only_cycles = only_cycles && length == n;
+    for (std::size_t k = 0; k < n; ++k) stays[k] = stays[k] && order[k] == k;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (stays[k]) return fmt::format("value {} of 0 … 4 never moves: all five take part", k);
+  }
+  if (only_cycles) {
+    return "no value ever stays in its place: let it change places with itself too (j from i, not "
+           "from i + 1)";
+  }
+  for (const bool backwards : {false, true}) {
+    const Values chances = orders_of_swaps_with_any(backwards);
+    double chi_squared = 0;
+    for (std::size_t i = 0; i < chances.size(); ++i) {
+      const double due = chances[i] * static_cast<double>(orders.size() / n);
+      const double off = static_cast<double>(counts[i]) - due;
+      chi_squared += off * off / due;
+    }
+    if (chi_squared_tails(chi_squared, 119).upper > 1e-4) {
+      return "each value changes places with any of the n, which favours some orders: with itself "
+             "or one of those not placed yet (j from i to n-1)";
+    }
+  }
+  return fair;
+}
+
 TEST_CASE("3.4 every order is as likely as any other", "[3.4][main][points:3]") {
   Rng rng = check_rng();
   std::string call;
   const Order few = orders_of(rng, 5, 12000, call);
   expect_all_orders(call, few, 5, "the 120 orders of five values are equally likely",
-                    "the order is always the same", fair);
+                    "the order is always the same: draw it from the generator that is passed in",
+                    shuffle_hint(few));
 
   // Where the first and the last of 100 values go, in five parts: of 100 * 99 pairs of places.
   constexpr std::size_t n = 100;
@@ -236,7 +289,7 @@ TEST_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.3]"
   for (std::size_t pattern = 0; pattern < 3; ++pattern) {
     expect_all_orders(got.call, orders[pattern], 4,
                       fmt::format("the cells of {} come in any order", pattern_names[pattern]),
-                      shuffled, shuffled);
+                      shuffled, "shuffle all the points of each pattern");
   }
   // Strata drawn without replacement: (N-n)/(N-1) of the variance between them is left.
   const auto axis = strata_of(gaussian, 8);

@@ -94,7 +94,9 @@ inline void expect_in_order(const std::string& call, View x) {
     expect_that(false, fmt::format("{}: x[{}] = {}", call, i, x[i]),
                 fmt::format("a value in [{}/{}, {}/{}) = [{}, {})", i, n, i + 1, n, low, high),
                 "point i lies in stratum i, with edges i / N and (i+1) / N in double division",
-                only_order     ? "every stratum has its point, but they do not come in order"
+                only_order ? "every stratum has its point, but they do not come in order"
+                : n > 2 && sorted.back() < 1 / static_cast<double>(n)
+                    ? "every point lies in the first stratum: i / N of two whole numbers is 0"
                 : x[i] == high ? "it was rounded up to the edge: hold the point below i + 1, over N"
                 : std::nextafter(x[i], 1.0) == low
                     ? "it was rounded down below the edge: 1 / N is rounded, and so is its product"

@@ -110,6 +110,8 @@ inline std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
       // a few points fit by chance, a dozen once in 1e4
       n >= 12 && grid.nx != grid.ny && !cells_of(x, y, {grid.ny, grid.nx}).empty()
           ? "nx and ny have changed places: nx cells along x, ny along y"
+      : n >= 4 && points[0] == n
+          ? "every point lies in cell (0, 0): i / nx of two whole numbers is 0"
       : is_stratified(x, n) && is_stratified(y, n)
           ? "each axis is stratified, the plane is left to chance: two 1D patterns are not a 2D "
             "pattern, nor is one whose x and y were shuffled apart"
