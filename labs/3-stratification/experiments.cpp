@@ -1,7 +1,10 @@
 #include "experiments.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <set>
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
@@ -13,6 +16,15 @@ namespace {
 std::size_t root(std::size_t n, std::size_t d) {
   return static_cast<std::size_t>(
       std::llround(std::pow(static_cast<double>(n), 1 / static_cast<double>(d))));
+}
+
+constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
+
+/// What a function leaves unwritten shows.
+void clear(PointSet& points) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    std::fill(points.column(d).begin(), points.column(d).end(), unwritten);
+  }
 }
 
 /// Points of task 3.`task`. Two-dimensional patterns take the first two columns.
@@ -87,6 +99,7 @@ std::vector<double> many(std::uint64_t n, std::uint64_t dims, std::uint64_t sets
   all.reserve(n * dims * sets);
   PointSet points(n, dims);
   for (std::uint64_t set = 0; set < sets; ++set) {
+    clear(points);
     fill(points, rng);
     for (std::size_t d = 0; d < dims; ++d) {
       const auto column = points.column(d);
@@ -101,7 +114,7 @@ using Pattern2D = void(std::span<double>, std::span<double>, Grid, Rng&);
 Points many_2d(Pattern2D pattern, Grid grid, std::uint64_t sets, std::uint64_t seed) {
   Rng rng(seed);
   const std::size_t n = grid.nx * grid.ny;
-  Points all{std::vector<double>(n * sets), std::vector<double>(n * sets)};
+  Points all{std::vector<double>(n * sets, unwritten), std::vector<double>(n * sets, unwritten)};
   for (std::uint64_t set = 0; set < sets; ++set) {
     pattern(std::span(all.x).subspan(set * n, n), std::span(all.y).subspan(set * n, n), grid, rng);
   }
@@ -109,7 +122,7 @@ Points many_2d(Pattern2D pattern, Grid grid, std::uint64_t sets, std::uint64_t s
 }
 
 Points one_2d(Pattern2D pattern, std::uint64_t size_x, std::uint64_t size_y, Grid grid, Rng rng) {
-  Points one{std::vector<double>(size_x), std::vector<double>(size_y)};
+  Points one{std::vector<double>(size_x, unwritten), std::vector<double>(size_y, unwritten)};
   pattern(one.x, one.y, grid, rng);
   return one;
 }
@@ -117,12 +130,18 @@ Points one_2d(Pattern2D pattern, std::uint64_t size_x, std::uint64_t size_y, Gri
 Replicated with_counts(const Integrand& g, const Generator& generator, std::uint64_t n,
                        std::uint64_t replicates, Rng& rng) {
   Replicated got;
+  std::set<std::uint64_t> first_words;
   const Integrand counted{g.dims, [&](std::span<const double> x) {
                             ++got.evaluated;
-                            return g.f(x);
+                            if (x.size() != g.dims) ++got.misshapen;
+                            return x.size() < g.dims ? unwritten : g.f(x);
                           }};
   const Generator counting = [&](PointSet& points, Rng& from) {
     ++got.generated;
+    if (points.size() != n || points.dims() != g.dims) ++got.misshapen;
+    Rng copy = from;  // what it would draw first
+    if (!first_words.insert(copy()).second) ++got.repeated;
+    clear(points);
     generator(points, from);
   };
   const Estimate estimate = mc::estimate_replicated(counted, counting, n, replicates, rng);
@@ -140,7 +159,7 @@ std::vector<double> stratified_1d(std::uint64_t n, std::uint64_t sets, std::uint
 }
 
 std::vector<double> stratified_1d_constant(std::uint64_t n, std::uint64_t word) {
-  std::vector<double> x(n);
+  std::vector<double> x(n, unwritten);
   Rng rng = Rng::constant(word);
   mc::stratified_1d(x, rng);
   return x;
@@ -200,21 +219,29 @@ std::vector<double> estimates(unsigned task, Function g, std::uint64_t dims, std
   PointSet points(n, dims);
   std::vector<double> means;
   for (std::uint64_t set = 0; set < sets; ++set) {
+    clear(points);
     make_points(task, points, rng);
     means.push_back(mean_of(g, points, used));
   }
   return means;
 }
 
-Replicated estimate_replicated(std::vector<double> values, std::uint64_t n,
+Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std::uint64_t dims,
                                std::uint64_t replicates) {
   std::size_t next = 0;
-  const Generator dealing = [&](PointSet& points, Rng&) {
-    for (double& value : points.column(0)) value = values[next++ % values.size()];
+  const Generator dealing = [&](PointSet& points, Rng& from) {
+    from();  // as one that needs random numbers would
+    for (std::size_t d = 0; d < points.dims(); ++d) {
+      for (double& value : points.column(d)) value = values[next++ % values.size()];
+    }
+  };
+  const auto weighted = [dims](std::span<const double> x) {
+    double sum = 0;
+    for (std::size_t d = 0; d < dims; ++d) sum += static_cast<double>(d + 1) * x[d];
+    return sum;
   };
   Rng rng(1);
-  return with_counts({1, [](std::span<const double> x) { return x[0]; }}, dealing, n, replicates,
-                     rng);
+  return with_counts({dims, weighted}, dealing, n, replicates, rng);
 }
 
 std::vector<Replicated> estimates_replicated(unsigned task, Function g, std::uint64_t dims,
@@ -291,28 +318,40 @@ double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds) {
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
-      MC_EXPERIMENT(stratified_1d, "n sets seed", "3.1  sets of n points"),
-      MC_EXPERIMENT(stratified_1d_constant, "n word", "3.1  n points from a constant generator"),
-      MC_EXPERIMENT(strata, "n,…", "3.2  the grid of each n"),
-      MC_EXPERIMENT(stratified_2d, "nx:ny sets seed", "3.3  sets of points on a grid"),
-      MC_EXPERIMENT(stratified_2d_into, "size_x size_y nx:ny", "3.3  x and y of given sizes"),
-      MC_EXPERIMENT(stratified_2d_constant, "nx:ny word", "3.3  points from a constant generator"),
-      MC_EXPERIMENT(shuffle, "x times seed", "3.4  x in random orders"),
-      MC_EXPERIMENT(stratified, "n dims sets seed", "3.4  sets of n points, column by column"),
-      MC_EXPERIMENT(stratified_nd, "n dims per_axis sets seed",
-                    "3.5  sets of n points, column by column"),
-      MC_EXPERIMENT(latin_hypercube, "n dims sets seed", "3.6  sets of n points, column by column"),
-      MC_EXPERIMENT(multi_jittered, "nx:ny sets seed", "3.7  sets of points on a grid"),
-      MC_EXPERIMENT(multi_jittered_into, "size_x size_y nx:ny", "3.7  x and y of given sizes"),
-      MC_EXPERIMENT(estimates, "task kind:a:b:edge dims n used sets seed",
-                    "means over the first used of n points of task 3.task, set by set"),
-      MC_EXPERIMENT(estimate_replicated, "values n replicates",
-                    "3.8  replicated means of the values, dealt out in turn"),
-      MC_EXPERIMENT(estimates_replicated, "task kind:a:b:edge dims n replicates times seed",
-                    "3.8  replicated estimates with points of task 3.task"),
-      MC_EXPERIMENT(shadow, "task width n seed", "a picture of a soft shadow, row by row"),
-      MC_EXPERIMENT(repeat, "task n dims rounds", "n points of task 3.task, rounds times (timing)"),
-      MC_EXPERIMENT(repeat_textbook, "dims n rounds", "the same by a textbook's loop (timing)"),
+      // a grid is typed nx:ny, a function kind:a:b:edge
+      MC_EXPERIMENT(stratified_1d, "points sets seed", "3.1  sets of stratified points, in order"),
+      MC_EXPERIMENT(stratified_1d_constant, "points word",
+                    "3.1  points from a generator that returns one word for ever"),
+      MC_EXPERIMENT(strata, "cells", "3.2  the most square grid of each number of cells"),
+      MC_EXPERIMENT(stratified_2d, "grid sets seed",
+                    "3.3  jittered grids nx:ny, all x, then all y"),
+      MC_EXPERIMENT(stratified_2d_into, "size-x size-y grid",
+                    "3.3  a jittered grid nx:ny into an x and a y of these sizes"),
+      MC_EXPERIMENT(stratified_2d_constant, "grid word",
+                    "3.3  a jittered grid nx:ny from a generator that returns one word for ever"),
+      MC_EXPERIMENT(shuffle, "x times seed", "3.4  the values x in random orders"),
+      MC_EXPERIMENT(stratified, "points dims sets seed",
+                    "3.4  padded patterns, set by set, column by column"),
+      MC_EXPERIMENT(stratified_nd, "points dims per-axis sets seed",
+                    "3.5  grids over all dimensions, set by set, column by column"),
+      MC_EXPERIMENT(latin_hypercube, "points dims sets seed",
+                    "3.6  Latin hypercubes, set by set, column by column"),
+      MC_EXPERIMENT(multi_jittered, "grid sets seed",
+                    "3.7  multi-jittered points of grids nx:ny, all x, then all y"),
+      MC_EXPERIMENT(multi_jittered_into, "size-x size-y grid",
+                    "3.7  multi-jittered points of a grid nx:ny into an x and a y of these sizes"),
+      MC_EXPERIMENT(estimates, "task function dims points used sets seed",
+                    "means of kind:a:b:edge over the first points used, by task 3.task"),
+      MC_EXPERIMENT(estimate_replicated, "values points dims replicates",
+                    "3.8  replicated means of x0 + 2 x1 + …, coordinates dealt out in turn"),
+      MC_EXPERIMENT(estimates_replicated, "task function dims points replicates times seed",
+                    "3.8  replicated estimates of kind:a:b:edge by points of task 3.task"),
+      MC_EXPERIMENT(shadow, "task width points seed",
+                    "a soft shadow, pixels row by row, by points of task 3.task"),
+      MC_EXPERIMENT(repeat, "task points dims rounds",
+                    "for timing: points of task 3.task, made again and again"),
+      MC_EXPERIMENT(repeat_textbook, "dims points rounds",
+                    "for timing: jittered points by a textbook's loop and std::mt19937_64"),
   };
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What lab 3 measures of a submission. Where an experiment makes several sets of points, they are
-// made in turn with one generator, and stand one after the other in what it returns.
+// made in turn with one generator, and stand one after the other in what it returns. Whatever is to
+// be written holds NaN before.
 
 #include <cstdint>
 #include <vector>
@@ -70,11 +71,14 @@ struct Replicated {
   double value = 0, standard_error = 0;
   std::uint64_t n = 0;
   std::uint64_t generated = 0, evaluated = 0;  ///< calls of the generator and of the integrand
+  std::uint64_t misshapen = 0;  ///< of them with sets that are not n x dims, points of other dims
+  std::uint64_t repeated = 0;   ///< calls of the generator with random numbers that it had before
 };
-MC_FIELDS(Replicated, value, standard_error, n, generated, evaluated)
+MC_FIELDS(Replicated, value, standard_error, n, generated, evaluated, misshapen, repeated)
 
-/// 3.8: of the identity, with a generator that deals out `values` in turn, over and over.
-Replicated estimate_replicated(std::vector<double> values, std::uint64_t n,
+/// 3.8: of x0 + 2 x1 + 3 x2 + …, with a generator that deals out `values` in turn, over and over,
+/// column by column.
+Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std::uint64_t dims,
                                std::uint64_t replicates);
 
 /// 3.8: `times` times of `g` over n points of task 3.`task`, as in estimates().

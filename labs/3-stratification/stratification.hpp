@@ -37,8 +37,8 @@ Grid strata(std::size_t n);
 /// grid has no cells, and where nx * ny, which may be more than 64 bits hold, is not their size.
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng);
 
-/// 3.4  Puts the values into random order, each of the N! orders as likely as any other
-/// (Durstenfeld 1964, "Algorithm 235: random permutation").
+/// 3.4  Puts the values into random order, each of the N! orders as likely as any other, in about N
+/// steps (Durstenfeld 1964, "Algorithm 235: random permutation").
 void shuffle(std::span<double> x, Rng& rng);
 
 /// 3.4  Stratified points of any number of dimensions, by padding: dimensions (0,1), (2,3), … each

@@ -129,6 +129,59 @@ inline double edge_kurtosis(const WithinStrata& strata) {
   return 3 + fourth / (sum_of(strata.variance) * sum_of(strata.variance));
 }
 
+/// The integrals of 1, ln(x+y), … ln(x+y)^4 over [x, x + side) x [y, y + side): second differences
+/// of B_k, whose second derivative is ln(t)^k. With C_k the integral of t ln(t)^k, by parts,
+/// C_k = t^2/2 ln(t)^k - k/2 C_(k-1) and B_k = C_k - k B_(k-1).
+inline std::array<long double, 5> log_integrals(long double x, long double y, long double side) {
+  const auto second_antiderivatives = [](long double t) {
+    std::array<long double, 5> b{};
+    if (t <= 0) return b;
+    const long double log = std::log(t);
+    long double c = t * t / 2, power = 1;
+    b[0] = c;
+    for (std::size_t k = 1; k < b.size(); ++k) {
+      power *= log;
+      c = t * t / 2 * power - static_cast<long double>(k) / 2 * c;
+      b[k] = c - static_cast<long double>(k) * b[k - 1];
+    }
+    return b;
+  };
+  const auto low = second_antiderivatives(x + y), middle = second_antiderivatives(x + y + side),
+             high = second_antiderivatives(x + y + 2 * side);
+  std::array<long double, 5> integrals{};
+  for (std::size_t k = 0; k < integrals.size(); ++k) {
+    integrals[k] = high[k] - 2 * middle[k] + low[k];
+  }
+  return integrals;
+}
+
+/// Of ln(x + y), which has no bound at a corner of the square, over side x side cells; and the
+/// kurtosis of the mean of one point in each of them, to which cumulants add up.
+struct CornerStrata {
+  WithinStrata strata;
+  double kurtosis = 3;
+};
+inline CornerStrata corner_strata(std::size_t side) {
+  CornerStrata corner;
+  const long double width = 1 / static_cast<long double>(side);
+  long double variances = 0, fourths = 0;
+  for (std::size_t j = 0; j < side; ++j) {
+    for (std::size_t i = 0; i < side; ++i) {
+      std::array<long double, 5> moment = log_integrals(static_cast<long double>(i) * width,
+                                                        static_cast<long double>(j) * width, width);
+      for (long double& one : moment) one /= width * width;  // E{g^k}
+      const long double mean = moment[1], square = mean * mean, variance = moment[2] - square;
+      corner.strata.mean.push_back(static_cast<double>(mean));
+      corner.strata.variance.push_back(static_cast<double>(variance));
+      variances += variance;
+      fourths += moment[4] - 4 * mean * moment[3] + 6 * square * moment[2] - 3 * square * square -
+                 3 * variance * variance;
+    }
+  }
+  corner.kurtosis = static_cast<double>(3 + fourths / (variances * variances));
+  return corner;
+}
+
 /// Variance of the mean of n independent points.
 inline double independent_variance(const WithinStrata& strata, std::size_t n) {
   return (sum_of(strata.variance) + between(strata)) / static_cast<double>(strata.size()) /

@@ -73,6 +73,13 @@ inline bool is_stratified(std::span<const double> x, std::size_t n) {
   return !cells_of(x, std::vector<double>(x.size()), {n, 1}).empty();
 }
 
+/// Whether each of `strata` has `each` points.
+inline bool has_each(std::span<const double> x, std::size_t strata, std::size_t each) {
+  std::vector<std::size_t> points(strata);
+  for (const double value : x) ++points[*stratum_of(value, strata)];
+  return std::all_of(points.begin(), points.end(), [=](auto count) { return count == each; });
+}
+
 /// One point in each cell of a grid; gives back which point is in which.
 inline std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
                                                         std::span<const double> x,
@@ -103,8 +110,15 @@ inline std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
       // a few points fit by chance, a dozen once in 1e4
       n >= 12 && grid.nx != grid.ny && !cells_of(x, y, {grid.ny, grid.nx}).empty()
           ? "nx and ny have changed places: nx cells along x, ny along y"
+      : n >= 4 && points[0] == n
+          ? "every point lies in cell (0, 0): i / nx of two whole numbers is 0"
       : is_stratified(x, n) && is_stratified(y, n)
-          ? "two 1D patterns are not a 2D pattern: the cells of the plane are left to chance"
+          ? "each axis is stratified, the plane is left to chance: two 1D patterns are not a 2D "
+            "pattern, nor is one whose x and y were shuffled apart"
+      : n >= 12 && grid.nx > 1 && grid.ny > 1 && has_each(x, grid.nx, grid.ny) &&
+              has_each(y, grid.ny, grid.nx)
+          ? "each row and each column of cells has its points, but not each cell: x and y of a "
+            "point belong together, and are shuffled together"
           : "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
   return {};
 }

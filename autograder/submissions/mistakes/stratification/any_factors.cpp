@@ -1,5 +1,6 @@
 // mistake: takes the smallest factor of n for ny, not the most square pair
 // caught by: 3.2 the grid is as square as n allows
+// caught by: 3.2 more cells than 32 bits count
 // hint: ny is the largest divisor of n
 #include "stratification.hpp"
 #define strata right_strata

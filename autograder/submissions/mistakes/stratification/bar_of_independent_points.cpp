@@ -1,6 +1,7 @@
 // mistake: takes s / sqrt(n) over all points, as if they were independent
 // caught by: 3.8 the error bar is the spread of the replicates
 // caught by: 3.8 the error bar is honest for stratified points
+// caught by: 3.8 one replicate has no error bar
 // hint: as if they were independent
 #include "stratification.hpp"
 

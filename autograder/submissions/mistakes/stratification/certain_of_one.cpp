@@ -1,5 +1,5 @@
 // mistake: one replicate is given an error bar of zero
-// caught by: 3.8 the error bar is the spread of the replicates
+// caught by: 3.8 one replicate has no error bar
 // hint: what is undefined
 #include "stratification.hpp"
 #define estimate_replicated right_estimate_replicated

@@ -1,9 +1,8 @@
 // mistake: stratifies every axis by itself and calls that a grid
 // caught by: 3.5 one point in each cell of all dimensions
 // caught by: 3.5 each point is uniform in its cell
-// caught by: 3.5 sizes that are no power are refused
 // caught by: 3.5 the curse of dimension
-// hint: its strata are the digits of k
+// hint: strata are the digits of k in base per_axis
 #include "stratification.hpp"
 #define stratified_nd right_stratified_nd
 #include "solutions/stratification.cpp"

@@ -1,4 +1,5 @@
 // mistake: shuffles all patterns but the first, so the first n of N see its first rows
+// caught by: 3.4 long patterns have no trend
 // caught by: 3.4 the first n of N are a fair sample
 // hint: who stops early
 #include "stratification.hpp"

@@ -1,7 +1,6 @@
 // mistake: nx cells along y and ny along x
 // caught by: 3.3 one point in each cell
 // caught by: 3.3 no point leaves its cell whatever the bits
-// caught by: 3.3 what is no grid of these points is refused
 // hint: nx and ny have changed places
 #include "stratification.hpp"
 #define stratified_2d right_stratified_2d

@@ -1,6 +1,6 @@
 // mistake: each value changes places with a later one, never with itself
 // caught by: 3.4 every order is as likely as any other
-// hint: itself included
+// hint: let it change places with itself too
 #include "stratification.hpp"
 
 #include <random>

@@ -2,6 +2,7 @@
 // caught by: 3.1 each point is uniform in its stratum
 // caught by: 3.1 the strata are independent of each other
 // caught by: 3.1 the error falls as N^-1.5
+// caught by: 3.1 a wave in each stratum gains nothing
 // hint: the same random numbers come again and again
 #include "stratification.hpp"
 

@@ -1,5 +1,6 @@
 // mistake: shuffles every pattern into the same order
 // caught by: 3.4 patterns are put side by side in independent orders
+// caught by: 3.4 long patterns have no trend
 // hint: each wants a shuffle of its own
 #include "stratification.hpp"
 #define stratified right_stratified

@@ -1,6 +1,6 @@
 // mistake: compares per_axis^dims with N in 64 bits, where it wraps around
 // caught by: 3.5 sizes that are no power are refused
-// hint: before anything is computed
+// hint: wraps around: divide, before anything is computed
 #include "stratification.hpp"
 #define stratified_nd right_stratified_nd
 #include "solutions/stratification.cpp"

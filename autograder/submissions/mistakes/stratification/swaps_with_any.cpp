@@ -1,6 +1,7 @@
 // mistake: each value changes places with any of the n, which favours some orders
 // caught by: 3.4 every order is as likely as any other
-// hint: itself included
+// caught by: 3.4 orders of many values have no trend
+// hint: each value changes places with any of the n
 #include "stratification.hpp"
 
 #include <random>

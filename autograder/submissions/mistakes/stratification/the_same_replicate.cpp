@@ -1,4 +1,5 @@
 // mistake: starts every replicate with a copy of the same generator
+// caught by: 3.8 the estimate is the mean of the replicates
 // caught by: 3.8 the error bar is honest for stratified points
 // hint: fresh points from the same generator
 #include "stratification.hpp"

@@ -1,5 +1,6 @@
 // mistake: puts the patterns side by side as they come
 // caught by: 3.4 patterns are put side by side in independent orders
+// caught by: 3.4 long patterns have no trend
 // caught by: 3.4 the first n of N are a fair sample
 // hint: each wants a shuffle of its own
 #include "stratification.hpp"

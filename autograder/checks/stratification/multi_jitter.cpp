@@ -1,0 +1,113 @@
+// 3.7: strata of the plane and of both axes at once.
+
+#include "checks/stratification/grids.hpp"
+#include "checks/stratification/levels.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/strata.hpp"
+
+namespace mc::checks {
+namespace {
+
+Sets multi_jittered(Rng& rng, Grid grid, std::size_t sets) {
+  return planes_of(MEASURE(multi_jittered, grid, sets, fresh_seed(rng)), grid, sets);
+}
+
+TEST_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][points:5]") {
+  Rng rng = check_rng();
+  for (const Grid grid : {Grid{8, 8}, Grid{16, 4}, Grid{3, 5}, Grid{2 + rng() % 30, 2 + rng() % 30},
+                          Grid{7, 1}, Grid{1, 11}, Grid{101, 1}, Grid{1, 1}}) {
+    const std::size_t n = grid.nx * grid.ny;
+    const Sets got = multi_jittered(rng, grid, 3);
+    for (std::size_t set = 0; set < 3; ++set) {
+      const View x = got.column(set, 0), y = got.column(set, 1);
+      expect_one_in_each_cell(got.call, x, y, grid);
+      const std::string elsewhere =
+          "a column of cells has ny strata of x, one for each of its cells; a row nx of y";
+      expect_one_in_each(got.call, "x", x, n, elsewhere);
+      expect_one_in_each(got.call, "y", y, n, elsewhere);
+    }
+    if (grid.nx == 8 && grid.ny == 8) {
+      expect_drawn_afresh(got, multi_jittered(rng, grid, 1), std::array{n, n});
+    }
+  }
+}
+
+TEST_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
+  Rng rng = check_rng();
+  constexpr Grid grid{4, 3};
+  constexpr std::size_t n = grid.nx * grid.ny, sets = 8000;
+  const Sets got = multi_jittered(rng, grid, sets);
+  // Points of one set may share a permutation, so a set counts once: with one cell, the same in all
+  // sets, and the one of its ny x nx parts that its point lies in.
+  const std::size_t cell = rng() % n;
+  std::vector<std::uint64_t> counts(n);
+  for (std::size_t set = 0; set < sets; ++set) {
+    const View x = got.column(set, 0), y = got.column(set, 1);
+    const auto cells = expect_one_in_each_cell(got.call, x, y, grid);
+    const auto k =
+        static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
+    const auto part_x = static_cast<std::size_t>(jitter_of(x[k], grid.nx) * grid.ny);
+    const auto part_y = static_cast<std::size_t>(jitter_of(y[k], grid.ny) * grid.nx);
+    ++counts[part_x * grid.nx + part_y];
+  }
+  const double each = 1 / static_cast<double>(n);
+  expect_counts(
+      fmt::format("{}, points in the 3 x 4 parts of cell ({}, {})", got.call, cell % grid.nx,
+                  cell / grid.nx),
+      counts, std::span(&each, 1),
+      {"a point of 3.7 lies in any of the ny x nx parts of its cell", alpha},
+      {{},
+       "the canonical arrangement is biased, and so is shuffling x only: within each column of "
+       "cells shuffle who gets which stratum of x, within each row of y"});
+}
+
+TEST_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
+  Rng rng = check_rng();
+  constexpr Grid grid{4, 3};
+  constexpr std::size_t n = grid.nx * grid.ny, sets = 6000;
+  const Sets got = multi_jittered(rng, grid, sets);
+  const Values u = jitters_of(got, 0, n), v = jitters_of(got, 1, n);
+  expect_independent(got.call, u, v, "the points of 3.7 are uniform in their strata of x and y",
+                     "the same random number moves x and y");
+  // Strata side by side, on either axis.
+  for (const std::size_t d : {0u, 1u}) {
+    const char* const axis = d == 0 ? "x" : "y";
+    Values here, there;
+    for (std::size_t set = 0; set < sets; ++set) {
+      const View column = got.column(set, d);
+      expect_one_in_each(got.call, axis, column, n, "see the main check of 3.7");
+      Values by_stratum(n);
+      for (const double value : column) by_stratum[*stratum_of(value, n)] = jitter_of(value, n);
+      for (std::size_t i = 0; i < n; ++i) (i % 2 == 0 ? here : there).push_back(by_stratum[i]);
+    }
+    expect_independent(got.call, here, there,
+                       fmt::format("strata of {} side by side are independent in 3.7", axis),
+                       one_for_all);
+    expect_fine(fmt::format("{}, {}", got.call, axis), d == 0 ? u : v, n);
+  }
+}
+
+TEST_CASE("3.7 a sum is estimated as in one dimension", "[3.7][points:1]") {
+  Rng rng = check_rng();
+  const auto axis = strata_of(exponential, 64);
+  auto expected = expected_of(axis);  // twice, independent: one x in each of 64 strata, one y too
+  expected.mean *= 2, expected.variance *= 2, expected.independent *= 2;
+  expect_level(multi_jittered(rng, {8, 8}, 1000), sum_over_axes("exp(x) + exp(y)", exponential),
+               expected, "estimates of exp(x) + exp(y) have the variance of two 1D patterns",
+               "every one of the N strata of x has one point, and every one of y");
+}
+
+Call into_multi(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
+  return MEASURE_OUTCOME(multi_jittered_into, size_x, size_y, grid);
+}
+
+TEST_CASE("3.7 what is no grid of these points is refused", "[3.7][edge][points:0.5]") {
+  for (const Misuse& misuse : grid_misuses(into_multi)) expect_refused(misuse);
+}
+
+TEST_CASE("3.7 the refusals name the argument", "[3.7][edge][points:0.5]") {
+  expect_grid_named(into_multi);
+}
+
+}  // namespace
+}  // namespace mc::checks

@@ -1,0 +1,18 @@
+// mistake: jitter of 8 random bits: one of 256 places in each stratum
+// caught by: 3.1 each point is uniform in its stratum
+// hint: the random numbers have too few bits
+#include "stratification.hpp"
+#define stratified_1d right_stratified_1d
+#include "solutions/stratification.cpp"
+#undef stratified_1d
+
+namespace mc {
+
+void stratified_1d(std::span<double> x, Rng& rng) {
+  const Strata strata(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = strata.place(static_cast<double>(i), static_cast<double>(rng() >> 56) / 256);
+  }
+}
+
+}  // namespace mc
