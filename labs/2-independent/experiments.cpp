@@ -6,10 +6,14 @@
 #include <random>
 #include <stdexcept>
 
+#include "common/todo.hpp"
 #include "runner/experiment.hpp"
 
 namespace mc::experiments {
 namespace {
+
+/// What stands in a span that is to be filled.
+constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array<std::size_t, 9> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5};
 
@@ -96,23 +100,66 @@ std::vector<double> to_unit(std::vector<std::uint64_t> words) {
   return all;
 }
 
-std::vector<Estimate> estimates(Function g, std::uint64_t n, std::uint64_t seed,
-                                std::uint64_t replicates) {
+std::vector<Counted> estimates(Function g, std::uint64_t n, std::uint64_t seed,
+                               std::uint64_t replicates) {
+  std::uint64_t evaluations = 0;
   const Integrand f = integrand(g);
-  return replicate(seed, replicates, [&](Rng& rng) { return estimate(f, n, rng); });
+  const Integrand counted{f.dims, [&](std::span<const double> x) {
+                            ++evaluations;
+                            return f.f(x);
+                          }};
+  return replicate(seed, replicates, [&](Rng& rng) {
+    evaluations = 0;
+    const Estimate one = estimate(counted, n, rng);
+    return Counted{one.value, one.standard_error, one.n, evaluations};
+  });
 }
 
-Trace trace(Function g, std::uint64_t n, std::uint64_t seed) {
-  Trace seen;
+Traces traces(Function g, std::uint64_t n, std::uint64_t seed, std::uint64_t replicates) {
+  Traces seen;
   const Integrand f = integrand(g);
   const Integrand watched{f.dims, [&](std::span<const double> x) {
                             seen.points.insert(seen.points.end(), x.begin(), x.end());
                             seen.values.push_back(f.f(x));
                             return seen.values.back();
                           }};
-  Rng rng(seed);
-  seen.estimate = estimate(watched, n, rng);
+  seen.estimates = replicate(seed, replicates, [&](Rng& rng) { return estimate(watched, n, rng); });
   return seen;
+}
+
+std::vector<Estimate> estimates_in_turn(std::vector<Function> g, std::uint64_t n,
+                                        std::vector<std::uint64_t> seeds) {
+  if (g.size() != seeds.size()) throw std::out_of_range("seeds: one for each g");
+  std::vector<Estimate> all;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    Rng rng(seeds[i]);
+    all.push_back(estimate(integrand(g[i]), n, rng));
+  }
+  return all;
+}
+
+ByLab1 by_lab_1(std::vector<double> values) {
+  const auto or_nan = [](auto function) {
+    try {
+      return function();
+    } catch (const todo&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  const auto added = [&] {
+    Moments all;
+    for (const double value : values) add(all, value);
+    return all;
+  };
+  ByLab1 by;
+  by.mean = or_nan([&] { return mean(values); });
+  by.variance_textbook = or_nan([&] { return variance_textbook(values); });
+  by.variance_two_pass = or_nan([&] { return variance_two_pass(values); });
+  by.mean_of_add = or_nan([&] { return added().mean; });
+  by.variance_of_add = or_nan([&] { return variance(added()); });
+  by.mean_of_moments = or_nan([&] { return moments(values).mean; });
+  by.variance_of_moments = or_nan([&] { return variance(moments(values)); });
+  return by;
 }
 
 std::vector<double> sample_exponential(std::vector<double> u, double rate) {
@@ -128,30 +175,46 @@ std::vector<double> pdf_power(std::vector<double> x, double a) {
   return each(x, [=](double value) { return mc::pdf_power(value, a); });
 }
 
-std::vector<Estimate> importance_estimates(Function g, Sampling p, std::uint64_t n,
-                                           std::uint64_t seed, std::uint64_t replicates) {
+std::vector<Counted> importance_estimates(Function g, Sampling p, std::uint64_t n,
+                                          std::uint64_t seed, std::uint64_t replicates) {
+  std::uint64_t evaluations = 0;
   const Integrand f = integrand(g);
   const Density by = density(p);
-  return replicate(seed, replicates, [&](Rng& rng) { return estimate_importance(f, by, n, rng); });
+  const Integrand counted{f.dims, [&](std::span<const double> x) {
+                            ++evaluations;
+                            return f.f(x);
+                          }};
+  return replicate(seed, replicates, [&](Rng& rng) {
+    evaluations = 0;
+    const Estimate one = estimate_importance(counted, by, n, rng);
+    return Counted{one.value, one.standard_error, one.n, evaluations};
+  });
 }
 
-Trace importance_trace(Function g, Sampling p, std::uint64_t n, std::uint64_t seed) {
-  Trace seen;
+ImportanceTraces importance_traces(Function g, Sampling p, std::uint64_t n, std::uint64_t seed,
+                                   std::uint64_t replicates) {
+  ImportanceTraces seen;
   const Integrand f = integrand(g);
   const Density by = density(p);
-  const Integrand watched{f.dims, [&](std::span<const double> x) {
-                            const double value = f.f(x);
-                            seen.points.insert(seen.points.end(), x.begin(), x.end());
-                            seen.values.push_back(value / by.pdf(x[0]));
-                            return value;
+  std::uint64_t evaluations = 0;
+  const Integrand counted{f.dims, [&](std::span<const double> x) {
+                            ++evaluations;
+                            return f.f(x);
                           }};
-  const Density counted{[&](double u) {
-                          ++seen.samples;
-                          return by.sample(u);
+  const Density watched{[&](double u) {
+                          const double x = by.sample(u);
+                          seen.u.push_back(u);
+                          seen.points.push_back(x);
+                          seen.values.push_back(f.f({&x, 1}));
+                          seen.densities.push_back(by.pdf(x));
+                          return x;
                         },
                         by.pdf};
-  Rng rng(seed);
-  seen.estimate = estimate_importance(watched, counted, n, rng);
+  seen.estimates = replicate(seed, replicates, [&](Rng& rng) {
+    evaluations = 0;
+    const Estimate one = estimate_importance(counted, watched, n, rng);
+    return Counted{one.value, one.standard_error, one.n, evaluations};
+  });
   return seen;
 }
 
@@ -164,6 +227,20 @@ std::vector<Interval> confidence_intervals(Function g, std::uint64_t n, double l
   const Integrand f = integrand(g);
   return replicate(seed, replicates,
                    [&](Rng& rng) { return mc::confidence_interval(estimate(f, n, rng), level); });
+}
+
+IntervalTraces interval_traces(Function g, std::uint64_t n, double level, std::uint64_t seed,
+                               std::uint64_t replicates) {
+  IntervalTraces seen;
+  const Integrand f = integrand(g);
+  const Integrand watched{f.dims, [&](std::span<const double> x) {
+                            seen.values.push_back(f.f(x));
+                            return seen.values.back();
+                          }};
+  seen.intervals = replicate(seed, replicates, [&](Rng& rng) {
+    return mc::confidence_interval(estimate(watched, n, rng), level);
+  });
+  return seen;
 }
 
 std::uint64_t samples_for(Estimate pilot, double target_error) {
@@ -180,19 +257,28 @@ std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, st
                    [&](Rng& rng) { return mc::irradiance_hemisphere(light, n, rng); });
 }
 
-std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes) {
+std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes, double before) {
   Rng rng(seed);
   std::vector<double> all;
   for (const std::uint64_t size : sizes) {
-    all.resize(all.size() + size, 2.0);
+    all.resize(all.size() + size, before);
     mc::uniforms(rng, std::span(all).last(size));
+  }
+  return all;
+}
+
+std::vector<double> uniforms_in_turn(std::vector<std::uint64_t> seeds, std::uint64_t size) {
+  std::vector<double> all(seeds.size() * size, unwritten);
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    Rng rng(seeds[i]);
+    mc::uniforms(rng, std::span(all).subspan(i * size, size));
   }
   return all;
 }
 
 std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size) {
   Rng rng = Rng::constant(word);
-  std::vector<double> all(size, 2.0);
+  std::vector<double> all(size, unwritten);
   mc::uniforms(rng, all);
   return all;
 }
@@ -227,7 +313,7 @@ class Source {
 std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t seed,
                              std::uint64_t replicates) {
   Source from(source, seed);
-  std::vector<double> block(size), all;
+  std::vector<double> block(size, unwritten), all;
   for (std::uint64_t i = 0; i < replicates; ++i) {
     from.fill(block);
     double sum = 0;
@@ -237,11 +323,20 @@ std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t 
   return all;
 }
 
-double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds) {
+Repeated repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds) {
   Source from(source, 1);
-  std::vector<double> block(size);
-  for (std::uint64_t round = 0; round < rounds; ++round) from.fill(block);
-  return block.back();
+  std::vector<double> block(size, unwritten);
+  Repeated seen;
+  double sum = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    const double& one = block[mix_bits(round) % size];
+    const double before = one;
+    from.fill(block);
+    sum += one;
+    seen.unchanged += one == before ? 1 : 0;
+  }
+  seen.mean = sum / static_cast<double>(rounds);
+  return seen;
 }
 
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds) {
@@ -259,30 +354,42 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
       MC_EXPERIMENT(to_unit, "words", "2.1  a number in [0, 1) from each word"),
       MC_EXPERIMENT(estimates, "g:parameter:scale:offset n seed replicates",
-                    "2.2  estimates from n samples each (1:0:1:0 is exp)"),
-      MC_EXPERIMENT(trace, "g:parameter:scale:offset n seed",
-                    "2.2  one of them, with the points and values it saw"),
-      MC_EXPERIMENT(sample_exponential, "u rate", "2.3  at each u"),
-      MC_EXPERIMENT(sample_power, "u a", "2.3  at each u"),
-      MC_EXPERIMENT(pdf_exponential, "x rate", "2.3  at each x"),
-      MC_EXPERIMENT(pdf_power, "x a", "2.3  at each x"),
+                    "2.2  estimates from n samples each (g 1:0:1:0 is exp)"),
+      MC_EXPERIMENT(traces, "g:parameter:scale:offset n seed replicates",
+                    "2.2  the same, with the points and values that g saw"),
+      MC_EXPERIMENT(estimates_in_turn, "g:parameter:scale:offset n seeds",
+                    "2.2  an estimate of each g, each from a generator of its own"),
+      MC_EXPERIMENT(by_lab_1, "values", "2.2  what lab 1's functions make of the values"),
+      MC_EXPERIMENT(sample_exponential, "u rate", "2.3  the x of each u"),
+      MC_EXPERIMENT(sample_power, "u a", "2.3  the x of each u"),
+      MC_EXPERIMENT(pdf_exponential, "x rate", "2.3  the density at each x"),
+      MC_EXPERIMENT(pdf_power, "x a", "2.3  the density at each x"),
       MC_EXPERIMENT(importance_estimates, "g:parameter:scale:offset p:parameter n seed replicates",
-                    "2.4  estimates with samples from a density"),
-      MC_EXPERIMENT(importance_trace, "g:parameter:scale:offset p:parameter n seed",
-                    "2.4  one of them, with the points and weights it saw"),
-      MC_EXPERIMENT(confidence_interval, "value:standard_error:n level", "2.5"),
+                    "2.4  estimates from n samples of a density each"),
+      MC_EXPERIMENT(importance_traces, "g:parameter:scale:offset p:parameter n seed replicates",
+                    "2.4  the same, with each u and what g and the density are at its x"),
+      MC_EXPERIMENT(confidence_interval, "value:standard_error:n level",
+                    "2.5  the interval around one estimate"),
       MC_EXPERIMENT(confidence_intervals, "g:parameter:scale:offset n level seed replicates",
-                    "2.5  of estimates from n samples each"),
-      MC_EXPERIMENT(samples_for, "value:standard_error:n target_error", "2.6"),
-      MC_EXPERIMENT(irradiance_area, "x0:x1:y0:y1:height:radiance n seed replicates", "2.7"),
-      MC_EXPERIMENT(irradiance_hemisphere, "x0:x1:y0:y1:height:radiance n seed replicates", "2.7"),
-      MC_EXPERIMENT(uniforms, "seed sizes", "2.8  calls for so many numbers, all of them"),
+                    "2.5  the intervals around estimates from n samples each"),
+      MC_EXPERIMENT(interval_traces, "g:parameter:scale:offset n level seed replicates",
+                    "2.5  the same, with the values that g gave"),
+      MC_EXPERIMENT(samples_for, "value:standard_error:n target_error",
+                    "2.6  how many samples reach the target error"),
+      MC_EXPERIMENT(irradiance_area, "x0:x1:y0:y1:height:radiance n seed replicates",
+                    "2.7  estimates from n points on the light each"),
+      MC_EXPERIMENT(irradiance_hemisphere, "x0:x1:y0:y1:height:radiance n seed replicates",
+                    "2.7  estimates from n directions each"),
+      MC_EXPERIMENT(uniforms, "seed sizes before",
+                    "2.8  calls for so many numbers, in a span that held `before`"),
+      MC_EXPERIMENT(uniforms_in_turn, "seeds size",
+                    "2.8  a call for so many numbers from the generator of each seed"),
       MC_EXPERIMENT(uniforms_constant, "word size", "2.8  from a generator of one word"),
       MC_EXPERIMENT(means_of, "source size seed replicates",
-                    "means of numbers from mt19937_64 (0), to_unit (1), uniforms (2)"),
-      MC_EXPERIMENT(repeat_source, "source size rounds", "the same, rounds times (timing)"),
+                    "2.8  means of numbers by mt19937_64 (0), to_unit (1), uniforms (2)"),
+      MC_EXPERIMENT(repeat_source, "source size rounds", "2.8  the same, rounds times (timing)"),
       MC_EXPERIMENT(repeat_irradiance, "way n rounds",
-                    "2.7 by area (0) or hemisphere (1), rounds times (timing)"),
+                    "2.7  by area (0) or hemisphere (1), rounds times (timing)"),
   };
   return all;
 }

@@ -40,22 +40,66 @@ struct Sampling {
 };
 MC_FIELDS(Sampling, p, parameter)
 
-/// One estimate, and what the integrand saw and said on the way.
-struct Trace {
-  Estimate estimate;
-  std::vector<double> points;  ///< where it was evaluated, coordinate by coordinate
-  std::vector<double> values;  ///< there: of g; with a density, of g / p
-  std::uint64_t samples = 0;   ///< points that were drawn from the density, if there is one
+/// An estimate, and how often the integrand was evaluated for it.
+struct Counted {
+  double value = 0, standard_error = 0;
+  std::uint64_t n = 0;
+  std::uint64_t evaluations = 0;
 };
-MC_FIELDS(Trace, estimate, points, values, samples)
+MC_FIELDS(Counted, value, standard_error, n, evaluations)
+
+/// Estimates, one after the other from one generator, and what the integrand saw of them all.
+struct Traces {
+  std::vector<Estimate> estimates;
+  std::vector<double> points;  ///< where g was evaluated, coordinate by coordinate
+  std::vector<double> values;  ///< g there
+};
+MC_FIELDS(Traces, estimates, points, values)
+
+/// The same with a density: each u that it was asked to turn into a sample, and what there is at it.
+struct ImportanceTraces {
+  std::vector<Counted> estimates;
+  std::vector<double> u;
+  std::vector<double> points;     ///< x = p.sample(u)
+  std::vector<double> values;     ///< g(x)
+  std::vector<double> densities;  ///< p.pdf(x)
+};
+MC_FIELDS(ImportanceTraces, estimates, u, points, values, densities)
+
+/// Confidence intervals, and the values of g behind them all.
+struct IntervalTraces {
+  std::vector<Interval> intervals;
+  std::vector<double> values;
+};
+MC_FIELDS(IntervalTraces, intervals, values)
+
+/// What the functions of lab 1 make of a list of values; NaN where one is not written yet.
+struct ByLab1 {
+  double mean = 0, variance_textbook = 0, variance_two_pass = 0;
+  double mean_of_add = 0, variance_of_add = 0;
+  double mean_of_moments = 0, variance_of_moments = 0;
+};
+MC_FIELDS(ByLab1, mean, variance_textbook, variance_two_pass, mean_of_add, variance_of_add,
+          mean_of_moments, variance_of_moments)
+
+/// What was seen of the numbers of many rounds: one of each, at a place that moves.
+struct Repeated {
+  double mean = 0;
+  std::uint64_t unchanged = 0;  ///< rounds after which there stood what had stood there before
+};
+MC_FIELDS(Repeated, mean, unchanged)
 
 /// 2.1: of each word.
 std::vector<double> to_unit(std::vector<std::uint64_t> words);
 
-/// 2.2: replicates of n samples each; and one of them, looked at closely.
-std::vector<Estimate> estimates(Function g, std::uint64_t n, std::uint64_t seed,
-                                std::uint64_t replicates);
-Trace trace(Function g, std::uint64_t n, std::uint64_t seed);
+/// 2.2: replicates of n samples each; the same looked at closely; and one estimate for each
+/// integrand, from a generator of its own, in one process.
+std::vector<Counted> estimates(Function g, std::uint64_t n, std::uint64_t seed,
+                               std::uint64_t replicates);
+Traces traces(Function g, std::uint64_t n, std::uint64_t seed, std::uint64_t replicates);
+std::vector<Estimate> estimates_in_turn(std::vector<Function> g, std::uint64_t n,
+                                        std::vector<std::uint64_t> seeds);
+ByLab1 by_lab_1(std::vector<double> values);
 
 /// 2.3: at each u, at each x.
 std::vector<double> sample_exponential(std::vector<double> u, double rate);
@@ -64,14 +108,17 @@ std::vector<double> pdf_exponential(std::vector<double> x, double rate);
 std::vector<double> pdf_power(std::vector<double> x, double a);
 
 /// 2.4: as 2.2, with a density.
-std::vector<Estimate> importance_estimates(Function g, Sampling p, std::uint64_t n,
-                                           std::uint64_t seed, std::uint64_t replicates);
-Trace importance_trace(Function g, Sampling p, std::uint64_t n, std::uint64_t seed);
+std::vector<Counted> importance_estimates(Function g, Sampling p, std::uint64_t n,
+                                          std::uint64_t seed, std::uint64_t replicates);
+ImportanceTraces importance_traces(Function g, Sampling p, std::uint64_t n, std::uint64_t seed,
+                                   std::uint64_t replicates);
 
-/// 2.5: of one estimate; and of replicates of 2.2.
+/// 2.5: of one estimate; of replicates of 2.2; and of those with what they saw.
 Interval confidence_interval(Estimate estimate, double level);
 std::vector<Interval> confidence_intervals(Function g, std::uint64_t n, double level,
                                            std::uint64_t seed, std::uint64_t replicates);
+IntervalTraces interval_traces(Function g, std::uint64_t n, double level, std::uint64_t seed,
+                               std::uint64_t replicates);
 
 /// 2.6
 std::uint64_t samples_for(Estimate pilot, double target_error);
@@ -82,9 +129,11 @@ std::vector<Estimate> irradiance_area(RectLight light, std::uint64_t n, std::uin
 std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, std::uint64_t seed,
                                             std::uint64_t replicates);
 
-/// 2.8: calls for these many numbers, one after the other, all of them; what was not filled is 2.
-/// And `size` numbers from a generator that only knows one word.
-std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes);
+/// 2.8: calls for these many numbers, one after the other, all of them, in a span that holds
+/// `before` everywhere; a call for `size` numbers from each of these generators, in one process; and
+/// `size` numbers from a generator that only knows one word.
+std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes, double before);
+std::vector<double> uniforms_in_turn(std::vector<std::uint64_t> seeds, std::uint64_t size);
 std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);
 
 /// Means of `size` numbers made by a source: 0 std::mt19937_64 and std::uniform_real_distribution,
@@ -93,8 +142,8 @@ std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t 
                              std::uint64_t replicates);
 
 /// For timing: the same numbers, `rounds` times; and 2.7 by way of the area (0) or the hemisphere
-/// (1) with n samples, `rounds` times. What came last.
-double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds);
+/// (1) with n samples, `rounds` times: what came last.
+Repeated repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds);
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);
 
 }  // namespace mc::experiments

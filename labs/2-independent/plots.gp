@@ -9,7 +9,7 @@ array of[6] = ["exp(x)", "x < √½", "x < 0.01", "x^{−0.4}", "x^{−0.75}", "
 name = "error"; width = 80 + 430 * count; height = 480
 load draw
 set termoption enhanced
-set multiplot layout 1,count title "Median relative error of 201 estimates" \
+set multiplot layout 1,count title "Median relative error of 201 estimates (101 from 16384 samples on)" \
   margins 80./width, 1 - 20./width, 0.27, 0.85 spacing 70./width, 0
 set logscale xy
 set format "10^{%L}"
@@ -33,7 +33,7 @@ unset multiplot
 name = "coverage"; width = 80 + 430 * count; height = 480
 load draw
 set termoption enhanced
-set multiplot layout 1,count title "How often a 95 % interval holds the true value (2000 estimates)" \
+set multiplot layout 1,count title "How often a 95 % interval holds the true value (500 estimates)" \
   margins 80./width, 1 - 20./width, 0.27, 0.85 spacing 70./width, 0
 set logscale x 2
 set format x "2^{%L}"

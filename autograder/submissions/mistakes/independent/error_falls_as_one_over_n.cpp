@@ -1,6 +1,6 @@
 // mistake: the samples for a target grow with the ratio of the errors, not its square
 // caught by: 2.6 the samples that bring the error down
-// caught by: 2.6 pilots and targets
+// caught by: 2.6 at least one sample
 // hint: square the ratio
 #include "independent.hpp"
 

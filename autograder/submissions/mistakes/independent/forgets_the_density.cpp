@@ -2,8 +2,8 @@
 // caught by: 2.4 the mean of g over p
 // caught by: 2.4 the estimate is unbiased
 // caught by: 2.4 the right density
+// caught by: 2.4 weights of any size
 // hint: this is the mean of g: where p is large, points are many
-// hint: it forgets to divide by p
 #include "independent.hpp"
 
 #define estimate_importance right_estimate_importance

@@ -1,5 +1,7 @@
 // mistake: sixteen lanes with neighbouring states of a linear generator: they run in step
 // caught by: 2.8 the numbers know nothing
+// caught by: 2.8 the last bits
+// caught by: 2.8 a call has no beginning
 // hint: do lanes run in step?
 #include "independent.hpp"
 

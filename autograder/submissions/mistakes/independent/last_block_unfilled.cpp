@@ -1,6 +1,5 @@
 // mistake: only whole blocks of sixteen are filled
 // caught by: 2.8 a span of any size
-// caught by: 2.8 the numbers are uniform
 // hint: it was not filled. The last, shorter block?
 #include "independent.hpp"
 

@@ -1,6 +1,6 @@
 // mistake: -log(u) / rate: the right distribution, but falling in u and infinite at u = 0
 // caught by: 2.3 exponential samples
-// hint: falling in u, and infinite at u = 0
+// hint: it falls when u rises, and at u = 0 it is infinite
 #include "independent.hpp"
 
 #define sample_exponential right_sample_exponential

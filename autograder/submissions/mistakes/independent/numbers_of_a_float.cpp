@@ -1,6 +1,7 @@
 // mistake: fast numbers are made as floats: 24 bits
 // caught by: 2.8 a span of any size
 // caught by: 2.8 the numbers are uniform
+// caught by: 2.8 the last bits
 // hint: how many bits of each number are random?
 // hint: which are always 0, or 1?
 #include "independent.hpp"

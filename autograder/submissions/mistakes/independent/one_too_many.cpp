@@ -1,6 +1,6 @@
 // mistake: the loop runs to n inclusive: n + 1 evaluations, over n
 // caught by: 2.2 exactly n evaluations
-// caught by: 2.2 the standard error
+// caught by: 2.2 one sample
 // caught by: 2.2 rare events
 // hint: one too many: does the loop end at i <= n?
 #include "independent.hpp"

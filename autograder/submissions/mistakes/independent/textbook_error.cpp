@@ -1,6 +1,7 @@
 // mistake: the standard error comes from E{X^2} - E{X}^2, which loses its digits far from 0
 // caught by: 2.2 the standard error
-// hint: are the values far from 0 a problem (lab 1)?
+// caught by: 2.2 a constant
+// hint: this comes from variance_textbook()
 #include "independent.hpp"
 
 #define estimate right_estimate

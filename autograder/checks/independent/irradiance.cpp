@@ -1,0 +1,258 @@
+// Task 2.7: one light, two ways.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "checks/independent/functions.hpp"
+#include "checks/independent/lights.hpp"
+#include "checks/independent/traces.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/statistics.hpp"
+
+namespace mc::checks {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using Estimates = std::vector<Estimate>;
+using Irradiance = std::function<Measured<Estimates>(const RectLight&, std::uint64_t n,
+                                                     std::uint64_t seed, std::uint64_t replicates)>;
+
+/// The same generator gives the same estimates, and another one others.
+void expect_from_generator(const Irradiance& measure, Rng& rng) {
+  const std::uint64_t seed = rng(), n = 64, replicates = 20;
+  const auto one = measure({}, n, seed, replicates), again = measure({}, n, seed, replicates);
+  const auto other = measure({}, n, rng(), replicates);
+  const Values values = values_of(one.exactly(replicates, any_number));
+  require_finite(one.call, values);
+  expect_that(values == values_of(again.exactly(replicates, any_number)),
+              one.call + " gave other estimates when it was repeated", "the same estimates",
+              "the generator that it is given is its only source of randomness",
+              "no generator of your own, no clock, nothing static");
+  const Values others = values_of(other.exactly(replicates, any_number));
+  expect_that(others != values, other.call + " gave the estimates of another seed",
+              "other estimates", "the generator that it is given is its only source of randomness",
+              "take the numbers from rng, and from nowhere else");
+  expect_that(values.front() != values.back(),
+              fmt::format("{}: the first estimate and the last are {}", one.call, values.front()),
+              "estimates that differ", "each goes on where the generator was left",
+              "the generator must move on: is it copied somewhere?");
+}
+
+// The area of the light ---------------------------------------------------------------------------
+
+Measured<Estimates> by_area(const RectLight& light, std::uint64_t n, std::uint64_t seed,
+                            std::uint64_t replicates) {
+  return MEASURE(irradiance_area, light, n, seed, replicates);
+}
+
+/// A light so small that all of its points give the same, to ten digits: whatever is drawn, the
+/// estimate has one right value, and each wrong formula one of its own.
+void expect_formula(Rng& rng) {
+  RectLight light;
+  light.x0 = uniform(rng, 0.3, 0.9);
+  light.x1 = light.x0 + 1e-11;  // what the difference of the two comes to is exact
+  light.y0 = uniform(rng, -0.9, -0.3);
+  light.y1 = light.y0 + 2e-11;
+  light.height = uniform(rng, 1.2, 1.9);
+  light.radiance = uniform(rng, 2, 9);
+  const double h = light.height, a = area(light), l = light.radiance;
+  const double aside2 = light.x0 * light.x0 + light.y0 * light.y0, d2 = aside2 + h * h;
+  const double d = std::sqrt(d2), exact = a * l * h * h / (d2 * d2);
+  constexpr std::uint64_t n = 64;
+  const auto got = by_area(light, n, rng(), 1);
+  expect_within(
+      got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
+      "all points of so small a light give area · radiance · cos · cos / distance^2",
+      {{{exact * n, "this is the sum over the samples: divide it by n"},
+        {a * l * h / (d2 * d), "a cosine is missing: the light, too, is seen at an angle"},
+        {a * l * h * h / (d2 * d), "the distance is not squared: 1 / distance^2"},
+        {a * l / d2, "both cosines are missing: cos = height / distance"},
+        {a * l * h * h / d2, "the distance is missing: 1 / distance^2"},
+        {l * h * h / (d2 * d2), "the density of points is 1 / area: the area is missing"},
+        {l * h * h / (d2 * d2) / a, "divide by the density 1 / area: times the area"},
+        {a * h * h / (d2 * d2), "the radiance is missing"},
+        {a * l / (d2 * d2), "cos = height / distance: the height is missing"},
+        {a * l * h * h / (d2 * d2 * d2),
+         "cos · cos = height^2 / distance^2: the distance is "
+         "there too often"},
+        {exact / pi, "nothing is divided by pi here"},
+        {exact * pi, "no pi here: radiance, not its integral over directions"},
+        {a * l * h * h / (aside2 * aside2), "the distance goes up to the light, too: + height^2"}},
+       "area · radiance · cos(receiver) · cos(light) / distance^2"});
+}
+
+TEST_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1][main]") {
+  Rng rng = check_rng();
+  expect_formula(rng);
+  expect_from_generator(by_area, rng);
+  const std::uint64_t n = 64, replicates = 400;
+  for (const Placed& placed : {above(rng), aside(rng), grazing(rng)}) {
+    const RectLight& light = placed.light;
+    const auto measured = by_area(light, n, rng(), replicates);
+    const Values values = values_of(measured.exactly(replicates, any_number));
+    require_finite(measured.call, values);
+    const Known known = mean_of(of_area(light), n);
+    expect_mean({measured.call, values, n}, known.exact, known.variance,
+                {"the area estimate of a light " + placed.where + " has the mean E", alpha},
+                {{}, "at uniform points of the light, x and y from a number each"});
+    expect_variance(
+        {measured.call, values, n}, known.exact, known.variance, known.kurtosis,
+        {"the area estimate of a light " + placed.where + " has its exact variance", alpha},
+        {{}, "n independent points, uniform on the light, x and y from a number each"});
+  }
+  // One sample is one value, and tells how far from the receiver its point is.
+  const RectLight light = aside(rng).light;
+  const auto ones = by_area(light, 1, rng(), 20000);
+  Values distances;
+  for (const Estimate& one : ones.exactly(20000, any_number)) {
+    const double square = square_distance_of(light, one.value);
+    distances.push_back(square);
+    if (square >= nearest(light) - 1e-9 && square <= farthest(light) + 1e-9) continue;
+    expect_that(false, fmt::format("{}: a value {}", ones.call, one.value),
+                fmt::format("what a point of the light gives: {:.8g} to {:.8g}",
+                            at_square_distance(light, farthest(light)),
+                            at_square_distance(light, nearest(light))),
+                "an estimate from one sample is the value at one point of the light",
+                "x between x0 and x1, y between y0 and y1");
+  }
+  expect_distribution(ones.call + ", square distances from the point below the light's plane",
+                      distances, [&](double square) { return share_within(light, square); },
+                      {"points are uniform on the light", alpha},
+                      {{}, "x between x0 and x1, y between y0 and y1, from a number each"});
+}
+
+// The hemisphere ----------------------------------------------------------------------------------
+
+Measured<Estimates> by_hemisphere(const RectLight& light, std::uint64_t n, std::uint64_t seed,
+                                  std::uint64_t replicates) {
+  return MEASURE(irradiance_hemisphere, light, n, seed, replicates);
+}
+
+/// How many of n directions met the light, for each estimate.
+Values directions_met(const Measured<Estimates>& measured, const RectLight& light, std::uint64_t n,
+                      std::uint64_t replicates) {
+  Values all;
+  const double each = pi * light.radiance / static_cast<double>(n);
+  for (const Estimate& one : measured.exactly(replicates, any_number)) {
+    const double met = one.value / each;
+    expect_that(
+        std::abs(met - std::round(met)) < 1e-6 && met > -0.5 && met < static_cast<double>(n) + 0.5,
+        fmt::format("{} gave {}", measured.call, one.value),
+        fmt::format("a multiple of pi · radiance / n = {:.8g}, up to n of it", each),
+        "a direction with density cos / pi gives pi · radiance, or nothing",
+        "what does a direction count? The cosine and the density cos / pi leave pi");
+    all.push_back(std::round(met));
+  }
+  return all;
+}
+
+/// A light that fills the sky: every direction meets it.
+void expect_sky(Rng& rng) {
+  RectLight sky{-1e15, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 2, 9)};
+  const std::uint64_t n = 64;
+  const auto got = by_hemisphere(sky, n, rng(), 1);
+  const double exact = pi * sky.radiance;
+  expect_within(
+      got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-12 * exact,
+      "the light fills the sky: each direction meets it, and gives pi · radiance",
+      {{{exact * n, "this is the sum over the directions: divide it by n"},
+        {sky.radiance, "the density is cos / pi: the radiance over it, times cos, leaves pi"},
+        {2 * exact, "2 pi is for directions that are uniform on the hemisphere; these are not"},
+        {sky.radiance / pi, "times pi, not divided by it"},
+        {pi, "the radiance is missing"},
+        {0, "no direction meets it: is z up, and the direction followed to z = height?"}},
+       "pi · radiance where a direction meets the light"});
+}
+
+TEST_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][needs:2.1]") {
+  Rng rng = check_rng();
+  expect_sky(rng);
+  expect_from_generator(by_hemisphere, rng);
+  const std::uint64_t n = 64, replicates = 400;
+  // In each quadrant one: a direction is as likely on every side.
+  std::vector<Placed> lights{above(rng), half_sky_aside(rng)};
+  for (const unsigned quadrant : {0u, 1u, 2u, 3u}) lights.push_back(in_quadrant(quadrant, rng));
+  for (const Placed& placed : lights) {
+    const RectLight& light = placed.light;
+    const auto measured = by_hemisphere(light, n, rng(), replicates);
+    const Values met = directions_met(measured, light, n, replicates);
+    const double all = std::accumulate(met.begin(), met.end(), 0.0);
+    const double p = irradiance(light) / (pi * light.radiance);
+    expect_proportion(
+        measured.call, "a direction met the light", static_cast<std::uint64_t>(all), n * replicates,
+        p,
+        {"directions with density cos / pi meet a light " + placed.where +
+             " with probability E / (pi L)",
+         alpha},
+        {{{&placed == &lights[0] ? solid_angle(light) / (2 * pi) : nan,
+           "these directions are uniform on the hemisphere: steep ones must be more"}},
+         "a uniform point of the unit disk (radius sqrt(u), angle 2 pi v), lifted to the "
+         "hemisphere; u and v are two numbers"});
+    if (&placed != &lights[0]) continue;
+    // The directions of one estimate are independent, too: how many meet is binomial.
+    expect_variance({measured.call + ", directions that met the light", met, n}, p * n,
+                    p * (1 - p) * n, 3 + (1 - 6 * p * (1 - p)) / (p * (1 - p) * n),
+                    {"directions are independent, light " + placed.where, alpha},
+                    {{}, "n independent directions"});
+  }
+}
+
+// Both --------------------------------------------------------------------------------------------
+
+TEST_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") {
+  Rng rng = check_rng();
+  for (const Placed& placed : {above(rng), aside(rng)}) {
+    const RectLight& light = placed.light;
+    // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.
+    // With two samples, what is wrong about n shows most.
+    const std::uint64_t two = 2, replicates = 20000;
+    const auto measured = by_area(light, two, rng(), replicates);
+    const Population x = of_area(light);
+    Values squares;
+    for (const Estimate& one : measured.exactly(replicates, any_number)) {
+      squares.push_back(one.standard_error * one.standard_error * two / x.variance);
+    }
+    expect_mean(
+        {measured.call + ", n standard_error^2 / variance", squares, two}, 1, (x.kurtosis + 1) / 2,
+        {"squared standard errors of a light " + placed.where + " have the mean variance / n",
+         alpha},
+        {{{2, "s instead of s / sqrt(n)"}, {0.5, "n below s^2, in place of n - 1"}},
+         "s / sqrt(n) of the values of the samples"});
+
+    const std::uint64_t n = 64;
+    const auto by_directions = by_hemisphere(light, n, rng(), 100);
+    const Values met = directions_met(by_directions, light, n, 100);
+    const double each = pi * light.radiance, size = n;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      const double s2 = each * each * met[i] * (size - met[i]) / (size * (size - 1));
+      expect_within(by_directions.call + ".standard_error",
+                    by_directions.exactly(100, any_number)[i].standard_error, std::sqrt(s2 / size),
+                    1e-7 * each, fmt::format("{} of {} directions met the light", met[i], size),
+                    {{{std::sqrt(s2), "s instead of s / sqrt(n)"},
+                      {s2 / size, "this is its square"},
+                      {std::sqrt(s2 / size * (size - 1) / size), "n below s^2, in place of n - 1"}},
+                     "s / sqrt(n) of the values of the samples"});
+    }
+  }
+}
+
+TEST_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
+  Rng rng = check_rng();
+  const std::string because = "one value says nothing about how values vary";
+  for (const auto& measure : {by_area, by_hemisphere}) {
+    const auto one = measure({}, 1, rng(), 1);
+    expect_nan(one.call + ".standard_error", one.exactly(1, any_number)[0].standard_error, because);
+  }
+  const std::string of_nothing = "the mean of nothing is no estimate";
+  expect_invalid_argument(MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "", of_nothing);
+  expect_invalid_argument(MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "", of_nothing);
+}
+
+}  // namespace
+}  // namespace mc::checks
