@@ -26,8 +26,8 @@ struct Spectrum {
 inline Spectrum spectrum_of(std::span<const double> x, std::span<const double> y, int kmax) {
   const auto side = static_cast<std::size_t>(2 * kmax + 1);
   std::vector<std::complex<double>> sum(side * side), along(side);
-  const auto wave = [](int k, double x) {
-    const double turns = k * x;
+  const auto wave = [](int k, double at) {
+    const double turns = k * at;
     return std::polar(1.0, -2 * std::numbers::pi * (turns - std::round(turns)));
   };
   for (std::size_t p = 0; p < x.size(); ++p) {
@@ -84,11 +84,11 @@ inline double peak(const Spectrum& spectrum, double n) {
       ++count[ring];
     }
   }
-  double largest = 0;
+  double most = 0;
   for (std::size_t ring = 0; ring < sum.size(); ++ring) {
-    if (count[ring] > 0) largest = std::max(largest, sum[ring] / count[ring]);
+    if (count[ring] > 0) most = std::max(most, sum[ring] / count[ring]);
   }
-  return largest;
+  return most;
 }
 
 }  // namespace mc::checks
