@@ -22,12 +22,6 @@ std::uint64_t draws_between(Rng before, Rng after) {
   return draws;
 }
 
-void append(PointSets& sets, std::span<const double> x, std::span<const double> y) {
-  sets.x.insert(sets.x.end(), x.begin(), x.end());
-  sets.y.insert(sets.y.end(), y.begin(), y.end());
-  sets.sizes.push_back(x.size());
-}
-
 Points columns_of(const PointSet& points) {
   const auto x = points.column(0), y = points.column(1);
   return {{x.begin(), x.end()}, {y.begin(), y.end()}};
@@ -44,33 +38,33 @@ std::vector<double> toroidal_distances_squared(std::vector<double> ax, std::vect
   return distances;
 }
 
-PointSets best_candidate(std::uint64_t n, double c, std::uint64_t sets, std::uint64_t seed) {
+Points best_candidate(std::uint64_t n, double c, std::uint64_t sets, std::uint64_t seed) {
   Rng rng(seed);
-  const Rng before = rng;
-  PointSets all;
+  Points all{std::vector<double>(n * sets, unwritten), std::vector<double>(n * sets, unwritten)};
   for (std::uint64_t set = 0; set < sets; ++set) {
-    std::vector<double> x(n, unwritten), y(n, unwritten);
-    mc::best_candidate(x, y, c, rng);
-    append(all, x, y);
+    mc::best_candidate(std::span(all.x).subspan(set * n, n), std::span(all.y).subspan(set * n, n),
+                       c, rng);
   }
-  all.draws = draws_between(before, rng);
   return all;
 }
 
 Points best_candidate_into(std::uint64_t size_x, std::uint64_t size_y, double c) {
   Rng rng(1);
-  Points points{std::vector<double>(size_x), std::vector<double>(size_y)};
+  Points points{std::vector<double>(size_x, unwritten), std::vector<double>(size_y, unwritten)};
   mc::best_candidate(points.x, points.y, c, rng);
   return points;
 }
 
-PointSets poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed) {
+Patterns poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed) {
   Rng rng(seed);
   const Rng before = rng;
-  PointSets all;
+  Patterns all;
   for (std::uint64_t set = 0; set < sets; ++set) {
     const PointSet points = mc::poisson_disk(radius, rng);
-    append(all, points.column(0), points.column(1));
+    const auto x = points.column(0), y = points.column(1);
+    all.x.insert(all.x.end(), x.begin(), x.end());
+    all.y.insert(all.y.end(), y.begin(), y.end());
+    all.sizes.push_back(points.size());
   }
   all.draws = draws_between(before, rng);
   return all;
@@ -133,17 +127,18 @@ double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds) {
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
-      MC_EXPERIMENT(toroidal_distances_squared, "ax ay bx by", "4.1  from each point to another"),
-      MC_EXPERIMENT(best_candidate, "n c sets seed", "4.2  sets of n points"),
+      MC_EXPERIMENT(toroidal_distances_squared, "ax ay bx by",
+                    "4.1  squared distances from points a to points b on the torus"),
+      MC_EXPERIMENT(best_candidate, "points c sets seed", "4.2  sets of so many points each"),
       MC_EXPERIMENT(best_candidate_into, "size_x size_y c", "4.2  x and y of these sizes"),
-      MC_EXPERIMENT(poisson_disk, "radius sets seed", "4.3  sets of points"),
-      MC_EXPERIMENT(periodogram, "x y sets kmax", "4.4  of each of the sets"),
+      MC_EXPERIMENT(poisson_disk, "radius sets seed", "4.3  sets of points, and how many in each"),
+      MC_EXPERIMENT(periodogram, "x y sets kmax", "4.4  of each of the sets, all of one size"),
       MC_EXPERIMENT(periodogram_into, "size_x size_y kmax size_power",
-                    "4.4  x, y and power of these sizes"),
+                    "4.4  x, y and power of these sizes, all points at the origin"),
       MC_EXPERIMENT(radial_power, "power kmax", "4.5  means over rings of a periodogram"),
-      MC_EXPERIMENT(tile, "x y copies", "4.6  a pattern repeated"),
-      MC_EXPERIMENT(tile_of, "size dims copies", "4.6  points at the origin, repeated"),
-      MC_EXPERIMENT(repeat, "task n rounds", "4.2 or 4.3, about n points, rounds times (timing)"),
+      MC_EXPERIMENT(tile, "x y copies", "4.6  a pattern, copies times along each axis"),
+      MC_EXPERIMENT(tile_of, "points dims copies", "4.6  points at the origin, the same"),
+      MC_EXPERIMENT(repeat, "task points rounds", "4.2 or 4.3, again and again (timing)"),
   };
   return all;
 }

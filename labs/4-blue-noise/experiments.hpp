@@ -16,24 +16,25 @@ struct Points {
 };
 MC_FIELDS(Points, x, y)
 
-/// Sets of points: how many each of them has, and how often the generator was called for all.
-struct PointSets {
+/// Sets of points that are not all of one size: how many each of them has, and how often the
+/// generator was called for all.
+struct Patterns {
   std::vector<double> x, y;
   std::vector<std::uint64_t> sizes;
   std::uint64_t draws = 0;
 };
-MC_FIELDS(PointSets, x, y, sizes, draws)
+MC_FIELDS(Patterns, x, y, sizes, draws)
 
 /// 4.1: from each point (ax[i], ay[i]) to (bx[i], by[i]).
 std::vector<double> toroidal_distances_squared(std::vector<double> ax, std::vector<double> ay,
                                                std::vector<double> bx, std::vector<double> by);
 
 /// 4.2: `sets` sets of n points; and one set, for x and y of given sizes.
-PointSets best_candidate(std::uint64_t n, double c, std::uint64_t sets, std::uint64_t seed);
+Points best_candidate(std::uint64_t n, double c, std::uint64_t sets, std::uint64_t seed);
 Points best_candidate_into(std::uint64_t size_x, std::uint64_t size_y, double c);
 
 /// 4.3: `sets` sets.
-PointSets poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed);
+Patterns poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed);
 
 /// 4.4: of each of `sets` sets of points, as many in one as in another; and of points at the
 /// origin, for x, y and power of given sizes.

@@ -16,8 +16,8 @@
 namespace mc::checks {
 namespace {
 
+using experiments::Patterns;
 using experiments::Points;
-using experiments::PointSets;
 using Maybe = std::optional<double>;
 
 /// Ways to place points: the last three are the submission's.

@@ -84,11 +84,11 @@ inline double peak(const Spectrum& spectrum, double n) {
       ++count[ring];
     }
   }
-  double largest = 0;
+  double most = 0;
   for (std::size_t ring = 0; ring < sum.size(); ++ring) {
-    if (count[ring] > 0) largest = std::max(largest, sum[ring] / count[ring]);
+    if (count[ring] > 0) most = std::max(most, sum[ring] / count[ring]);
   }
-  return largest;
+  return most;
 }
 
 }  // namespace mc::checks

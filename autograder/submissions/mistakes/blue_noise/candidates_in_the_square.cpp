@@ -1,7 +1,7 @@
 // mistake: compares candidates within the square, so points crowd at its edges
 // caught by: 4.2 each point is the best of its candidates
 // caught by: 4.2 best candidates are blue
-// hint: points crowd at the edges
+// hint: these are the best candidates within the square
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate
 #include "solutions/blue_noise.cpp"

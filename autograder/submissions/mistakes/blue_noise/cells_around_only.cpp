@@ -1,6 +1,6 @@
 // mistake: looks at the nine cells around a candidate and calls everything beyond equally far
 // caught by: 4.7 thousands of best candidates
-// hint: the grid misses near points
+// hint: near points are missed
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate
 #include "solutions/blue_noise.cpp"

@@ -1,7 +1,7 @@
 // mistake: compares candidates with the last point alone
 // caught by: 4.2 each point is the best of its candidates
 // caught by: 4.2 best candidates are blue
-// hint: not from the last one only
+// hint: these candidates are far from the last point
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate
 #include "solutions/blue_noise.cpp"

@@ -1,7 +1,7 @@
 // mistake: throws darts until ten in a row have missed
 // caught by: 4.3 hardly any room is left
 // caught by: 4.3 Poisson disks are blue
-// hint: it stops early
+// hint: some misses in a row are no proof
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk
 #include "solutions/blue_noise.cpp"

@@ -2,7 +2,6 @@
 // caught by: 4.4 spectra that are known exactly
 // caught by: 4.4 random points by the definition
 // caught by: 4.4 jittered points
-// caught by: 4.4 misuse of periodogram
 // hint: divide by the number of points
 #include "blue_noise.hpp"
 #define periodogram right_periodogram

@@ -1,6 +1,6 @@
 // mistake: lets the last coordinate be rounded up to 1
 // caught by: 4.6 copies lie side by side
-// hint: a coordinate was rounded up to 1
+// hint: it was rounded up to the upper end
 #include "blue_noise.hpp"
 #define tile right_tile
 #include "solutions/blue_noise.cpp"

@@ -1,5 +1,5 @@
 // mistake: begins with a radius that memory cannot hold
-// caught by: 4.3 a radius that makes no sense
+// caught by: 4.3 a radius too small for memory
 // hint: a text that says how many points
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk

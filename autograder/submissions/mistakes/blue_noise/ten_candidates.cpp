@@ -2,7 +2,6 @@
 // caught by: 4.2 each point is the best of its candidates
 // caught by: 4.2 best candidates are blue
 // hint: the number of candidates is the same for all points
-// hint: as blue as a fixed number
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate
 #include "solutions/blue_noise.cpp"

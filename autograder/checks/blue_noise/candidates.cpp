@@ -1,0 +1,115 @@
+// 4.2
+//
+// Blue is judged by bounds on means over at least 40 sets of about 256 points. Where they stand
+// between right and wrong, in standard deviations of the judged mean (200 sets of each kind
+// measured for the figures; for Poisson disks see poisson_disks.cpp):
+//
+//                             best candidate   fixed 10   jittered   Halton   bound
+//   low band, mean            .0890            .1912      .3254      .2654    < .13
+//   low band, sd of one set   .0075            .0192      .0367      0
+//   sd of the mean of 64      .0009            .0024      .0046
+//   to the bound              44 sigma         25 sigma   42 sigma   certain
+//   relative radius, mean     .667             .453       .118       .344     > .6
+//   sd of one set, of 64      .014, .0018      .042, .0053
+//   to the bound              37 sigma         28 sigma
+//
+// At 7 sigma a Gaussian errs once in 10^12.
+
+#include <cmath>
+#include <deque>
+
+#include <fmt/format.h>
+
+#include "checks/blue_noise/nearness.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/discs.hpp"
+#include "checks/support/expect.hpp"
+#include "checks/support/statistics.hpp"
+
+namespace mc::checks {
+
+TEST_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:10][needs:4.1]") {
+  Rng rng = check_rng();
+  // c = 1 tells a candidate that is missing from c i rounded down; for other c they are the same.
+  for (const double c : {1.0, 0.4, uniform(rng, 2.5, 3)}) {
+    constexpr std::size_t n = 5, sets = 400;
+    const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
+    const auto all = sets_of(got, n, sets);
+    expect_distinct(got.call, all);
+    std::vector<Nearness> parts;
+    Values first_x, first_y;
+    for (const Set& set : all) {
+      first_x.push_back(set.x[0]);
+      first_y.push_back(set.y[0]);
+      for (std::size_t i = 1; i < n; ++i) parts.push_back(nearness(set, i, 500, rng));
+    }
+    std::string likely;
+    if (!have_candidates(parts, [=](double i) { return std::ceil(c * i) + 1; })) {
+      constexpr std::size_t more = 4000;
+      const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));
+      likely = candidates_hint(sets_of(again, n, more), c);
+    }
+    expect_candidates(got.call, parts, c, likely);
+    const Hints anywhere{{}, "the first point has one candidate, anywhere in the square"};
+    expect_distribution(
+        got.call + ": x of the first points", first_x, [](double p) { return p; },
+        {"the first point is uniform in the square", alpha}, anywhere);
+    expect_distribution(
+        got.call + ": y of the first points", first_y, [](double p) { return p; },
+        {"the first point is uniform in the square", alpha}, anywhere);
+  }
+}
+
+TEST_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
+  Rng rng = check_rng();
+  constexpr std::size_t n = 256, sets = 64, calls = 4;
+  std::deque<Measured<Points>> got;  // in four calls, so that three plain loops are in time
+  std::vector<Set> all;
+  for (std::size_t call = 0; call < calls; ++call) {
+    got.push_back(MEASURE(best_candidate, n, 1, sets / calls, fresh_seed(rng)));
+    for (const Set& set : sets_of(got.back(), n, sets / calls)) all.push_back(set);
+  }
+  const std::string& what = got[0].call;
+  expect_distinct(what, all);
+  double radius = 0;
+  for (const Set& set : all) radius += least_distance(set.x, set.y) / lattice_distance(n) / sets;
+  const Spectrum mean = mean_spectrum(all, n);
+  const double low = low_band(mean, n);
+  const std::string likely =
+      "the first check of 4.2 asks for each point by itself: for the farthest of ceil(c i) + 1 "
+      "candidates from all points before, round the torus";
+  expect_that(
+      low < 0.13,
+      fmt::format("{}: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", what, low, sets),
+      "less than 0.13; 0.089 on average",
+      "independent points have 1, jittered ones 0.33, ten candidates for every point 0.19", likely);
+  expect_that(radius > 0.6,
+              fmt::format("{}: the closest two are {:.3f} of the densest pattern's distance apart, "
+                          "mean of {} sets",
+                          what, radius, sets),
+              "more than 0.6; 0.667 on average",
+              "a fixed number of candidates lets the last points come close: 0.45", likely);
+  expect_no_lattice(what, mean, sets);
+}
+
+TEST_CASE("4.2 misuse of best_candidate is refused", "[4.2][edge][points:2]") {
+  Rng rng = check_rng();
+  const std::string size = "points have two coordinates, and there is one of them at least";
+  const std::uint64_t n = 2 + rng() % 9;
+  expect_refused(MEASURE_OUTCOME(best_candidate_into, n, n + 1, 1), size);
+  expect_refused(MEASURE_OUTCOME(best_candidate_into, n, n - 1, 1), size);
+  expect_refused(MEASURE_OUTCOME(best_candidate_into, 0, 0, 1), size);
+  for (const double c : {0.0, -uniform(rng, 0.5, 2), nan, infinity}) {
+    expect_refused(MEASURE_OUTCOME(best_candidate_into, n, n, c),
+                   "c is candidates a point: positive and finite");
+  }
+}
+
+TEST_CASE("4.2 a refusal names the argument", "[4.2][edge][points:1]") {
+  expect_invalid_argument(MEASURE_OUTCOME(best_candidate_into, 3, 4, 1), "x|y",
+                          "the sizes of x and y differ");
+  expect_invalid_argument(MEASURE_OUTCOME(best_candidate_into, 3, 3, -1), "c",
+                          "c is positive and finite");
+}
+
+}  // namespace mc::checks

@@ -1,0 +1,125 @@
+#include "checks/blue_noise/point_sets.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "checks/support/distributions.hpp"
+#include "checks/support/expect.hpp"
+
+namespace mc::checks {
+namespace {
+
+bool same(const Set& a, const Set& b) {
+  return std::equal(a.x.begin(), a.x.end(), b.x.begin(), b.x.end()) &&
+         std::equal(a.y.begin(), a.y.end(), b.y.begin(), b.y.end());
+}
+
+void expect_fresh(const std::string& call, std::span<const Set> sets) {
+  for (std::size_t set = 1; set < sets.size(); ++set) {
+    if (!same(sets[set - 1], sets[set])) continue;
+    expect_that(false, fmt::format("{}: sets {} and {} are the same", call, set - 1, set),
+                "a fresh set from each call", "the generator has moved on between the two",
+                "draw from the generator that is handed in: a copy of it, or one with a seed of "
+                "its own, starts again each time");
+  }
+}
+
+}  // namespace
+
+std::vector<Set> sets_of(const Measured<Points>& got, std::size_t n, std::size_t sets) {
+  const Points& all = got.exactly(n * sets, unit);
+  std::vector<Set> parts;
+  for (std::size_t set = 0; set < sets; ++set) {
+    parts.push_back({View(all.x).subspan(set * n, n), View(all.y).subspan(set * n, n)});
+  }
+  expect_fresh(got.call, parts);
+  return parts;
+}
+
+std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size_t sets) {
+  const auto [x, y, sizes] = patterns_due(radius, sets);
+  const Patterns& all = got.list_by_list({x, y, sizes});
+  const auto empty = std::find(all.sizes.begin(), all.sizes.end(), 0u);
+  expect_that(empty == all.sizes.end(),
+              fmt::format("{}: set {} has no points", got.call, empty - all.sizes.begin()),
+              "one point at least", "", "there is always room for the first point");
+  std::vector<Set> parts = taken_apart(all);
+  expect_that(!parts.empty(),
+              fmt::format("{}: {} points in all, and other sizes", got.call, all.x.size()),
+              "sizes that add up", "", "");
+  expect_fresh(got.call, parts);
+  return parts;
+}
+
+double draws_a_point(const Measured<Patterns>& got, double radius, std::size_t sets) {
+  const auto [x, y, sizes] = patterns_due(radius, sets);
+  const Patterns& all = got.list_by_list({x, y, sizes});
+  return static_cast<double>(all.draws) / static_cast<double>(all.x.size());
+}
+
+void expect_distinct(const std::string& call, std::span<const Set> sets) {
+  struct Place {
+    double x, y;
+    std::size_t set, index;
+  };
+  std::vector<Place> all;
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (std::size_t i = 0; i < sets[set].x.size(); ++i) {
+      all.push_back({sets[set].x[i], sets[set].y[i], set, i});
+    }
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Place& a, const Place& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const Place &a = all[k - 1], &b = all[k];
+    if (a.x != b.x || a.y != b.y) continue;
+    const bool first = a.index == 0 && b.index == 0;
+    expect_that(false,
+                fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
+                            call, a.index, a.set, b.index, b.set, a.x, a.y),
+                "points that are all different", "random points never fall on each other",
+                a.x == 0 && a.y == 0 ? "a point that was never written lies at (0, 0)"
+                : first              ? "the first point of a set is as random as any other"
+                                     : "every point is drawn anew, and kept once");
+  }
+}
+
+Spectrum mean_spectrum(std::span<const Set> sets, double n) {
+  Spectrum mean{static_cast<int>(std::ceil(2 * std::sqrt(n))), {}};
+  for (const Set& set : sets) {
+    const Spectrum one = spectrum_of(set.x, set.y, mean.kmax);
+    mean.power.resize(one.power.size());
+    for (std::size_t k = 0; k < one.power.size(); ++k) {
+      mean.power[k] += one.power[k] / static_cast<double>(sets.size());
+    }
+  }
+  return mean;
+}
+
+void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_t sets) {
+  constexpr double largest_mean = 1.9, frequencies = 10000, false_fails = 1e-9;
+  const auto degrees = 2 * static_cast<double>(sets);
+  const double limit =
+      central_interval(
+          [&](double x) { return chi_squared_tails(x / largest_mean * degrees, degrees); },
+          2 * false_fails / frequencies, 0, 200)
+          .high;
+  for (int ky = -mean.kmax; ky <= mean.kmax; ++ky) {
+    for (int kx = -mean.kmax; kx <= mean.kmax; ++kx) {
+      if ((kx == 0 && ky == 0) || mean.at(kx, ky) < limit) continue;
+      expect_that(
+          false,
+          fmt::format("{}: power {:.1f} at k = ({}, {}), mean of {} sets", call, mean.at(kx, ky),
+                      kx, ky, sets),
+          fmt::format("less than {:.1f} at every k", limit),
+          "random points have no period: one that comes again in every set adds up, all others "
+          "average out (to 1.9 at most)",
+          "points on a lattice, or one pattern moved about, are not random: each point of each "
+          "set is drawn anew");
+    }
+  }
+  expect_that(true, "", "", "", "");
+}
+
+}  // namespace mc::checks

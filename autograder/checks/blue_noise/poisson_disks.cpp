@@ -1,0 +1,208 @@
+// 4.3
+//
+// Where the bounds of "blue" stand between right and wrong, in standard deviations of the judged
+// mean (200 patterns of each kind measured; the reference keeps going until nothing fits):
+//
+//                             reference      Bridson, gaps filled   lattice   bound
+//   low band, mean            .0741          .10                    0         < .13
+//   low band, sd of one set   .0068
+//   sd of the mean of 160     .0005 (80 sigma to the bound)
+//   peak of 160 sets, sd      1.752, .019    1.53                   3 or more 1.4 to 1.9
+//   to the bounds             18 and 8 sigma 7 sigma
+//
+// At 7 sigma a Gaussian errs once in 10^12.
+
+#include "checks/blue_noise/poisson_disks.hpp"
+
+#include <cstdlib>
+#include <deque>
+#include <optional>
+
+#include "checks/support/catch.hpp"
+#include "checks/support/statistics.hpp"
+
+namespace mc::checks {
+
+TEST_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7][needs:4.1]") {
+  Rng rng = check_rng();
+  {
+    const double radius = uniform(rng, 0.05, 0.06);
+    constexpr std::size_t sets = 40;
+    const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
+    const auto all = sets_of(got, radius, sets);
+    double size = 0;
+    for (const Set& set : all) {
+      expect_apart(got.call, set, radius);
+      size += static_cast<double>(set.x.size()) / sets;
+    }
+    // How full is asked for by the next check; a tenth of 1 / radius^2 is hardly begun.
+    expect_that(size > 0.1 / radius / radius,
+                fmt::format("{}: {:.1f} points a set on average", got.call, size),
+                fmt::format("about {:.0f}", 0.7 / radius / radius),
+                "there is room for about 0.7 / radius^2 points", "go on until no point fits");
+    expect_distinct(got.call, all);
+    expect_no_lattice(got.call, mean_spectrum(all, size), sets);
+  }
+  {
+    const double radius = uniform(rng, 0.2, 0.4);
+    constexpr std::size_t sets = 400;
+    const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
+    const auto all = sets_of(got, radius, sets);
+    Values x, y;  // of one point of each set: uniform, as nothing is where it is because of a place
+    for (const Set& set : all) {
+      expect_apart(got.call, set, radius);
+      const std::size_t point = rng() % set.x.size();
+      x.push_back(set.x[point]);
+      y.push_back(set.y[point]);
+    }
+    expect_distinct(got.call, all);
+    const Hints anywhere{{}, "points may fall anywhere on the torus, each place is like any other"};
+    const Null null{"one point of each pattern, whichever, is uniform in the square", alpha};
+    const auto itself = [](double p) { return p; };
+    expect_distribution(got.call + ": x of a point of each", x, itself, null, anywhere);
+    expect_distribution(got.call + ": y of a point of each", y, itself, null, anywhere);
+  }
+  // Two points may be rare (0.6); many (0.025); or fit into one cell of a grid whose side is
+  // rounded: of 1 / (cells along the square), radius / sqrt(2) rounded up. Just above sqrt(2) / 3
+  // that is a third too large; it forgets a point in 11 % of the patterns or more, so 200 show it
+  // but once in 10^10.
+  const std::pair<double, std::size_t> others[] = {
+      {uniform(rng, 0.5, 0.7), 20},
+      {std::sqrt(2.0) / 3 * uniform(rng, 1 + 1e-9, 1 + 1e-6), 200},
+      {std::sqrt(2.0) / 4 * uniform(rng, 1 + 1e-9, 1 + 1e-6), 200},
+      {uniform(rng, 0.025, 0.03), 1}};
+  for (const auto& [radius, sets] : others) {
+    const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
+    for (const Set& set : sets_of(got, radius, sets)) expect_apart(got.call, set, radius);
+  }
+}
+
+TEST_CASE("4.3 hardly any room is left", "[4.3][points:7][needs:4.1]") {
+  Rng rng = check_rng();
+  // Means over so many patterns that their errors are small beside the distance of right and wrong
+  // from 0.3 %. Bridson's algorithm with 30 tries leaves 0.9 to 1.1 % between radius 0.61 and 0.65,
+  // in one pattern +- 1.8 % at most: 200 of them are 5 sigma or more above. Of smaller radii it
+  // leaves too little to be judged: 0.17 % at 0.3 (up to 2.6 % in one pattern of 4,000), 0.12 %
+  // below 0.1. Darts until 1,000 in a row have missed leave 0.2 % of 300 points, +- 0.1 %, and
+  // 0.5 % of 10,000: they fail in 4.7.
+  const std::pair<double, std::size_t> cases[] = {{uniform(rng, 0.04, 0.05), 40},
+                                                  {uniform(rng, 0.28, 0.32), 60},
+                                                  {uniform(rng, 0.14, 0.16), 40},
+                                                  {uniform(rng, 0.61, 0.65), 200}};
+  for (const auto& [radius, sets] : cases) {
+    const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
+    double uncovered = 0, size = 0;
+    const auto all = sets_of(got, radius, sets);
+    for (const Set& set : all) {
+      const auto parts = static_cast<double>(sets);
+      uncovered += uncovered_area(set.x, set.y, radius, 1000, uniform(rng)) / parts;
+      size += static_cast<double>(set.x.size()) / parts;
+    }
+    expect_that(
+        uncovered <= 0.003,
+        fmt::format("{}: {:.3g} % of the square is farther than the radius from every point, mean "
+                    "of {} sets of {:.4g} points",
+                    got.call, 100 * uncovered, sets, size),
+        "0.3 % at most",
+        "where no disc reaches there is room for another point (computed along 1000 lines; right "
+        "to 0.01 %)",
+        radius > 0.1 ? "at large radii one gap that is missed is much of the square: look for what "
+                       "is left in the end"
+                     : "gaps are left: some misses in a row are no proof that nothing fits");
+    if (size > 100) {
+      expect_no_lattice(got.call, mean_spectrum(std::span(all).first(6), size), 6);
+    }
+  }
+}
+
+TEST_CASE("4.3 Poisson disks are blue", "[4.3][points:5][needs:4.1]") {
+  Rng rng = check_rng();
+  constexpr std::size_t sets = 160, calls = 4;  // so many that the peak of the mean is known well
+  const double radius = radius_for(256);
+  std::deque<Measured<Patterns>> got;
+  std::vector<Set> all;
+  double size = 0;
+  for (std::size_t call = 0; call < calls; ++call) {
+    got.push_back(MEASURE(poisson_disk, radius, sets / calls, fresh_seed(rng)));
+    for (const Set& set : sets_of(got.back(), radius, sets / calls)) {
+      all.push_back(set);
+      size += static_cast<double>(set.x.size()) / sets;
+    }
+  }
+  // The densest pattern has 422 points here; a spectrum beyond that is not of a Poisson disk.
+  expect_that(size > 100 && size < 500,
+              fmt::format("{}: {:.1f} points a set on average", got[0].call, size), "about 256",
+              "discs of half the radius cannot overlap, discs of the radius must cover",
+              "no two points closer than radius, and no room for another");
+  const Spectrum mean = mean_spectrum(all, size);
+  const double low = low_band(mean, size), top = peak(mean, size);
+  expect_that(low < 0.13,
+              fmt::format("{}: mean power {:.4f} over 0 < |k| <= sqrt(N)/2", got[0].call, low),
+              "less than 0.13; 0.076 on average", "independent points have 1, jittered ones 0.33",
+              "is the distance kept, and the square filled, everywhere alike?");
+  expect_that(top > 1.4 && top < 1.9,
+              fmt::format("{}: the largest mean power of a ring is {:.3f}", got[0].call, top),
+              "1.4 to 1.9; 1.75 on average",
+              "points just outside each other's discs are common, but not the rule",
+              top < 1.4 ? "the pattern is loose: too few neighbours at the radius"
+                        : "too regular: new points lie at the rim of a disc, or on a lattice, and "
+                          "not anywhere they fit");
+  expect_no_lattice(got[0].call, mean, sets);
+}
+
+TEST_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:3]") {
+  Rng rng = check_rng();
+  for (const double radius : {uniform(rng, 0.72, 0.9), 1.0, uniform(rng, 1, 10), 0.70711}) {
+    const auto got = MEASURE(poisson_disk, radius, 5, fresh_seed(rng));
+    for (const Set& set : sets_of(got, radius, 5)) {
+      expect_that(set.x.size() == 1, fmt::format("{}: {} points", got.call, set.x.size()), "1",
+                  "no two points of the torus are farther apart than sqrt(1/2)",
+                  "two points must not be nearer than radius, round the torus");
+    }
+  }
+  // Just below, a second point fits in one place, which nobody need find.
+  for (const double radius : {0.7071, std::nextafter(std::sqrt(0.5), 0)}) {
+    const auto got = MEASURE(poisson_disk, radius, 5, fresh_seed(rng));
+    for (const Set& set : sets_of(got, radius, 5)) expect_apart(got.call, set, radius);
+  }
+}
+
+TEST_CASE("4.3 a radius that makes no sense is refused", "[4.3][edge][points:2]") {
+  Rng rng = check_rng();
+  for (const double radius : {0.0, -uniform(rng, 0.1, 1), nan, -infinity, 1e-200, 1e-7}) {
+    expect_refused(MEASURE_OUTCOME(poisson_disk, radius, 1, 1),
+                   "a distance is positive, and memory has an end");
+  }
+}
+
+/// The first number of a text that lies between low and high.
+static std::optional<double> number_between(const std::string& text, double low, double high) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const double number = std::strtod(text.c_str() + at, nullptr);
+    if (number >= low && number <= high) return number;
+  }
+  return {};
+}
+
+TEST_CASE("4.3 a radius too small for memory is told how many points it means",
+          "[4.3][edge][points:1]") {
+  Rng rng = check_rng();
+  expect_invalid_argument(MEASURE_OUTCOME(poisson_disk, -1, 1, 1), "radius",
+                          "a distance is positive");
+  for (const double radius : {1e-7, uniform(rng, 1, 9) * 1e-9}) {
+    const auto call = MEASURE_OUTCOME(poisson_disk, radius, 1, 1);
+    expect_invalid_argument(call, "radius", "memory would not hold the points");
+    const double squares = 1 / (radius * radius);
+    // Discs of half the radius pack a triangular lattice at most; discs of the radius cover by the
+    // thinnest covering at least (Kershner 1939).
+    expect_that(
+        number_between(call.outcome.bytes, 0.384 * squares, 1.155 * squares).has_value(),
+        fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, call.outcome.bytes),
+        fmt::format("a text that says how many points it would be: about {:.2g}", 0.7 * squares),
+        "between 0.385 / radius^2 (fewer discs do not cover) and 1.155 / radius^2 (more "
+        "do not fit)",
+        "std::to_string or %g will do: 1.5e+12");
+  }
+}
+
+}  // namespace mc::checks
