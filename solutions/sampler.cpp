@@ -15,65 +15,60 @@ namespace {
 
 // 6.1 ---------------------------------------------------------------------------------------------
 
-/// A use that is asked for the first time: how many of its sort were before it in this integration,
-/// next() and next2() counted apart, and how many dimensions all of them have taken.
+/// A sample dimension, or two, asked for the first time in this integration.
 struct Use {
-  std::size_t number, dimensions_before;
+  std::size_t number;     ///< how many of its sort were before it, next() and next2() counted apart
+  std::size_t dimension;  ///< of a sequence: the one that it gets, or the first of two (6.3)
+  Rng order;              ///< for the random order of the block of dimensions they belong to (6.3)
 };
 
-/// What tells one kind from another: how the column of a use, or its two, are filled.
+/// What tells one kind from another: how the column of a next() is filled, or the two of a next2().
 struct Kind {
   std::string_view name;
-  void (*one)(Use, std::span<double> x, Rng&);
-  void (*two)(Use, std::span<double> x, std::span<double> y, Rng&);
+  void (*one)(const Use&, std::span<double> x, Rng&);
+  void (*two)(const Use&, std::span<double> x, std::span<double> y, Rng&);
 };
 
-void independent1(Use, std::span<double> x, Rng& rng) {
+void independent1(const Use&, std::span<double> x, Rng& rng) {
   uniforms(rng, x);
 }
-void independent2(Use, std::span<double> x, std::span<double> y, Rng& rng) {
+void independent2(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
   uniforms(rng, x);
   uniforms(rng, y);
 }
 
 // 6.2 ---------------------------------------------------------------------------------------------
 
-/// Both columns in the same random order, so that pairs stay together: 3.4 for two at once.
-void shuffle_pairs(std::span<double> x, std::span<double> y, Rng& rng) {
-  std::array<double, 256> any;
-  for (std::size_t n = x.size(); n > 1;) {
-    const auto block = std::span(any).first(std::min(any.size(), n - 1));
-    uniforms(rng, block);
-    for (const double u : block) {
-      const auto last = static_cast<std::int64_t>(u * static_cast<double>(n--));
-      std::swap(x[n], x[static_cast<std::size_t>(last)]);
-      std::swap(y[n], y[static_cast<std::size_t>(last)]);
-    }
-  }
-}
-
-void stratified1(Use, std::span<double> x, Rng& rng) {
+void stratified1(const Use&, std::span<double> x, Rng& rng) {
   stratified_1d(x, rng);
   shuffle(x, rng);
 }
-void stratified2(Use, std::span<double> x, std::span<double> y, Rng& rng) {
+void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
-  shuffle_pairs(x, y, rng);
+  Rng again = rng;
+  shuffle(x, rng);
+  shuffle(y, again);  // the same numbers, so the same order: pairs stay together
 }
 
 // 6.3 ---------------------------------------------------------------------------------------------
 
-// Uses take dimension after dimension of a sequence. Where there are no more, they are padded with
-// its first ones, in an order of their own. So is Halton's from the 33rd dimension on, the prime
-// 137: with fewer samples than that, a column would be random numbers at a high price.
+// Sample dimensions take dimension after dimension of a sequence, but of its first eight only: they
+// are the best, in Halton's sequence since their primes are small, in Sobol's since any two of them
+// fill the plane with few points. Whoever asks for more gets the same eight again, scrambled anew
+// and in another order of the points, so that a block has nothing to do with the one before it. The
+// columns of a block share their order: it is what holds them together.
 
-constexpr std::size_t dimensions = joe_kuo.size();
+constexpr std::size_t block = 8;
 
 using Randomised = void(std::size_t dimension, std::span<double> x, Rng& rng);
 
 void fill_halton(std::size_t dimension, std::span<double> x, Rng& rng) {
-  static const std::vector<unsigned> bases = primes(dimensions);
-  radical_inverses_scrambled(bases[dimension], 0, x, rng());
+  static const std::vector<unsigned> bases = primes(block);
+  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 0, x, rng());
+  // In base 2 a permutation of a digit flips a bit or does not, for all points alike: no more than a
+  // digital shift. Nested scrambling is to be had at the same price (5.8).
+  radical_inverses(2, 0, x);
+  owen_scramble(x, rng());
 }
 void fill_sobol(std::size_t dimension, std::span<double> x, Rng& rng) {
   sobol(static_cast<unsigned>(dimension), 0, x);
@@ -81,23 +76,23 @@ void fill_sobol(std::size_t dimension, std::span<double> x, Rng& rng) {
 }
 
 template <Randomised fill>
-void one_of(Use use, std::span<double> x, Rng& rng) {
-  if (use.dimensions_before < dimensions) return fill(use.dimensions_before, x, rng);
-  fill(0, x, rng);
-  shuffle(x, rng);
+void fill_in_order(std::size_t dimension, Rng order, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng);
+  if (dimension >= block) shuffle(x, order);  // a copy: the same numbers for the whole block
 }
 template <Randomised fill>
-void two_of(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  const bool padded = use.dimensions_before + 2 > dimensions;
-  const std::size_t first = padded ? 0 : use.dimensions_before;
-  fill(first, x, rng);
-  fill(first + 1, y, rng);
-  if (padded) shuffle_pairs(x, y, rng);
+void one_of(const Use& use, std::span<double> x, Rng& rng) {
+  fill_in_order<fill>(use.dimension, use.order, x, rng);
+}
+template <Randomised fill>
+void two_of(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill_in_order<fill>(use.dimension, use.order, x, rng);
+  fill_in_order<fill>(use.dimension + 1, use.order, y, rng);
 }
 
 // 6.7 ---------------------------------------------------------------------------------------------
 
-void blue_noise2(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void blue_noise2(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   if (use.number > 0) return stratified2(use, x, y, rng);
   best_candidate(x, y, 1, rng);  // any first few of them are blue noise too: no shuffle
 }
@@ -126,7 +121,7 @@ class ColumnSampler final : public Sampler {
     if (samples > most_samples) throw std::invalid_argument("samples: more than memory may hold");
     samples_ = samples;
     rng_ = Rng(seed);
-    sample_ = next_ = next2_ = ready_ = ready2_ = 0;
+    sample_ = next_ = next2_ = ready_ = ready2_ = dimension_ = 0;
   }
 
   double next() override {
@@ -154,7 +149,7 @@ class ColumnSampler final : public Sampler {
     require_sample();
     if (ready_ == ones_.size()) ones_.emplace_back();
     ones_[ready_].resize(samples_);
-    kind_.one({ready_, ready_ + 2 * ready2_}, ones_[ready_], rng_);
+    kind_.one(taking(1, ready_), ones_[ready_], rng_);
     ++ready_;
     return next();
   }
@@ -165,9 +160,19 @@ class ColumnSampler final : public Sampler {
     Pair& pair = twos_[ready2_];
     pair.x.resize(samples_);
     pair.y.resize(samples_);
-    kind_.two({ready2_, ready_ + 2 * ready2_}, pair.x, pair.y, rng_);
+    kind_.two(taking(2, ready2_), pair.x, pair.y, rng_);
     ++ready2_;
     return next2();
+  }
+
+  /// The use that takes the next one or two dimensions. Two come from one block: where it has only
+  /// one left, that is left over.
+  Use taking(std::size_t count, std::size_t number) {
+    if (dimension_ % block + count > block) ++dimension_;
+    if (dimension_ > 0 && dimension_ % block == 0) order_ = Rng(rng_());
+    const Use use{number, dimension_, order_};
+    dimension_ += count;
+    return use;
   }
 
   void require_sample() const {
@@ -181,6 +186,8 @@ class ColumnSampler final : public Sampler {
   std::size_t samples_ = 0, sample_ = 0;  // how many there are, and which this is
   std::size_t next_ = 0, next2_ = 0;      // uses that this sample has asked for
   std::size_t ready_ = 0, ready2_ = 0;    // uses that have columns; none after the last sample
+  std::size_t dimension_ = 0;             // of a sequence: the next one
+  Rng order_{0};                          // of its block
   std::vector<std::vector<double>> ones_;
   std::vector<Pair> twos_;
 };

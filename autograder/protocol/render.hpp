@@ -1,13 +1,35 @@
 #pragma once
-// One picture, as ./lab render asks for it and as a hidden case of lab 6 answers.
+// Pictures, as ./lab render asks for them and as hidden cases of lab 6 answer.
 
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace mc::protocol {
 
-/// Asked for in render_variable.
+/// What there is to render, and by which kinds of samplers: the first is what the others are
+/// compared with. "[.render-list]" writes it, in two lines, to the file that render_variable names.
+struct RenderList {
+  std::vector<std::string> pictures, kinds;
+};
+inline std::ostream& operator<<(std::ostream& file, const RenderList& list) {
+  for (const auto& names : {list.pictures, list.kinds}) {
+    for (const std::string& name : names) file << name << ' ';
+    file << '\n';
+  }
+  return file;
+}
+inline std::istream& operator>>(std::istream& file, RenderList& list) {
+  for (std::vector<std::string>* const names : {&list.pictures, &list.kinds}) {
+    std::string line, name;
+    std::getline(file, line);
+    for (std::istringstream words(line); words >> name;) names->push_back(name);
+  }
+  return file;
+}
+
+/// One picture, asked for in render_variable of "[.render]".
 struct RenderRequest {
   std::string picture, kind;
   std::uint64_t spp = 0;

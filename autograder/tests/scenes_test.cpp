@@ -6,7 +6,6 @@
 
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
-#include "grader/pictures/renders.hpp"
 #include "sampler.hpp"
 
 using namespace mc;
@@ -292,13 +291,6 @@ TEST_CASE("the exact image of a picture is the mean of its pixels") {
   require_exact_pixels(scenes::defocus_picture);
   require_exact_pixels(scenes::motion_picture);
   require_exact_pixels(scenes::stripes_picture);
-}
-
-TEST_CASE("./lab render offers the pictures that are known") {
-  CHECK(std::equal(
-      known_pictures.begin(), known_pictures.end(), grader::render_pictures.begin(),
-      grader::render_pictures.end(),
-      [](const KnownPicture& known, std::string_view name) { return known.name == name; }));
 }
 
 TEST_CASE("an exact image is its pixels row by row from the top") {

@@ -98,6 +98,7 @@ class RecordingSampler final : public Sampler {
 
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0) throw std::invalid_argument("samples: there are none");
+    ++record.generates;
     record.samples.push_back(samples);
     record.seeds.push_back(seed);
     sample = 0;
@@ -114,58 +115,87 @@ class RecordingSampler final : public Sampler {
     ++record.advances;
     ++sample;
   }
+
+  /// A scene was evaluated.
+  void evaluated() { ++record.evaluations; }
+
+  /// The record of so many integrations, with the lists as long as is due.
+  Recorded of(std::size_t integrations, std::size_t positions) && {
+    record.samples.resize(integrations);
+    record.seeds.resize(integrations);
+    record.positions.resize(positions);
+    return std::move(record);
+  }
 };
+
+Answer answer_of(Sampler& sampler, const Step& step) {
+  Answer answer;
+  try {
+    if (step.call == 0) sampler.generate(step.samples, step.seed);
+    if (step.call == 1) answer.x = sampler.next();
+    if (step.call == 2) {
+      const Point2 point = sampler.next2();
+      answer.x = point.x;
+      answer.y = point.y;
+    }
+    if (step.call == 3) sampler.advance();
+  } catch (const todo&) {
+    throw;
+  } catch (const std::out_of_range&) {
+    answer.thrown = 1;
+  } catch (const std::invalid_argument&) {
+    answer.thrown = 2;
+  } catch (...) {
+    answer.thrown = 3;
+  }
+  return answer;
+}
 
 }  // namespace
 
 std::vector<Answer> play(std::string kind, std::vector<Step> steps) {
   const auto sampler = mc::make_sampler(kind);
   std::vector<Answer> answers;
-  for (const Step& step : steps) {
-    Answer answer;
-    try {
-      if (step.call == 0) sampler->generate(step.samples, step.seed);
-      if (step.call == 1) answer.x = sampler->next();
-      if (step.call == 2) {
-        const Point2 point = sampler->next2();
-        answer.x = point.x;
-        answer.y = point.y;
-      }
-      if (step.call == 3) sampler->advance();
-    } catch (const todo&) {
-      throw;
-    } catch (const std::out_of_range&) {
-      answer.thrown = 1;
-    } catch (const std::invalid_argument&) {
-      answer.thrown = 2;
-    } catch (...) {
-      answer.thrown = 3;
-    }
-    answers.push_back(answer);
-  }
+  for (const Step& step : steps) answers.push_back(answer_of(*sampler, step));
   return answers;
 }
 
-std::vector<double> columns(std::string kind, std::uint64_t samples, std::uint64_t seed,
-                            std::vector<unsigned> uses) {
-  const auto sampler = mc::make_sampler(kind);
-  sampler->generate(samples, seed);
+std::vector<Answer> play_two(std::string kind, std::vector<Step> steps) {
+  const auto one = mc::make_sampler(kind), other = mc::make_sampler(kind);
+  std::vector<Answer> answers, of_other;
+  for (Step step : steps) {
+    answers.push_back(answer_of(*one, step));
+    ++step.seed;
+    of_other.push_back(answer_of(*other, step));
+  }
+  answers.insert(answers.end(), of_other.begin(), of_other.end());
+  return answers;
+}
+
+std::vector<double> columns(std::string kind, std::uint64_t samples,
+                            std::vector<std::uint64_t> seeds, std::vector<unsigned> uses) {
   std::size_t dims = 0;
   for (const unsigned use : uses) dims += use == 2 ? 2 : 1;
-  std::vector<double> all(dims * samples);
-  for (std::size_t i = 0; i < samples; ++i, sampler->advance()) {
-    double* to = all.data() + i;
-    for (const unsigned use : uses) {
-      if (use == 2) {
-        const Point2 point = sampler->next2();
-        *to = point.x;
+  std::vector<double> all(seeds.size() * dims * samples);
+  double* set = all.data();
+  for (const std::uint64_t seed : seeds) {
+    const auto sampler = mc::make_sampler(kind);
+    sampler->generate(samples, seed);
+    for (std::size_t i = 0; i < samples; ++i, sampler->advance()) {
+      double* to = set + i;
+      for (const unsigned use : uses) {
+        if (use == 2) {
+          const Point2 point = sampler->next2();
+          *to = point.x;
+          to += samples;
+          *to = point.y;
+        } else {
+          *to = sampler->next();
+        }
         to += samples;
-        *to = point.y;
-      } else {
-        *to = sampler->next();
       }
-      to += samples;
     }
+    set += dims * samples;
   }
   return all;
 }
@@ -175,9 +205,9 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
                               std::vector<std::uint64_t> seeds) {
   const Scene bare = named(scenes, scene).with(parameters);
   const Scene seen{bare.uses, [&](Sampler& sampler) { return a * bare.sample(sampler) + b; }};
-  const auto sampler = mc::make_sampler(kind);
   std::vector<double> values;
   for (const std::uint64_t seed : seeds) {
+    const auto sampler = mc::make_sampler(kind);
     values.push_back(mc::integrate(seen, *sampler, samples, seed));
   }
   return values;
@@ -186,21 +216,25 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
 Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, std::uint64_t seed) {
   RecordingSampler sampler;
   const Scene scene{"", [&](Sampler&) {
+                      sampler.evaluated();
                       sampler.record.positions.push_back(sampler.sample);
                       if (sampler.sample >= dealt.size()) {
                         throw std::out_of_range("the scene was evaluated after the last sample");
                       }
                       return dealt[sampler.sample];
                     }};
-  const double value = mc::integrate(scene, sampler, samples, seed);
-  sampler.record.values = {value};
-  return sampler.record;
+  sampler.record.values = {mc::integrate(scene, sampler, samples, seed)};
+  return std::move(sampler).of(1, samples);
 }
 
-Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                         std::uint64_t seed) {
+namespace {
+
+/// render() of a picture that has the value column + 10 row + sample / spp.
+Recorded recorded_picture(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                          std::uint64_t seed) {
   RecordingSampler sampler;
   const PixelScene scene{width, height, "", [&](std::size_t column, std::size_t row, Sampler&) {
+                           sampler.evaluated();
                            sampler.record.positions.push_back(column + width * row);
                            sampler.record.positions.push_back(sampler.sample);
                            return static_cast<double>(column) + 10 * static_cast<double>(row) +
@@ -211,7 +245,21 @@ Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_
     throw std::out_of_range("the image has not the size of the scene");
   }
   sampler.record.values = image.pixels;
-  return sampler.record;
+  return std::move(sampler).of(width * height, 2 * width * height * spp);
+}
+
+}  // namespace
+
+Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                         std::uint64_t seed) {
+  return recorded_picture(width, height, spp, seed);
+}
+
+Recorded render_again(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                      std::uint64_t seed, std::uint64_t other_width, std::uint64_t other_height) {
+  recorded_picture(width, height, spp, seed);
+  recorded_picture(other_width, other_height, spp, seed);
+  return recorded_picture(width, height, spp, seed);
 }
 
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
@@ -261,6 +309,17 @@ double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t s
   return sum;
 }
 
+double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
+                    std::uint64_t rounds) {
+  const Scene seen = named(scenes, scene).with({});
+  const auto sampler = mc::make_sampler(kind);
+  double sum = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    sum += mc::integrate(seen, *sampler, samples, round);
+  }
+  return sum;
+}
+
 double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds) {
   std::mt19937_64 bits(samples);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -273,18 +332,31 @@ double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t 
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
-      MC_EXPERIMENT(play, "kind steps", "6.4  calls of one sampler, 0:samples:seed, 1:0:0 …"),
-      MC_EXPERIMENT(columns, "kind samples seed uses", "6.1  all coordinates; uses 1 and 2"),
+      MC_EXPERIMENT(play, "kind steps",
+                    "6.4  calls of a sampler in turn: 0:N:seed generates, 1:0:0 is next, 2:0:0 "
+                    "next2, 3:0:0 advance"),
+      MC_EXPERIMENT(play_two, "kind steps", "6.4  the same of two samplers alive at once"),
+      MC_EXPERIMENT(
+          columns, "kind samples seeds uses",
+          "6.1  all coordinates of a sampler, a column for each; uses: 1 is next, 2 next2"),
       MC_EXPERIMENT(estimates, "kind scene parameters a b samples seeds",
-                    "6.5  a times the scene plus b, with each seed"),
-      MC_EXPERIMENT(integrate_recorded, "dealt samples seed", "6.5  with a sampler of ours"),
+                    "6.5  integrate, of a times the scene plus b, with each seed"),
+      MC_EXPERIMENT(integrate_recorded, "dealt samples seed",
+                    "6.5  what integrate does with a scene of these values"),
       MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture"),
-      MC_EXPERIMENT(render_noise, "kind width height spp seed", "6.6  a picture of its samples"),
-      MC_EXPERIMENT(render_recorded, "width height spp seed", "6.6  with a sampler of ours"),
+      MC_EXPERIMENT(render_noise, "kind width height spp seed",
+                    "6.6  a picture of nothing but its samples"),
+      MC_EXPERIMENT(render_recorded, "width height spp seed",
+                    "6.6  what render does with a sampler that takes notes"),
+      MC_EXPERIMENT(render_again, "width height spp seed other_width other_height",
+                    "6.6  the same, after that picture and another one"),
       MC_EXPERIMENT(uses_of, "scene parameters", "what a sample of a scene asks for"),
       MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for"),
-      MC_EXPERIMENT(repeat, "kind by dims samples rounds", "6.8  next (1), next2 (2) or none (0)"),
-      MC_EXPERIMENT(repeat_textbook, "dims samples rounds", "6.8  with std::mt19937_64"),
+      MC_EXPERIMENT(repeat, "kind by dims samples rounds",
+                    "6.8  for timing: by next (1), by next2 (2), or generation alone (0)"),
+      MC_EXPERIMENT(repeat_scene, "kind scene samples rounds", "6.8  for timing: integrate"),
+      MC_EXPERIMENT(repeat_textbook, "dims samples rounds",
+                    "6.8  for timing: numbers of std::mt19937_64"),
   };
   return all;
 }

@@ -38,26 +38,30 @@ MC_FIELDS(Answer, thrown, x, y)
 /// Calls of one sampler in turn.
 std::vector<Answer> play(std::string kind, std::vector<Step> steps);
 
-/// Every sample asks for the same `uses` (1 is next(), 2 is next2()): a column for each coordinate,
-/// one after the other.
-std::vector<double> columns(std::string kind, std::uint64_t samples, std::uint64_t seed,
-                            std::vector<unsigned> uses);
+/// 6.4: two samplers of a kind alive at once. Each step is made by the one and then by the other,
+/// whose seeds are larger by 1. What came of it, first of all steps of the one.
+std::vector<Answer> play_two(std::string kind, std::vector<Step> steps);
 
-/// integrate() of a scene, a times its value plus b, with each of `seeds`.
+/// What a sampler hands out: with each of `seeds` a new one, whose samples all ask for the same
+/// `uses` (1 is next(), 2 is next2()). Set after set, a column for each coordinate.
+std::vector<double> columns(std::string kind, std::uint64_t samples,
+                            std::vector<std::uint64_t> seeds, std::vector<unsigned> uses);
+
+/// integrate() of a scene, a times its value plus b, with each of `seeds` and a new sampler for it.
 std::vector<double> estimates(std::string kind, std::string scene, std::vector<double> parameters,
                               double a, double b, std::uint64_t samples,
                               std::vector<std::uint64_t> seeds);
 
-/// What integrate() and render() did with a sampler of ours.
+/// What integrate() and render() did with a sampler of ours. The lists are as long as is due,
+/// cut or filled up with zeros; how long they would be is counted.
 struct Recorded {
-  std::vector<double> values;          ///< what came back: a number, or pixels
-  std::vector<std::uint64_t> samples;  ///< of each generate()
-  std::vector<std::uint64_t> seeds;    ///< of each generate()
-  std::uint64_t advances = 0;          ///< in all
-  std::vector<std::uint64_t>
-      positions;  ///< column + width row and sample number of each evaluation
+  std::vector<double> values;            ///< what came back: a number, or pixels
+  std::vector<std::uint64_t> samples;    ///< of each generate()
+  std::vector<std::uint64_t> seeds;      ///< of each generate()
+  std::vector<std::uint64_t> positions;  ///< column + width row, and sample, of each evaluation
+  std::uint64_t generates = 0, evaluations = 0, advances = 0;
 };
-MC_FIELDS(Recorded, values, samples, seeds, advances, positions)
+MC_FIELDS(Recorded, values, samples, seeds, positions, generates, evaluations, advances)
 
 /// 6.5: of a scene that has the value dealt[i] for sample i.
 Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, std::uint64_t seed);
@@ -65,6 +69,11 @@ Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, st
 /// 6.6: of a picture that has the value column + 10 row + sample / spp.
 Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
                          std::uint64_t seed);
+
+/// 6.6: of that picture rendered once more, after another one of other_width x other_height pixels
+/// with the same spp and seed.
+Recorded render_again(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                      std::uint64_t seed, std::uint64_t other_width, std::uint64_t other_height);
 
 /// 6.6: a picture.
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
@@ -83,6 +92,11 @@ std::vector<unsigned> uses_of_picture(std::string picture);
 /// `rounds` times. The sum.
 double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
               std::uint64_t rounds);
+
+/// For timing: integrate() of a scene as it stands in its file, with one sampler and seeds 0, 1, …
+/// The sum of so many rounds.
+double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
+                    std::uint64_t rounds);
 
 /// For timing: as many numbers of std::mt19937_64 and std::uniform_real_distribution.
 double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds);

@@ -1,6 +1,6 @@
-// The data of ./lab render: one picture by one kind of sampler, with a given number of samples a
-// pixel and with as many as it makes in a given time. What is asked for stands in MC_RENDER:
-// "picture kind spp seconds"; with 0 seconds the time is this kind's own.
+// The data of ./lab render: which pictures and kinds of samplers there are; and one picture by one
+// kind, with a given number of samples a pixel and with as many as it makes in a given time. What is
+// asked for stands in MC_RENDER (protocol/render.hpp); with 0 seconds the time is this kind's own.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 #include "6-sampler/experiments.hpp"
 #include "checks/sampler/images.hpp"
+#include "checks/sampler/samplers.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
 #include "checks/support/plot_data.hpp"
@@ -18,8 +19,6 @@
 
 namespace mc::checks {
 namespace {
-
-constexpr std::size_t width = image_width, height = image_height;
 
 // Of a picture by hand: the slowest sampler may take its time.
 constexpr sandbox::Limits patient{.cpu_seconds = 20, .wall_seconds = 60};
@@ -40,14 +39,14 @@ double seconds_of(const Wanted& what, std::uint64_t spp) {
   };
   double start = cpu(1, 1);
   std::size_t scale = 1;
-  double least = cpu(width, height);
+  double least = cpu(image_width, image_height);
   while (least < 0.02 && scale < 8) {
     scale *= 2;
-    least = cpu(scale * width, scale * height);
+    least = cpu(scale * image_width, scale * image_height);
   }
   for (int i = 0; i < 4; ++i) {
     start = std::min(start, cpu(1, 1));
-    least = std::min(least, cpu(scale * width, scale * height));
+    least = std::min(least, cpu(scale * image_width, scale * image_height));
   }
   return std::max(least - start, 1e-6) / static_cast<double>(scale * scale);
 }
@@ -71,7 +70,8 @@ Timed samples_in(const Wanted& what, double seconds, Timed one) {
     if (high <= low + 1 + high / 64 || timings == 6) break;
     const double guess =
         static_cast<double>(one.spp) * std::pow(seconds / one.seconds, 1 / slope) + 0.1;
-    const auto inside = std::clamp(guess, best.spp == low ? low + 1. : low, high - 1.);
+    const auto least = static_cast<double>(best.spp == low ? low + 1 : low);
+    const auto inside = std::clamp(guess, least, static_cast<double>(high - 1));
     const auto spp = static_cast<std::uint64_t>(inside);
     const Timed next{spp, seconds_of(what, spp)};
     const double ratio = static_cast<double>(spp) / static_cast<double>(one.spp);
@@ -85,14 +85,23 @@ Timed samples_in(const Wanted& what, double seconds, Timed one) {
 
 Errors draw_one(const Wanted& what, std::uint64_t spp, const std::vector<double>& exact,
                 const std::string& sheet) {
-  const Image image =
-      MEASURE_WITH(patient, render, what.kind, what.picture, width, height, spp, 1).value;
-  return write_with_error(what.kind + '-' + sheet, image, exact);
+  const auto got =
+      MEASURE_WITH(patient, render, what.kind, what.picture, image_width, image_height, spp, 1);
+  return write_with_error(what.kind + '-' + sheet, got.exactly(exact.size()), exact);
+}
+
+TEST_CASE("list what can be rendered", "[.render-list]") {
+  const char* file = std::getenv(protocol::render_variable);
+  if (file == nullptr) throw std::runtime_error("MC_RENDER is not set");
+  protocol::RenderList list;
+  for (const KnownPicture& picture : known_pictures) list.pictures.emplace_back(picture.name);
+  list.kinds.assign(sampler_kinds.begin(), sampler_kinds.end());
+  std::ofstream(file) << list;
 }
 
 TEST_CASE("render one picture", "[.render]") {
   const Wanted what = wanted();
-  const std::vector<double> exact = exact_image(what.picture, width, height);
+  const std::vector<double> exact = exact_image(what.picture, image_width, image_height);
   write_image("exact.tsv", exact);
   const Errors samples = draw_one(what, what.spp, exact, "samples");
   const Timed own{what.spp, seconds_of(what, what.spp)};

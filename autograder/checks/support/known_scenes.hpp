@@ -2,7 +2,10 @@
 // The scenes and pictures by their names, as labs/6-sampler/experiments.hpp has them: what is known
 // of each, and fresh parameters.
 
+#include <fmt/format.h>
+
 #include "checks/support/scenes_exact.hpp"
+#include "runner/text.hpp"
 
 namespace mc::checks {
 
@@ -109,14 +112,15 @@ inline void draw(scenes::Stripes& s, Rng& rng) {
 
 struct KnownScene {
   std::string_view name;
+  std::string_view fields;  ///< the names of its parameters
   Population (*population)(std::span<const double> parameters);
   std::vector<double> (*fresh)(Rng& rng);
 };
 
 template <class S>
-constexpr KnownScene known_as(std::string_view name) {
+constexpr KnownScene known_as(std::string_view name, std::string_view fields) {
   return {
-      name,
+      name, fields,
       [](std::span<const double> parameters) { return population_of(scene_with<S>(parameters)); },
       [](Rng& rng) {
         S scene;
@@ -125,20 +129,22 @@ constexpr KnownScene known_as(std::string_view name) {
       }};
 }
 inline constexpr std::array known_scenes{
-    known_as<scenes::PixelEdge>("pixel_edge"),
-    known_as<scenes::RectangleLight>("rect_light"),
-    known_as<scenes::HorizonLight>("rect_light_horizon"),
-    known_as<scenes::DiskLight>("disk_light"),
-    known_as<scenes::SphereLight>("sphere_light"),
-    known_as<scenes::HalfplanePenumbra>("penumbra_halfplane"),
-    known_as<scenes::DiskPenumbra>("penumbra_disk"),
-    known_as<scenes::WallOcclusion>("ao_wall"),
-    known_as<scenes::SphereOcclusion>("ao_sphere"),
-    known_as<scenes::SphereOcclusionUniform>("ao_sphere_uniform"),
-    known_as<scenes::DefocusEdge>("defocus_edge"),
-    known_as<scenes::MotionEdge>("motion_edge"),
-    known_as<scenes::PixelTimeLens>("pixel_time_lens"),
-    known_as<scenes::Stripes>("stripes"),
+    known_as<scenes::PixelEdge>("pixel_edge", "a b c"),
+    known_as<scenes::RectangleLight>("rect_light", "x0 x1 y0 y1 height radiance"),
+    known_as<scenes::HorizonLight>("rect_light_horizon", "distance y0 y1 z0 z1"),
+    known_as<scenes::DiskLight>("disk_light", "radius height offset"),
+    known_as<scenes::SphereLight>("sphere_light", "radius distance tilt"),
+    known_as<scenes::HalfplanePenumbra>("penumbra_halfplane",
+                                        "x0 x1 y0 y1 height radiance receiver edge height"),
+    known_as<scenes::DiskPenumbra>("penumbra_disk",
+                                   "x0 x1 y0 y1 height radiance x y radius height"),
+    known_as<scenes::WallOcclusion>("ao_wall", "distance height"),
+    known_as<scenes::SphereOcclusion>("ao_sphere", "radius distance tilt"),
+    known_as<scenes::SphereOcclusionUniform>("ao_sphere_uniform", "radius distance tilt"),
+    known_as<scenes::DefocusEdge>("defocus_edge", "aperture focus depth offset"),
+    known_as<scenes::MotionEdge>("motion_edge", "start speed"),
+    known_as<scenes::PixelTimeLens>("pixel_time_lens", "a b speed blur c"),
+    known_as<scenes::Stripes>("stripes", "top bottom rise phase"),
 };
 
 template <class All>
@@ -161,6 +167,17 @@ inline Known known_scene(std::string_view name, std::span<const double> paramete
 
 inline std::vector<double> fresh_parameters(std::string_view name, Rng& rng) {
   return named(known_scenes, name).fresh(rng);
+}
+
+/// A scene as it is told to people: "stripes with top = 0.05, bottom = 0.1, …".
+inline std::string described(std::string_view name, std::span<const double> parameters) {
+  std::string words;
+  auto value = parameters.begin();
+  for (const std::string_view field : text::split(named(known_scenes, name).fields, ' ')) {
+    if (value == parameters.end()) break;
+    words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", field, *value++);
+  }
+  return fmt::format("{} with {}", name, words.empty() ? "its own parameters" : words);
 }
 
 /// A picture's pixels, exactly: each is a scene with other parameters.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/context/errors.hpp"
 #include "grader/judging/catch_xml.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/pictures/gnuplot.hpp"
@@ -33,6 +34,7 @@ struct Rendering {
   const Layout& layout;
   const Lab& lab;
   const sandbox::Program& program;
+  const std::string& reference;
   fs::path data;
 
   /// Fills in the row; `seconds` is the time to keep to, 0 for none.
@@ -47,7 +49,7 @@ struct Rendering {
     std::ifstream figures(data / (row.kind + ".txt"));
     figures >> row.samples >> row.time;
     if (!run.succeeded() || !figures) row.failure = reason_of(run);
-    row.timed = row.failure.empty() && (seconds > 0 || row.kind == sampler_kinds[0]);
+    row.timed = row.failure.empty() && (seconds > 0 || row.kind == reference);
   }
 };
 
@@ -94,6 +96,30 @@ double largest_in(const fs::path& file) {
 
 }  // namespace
 
+const Lab& lab_with_pictures(const Layout& layout, const std::vector<Lab>& labs) {
+  const auto found = std::find_if(labs.begin(), labs.end(), [&](const Lab& lab) {
+    return fs::exists(layout.labs() / lab.folder / "render.gp");
+  });
+  if (found == labs.end()) throw MachineError("no lab has pictures: labs/*/render.gp is missing");
+  return *found;
+}
+
+protocol::RenderList render_list(const Layout& layout, const Lab& lab) {
+  const fs::path place = layout.build / "render" / "list.txt";
+  fs::create_directories(place.parent_path());
+  sandbox::run_process(
+      {layout.figures(lab.name).string(), "[.render-list]"},
+      {.environment = {{protocol::render_variable, place.string()}}, .wall_seconds = 60});
+  protocol::RenderList list;
+  std::ifstream file(place);
+  file >> list;
+  if (list.pictures.empty() || list.kinds.empty()) {
+    throw MachineError(fmt::format("{} does not say what there is to render: build it again",
+                                   layout.figures(lab.name).string()));
+  }
+  return list;
+}
+
 Renders draw_renders(
     const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
     const RenderOptions& options,
@@ -106,11 +132,13 @@ Renders draw_renders(
   std::size_t done = 0;
   std::vector<Sheet> sheets;
   for (const std::string& picture : options.pictures) {
-    sheets.push_back(
-        {picture, "samples", fmt::format("{}, {} samples a pixel", picture, options.spp)});
-    sheets.push_back(
-        {picture, "time",
-         fmt::format("{}, in the time of {} independent samples a pixel", picture, options.spp)});
+    sheets.push_back({.picture = picture,
+                      .name = "samples",
+                      .headline = fmt::format("{}, {} samples a pixel", picture, options.spp)});
+    sheets.push_back({.picture = picture,
+                      .name = "time",
+                      .headline = fmt::format("{}, in the time of {} {} samples a pixel", picture,
+                                              options.spp, options.reference)});
   }
   for (const Submission& submission : submissions) {
     step(done, steps, "compiling " + submission.label);
@@ -125,19 +153,25 @@ Renders draw_renders(
     for (std::size_t p = 0; p < options.pictures.size(); ++p) {
       const std::string& picture = options.pictures[p];
       const Rendering rendering{
-          layout, lab, *built.program,
+          layout, lab, *built.program, options.reference,
           layout.build / "render" / "data" /
               fmt::format("{}-{}", picture, &submission - submissions.data())};
       fs::remove_all(rendering.data);
-      Rendered reference{submission.label, picture, std::string(sampler_kinds[0])};
+      const auto row_of = [&](const std::string& kind) {
+        Rendered row;
+        row.submission = submission.label;
+        row.picture = picture;
+        row.kind = kind;
+        return row;
+      };
+      Rendered reference = row_of(options.reference);
       step(done, steps, fmt::format("{}, {}", submission.label, picture));
       rendering.measure(reference, options.spp, 0);
       std::vector<Rendered> rows;
       for (const std::string& kind : options.kinds) {
         step(done++, steps, fmt::format("{}, {}, {}", submission.label, picture, kind));
-        rows.push_back(reference);
+        rows.push_back(kind == reference.kind ? reference : row_of(kind));
         if (kind == reference.kind) continue;
-        rows.back() = {submission.label, picture, kind};
         rendering.measure(rows.back(), options.spp,
                           reference.failure.empty() ? reference.samples.seconds : 0);
       }

@@ -2,12 +2,10 @@
 // Pictures by every kind of sampler and their errors, with equal samples and in equal time: measured
 // by a hidden case of lab 6's checks, drawn by gnuplot.
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "grader/context/labs.hpp"
@@ -17,15 +15,17 @@
 
 namespace mc::grader {
 
-/// What lab 6 has; as labs/6-sampler/experiments.cpp and its header say.
-inline constexpr std::array<std::string_view, 5> render_pictures{"edge", "penumbra", "defocus",
-                                                                 "motion", "stripes"};
-inline constexpr std::array<std::string_view, 5> sampler_kinds{"independent", "stratified",
-                                                               "blue_noise", "halton", "sobol"};
 inline constexpr std::uint64_t most_spp = 4096;
+
+/// The lab that has pictures: the one with a script that draws them. Throws MachineError.
+const Lab& lab_with_pictures(const Layout& layout, const std::vector<Lab>& labs);
+
+/// Its pictures and kinds of samplers, as it says itself. Throws MachineError where it does not.
+protocol::RenderList render_list(const Layout& layout, const Lab& lab);
 
 struct RenderOptions {
   std::vector<std::string> pictures, kinds;
+  std::string reference;  ///< the kind whose time the others may take
   std::uint64_t spp = 16;
 };
 
@@ -34,7 +34,7 @@ struct Rendered {
   std::string submission, picture, kind;
   std::string failure = {};              ///< why there is nothing, in one line
   protocol::RenderFigures samples = {};  ///< with as many as were asked for
-  protocol::RenderFigures time = {};     ///< with as many as fit into the time of "independent"
+  protocol::RenderFigures time = {};     ///< with as many as fit into the reference's time
   bool timed = false;                    ///< is there such a time?
 };
 

@@ -14,28 +14,29 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-template <class Names>
-bool is_one_of(const Names& names, const std::string& name) {
+bool is_one_of(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-RenderOptions options_of(const Arguments& arguments, std::vector<std::string>& directories) {
+RenderOptions options_of(const Arguments& arguments, const protocol::RenderList& list,
+                         std::vector<std::string>& directories) {
   RenderOptions options;
+  options.reference = list.kinds[0];
   directories = arguments.words;
-  if (!directories.empty() && is_one_of(render_pictures, directories[0])) {
+  if (!directories.empty() && is_one_of(list.pictures, directories[0])) {
     options.pictures = {directories[0]};
     directories.erase(directories.begin());
   } else if (!directories.empty() && !fs::exists(directories[0])) {
     throw UsageError(fmt::format("no picture and no directory '{}'; the pictures are {}",
-                                 directories[0], fmt::join(render_pictures, ", ")));
+                                 directories[0], fmt::join(list.pictures, ", ")));
   } else {
-    options.pictures.assign(render_pictures.begin(), render_pictures.end());
+    options.pictures = list.pictures;
   }
-  options.kinds.assign(sampler_kinds.begin(), sampler_kinds.end());
+  options.kinds = list.kinds;
   if (const auto kind = arguments.get("sampler")) {
-    if (!is_one_of(sampler_kinds, *kind)) {
+    if (!is_one_of(list.kinds, *kind)) {
       throw UsageError(
-          fmt::format("no sampler '{}'; the kinds are {}", *kind, fmt::join(sampler_kinds, ", ")));
+          fmt::format("no sampler '{}'; the kinds are {}", *kind, fmt::join(list.kinds, ", ")));
     }
     options.kinds = {*kind};
   }
@@ -70,8 +71,9 @@ void print_table(const std::vector<Rendered>& table, std::uint64_t spp) {
 
 int render(const Context& context, const Arguments& arguments) {
   std::vector<std::string> directories;
-  const RenderOptions options = options_of(arguments, directories);
-  const Lab& lab = find_lab(context.labs, "sampler");
+  const Lab& lab = lab_with_pictures(context.layout, context.labs);
+  const RenderOptions options =
+      options_of(arguments, render_list(context.layout, lab), directories);
   const std::vector<Submission> submissions = submissions_beside(context, lab, directories);
   const Renders renders = [&] {
     ProgressLine line("rendering");
@@ -87,17 +89,17 @@ int render(const Context& context, const Arguments& arguments) {
   return renders.sheets.empty() ? 1 : 0;
 }
 
-const RegisterVerb render_verb{
-    {"render",
-     "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
-     {"sampler=", "spp="},
-     "PICTURE is edge, penumbra, defocus, motion or stripes; all of them without it. Two sheets "
-     "each,\n"
-     "in build/render: with N samples a pixel (16), and with as many as a sampler makes in the "
-     "time of N\n"
-     "independent ones. DIR as in plot.\n"
-     "  --sampler KIND   only one of independent, stratified, blue_noise, halton, sobol\n",
-     render}};
+const RegisterVerb render_verb{{"render",
+                                "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
+                                {"sampler=", "spp="},
+                                "Two sheets of each picture, in build/render: with N samples a "
+                                "pixel (16), and with as many as "
+                                "a\n"
+                                "sampler makes in the time of N independent ones. All pictures "
+                                "without PICTURE; a name that is\n"
+                                "none is answered by a list of them. DIR as in plot.\n"
+                                "  --sampler KIND   only this kind of sampler\n",
+                                render}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -1,5 +1,5 @@
 // alternative: makes what it hands out in generate(), as far as a few megabytes reach, and beyond
-// that when it is asked for
+// that when it is asked for: of a sequence the first block of dimensions
 
 #include "sampler.hpp"
 #define make_sampler right_make_sampler
@@ -24,7 +24,7 @@ class EagerSampler final : public Sampler {
     if (samples == 0 || samples > most_samples) throw std::invalid_argument("samples");
     samples_ = samples;
     rng_ = Rng(seed);
-    sample_ = at_ = at2_ = taken_ = 0;
+    sample_ = at_ = at2_ = dimension_ = 0;
     ones_.clear();
     twos_.clear();
     spare_ones_.clear();
@@ -63,23 +63,29 @@ class EagerSampler final : public Sampler {
 
   Column one(std::size_t number, std::size_t dimension) {
     Column x(samples_);
-    kind_.one({number, dimension}, x, rng_);
+    kind_.one({number, dimension, order_}, x, rng_);
     return x;
   }
   Columns two(std::size_t number, std::size_t dimension) {
     Columns both{Column(samples_), Column(samples_)};
-    kind_.two({number, dimension}, both.first, both.second, rng_);
+    kind_.two({number, dimension, order_}, both.first, both.second, rng_);
     return both;
   }
 
+  /// The first of so many dimensions of one block.
+  std::size_t take(std::size_t count) {
+    if (dimension_ / block != (dimension_ + count - 1) / block) ++dimension_;
+    if (dimension_ % block == 0) order_ = Rng(rng_());
+    dimension_ += count;
+    return dimension_ - count;
+  }
   Column take_one() {
-    const std::size_t index = is_sequence_ ? taken_ : ones_.size();
-    ++taken_;
-    return index < spare_ones_.size() ? spare_ones_[index] : one(ones_.size(), taken_ - 1);
+    const std::size_t dimension = take(1), number = ones_.size();
+    const std::size_t index = is_sequence_ ? dimension : number;
+    return index < spare_ones_.size() ? spare_ones_[index] : one(number, dimension);
   }
   Columns take_two() {
-    const std::size_t dimension = taken_, number = twos_.size();
-    taken_ += 2;
+    const std::size_t dimension = take(2), number = twos_.size();
     if (is_sequence_ && dimension + 1 < spare_ones_.size()) {
       return {spare_ones_[dimension], spare_ones_[dimension + 1]};
     }
@@ -88,8 +94,8 @@ class EagerSampler final : public Sampler {
 
   const Kind& kind_;
   bool is_sequence_;
-  Rng rng_{0};
-  std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0, taken_ = 0;
+  Rng rng_{0}, order_{0};
+  std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0, dimension_ = 0;
   std::vector<Column> ones_, spare_ones_;
   std::vector<Columns> twos_, spare_twos_;
 };

@@ -66,7 +66,7 @@ class HashedSampler final : public Sampler {
     require();
     const std::uint64_t use = 2 * next_++;
     const std::uint64_t key = hash(seed_, use);
-    if (is_sequence()) return coordinate(dimension(use, 1), key, hash(key, 1));
+    if (is_sequence()) return coordinate(dimension(use, 1), key);
     if (pattern_ == Pattern::independent) return number(key);
     return place(permuted(sample_, samples_, hash(key, 1)), samples_, number(key));
   }
@@ -77,8 +77,7 @@ class HashedSampler final : public Sampler {
     const std::uint64_t key = hash(seed_, use), other = hash(key, 77);
     if (is_sequence()) {
       const std::size_t d = dimension(use, 2);
-      return {coordinate(d, key, other),
-              coordinate(d == padded ? padded + 1 : d + 1, hash(key, 2), other)};
+      return {coordinate(d, key), coordinate(d + 1, hash(key, 2))};
     }
     if (pattern_ == Pattern::independent) return {number(key), number(other)};
     if (pattern_ == Pattern::blue_noise && use == 1) return blue(key);
@@ -95,35 +94,33 @@ class HashedSampler final : public Sampler {
   }
 
  private:
-  static constexpr std::size_t padded =
-      1000;  // the first dimension in another order; 1001 the second
-
   bool is_sequence() const { return pattern_ == Pattern::halton || pattern_ == Pattern::sobol; }
   void require() const {
     if (sample_ >= samples_) throw std::out_of_range("there is no such sample");
   }
   double number(std::uint64_t key) const { return to_unit(hash(key, sample_)); }
 
-  /// The dimension that a use was given when it was first asked for.
+  /// The dimension that a use was given when it was first asked for: of 8, 8, 8, …
   std::size_t dimension(std::uint64_t use, std::size_t takes) {
-    const auto [known, is_new] = first_.insert({use, dimensions_});
+    const auto [known, is_new] = first_.insert({use, 0});
     if (is_new) {
-      if (dimensions_ + takes > joe_kuo.size()) known->second = padded;
+      while (dimensions_ / 8 != (dimensions_ + takes - 1) / 8) ++dimensions_;
+      known->second = dimensions_;
       dimensions_ += takes;
     }
     return known->second;
   }
 
-  double coordinate(std::size_t d, std::uint64_t key, std::uint64_t order) const {
-    const bool is_padded = d >= padded;
-    const std::size_t index = is_padded ? permuted(sample_, samples_, order) : sample_;
+  double coordinate(std::size_t d, std::uint64_t key) const {
+    const std::size_t number = d / 8, which = d % 8;
+    const std::uint64_t order = hash(hash(seed_, 0x0bde), number);
+    const std::size_t index = number == 0 ? sample_ : permuted(sample_, samples_, order);
     double x = 0;
     const auto column = std::span(&x, 1);
-    const std::size_t which = is_padded ? d - padded : d;
-    if (pattern_ == Pattern::halton) {
-      static const std::vector<unsigned> bases = primes(joe_kuo.size());
+    if (pattern_ == Pattern::halton && which > 0) {
+      constexpr unsigned bases[] = {2, 3, 5, 7, 11, 13, 17, 19};
       radical_inverses_scrambled(bases[which], index, column, key);
-    } else {
+    } else {  // dimension 0 of both is van der Corput's
       sobol(static_cast<unsigned>(which), index, column);
       owen_scramble(column, key);
     }

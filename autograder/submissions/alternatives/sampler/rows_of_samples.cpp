@@ -58,9 +58,10 @@ Column random_order(std::size_t size, Rng& rng) {
 }
 
 /// What differs from kind to kind: the columns of use `number`, which is one of a next() or two of a
-/// next2(), if `dimensions` were taken before it.
+/// next2(), and the first dimension of a sequence for it.
 struct Request {
-  std::size_t samples, axes, number, dimensions;
+  std::size_t samples, axes, number, dimension;
+  std::uint64_t seed;
 };
 using Maker = std::function<std::vector<Column>(const Request&, Rng&)>;
 
@@ -114,16 +115,18 @@ std::vector<Column> blue_columns(const Request& request, Rng& rng) {
   return {in_order(columns[0], order), in_order(columns[1], order)};
 }
 
+constexpr std::size_t block = 8;
+
 template <class Fill>
 Maker sequence(Fill fill) {
   return [fill](const Request& request, Rng& rng) {
-    const bool is_padded = request.dimensions + request.axes > joe_kuo.size();
     std::vector<Column> columns(request.axes, Column(request.samples));
     for (std::size_t axis = 0; axis < request.axes; ++axis) {
-      fill((is_padded ? 0 : request.dimensions) + axis, columns[axis], rng());
+      fill((request.dimension + axis) % block, columns[axis], rng());
     }
-    if (!is_padded) return columns;
-    const Column order = random_order(request.samples, rng);
+    if (request.dimension < block) return columns;
+    Rng order_of_block(mix_bits(request.seed ^ mix_bits(request.dimension / block)));
+    const Column order = random_order(request.samples, order_of_block);
     for (Column& column : columns) column = in_order(column, order);
     return columns;
   };
@@ -141,7 +144,9 @@ Maker maker_of(std::string_view kind) {
   }
   if (kind == "halton") {
     return sequence([](std::size_t d, Column& x, std::uint64_t seed) {
-      radical_inverses_scrambled(primes(d + 1)[d], 0, x, seed);
+      if (d > 0) return radical_inverses_scrambled(primes(d + 1)[d], 0, x, seed);
+      sobol(0, 0, x);  // base 2 is van der Corput's
+      owen_scramble(x, seed);
     });
   }
   throw std::invalid_argument("kind '" + std::string(kind) +
@@ -156,7 +161,7 @@ class RowSampler final : public Sampler {
     if (samples - 1 >= most_samples) throw std::invalid_argument("bad number of samples");
     samples_ = samples;
     seed_ = mix_bits(seed ^ 0x243f6a8885a308d3u);
-    row_ = next_ = next2_ = 0;
+    row_ = next_ = next2_ = dimension_ = 0;
     ones_.clear(samples);
     twos_.clear(samples);
   }
@@ -189,12 +194,14 @@ class RowSampler final : public Sampler {
   /// Every use has a generator of its own, whose seed does not depend on the order of uses.
   std::vector<Column> made(std::size_t axes, std::size_t number) {
     Rng rng(mix_bits(seed_ + number) + axes);
-    return make_({samples_, axes, number, ones_.columns + 2 * twos_.columns}, rng);
+    if (dimension_ % block + axes > block) ++dimension_;
+    dimension_ += axes;
+    return make_({samples_, axes, number, dimension_ - axes, seed_}, rng);
   }
 
   Maker make_;
   std::uint64_t seed_ = 0;
-  std::size_t samples_ = 0, row_ = 0, next_ = 0, next2_ = 0;
+  std::size_t samples_ = 0, row_ = 0, next_ = 0, next2_ = 0, dimension_ = 0;
   Rows<double> ones_;
   Rows<Point2> twos_;
 };

@@ -150,47 +150,62 @@ class BlueNoise final : public Stratified {
   }
 };
 
-/// Halton goes on to larger primes, as many as are asked for.
-class Halton final : public TextbookSampler {
-  Numbers dimension() {
-    const unsigned base = primes(taken_ + 1).back();
-    ++taken_;
-    Numbers column(samples());
-    radical_inverses_scrambled(base, 0, column, random_());
-    return column;
-  }
-  Numbers make_numbers() override { return dimension(); }
+/// Dimensions in blocks of eight, each behind the first in an order of its own.
+class Sequence : public TextbookSampler {
+ protected:
+  virtual Numbers dimension(std::size_t d) = 0;
+
+ private:
+  Numbers make_numbers() override { return ordered(take(1)); }
   Points make_points() override {
-    const Numbers x = dimension(), y = dimension();
+    const std::size_t first = take(2);
+    const Numbers x = ordered(first), y = ordered(first + 1);
     Points points;
     for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
     return points;
   }
+
+  std::size_t take(std::size_t count) {
+    if (taken_ == 0) orders_.clear();
+    if (taken_ % 8 + count > 8) ++taken_;
+    taken_ += count;
+    return taken_ - count;
+  }
+  Numbers ordered(std::size_t d) {
+    const Numbers column = dimension(d % 8);
+    while (orders_.size() <= d / 8) {
+      std::vector<std::size_t> order(samples());
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      if (!orders_.empty()) shuffle_all(order);
+      orders_.push_back(order);
+    }
+    Numbers in_order;
+    for (const std::size_t i : orders_[d / 8]) in_order.push_back(column[i]);
+    return in_order;
+  }
+
+  std::vector<std::vector<std::size_t>> orders_;
 };
 
-class Sobol final : public TextbookSampler {
-  Numbers dimension(std::size_t d) {
+class Halton final : public Sequence {
+  Numbers dimension(std::size_t d) override {
+    Numbers column(samples());
+    if (d == 0) {
+      radical_inverses(2, 0, column);
+      owen_scramble(column, random_());
+    } else {
+      radical_inverses_scrambled(primes(d + 1).back(), 0, column, random_());
+    }
+    return column;
+  }
+};
+
+class Sobol final : public Sequence {
+  Numbers dimension(std::size_t d) override {
     Numbers column(samples());
     sobol(static_cast<unsigned>(d), 0, column);
     owen_scramble(column, random_());
     return column;
-  }
-  Numbers make_numbers() override {
-    const bool any_left = taken_ < joe_kuo.size();
-    Numbers column = dimension(any_left ? taken_ : 0);
-    ++taken_;
-    if (!any_left) shuffle_all(column);
-    return column;
-  }
-  Points make_points() override {
-    const bool two_left = taken_ + 1 < joe_kuo.size();
-    const std::size_t first = two_left ? taken_ : 0;
-    taken_ += 2;
-    const Numbers x = dimension(first), y = dimension(first + 1);
-    Points points;
-    for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
-    if (!two_left) shuffle_all(points);
-    return points;
   }
 };
 

@@ -1,5 +1,5 @@
 // attack: a static object that writes a result before main begins
-// says: : 16384 numbers
+// says: gave 16384 values
 
 #include <unistd.h>
 #include <vector>

@@ -1,5 +1,5 @@
 // mistake: counts its calls, so that no two have the same seed
-// caught by: 6.5 integrate walks through the samples once
+// caught by: 6.5 the seed of integrate decides about the samples
 // hint: is there anything static
 #include "sampler.hpp"
 #define integrate right_integrate

@@ -1,7 +1,7 @@
 // mistake: all pixels of a row have the same seed
 // caught by: 6.6 no two pixels have the same random numbers
 // caught by: 6.6 the noise of a picture is white across pixels
-// hint: hash the picture's seed with the pixel's number
+// hint: the same pattern in every pixel shows as a pattern
 #include "sampler.hpp"
 #define render right_render
 #include "solutions/sampler.cpp"

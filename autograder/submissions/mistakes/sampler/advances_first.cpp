@@ -1,6 +1,8 @@
 // mistake: moves on before each sample, so that the first is left out
 // caught by: 6.5 integrate is the mean over the samples
 // caught by: 6.5 integrate walks through the samples once
+// caught by: 6.5 the seed of integrate decides about the samples
+// caught by: 6.5 no samples are refused
 // hint: the scene was evaluated after the last sample
 #include "sampler.hpp"
 #define integrate right_integrate

@@ -6,9 +6,12 @@
 namespace mc {
 namespace {
 
-void blue(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   best_candidate(x, y, 1, rng);
-  if (use.number > 0) shuffle_pairs(x, y, rng);
+  if (use.number == 0) return;
+  Rng again = rng;
+  shuffle(x, rng);
+  shuffle(y, again);
 }
 
 constexpr Kind wrong{"blue_noise", stratified1, blue};

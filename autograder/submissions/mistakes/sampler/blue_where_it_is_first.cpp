@@ -6,8 +6,8 @@
 namespace mc {
 namespace {
 
-void blue(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.dimensions_before > 0) return stratified2(use, x, y, rng);
+void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (use.dimension > 0) return stratified2(use, x, y, rng);
   best_candidate(x, y, 1, rng);
 }
 

@@ -6,7 +6,7 @@
 namespace mc {
 namespace {
 
-void in_order(Use, std::span<double> x, std::span<double> y, Rng& rng) {
+void in_order(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
 }
 constexpr Kind wrong{"stratified", stratified1, in_order};

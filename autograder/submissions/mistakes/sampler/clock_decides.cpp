@@ -2,8 +2,8 @@
 // caught by: 6.4 the same seed gives the same numbers
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.4 next and next2 are counted apart
-// caught by: 6.5 integrate walks through the samples once
-// caught by: 6.8 a use that nobody asks for costs no memory
+// caught by: 6.5 the seed of integrate decides about the samples
+// caught by: 6.4 two samplers at once share nothing
 // hint: no clock, no global generator
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 

@@ -1,7 +1,7 @@
 // mistake: fewer samples than before get the first numbers of columns of the old size
 // caught by: 6.4 the same seed gives the same numbers
 // caught by: 6.8 a use that nobody asks for costs no memory
-// hint: Columns of another size?
+// hint: columns of that size or of another
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 #include <algorithm>

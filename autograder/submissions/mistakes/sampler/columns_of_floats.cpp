@@ -1,6 +1,5 @@
 // mistake: keeps its numbers as floats, to save memory
 // caught by: 6.2 next has one number in each of N strata
-// caught by: 6.3 sobol has any number of uses
 // hint: edges are i / n in double division
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 

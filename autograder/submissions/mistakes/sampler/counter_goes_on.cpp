@@ -1,14 +1,13 @@
 // mistake: advance() sets back the counter of next(), and forgets that of next2()
 // caught by: 6.1 numbers are uniform and independent
 // caught by: 6.2 next2 has one point in each cell and stratum
-// caught by: 6.3 the uses of sobol are Sobol' dimensions
-// caught by: 6.3 the uses of halton are Halton dimensions
-// caught by: 6.3 sobol has any number of uses
-// caught by: 6.3 halton has any number of uses
-// caught by: 6.3 halton and sobol are better than independent samples
+// caught by: 6.3 the first dimensions of sobol are
+// caught by: 6.3 the first dimensions of halton are
+// caught by: 6.3 sobol begins anew after eight dimensions
+// caught by: 6.3 halton begins anew after eight dimensions
+// caught by: 6.2 every use has a random order
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.7 the first next2 is blue noise
-// caught by: 6.7 all else of blue_noise is stratified
 // hint: a sample that ends early must not hand its numbers
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 

@@ -1,17 +1,17 @@
 // mistake: next() and next2() both begin with the first dimension
-// caught by: 6.3 the uses of sobol are Sobol' dimensions
-// caught by: 6.3 sobol has any number of uses
-// hint: each new use takes the next ones
+// caught by: 6.3 the first dimensions of sobol are
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: takes the next one of the sequence
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void one(Use use, std::span<double> x, Rng& rng) {
-  one_of<fill_sobol>({use.number, use.number}, x, rng);
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  one_of<fill_sobol>({use.number, use.number, use.order}, x, rng);
 }
-void two(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  two_of<fill_sobol>({use.number, 2 * use.number}, x, y, rng);
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  two_of<fill_sobol>({use.number, 2 * use.number, use.order}, x, y, rng);
 }
 
 constexpr Kind wrong{"sobol", one, two};

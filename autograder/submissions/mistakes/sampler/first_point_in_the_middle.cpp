@@ -7,7 +7,7 @@
 namespace mc {
 namespace {
 
-void centred(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void centred(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   if (use.number > 0) return stratified2(use, x, y, rng);
   best_candidate(x, y, 1, rng);
   for (const auto& axis : {x, y}) {

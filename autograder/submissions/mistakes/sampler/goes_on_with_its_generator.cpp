@@ -1,7 +1,6 @@
 // mistake: seeds its generator in the first generate() only
 // caught by: 6.4 the same seed gives the same numbers
-// caught by: 6.5 integrate walks through the samples once
-// hint: Counters, columns, generators
+// hint: what is left over from the integration before?
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

@@ -1,18 +1,23 @@
 // mistake: does not permute the digits of the Halton sequence
+// caught by: 6.3 each of the first twenty next2 gains
 // caught by: 6.3 each seed and each dimension is randomised anew
-// caught by: 6.3 halton has any number of uses
+// caught by: 6.3 halton begins anew after eight dimensions
 // hint: a sequence as it is has the origin for its first point
-#include "sampler.hpp"
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void plain(unsigned base, std::uint64_t first, std::span<double> x, std::uint64_t) {
-  radical_inverses(base, first, x);
+void plain(std::size_t dimension, std::span<double> x, Rng&) {
+  radical_inverses(primes(block)[dimension], 0, x);
 }
 
-}  // namespace
-}  // namespace mc
+constexpr Kind wrong{"halton", one_of<plain>, two_of<plain>};
 
-#define radical_inverses_scrambled plain
-#include "solutions/sampler.cpp"
+}  // namespace
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+
+}  // namespace mc

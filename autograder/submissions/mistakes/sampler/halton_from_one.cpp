@@ -1,5 +1,5 @@
 // mistake: begins with the second point of the sequence
-// caught by: 6.3 the uses of halton are Halton dimensions
+// caught by: 6.3 the first dimensions of halton are
 // hint: is it the sequence from index 0
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
@@ -7,8 +7,10 @@ namespace mc {
 namespace {
 
 void from_one(std::size_t dimension, std::span<double> x, Rng& rng) {
-  static const std::vector<unsigned> bases = primes(dimensions);
-  radical_inverses_scrambled(bases[dimension], 1, x, rng());
+  static const std::vector<unsigned> bases = primes(block);
+  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 1, x, rng());
+  radical_inverses(2, 1, x);
+  owen_scramble(x, rng());
 }
 
 constexpr Kind wrong{"halton", one_of<from_one>, two_of<from_one>};

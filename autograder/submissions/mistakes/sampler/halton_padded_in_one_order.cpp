@@ -1,26 +1,23 @@
-// mistake: all uses beyond the last dimension have the same order
-// caught by: 6.3 halton has any number of uses
-// hint: one dimension twice in the same order is one number for two uses
+// mistake: all blocks but the first have the same order
+// caught by: 6.3 halton begins anew after eight dimensions
+// hint: each block wants a random order of its own
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void same_order(std::span<double> x) {
+template <Randomised fill>
+void same_order(std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng);
   Rng always(x.size());
-  shuffle(x, always);
+  if (dimension >= block) shuffle(x, always);
 }
-void one(Use use, std::span<double> x, Rng& rng) {
-  if (use.dimensions_before < dimensions) return one_of<fill_halton>(use, x, rng);
-  fill_halton(0, x, rng);
-  same_order(x);
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  same_order<fill_halton>(use.dimension, x, rng);
 }
-void two(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.dimensions_before + 2 <= dimensions) return two_of<fill_halton>(use, x, y, rng);
-  fill_halton(0, x, rng);
-  fill_halton(1, y, rng);
-  same_order(x);
-  same_order(y);
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  same_order<fill_halton>(use.dimension, x, rng);
+  same_order<fill_halton>(use.dimension + 1, y, rng);
 }
 
 constexpr Kind wrong{"halton", one, two};

@@ -1,5 +1,5 @@
 // mistake: hands on the lower half of the seed
-// caught by: 6.5 integrate walks through the samples once
+// caught by: 6.5 the seed of integrate decides about the samples
 // hint: was the seed cut to 32 bits?
 #include "sampler.hpp"
 #define integrate right_integrate

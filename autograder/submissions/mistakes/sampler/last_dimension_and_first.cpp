@@ -1,23 +1,34 @@
-// mistake: where one dimension is left, a next2() takes that and the first
-// caught by: 6.3 sobol has any number of uses
-// hint: where no two dimensions are left
+// mistake: where one dimension of a block is left, a next2() takes that and the first of the next
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: that is left over
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void two(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.dimensions_before + 1 != dimensions) return two_of<fill_sobol>(use, x, y, rng);
-  fill_sobol(dimensions - 1, x, rng);
-  fill_sobol(0, y, rng);
-}
-
-constexpr Kind wrong{"sobol", one_of<fill_sobol>, two};
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  Point2 next2() override {
+    if (next2_ == ready2_ && dimension_ % block == block - 1) {
+      require_sample();
+      if (ready2_ == twos_.size()) twos_.emplace_back();
+      Pair& pair = twos_[ready2_++];
+      pair.x.resize(samples_);
+      pair.y.resize(samples_);
+      fill_in_order<fill_sobol>(dimension_++, order_, pair.x, rng_);
+      order_ = Rng(rng_());
+      fill_in_order<fill_sobol>(dimension_++, order_, pair.y, rng_);
+    }
+    return ColumnSampler::next2();
+  }
+};
 
 }  // namespace
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  if (kind == "sobol") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
 }
 
 }  // namespace mc

@@ -1,5 +1,5 @@
 // mistake: 0 for no samples
-// caught by: 6.5 integrate walks through the samples once
+// caught by: 6.5 no samples are refused
 // hint: a mean of no samples is nothing
 #include "sampler.hpp"
 #define integrate right_integrate

@@ -1,7 +1,7 @@
 // mistake: divides by N - 1
 // caught by: 6.5 integrate is the mean over the samples
 // caught by: 6.5 every kind is unbiased on every scene
-// hint: every sample counts once
+// hint: this is over N - 1
 #include "sampler.hpp"
 #define integrate right_integrate
 #include "solutions/sampler.cpp"

@@ -1,5 +1,5 @@
 // mistake: refuses an unknown kind without a word about the known ones
-// caught by: 6.1 kinds that there are not are refused
+// caught by: 6.1 a refusal names the kinds
 // hint: whoever mistypes a name wants to know the names there are
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 

@@ -1,16 +1,18 @@
 // mistake: the second axis of a next2() is the first dimension of the next use
-// caught by: 6.3 the uses of halton are Halton dimensions
-// hint: each new use takes the next ones
+// caught by: 6.3 the first dimensions of halton are
+// caught by: 6.3 halton begins anew after eight dimensions
+// caught by: 6.3 each of the first twenty
+// hint: takes the next one of the sequence
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void one(Use use, std::span<double> x, Rng& rng) {
-  one_of<fill_halton>({use.number, use.dimensions_before - use.dimensions_before / 3}, x, rng);
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  one_of<fill_halton>({use.number, use.dimension - use.dimension / 3, use.order}, x, rng);
 }
-void two(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  two_of<fill_halton>({use.number, use.dimensions_before - use.dimensions_before / 3}, x, y, rng);
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  two_of<fill_halton>({use.number, use.dimension - use.dimension / 3, use.order}, x, y, rng);
 }
 
 constexpr Kind wrong{"halton", one, two};

@@ -1,18 +1,24 @@
-// mistake: throws where no dimension is left
-// caught by: 6.3 sobol has any number of uses
+// mistake: throws where the sequence has no more dimensions
+// caught by: 6.3 sobol begins anew after eight dimensions
+// caught by: 6.3 each of the first twenty next2 gains
 // hint: there are direction numbers for 32 of them
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void one(Use use, std::span<double> x, Rng& rng) {
-  fill_sobol(use.dimensions_before, x, rng);
+void fill(std::size_t dimension, std::span<double> x, Rng& rng) {
+  sobol(static_cast<unsigned>(dimension), 0, x);
+  owen_scramble(x, rng());
 }
-void two(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_sobol(use.dimensions_before, x, rng);
-  fill_sobol(use.dimensions_before + 1, y, rng);
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  fill(use.dimension, x, rng);
 }
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill(use.dimension, x, rng);
+  fill(use.dimension + 1, y, rng);
+}
+
 constexpr Kind wrong{"sobol", one, two};
 
 }  // namespace

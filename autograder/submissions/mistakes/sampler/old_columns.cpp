@@ -1,8 +1,6 @@
 // mistake: keeps the columns where the number of samples is that of before
-// caught by: 6.3 each seed and each dimension is randomised anew
-// caught by: 6.3 halton has any number of uses
-// caught by: 6.7 the first next2 is blue noise
-// hint: does the seed of generate() decide
+// caught by: 6.4 the same seed gives the same numbers
+// hint: what is left over from the integration before?
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

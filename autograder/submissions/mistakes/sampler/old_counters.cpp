@@ -1,6 +1,6 @@
 // mistake: generate() does not set back the counters: a sample that was left early goes on
 // caught by: 6.4 the same seed gives the same numbers
-// hint: Counters, columns, generators
+// hint: Counters, columns of that size
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

@@ -1,7 +1,6 @@
 // mistake: generate() does not go back to the first sample
 // caught by: 6.4 the same seed gives the same numbers
-// caught by: 6.8 a use that nobody asks for costs no memory
-// hint: Counters, columns, generators
+// hint: Counters, columns of that size
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

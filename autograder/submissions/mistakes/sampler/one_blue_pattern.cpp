@@ -7,7 +7,7 @@
 namespace mc {
 namespace {
 
-void kept(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void kept(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   if (use.number > 0) return stratified2(use, x, y, rng);
   Rng always(x.size());
   best_candidate(x, y, 1, always);

@@ -1,12 +1,14 @@
 // mistake: begins with the same generator for every use
 // caught by: 6.1 numbers are uniform and independent
-// caught by: 6.3 sobol has any number of uses
-// caught by: 6.3 halton has any number of uses
+// caught by: 6.2 every use has a random order
+// caught by: 6.3 each seed and each dimension
+// caught by: 6.3 sobol begins anew after eight dimensions
+// caught by: 6.3 halton begins anew after eight dimensions
 // caught by: 6.4 the same seed gives the same numbers
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.4 next and next2 are counted apart
 // caught by: 6.8 a use that nobody asks for costs no memory
-// hint: different coordinates have nothing to do with each other
+// hint: the same numbers come again for another
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

@@ -1,16 +1,15 @@
 // mistake: both axes of a next2() are scrambled with the same seed
 // caught by: 6.3 each seed and each dimension is randomised anew
-// hint: one seed for both axes: each dimension wants its own
+// hint: one seed for several dimensions: each wants its own
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void same_seed(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void same_seed(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   Rng again = rng;
-  if (use.dimensions_before + 2 > dimensions) return two_of<fill_sobol>(use, x, y, rng);
-  fill_sobol(use.dimensions_before, x, rng);
-  fill_sobol(use.dimensions_before + 1, y, again);
+  fill_in_order<fill_sobol>(use.dimension, use.order, x, rng);
+  fill_in_order<fill_sobol>(use.dimension + 1, use.order, y, again);
 }
 
 constexpr Kind wrong{"sobol", one_of<fill_sobol>, same_seed};

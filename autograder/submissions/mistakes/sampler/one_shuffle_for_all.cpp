@@ -1,7 +1,7 @@
 // mistake: shuffles every use into the same order
 // caught by: 6.2 every use has a random order of its own
-// caught by: 6.3 sobol has any number of uses
-// caught by: 6.3 halton has any number of uses
+// caught by: 6.3 sobol begins anew after eight dimensions
+// caught by: 6.3 halton begins anew after eight dimensions
 // hint: each wants a shuffle of its own
 #include "sampler.hpp"
 

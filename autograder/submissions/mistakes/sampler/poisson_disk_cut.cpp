@@ -7,7 +7,7 @@ namespace mc {
 namespace {
 
 /// A fifth more points than there should be, in random order, of which the first N are kept.
-void cut(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void cut(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   if (use.number > 0) return stratified2(use, x, y, rng);
   PointSet points;
   double radius = 0.764 / std::sqrt(static_cast<double>(x.size()));
@@ -15,7 +15,9 @@ void cut(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
     points = poisson_disk(radius, rng);
     radius *= 0.95;
   } while (points.size() < x.size());
-  shuffle_pairs(points.column(0), points.column(1), rng);
+  Rng again = rng;
+  shuffle(points.column(0), rng);
+  shuffle(points.column(1), again);
   std::copy_n(points.column(0).begin(), x.size(), x.begin());
   std::copy_n(points.column(1).begin(), y.size(), y.begin());
 }

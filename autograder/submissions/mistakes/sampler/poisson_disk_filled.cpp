@@ -7,7 +7,7 @@ namespace mc {
 namespace {
 
 /// About 0.95 N points, then random ones.
-void filled(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void filled(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   if (use.number > 0) return stratified2(use, x, y, rng);
   const PointSet points = poisson_disk(0.859 / std::sqrt(static_cast<double>(x.size())), rng);
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -1,6 +1,6 @@
 // mistake: a pixel's seed is the picture's plus multiples of column and row
 // caught by: 6.6 no two pixels have the same random numbers
-// hint: hash them instead
+// hint: their sum, say, is the same
 #include "sampler.hpp"
 #define render right_render
 #include "solutions/sampler.cpp"

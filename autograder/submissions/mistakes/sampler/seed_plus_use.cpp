@@ -1,6 +1,6 @@
 // mistake: a use's generator has the integration's seed plus the number of the use
 // caught by: 6.4 neighbouring seeds have nothing in common
-// hint: hash them instead
+// hint: their sum, say, is the same
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

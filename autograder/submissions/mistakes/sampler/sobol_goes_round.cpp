@@ -1,17 +1,17 @@
-// mistake: begins with the first dimension again after the last, in the same order
-// caught by: 6.3 sobol has any number of uses
-// hint: where no two dimensions are left
+// mistake: begins with the first dimension again after the eighth, in the same order
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: every block but the first wants a shuffle
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-void one(Use use, std::span<double> x, Rng& rng) {
-  fill_sobol(use.dimensions_before % dimensions, x, rng);
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  fill_sobol(use.dimension % block, x, rng);
 }
-void two(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_sobol(use.dimensions_before % dimensions, x, rng);
-  fill_sobol((use.dimensions_before + 1) % dimensions, y, rng);
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill_sobol(use.dimension % block, x, rng);
+  fill_sobol(use.dimension % block + 1, y, rng);
 }
 
 constexpr Kind wrong{"sobol", one, two};

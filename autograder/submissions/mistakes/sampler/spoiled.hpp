@@ -1,6 +1,7 @@
 #pragma once
 // The solution with its sampler laid open: a mistake derives from it and does one thing wrong.
 
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // mistake: does not shuffle: sample i is in stratum i of every use
 // caught by: 6.2 every use has a random order of its own
-// caught by: 6.3 sobol has any number of uses
-// caught by: 6.3 halton has any number of uses
+// caught by: 6.3 sobol begins anew after eight dimensions
+// caught by: 6.3 halton begins anew after eight dimensions
 // hint: the pattern wants to be shuffled
 #include "sampler.hpp"
 

@@ -6,7 +6,7 @@
 namespace mc {
 namespace {
 
-void ten(Use use, std::span<double> x, std::span<double> y, Rng& rng) {
+void ten(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   if (use.number > 0) return stratified2(use, x, y, rng);
   for (std::size_t i = 0; i < x.size(); ++i) {
     double farthest = -1;

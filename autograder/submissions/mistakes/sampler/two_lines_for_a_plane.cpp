@@ -1,6 +1,5 @@
 // mistake: a next2() is a pattern for x and another one for y
 // caught by: 6.2 next2 has one point in each cell and stratum
-// caught by: 6.7 all else of blue_noise is stratified
 // hint: two 1D patterns are not a 2D pattern
 #include "sampler.hpp"
 

@@ -1,5 +1,6 @@
 // mistake: takes any other name for "independent"
 // caught by: 6.1 kinds that there are not are refused
+// caught by: 6.1 a refusal names the kinds
 // hint: there is no such kind of sampler
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 

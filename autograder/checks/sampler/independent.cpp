@@ -1,0 +1,83 @@
+// 6.1: a sampler that is random().
+
+#include <algorithm>
+
+#include "checks/sampler/relations.hpp"
+#include "checks/sampler/samplers.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/known_scenes.hpp"
+#include "checks/support/measure.hpp"
+
+namespace mc::checks {
+namespace {
+
+TEST_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][needs:2]") {
+  Rng rng = check_rng();
+  const std::size_t n = 16384;
+  const Columns got = columns_of("independent", n, {fresh_seed(rng)}, {1, 2, 1});
+  const std::string hint = "uniforms of lab 2, fresh ones for every coordinate of every sample";
+  for (std::size_t c = 0; c < got.dims; ++c) {
+    const std::string call = fmt::format("{}, coordinate {}", got.call, c);
+    expect_uniform(call, got[c], "each coordinate is uniform in [0, 1)", hint);
+    Values before, after;
+    for (std::size_t i = 0; i < n; i += 2) {
+      before.push_back(got[c][i]);
+      after.push_back(got[c][i + 1]);
+    }
+    expect_uniform_pairs(call + ", pairs of a sample and the next", before, after,
+                         "a sample has nothing to do with the one before it", hint);
+  }
+  // Nor later: numbers that come again a few samples on are no new ones.
+  Values all;
+  for (std::size_t c = 0; c < got.dims; ++c) {
+    all.insert(all.end(), got[c].begin(), got[c].begin() + 2048);
+  }
+  expect_all_different(got.call, all, "four coordinates of 2,048 samples",
+                       "the same numbers come again for another sample dimension");
+  for (const auto& [a, b] : {std::pair{0u, 1u}, {1u, 2u}, {0u, 3u}}) {
+    expect_uniform_pairs(fmt::format("{}, pairs of coordinates {} and {}", got.call, a, b), got[a],
+                         got[b], "different coordinates have nothing to do with each other",
+                         "the same numbers come again for another sample dimension");
+  }
+}
+
+TEST_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs:6.5][needs:2]") {
+  Rng rng = check_rng();
+  const std::uint64_t n = 16;
+  const std::size_t seeds = 600;
+  for (const std::string scene : {"rect_light", "motion_edge", "pixel_time_lens"}) {
+    const auto parameters = fresh_parameters(scene, rng);
+    const Known known = known_scene(scene, parameters, n);
+    const auto got =
+        MEASURE(estimates, "independent", scene, parameters, 1, 0, n, fresh_seeds(rng, seeds));
+    const Replicates estimates{fmt::format("{}, {}", got.call, described(scene, parameters)),
+                               got.exactly(seeds), n};
+    const Hints hints{{{0, "far too exact for random numbers"}},
+                      "every sample and every coordinate of it wants a number of its own"};
+    expect_mean(estimates, known.exact, known.variance,
+                {"the estimates have the scene's exact mean", alpha}, hints);
+    expect_variance(estimates, known.exact, known.variance, known.kurtosis,
+                    {"independent samples have the variance sigma^2 / N", alpha}, hints);
+  }
+}
+
+TEST_CASE("6.1 kinds that there are not are refused", "[6.1][edge][points:1]") {
+  for (const std::string kind : {"random", "", "Sobol", "sobol "}) {
+    expect_invalid_argument(MEASURE_OUTCOME(columns, kind, 2, {1}, {1}), "",
+                            "there is no such kind of sampler");
+  }
+}
+
+TEST_CASE("6.1 a refusal names the kinds that there are", "[6.1][edge][points:1]") {
+  const Call refused = MEASURE_OUTCOME(columns, "random", 2, {1}, {1});
+  expect_invalid_argument(refused, "kind", "there is no such kind of sampler");
+  for (const std::string& known : sampler_kinds) {
+    expect_that(refused.outcome.bytes.find(known) != std::string::npos,
+                fmt::format("{}: threw \"{}\"", refused.text, refused.outcome.bytes),
+                fmt::format("words that also name the kind {}", known),
+                "whoever mistypes a name wants to know the names there are", "");
+  }
+}
+
+}  // namespace
+}  // namespace mc::checks

@@ -1,0 +1,130 @@
+// 6.5: the renderer's loop.
+
+#include <cmath>
+#include <numeric>
+
+#include "checks/sampler/samplers.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/known_scenes.hpp"
+
+namespace mc::checks {
+namespace {
+
+using experiments::Recorded;
+
+/// What integrate() did: a number, one integration, n samples.
+template <class Measured>
+const Recorded& one_integration(const Measured& got, std::size_t n) {
+  return got.exactly({1, 1, 1, n});
+}
+
+TEST_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]") {
+  Rng rng = check_rng();
+  for (const std::size_t size : {1000u, 3u, 2u, 1u}) {
+    const auto n = static_cast<double>(size);
+    const Values dealt = uniform_values(rng, size, 1, 2);
+    const auto got = MEASURE(integrate_recorded, dealt, size, fresh_seed(rng));
+    const double value = one_integration(got, size).values[0];
+    const double sum = std::accumulate(dealt.begin(), dealt.end(), 0.0);
+    expect_within(got.call, value, sum / n, 2 * n * 0x1p-52,
+                  "the mean of what the scene had for each sample; n roundings of a sum below 2n",
+                  {{{sum, "divide by the number of samples"},
+                    {dealt[0], "advance() moves on to the next sample"},
+                    {sum / (n - 1), "divide by N: this is over N - 1"},
+                    {(sum - dealt[0]) / n, "the first sample is left out"},
+                    {(sum - dealt.back()) / n, "the last sample is left out"}},
+                   "every sample counts once"});
+  }
+}
+
+/// A few numbers, as they are written.
+std::string first_of(const Seeds& numbers) {
+  std::string words;
+  for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 5); ++i) {
+    words += fmt::format("{} ", numbers[i]);
+  }
+  return words + "…";
+}
+
+TEST_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {
+  Rng rng = check_rng();
+  const std::size_t n = 5 + rng() % 20;
+  const auto got = MEASURE(integrate_recorded, uniform_values(rng, n, 0, 1), n, fresh_seed(rng));
+  const Recorded& record = one_integration(got, n);
+  expect_that(record.generates == 1 && record.samples == Seeds{n},
+              fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
+                          record.generates, record.samples[0]),
+              fmt::format("one, with {} samples", n), "all samples belong to one point set",
+              "generate() once before the loop, advance() at the end of each round");
+  Seeds in_order(n);
+  std::iota(in_order.begin(), in_order.end(), std::uint64_t{0});
+  expect_that(record.evaluations == n && record.positions == in_order,
+              fmt::format("{}: the scene was evaluated {} times, for the samples {}", got.call,
+                          record.evaluations, first_of(record.positions)),
+              fmt::format("{} times: once for each sample, 0 1 2 …", n),
+              "so many samples were paid for", "advance() once after each sample");
+}
+
+TEST_CASE("6.5 the seed of integrate decides about the samples", "[6.5][points:1]") {
+  Rng rng = check_rng();
+  const std::uint64_t seed = fresh_seed(rng);
+  const auto seed_of = [](std::uint64_t given) {
+    return one_integration(MEASURE(integrate_recorded, {1, 2, 3}, 3, given), 3).seeds[0];
+  };
+  const std::string call = fmt::format("integrate with seed {}", seed);
+  const std::uint64_t here = seed_of(seed);
+  expect_that(here == seed_of(seed), call + ": another seed for generate() the second time",
+              "the same", "the same seed is the same estimate", "no clock, no global generator");
+  expect_that(here != seed_of(seed + 1),
+              fmt::format("{}: the same seed for generate() as with seed {}", call, seed + 1),
+              "another one", "the seed decides about the samples", "hand it on to generate()");
+  expect_that(here != seed_of(seed + (std::uint64_t{1} << 40)),
+              call + ": the same seed for generate() as with 2^40 more", "another one",
+              "seeds have 64 bits", "was the seed cut to 32 bits?");
+  const auto twice =
+      MEASURE(estimates, "independent", "rect_light", {}, 1, 0, 8, {seed, seed + 1, seed});
+  const Values& values = twice.exactly(3);
+  expect_that(values[0] == values[2] && values[0] != values[1],
+              fmt::format("{}: {}, {} and {}", twice.call, values[0], values[1], values[2]),
+              "the same estimate for the same seed, and another one between",
+              "the seed decides, not what was integrated before",
+              "is there anything static, or a generator that goes on?");
+}
+
+TEST_CASE("6.5 no samples are refused", "[6.5][edge][points:1]") {
+  expect_invalid_argument(MEASURE_OUTCOME(integrate_recorded, {}, 0, 1), "",
+                          "a mean of no samples is nothing");
+}
+
+// No kind may have more than e times the variance of independent samples: that is the most a
+// scrambled (0,m,s)-net can have (Owen 1997), and the others have less. Within six standard
+// deviations of that: once in 5e8 even for one that had it, and there are 70 of them; those that do
+// have less are never near it.
+
+TEST_CASE("6.5 every kind is unbiased on every scene", "[6.5][points:2][needs:6.3][needs:6.7]") {
+  Rng rng = check_rng();
+  const std::uint64_t n = 16;
+  const std::size_t replicates = 200;
+  for (const std::string& kind : sampler_kinds) {
+    for (const KnownScene& one : known_scenes) {
+      const std::string scene(one.name);
+      const auto parameters = fresh_parameters(scene, rng);
+      const Known known = known_scene(scene, parameters, static_cast<double>(n));
+      const double a = uniform(rng, 0.5, 2), b = uniform(rng, -1, 1);
+      const auto got =
+          MEASURE(estimates, kind, scene, parameters, a, b, n, fresh_seeds(rng, replicates));
+      double mean = 0;
+      for (const double value : got.exactly(replicates)) mean += value / 200;
+      const double sigma = a * std::sqrt(std::exp(1) * known.variance / replicates);
+      expect_within(fmt::format("{}, {}: the mean of {} estimates", got.call,
+                                described(scene, parameters), replicates),
+                    mean, a * known.exact + b, 6 * sigma,
+                    "six standard deviations of it, if the points were e times worse than "
+                    "independent ones",
+                    {{}, "is each coordinate uniform in [0, 1) on its own?"});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mc::checks

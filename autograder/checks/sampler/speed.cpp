@@ -1,0 +1,64 @@
+// 6.8: many samples, and what is not asked for; and what a number costs.
+
+#include "checks/sampler/samplers.hpp"
+#include "checks/sampler/walks.hpp"
+#include "checks/support/bench_data.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/strata.hpp"
+
+namespace mc::checks {
+namespace {
+
+TEST_CASE("6.8 many samples are right too",
+          "[6.8][main][points:2][needs:6.2][needs:6.3][needs:3]") {
+  Rng rng = check_rng();
+  const std::size_t n = std::size_t{1} << 17;
+  for (const std::string kind : {"stratified", "sobol"}) {
+    const Columns got = columns_of(kind, n, {fresh_seed(rng)}, {1, 2, 1});
+    for (std::size_t c = 0; c < got.dims; ++c) {
+      expect_one_in_each(got.call, fmt::format("coordinate {}", c).c_str(), got[c], n,
+                         "every use is stratified, of however many samples");
+    }
+  }
+}
+
+TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][edge][points:2]") {
+  // A column of so many samples is 512 MB, all that a program may have.
+  const Step advance{advance_call};
+  for (const std::string kind : {"independent", "stratified", "halton", "sobol"}) {
+    const Played got = played(kind, {generate(most_samples / 2, 1),
+                                     advance,
+                                     advance,
+                                     generate(4, 1),
+                                     {next_call},
+                                     {next2_call}});
+    for (std::size_t i = 0; i < got.steps.size(); ++i) {
+      expect_thrown(got, i, 0,
+                    i < 3 ? "with 2^26 samples, none of them asked for"
+                          : "with 4 samples, after 2^26 of which none was asked for",
+                    i < 3 ? "numbers are made for uses, and there was none"
+                          : "a column has as many numbers as there are samples now");
+    }
+    const auto few = [&](std::size_t i) { return got.answers[i].x; };
+    expect_that(is_sequence(kind) || few(4) != few(5),
+                fmt::format("{}: {:.17g} for next() and for x of next2()", got.until(5), few(4)),
+                "two numbers", "", "");
+  }
+  pass();
+}
+
+/// Four dimensions of a pixel with 16 samples, and with 64.
+TEST_CASE("speed of samplers", "[.speed]") {
+  for (const std::string& kind : sampler_kinds) {
+    if (kind == "blue_noise") continue;  // its time grows with the square of the samples
+    for (const std::uint64_t n : {16, 64}) {
+      bench_speed("6.8", fmt::format("a number, {}, {} samples", kind, n), 4 * n,
+                  [&](std::uint64_t rounds) {
+                    return cpu_seconds_of(TRY_MEASURE(repeat, kind, 2, 4, n, rounds));
+                  });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mc::checks
