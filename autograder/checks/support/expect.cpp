@@ -77,17 +77,22 @@ void expect_nan(const std::string& what, double got, const std::string& because)
               "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
 }
 
+void expect_refused(const Call& call, const std::string& because) {
+  expect_invalid_argument(call, "", because);
+}
+
 void expect_invalid_argument(const Call& call, const std::string& argument,
                              const std::string& because) {
   const auto& outcome = call.outcome;
   if (outcome.answered && outcome.status == wire::Status::value) {
     tell(fmt::format("{} returned a value", call.text),
-         fmt::format("std::invalid_argument naming {}", argument), because,
+         "std::invalid_argument" + (argument.empty() ? "" : " naming " + argument), because,
          "misuse throws std::invalid_argument, before anything is computed");
   }
   if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
     require_value(call);  // ends the check with what happened instead
   }
+  if (argument.empty()) return pass();
   expect_that(names_argument(outcome.bytes, argument),
               fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, outcome.bytes),
               fmt::format("a text that names the argument ({})", argument), because,

@@ -48,6 +48,13 @@ struct Sizes {
   bool or_less;  ///< at most so many, the same number in every list
 };
 
+/// What is due of one list of a struct whose lists differ in kind.
+struct Due {
+  std::size_t count;
+  Range range;
+  bool or_less = false;  ///< at most so many; neighbours that are both due so are of one size
+};
+
 /// What the gate has against an answer.
 struct Objection {
   std::string measured, expected, likely;
@@ -153,6 +160,33 @@ std::optional<Objection> objection(const T& value, const Sizes& sizes, const Ran
         fields(const_cast<T&>(value)));
     return found;
   }
+}
+
+/// The same, list by list: as many `due` as the struct has lists.
+template <HasLists T>
+std::optional<Objection> objection(const T& value, std::span<const Due> due) {
+  std::optional<Objection> found;
+  std::size_t list = 0, before = 0;
+  const auto look = [&](const auto& field, const std::string& name) {
+    if constexpr (IsVector<std::remove_cvref_t<decltype(field)>>::value) {
+      const Due& here = due[list];
+      if (!found) found = list_objection(name, field, here.count, here.or_less, here.range);
+      const bool as_before = list > 0 && here.or_less && due[list - 1].or_less;
+      if (!found && as_before && field.size() != before) {
+        found = wrong_size(name, field.size(), before, false);
+      }
+      before = field.size();
+      ++list;
+    }
+  };
+  const std::vector<std::string> names = names_of(field_names(value));
+  std::apply(
+      [&](const auto&... field) {
+        std::size_t i = 0;
+        (look(field, names[i++]), ...);
+      },
+      fields(const_cast<T&>(value)));
+  return found;
 }
 
 /// Sets of points as most experiments return them: set after set, each column by column.

@@ -68,12 +68,23 @@ struct Measured<T> {
   const T& at_most(std::size_t most, const Range& range = finite) const {
     return admitted(Sizes{{most}, true, true}, range);
   }
+  /// Lists that differ in kind, too: what is due of each, in order.
+  const T& list_by_list(std::initializer_list<Due> due) const {
+    if (const auto what = objection(value_, std::span(due.begin(), due.size()))) {
+      refuse(call, *what);
+    }
+    pass();
+    return value_;
+  }
   /// For plots: nothing where exactly() would end the check.
   const T* if_exactly(std::size_t count, const Range& range = finite) const {
     return objection(value_, Sizes{{count}, true, false}, range) ? nullptr : &value_;
   }
   const T* if_at_most(std::size_t most, const Range& range = finite) const {
     return objection(value_, Sizes{{most}, true, true}, range) ? nullptr : &value_;
+  }
+  const T* if_list_by_list(std::initializer_list<Due> due) const {
+    return objection(value_, std::span(due.begin(), due.size())) ? nullptr : &value_;
   }
 
  private:
