@@ -14,6 +14,7 @@ enum class RecordKind {
   timed_out,  ///< an experiment that ran out of time
   p_value,    ///< of a random test (PValue)
   call,       ///< what was asked last before a check failed: an experiment, its arguments as typed
+  cost,       ///< of the dearest measurement so far: seconds of CPU time, the experiment
   machine,    ///< the machine failed, and how: what the check says is no verdict
 };
 

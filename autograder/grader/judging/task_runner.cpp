@@ -126,6 +126,9 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
         case protocol::RecordKind::call:
           for (const auto line : text::split(record.text, '\n')) result->call.emplace_back(line);
           break;
+        case protocol::RecordKind::cost:
+          result->dearest = record.text;
+          break;
         case protocol::RecordKind::machine:
           machine = record.text;
           break;

@@ -43,6 +43,7 @@ struct CheckResult {
   /// Of a failure: what was asked last, an experiment and its arguments as one types them.
   std::vector<std::string> call;
   std::string by_hand;  ///< the command that asks this again; empty where nothing was asked
+  std::string dearest;  ///< its dearest measurement: "0.12 stream", seconds of CPU time
   std::vector<protocol::PValue> p_values;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }

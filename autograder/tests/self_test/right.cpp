@@ -74,6 +74,23 @@ class PValues {
   std::vector<double> all_;
 };
 
+/// Each measurement costs a right answer a tenth of what it may use: then a slow machine, or a plainer
+/// answer, is no fault. On cores that others share CPU time is off by a factor of two: so much is
+/// allowed here, and the figure printed.
+void judge_cost(const LabVerdict& verdict) {
+  constexpr double most = 0.2;
+  double worst = 0;
+  std::string which = "nothing above 0.02";
+  for (const CheckResult& result : verdict.checks) {
+    const double seconds = std::strtod(result.dearest.c_str(), nullptr);
+    if (result.check.is_slow || seconds <= worst) continue;
+    worst = seconds;
+    which = fmt::format("{} in '{}'", result.dearest, result.check.name);
+  }
+  fmt::print("dearest measurement, in seconds of CPU time: {}\n", which);
+  if (worst > 2 * most) complain(fmt::format("a measurement of more than {} s", most));
+}
+
 }  // namespace
 
 void prove_right(const Proof& proof) {
@@ -99,6 +116,7 @@ void prove_right(const Proof& proof) {
     if (result.check.is_slow) continue;  // those depend on no seed
     (result.p_values.empty() ? fresh : random).insert(result.check.name);
   }
+  judge_cost(first);
   for (; seed == 1 || choose(); ++seed) {
     const LabVerdict verdict = seed == 1 ? first : proof.judge(seed, checks);
     if (verdict.earned() != verdict.points()) {
