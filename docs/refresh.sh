@@ -1,14 +1,11 @@
 #!/bin/sh
-# Writes again what documents show of real runs: the output in README.md, the pictures of the labs.
-# (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from anywhere; look at what changed with git diff.
+# Writes again what documents show of real runs: the failure in README.md, the pictures of the labs.
+# (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from anywhere;
+# look at what changed with git diff.
 set -eu
 cd "$(dirname "$0")/.."
 build=${MC_BUILD:-build}
 
-# The first lab check by check, and the summary of all.
-./lab grade solutions --seed 1 --no-plots >"$build/grade-all.txt"
-awk '/^Lab 2/ { cut = 1; print "…\n" } /^solutions/ { cut = 0 } !cut' "$build/grade-all.txt" \
-  >"$build/grade.txt"
 for folder in labs/[0-9]*-*; do
   lab=$(printf %s "${folder#*-}" | tr - _)
   ./lab plot "$lab" solutions >/dev/null
@@ -19,10 +16,16 @@ for folder in labs/[0-9]*-*; do
   done
 done
 
-# Between the markers <!-- output: grade --> and <!-- end --> of README.md.
-awk -v from="$build/grade.txt" '
-  /<!-- output: grade -->/ { print; print "```"; while ((getline line < from) > 0) print line; print "```"; skip = 1 }
+# One failure as a student sees it: Welford with the old mean in both factors.
+cmake --build "$build" --target self_test >/dev/null
+"$build/bin/self_test" autograder/submissions/mistakes/variance/welford_old_mean.cpp |
+  awk '/✗/ { if (seen++) exit } seen && /✓/ { exit } seen' |
+  sed 's|autograder/submissions/mistakes/variance/welford_old_mean.cpp *||; s| --dir$||' >"$build/failure.txt"
+
+# Between the markers <!-- output: failure --> and <!-- end --> of README.md.
+awk -v from="$build/failure.txt" '
+  /<!-- output: failure -->/ { print; print "```"; while ((getline line < from) > 0) print line; print "```"; skip = 1 }
   /<!-- end -->/ { skip = 0 }
-  !skip { if (!/<!-- output: grade -->/) print }
+  !skip { if (!/<!-- output: failure -->/) print }
 ' README.md >"$build/README.new"
 cp "$build/README.new" README.md
