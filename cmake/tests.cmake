@@ -19,6 +19,17 @@ file(GLOB sources CONFIGURE_DEPENDS autograder/tests/gradebook/*.cpp)
 add_executable(gradebook_tests EXCLUDE_FROM_ALL ${sources})
 own_target(gradebook_tests)
 target_link_libraries(gradebook_tests PRIVATE grading recording Catch2::Catch2WithMain)
+if(CMAKE_SYSTEM_NAME STREQUAL Linux)
+  add_executable(faulty_machine EXCLUDE_FROM_ALL autograder/tests/faulty_machine/main.cpp)
+  own_target(faulty_machine)
+  if(SECCOMP_LIBRARY AND SECCOMP_INCLUDE)
+    target_compile_definitions(faulty_machine PRIVATE MC_HAVE_SECCOMP)
+    target_include_directories(faulty_machine PRIVATE ${SECCOMP_INCLUDE})
+    target_link_libraries(faulty_machine PRIVATE ${SECCOMP_LIBRARY})
+  endif()
+  add_dependencies(gradebook_tests faulty_machine)
+endif()
+add_dependencies(gradebook_tests gradebook checks_variance experiments_variance runner)
 
 # test_of(<name> <cost> <command>...): those that take long begin first. With a thousand seeds
 # (./lab test --full) one takes the better part of an hour; else a minute is long.

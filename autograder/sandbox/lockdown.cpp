@@ -129,7 +129,7 @@ void add_rules(scmp_filter_ctx context) {
 /// The filter as instructions, the child's pid still a placeholder.
 std::vector<sock_filter> export_filter() {
   const scmp_filter_ctx context = seccomp_init(SCMP_ACT_KILL_PROCESS);
-  if (context == nullptr) fail_with(ENOMEM, "seccomp_init");
+  if (context == nullptr) fail_with(ENOSYS, "seccomp");  // refused, by a container for one
   add_rules(context);
   const int file = memfd_create("filter", MFD_CLOEXEC);
   if (file < 0) fail_with(errno, "memfd_create");

@@ -50,16 +50,20 @@ int notes() {
     const pid_t watchman = fork();
     if (watchman == 0) {
       // Twice, so that it is nobody's child and needs no waiting for.
-      if (fork() == 0) watch(pipe.read.get());
-      _exit(0);
+      const pid_t grandchild = fork();
+      if (grandchild == 0) watch(pipe.read.get());
+      _exit(grandchild < 0 ? 1 : 0);
     }
+    int status = 1;
     if (watchman > 0) {
-      while (waitpid(watchman, nullptr, 0) < 0 && errno == EINTR) {
+      while (waitpid(watchman, &status, 0) < 0 && errno == EINTR) {
       }
     }
+    // No processes left: without a reader a note would be a SIGPIPE.
+    if (status != 0) return -1;
     static Descriptor kept;
     kept = std::move(pipe.write);
-    return watchman < 0 ? -1 : kept.get();
+    return kept.get();
   }();
   return descriptor;
 }

@@ -145,7 +145,7 @@ class Batch {
     failures_ = failure.empty() ? 0 : failure == last_failure_ ? failures_ + 1 : 1;
     last_failure_ = failure;
     if (failures_ < most_same_failures) return;
-    outcome_.stopped = failure;
+    outcome_.stopped = verdict.not_judged.substr(0, verdict.not_judged.find('\n'));
     is_stopped_ = true;
   }
 

@@ -170,9 +170,25 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
   all += roots_elsewhere(lab);
   std::set<std::string> told;  // tasks of which the first failure stands above
   const CheckResult* next = nullptr;
+  const bool is_grade = verdict.not_judged.empty();
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
     const CheckResult& result = lab.checks[i];
-    const std::string points = points_of(result.earned(), result.check.points);
+    if (result.status == Status::not_judged) {  // a machine fails at many in the same way
+      std::size_t last = i;
+      while (last + 1 < lab.checks.size() && lab.checks[last + 1].status == result.status &&
+             lab.checks[last + 1].story == result.story) {
+        ++last;
+      }
+      all += check_line(
+          terminal, grey, "?",
+          last > i ? fmt::format("{} and {} more", result.check.name, last - i) : result.check.name,
+          "not judged");
+      all += story_line("because   " + result.story, margin, terminal.width);
+      i = last;
+      continue;
+    }
+    const std::string points =
+        is_grade ? points_of(result.earned(), result.check.points) : std::string();
     const bool is_next = result.status != Status::passed && result.status != Status::waiting &&
                          result.status != Status::withheld;
     if (is_next && next == nullptr) next = &result;
@@ -180,8 +196,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       all += check_line(terminal, green, "✓", result.check.name, points);
       continue;
     }
-    if (result.status == Status::failed || result.status == Status::internal_error ||
-        result.status == Status::not_judged) {
+    if (result.status == Status::failed || result.status == Status::internal_error) {
       all += check_line(terminal, red, "✗", result.check.name, points);
       const bool is_first = told.insert(result.check.task).second;
       all += is_first || result.status != Status::failed ? whole_story(lab, result, terminal)
@@ -198,7 +213,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
                                    ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
                                    : result.check.name;
       all += check_line(terminal, grey, "·", what + ": " + describe(result, lab),
-                        points_of(0, together));
+                        is_grade ? points_of(0, together) : std::string());
       if (result.status == Status::not_run) {
         all += story_line("because   " + result.story, margin, terminal.width);
       }
@@ -207,6 +222,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     all += printed_lines(result.printed);
   }
   if (!lab.speed.empty()) all += "\n" + report_speed(lab);
+  if (!is_grade) return all + "\n  not judged: no points, and no zero\n" + jail_warning(verdict);
   all += fmt::format("\n  {} points", points_in_all(terminal, lab));
   if (next != nullptr) {
     all += fmt::format("; next: {}", next->check.task);

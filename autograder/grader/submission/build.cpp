@@ -1,5 +1,8 @@
 #include "grader/submission/build.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -75,7 +78,15 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   command.insert(command.end(), submission.libraries.begin(), submission.libraries.end());
   command.insert(command.end(), {"-o", aside.string()});
   sandbox::ProcessOptions limits = compiler_limits(scratch.path());
-  const sandbox::ProcessResult linked = sandbox::run_process(command, limits);
+  sandbox::ProcessResult linked = sandbox::run_process(command, limits);
+  if (!linked.succeeded() && stopped(linked, limits).empty() &&
+      linked.errors.find("undefined") == std::string::npos &&
+      linked.errors.find("multiple definition") == std::string::npos) {
+    // Perhaps there was no process left for a moment.
+    require_sound_machine(layout);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    linked = sandbox::run_process(command, limits);
+  }
   built.cpu_seconds += linked.cpu_seconds;
   if (const std::string why = stopped(linked, limits); !why.empty()) {
     built.failure = fmt::format("The linker {} on {}.", why, lab.file());

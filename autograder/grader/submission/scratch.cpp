@@ -55,6 +55,8 @@ void sweep_programs(const Layout& layout, std::size_t most_bytes,
       slot.bytes += size;
       slot.used = std::max(slot.used, file.last_write_time(ignored));
     }
+    // One that is still empty was made just now.
+    if (slot.bytes == 0) slot.used = entry.last_write_time(ignored);
     bytes += slot.bytes;
     slots.push_back(std::move(slot));
   }

@@ -172,7 +172,8 @@ int grade_many(const Context& context, const std::vector<Handed>& handed, Book* 
                     outcome.stopped, next));
   }
   if (outcome.not_judged > 0) {
-    throw MachineError(fmt::format("{} of the submissions not judged{}", outcome.not_judged, next));
+    throw MachineError(
+        fmt::format("not judged: {} of {} submissions{}", outcome.not_judged, handed.size(), next));
   }
   return 0;
 }

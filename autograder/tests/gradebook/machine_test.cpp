@@ -1,0 +1,209 @@
+// Machines that fail: no disk, no processes, no descriptors, no jail. Nobody gets points from them, and
+// nobody a zero.
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "grader/gradebook/book.hpp"
+#include "sandbox/process.hpp"
+#include "tests/submissions.hpp"
+
+namespace mc::tests::machine {
+
+using namespace grader;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A class of right answers to lab 1, and a build directory of its own to grade it with.
+struct Course : Scratch {
+  Layout layout = read_layout();
+  std::vector<std::string> ids;
+  fs::path build = path() / "build";
+
+  explicit Course(int count) {
+    for (int i = 0; i < count; ++i) {
+      ids.push_back(fmt::format("s{}", i));
+      fs::create_directories(path() / "class" / ids.back());
+      // Never seen before, so that nothing of it is built.
+      write_text(path() / "class" / ids.back() / "variance.cpp",
+                 text_of(layout.solutions()) + fmt::format("// {} {}\n", getpid(), i));
+    }
+    fs::create_directories(build / "bin");
+    for (const char* name : {"bin/gradebook", "bin/checks_variance", "layout.txt"}) {
+      fs::copy_file(layout.build / name, build / name);
+    }
+    if (fs::exists(layout.build / "precompiled")) {  // or the first to come would wait for it
+      fs::create_directory_symlink(layout.build / "precompiled", build / "precompiled");
+    }
+    fs::permissions(path(), fs::perms::all);
+  }
+
+  fs::path csv() const { return path() / "grades.csv"; }
+  fs::path json() const { return path() / "results.json"; }
+
+  Words grade(const fs::path& where, const std::string& what, const Words& more) const {
+    Words words{(where / "bin" / "gradebook").string(),
+                "grade",
+                (path() / what).string(),
+                "--lab",
+                "variance",
+                "--seed",
+                "1",
+                "--no-plots"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  sandbox::ProcessResult with(Words faults, const Words& words) const {
+    faults.insert(faults.begin(), (layout.build / "bin" / "faulty_machine").string());
+    faults.insert(faults.end(), words.begin(), words.end());
+    return sandbox::run_process(faults);
+  }
+};
+
+/// What a class and one of it get on such a machine. False where it cannot be made like that.
+bool is_no_grade(const Course& course, const Words& faults, const std::string& reason,
+                 const fs::path& build) {
+  const auto run =
+      course.with(faults, course.grade(build, "class", {"--csv", course.csv(), "-j", "1"}));
+  if (run.exit_code == 77) {
+    WARN("skipped: " << run.errors);
+    return false;
+  }
+  CAPTURE(faults, run.output, run.errors);
+  CHECK(run.exit_code == 3);
+  CHECK(run.output.find("/100") == std::string::npos);
+  CHECK(run.output.find("not judged") != std::string::npos);
+  CHECK((run.output + run.errors).find(reason) != std::string::npos);
+  const auto rows = csv_rows(read_text(course.csv()));
+  CHECK(rows.size() == std::min<std::size_t>(course.ids.size(), 3) + 1);  // the rest is not tried
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    CHECK(rows[i][4].find("not judged: ") == 0);
+    CHECK(rows[i][4].find(reason) != std::string::npos);
+    CHECK(rows[i][5] == "not judged");
+    for (std::size_t cell = 6; cell < rows[i].size(); ++cell) CHECK(rows[i][cell] == "");
+  }
+  // One alone, for Gradescope: no file that could be taken for a grade.
+  const auto single =
+      course.with(faults, course.grade(build, "class/" + course.ids[0], {"--json", course.json()}));
+  CAPTURE(single.output, single.errors);
+  CHECK(single.exit_code == 3);
+  CHECK(single.errors.find("not judged: ") != std::string::npos);
+  CHECK(!fs::exists(course.json()));
+  return true;
+}
+
+/// Once the machine is right again, --resume judges them all.
+void is_made_good(const Course& course) {
+  const auto run = sandbox::run_process(
+      course.grade(course.build, "class", {"--csv", course.csv(), "--resume"}));
+  CAPTURE(run.output, run.errors);
+  CHECK(run.exit_code == 0);
+  const auto rows = csv_rows(read_text(course.csv()));
+  REQUIRE(rows.size() == course.ids.size() + 1);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    CHECK(rows[i][5] == "judged");
+    CHECK(rows[i][6] == "100");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a full disk is no grade, and four in a row are not tried") {
+  const Course course(4);
+  fs::create_directories(course.path() / "disk");
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(course.build)) {
+    if (entry.is_regular_file()) bytes += entry.file_size();
+  }
+  const auto disk = [&](std::uintmax_t more) {
+    return Words{"--disk", course.build, course.path() / "disk",
+                 std::to_string((bytes >> 10) + 512 + more)};
+  };
+  if (is_no_grade(course, disk(0), "full", course.path() / "disk")) is_made_good(course);
+  // One that is full after the first few: those stand.
+  fs::remove_all(verdicts_beside(course.csv()));
+  const auto some = course.with(
+      disk(3000), course.grade(course.path() / "disk", "class", {"--csv", course.csv()}));
+  if (some.exit_code == 77) return;
+  CAPTURE(some.output, some.errors);
+  CHECK(some.exit_code == 3);
+  const auto rows = csv_rows(read_text(course.csv()));
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    CHECK((rows[i][6] == "100" || (rows[i][6] == "" && rows[i][4].find("not judged: ") == 0)));
+  }
+}
+
+TEST_CASE("a table that cannot be written ends the batch with a line, and its old text stays") {
+  const Course course(2);
+  fs::create_directories(course.path() / "empty");
+  fs::create_directories(course.path() / "full");
+  const auto run = course.with(
+      {"--disk", course.path() / "empty", course.path() / "full", "16"},
+      course.grade(course.build, "class", {"--csv", course.path() / "full" / "grades.csv"}));
+  if (run.exit_code == 77) return;
+  CAPTURE(run.output, run.errors);
+  CHECK(run.exit_code == 3);
+  CHECK(run.errors.find("No space left on device") != std::string::npos);
+}
+
+TEST_CASE("where seccomp is refused nobody is judged") {
+  const Course course(1);
+  if (is_no_grade(course, {"--refuse", "seccomp"}, "seccomp: Function not implemented",
+                  course.build)) {
+    is_made_good(course);
+  }
+}
+
+TEST_CASE("where execveat or setgroups is refused nobody is judged") {
+  const Course course(1);
+  is_no_grade(course, {"--refuse", "execveat"}, "Operation not permitted", course.build);
+  if (geteuid() == 0) {  // else the jail needs no other user
+    fs::remove_all(verdicts_beside(course.csv()));
+    is_no_grade(course, {"--refuse", "setgroups"}, "Operation not permitted", course.build);
+  }
+}
+
+TEST_CASE("without processes or descriptors there is the whole grade or none") {
+  const Course course(1);
+  const std::string user = std::to_string(700'000 + getpid());
+  const auto own = sandbox::run_process({"chown", "-R", "-h", user, course.path().string()});
+  std::vector<Words> faults;
+  for (const char* most : {"17", "22", "28", "256"}) {
+    faults.push_back({"--descriptors", most});
+  }
+  if (own.succeeded()) {
+    for (const char* most : {"1", "3", "5", "9", "64"}) {
+      faults.push_back({"--processes", user, most});
+    }
+  }
+  int graded = 0, not_graded = 0;
+  for (const Words& fault : faults) {
+    fs::remove(course.csv());
+    fs::remove_all(verdicts_beside(course.csv()));
+    fs::remove_all(course.build / "programs");
+    const auto run =
+        course.with(fault, course.grade(course.build, "class", {"--csv", course.csv()}));
+    if (run.exit_code == 77) continue;
+    CAPTURE(fault, run.output, run.errors);
+    CHECK((run.exit_code == 0 || run.exit_code == 3));
+    (run.exit_code == 0 ? graded : not_graded) += 1;
+    if (!fs::exists(course.csv())) continue;
+    const auto rows = csv_rows(read_text(course.csv()));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      CHECK(rows[i][6] == (run.exit_code == 0 ? "100" : ""));
+      CHECK(rows[i][4].empty() == (run.exit_code == 0));
+    }
+  }
+  CHECK(not_graded > 0);
+  CHECK(graded > 0);
+}
+
+}  // namespace mc::tests::machine
