@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/judging/verdict.hpp"
 #include "tests/self_test/proof.hpp"
 
 namespace mc::self_test {
@@ -23,8 +24,8 @@ class BusyLoops {
     for (int i = 0; i < count; ++i) {
       const pid_t pid = fork();
       if (pid == 0) {
-        for (volatile unsigned long x = 0;; x = x + 1) {
-        }
+        volatile unsigned long x = 0;
+        for (;;) x = x + 1;
       }
       if (pid > 0) loops_.push_back(pid);
     }
