@@ -6,13 +6,13 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <mutex>
 
 #include <fmt/format.h>
 
 #include "bench/bench.hpp"
 #include "bench/plots.hpp"
-#include "grader/context/errors.hpp"
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/judging/judge.hpp"
@@ -38,7 +38,7 @@ class StopOnInterrupt {
   StopOnInterrupt() {
     struct sigaction action {};
     action.sa_handler = [](int) { stop = true; };
-    action.sa_flags = SA_RESETHAND;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, &before_);
     sigaction(SIGTERM, &action, nullptr);
   }

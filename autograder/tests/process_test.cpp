@@ -98,7 +98,7 @@ TEST_CASE("a signal is not the end of a pipe") {
 
 TEST_CASE("without a descriptor left a process is not begun, and nothing stays open") {
   const std::size_t before = open_descriptors();
-  for (const std::size_t most : {17, 18, 19, 20}) {  // it takes five of them, from 16 on
+  for (const std::size_t most : {17u, 18u, 19u, 20u}) {  // it takes five of them, from 16 on
     const FewDescriptors few(most);
     CHECK_THROWS_AS(run_process({"true"}), std::system_error);
   }

@@ -4,12 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "checks/support/integrands.hpp"
-#include "protocol/environment.hpp"
 
 namespace mc::checks {
 namespace {

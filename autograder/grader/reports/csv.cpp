@@ -1,6 +1,8 @@
 #include "grader/reports/csv.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "grader/submission/submission.hpp"
 
 #include <algorithm>
+#include <system_error>
 
 #include <fmt/format.h>
 

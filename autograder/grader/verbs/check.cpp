@@ -72,7 +72,8 @@ const RegisterVerb check_verb{
     {"check",
      "check LAB [TASK] [DIR] [--first] [--seed S] [--json FILE]",
      {"only=", "first", "seed=", "json="},
-     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, its checks alone:\n"
+     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, its checks "
+     "alone:\n"
      "./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
      "  --first       stop at the first task that is not right\n"
      "  --seed S      the run with that seed again; every report names its own\n"

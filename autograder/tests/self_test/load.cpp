@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/judging/verdict.hpp"
 #include "tests/self_test/proof.hpp"
 
 namespace mc::self_test {

@@ -23,8 +23,8 @@
 // `self_test repository` looks at the repository itself: task numbers, points, names.
 
 #include <cstdlib>
-#include <functional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 

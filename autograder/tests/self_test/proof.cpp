@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/judging/judge.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
 

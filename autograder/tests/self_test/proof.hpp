@@ -9,7 +9,7 @@
 
 #include "grader/context/labs.hpp"
 #include "grader/context/layout.hpp"
-#include "grader/judging/judge.hpp"
+#include "grader/judging/verdict.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"
 

@@ -3,10 +3,12 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "grader/context/text_file.hpp"
+#include "grader/judging/judge.hpp"
 #include "tests/self_test/proof.hpp"
 
 namespace mc::self_test {

@@ -1,6 +1,7 @@
 // Starters, mistakes, libraries, attacks: each fails as it says.
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include <fmt/format.h>
