@@ -358,65 +358,108 @@ void random_shift(PointSet& points, Rng& rng) {
 // made of additions and multiplications flips each bit depending on those before it only, since
 // carries run upwards (Laine, Karras 2011, "Stratified sampling for stochastic transparency").
 //
-// Which additions and multiplications? Take z -> m z + s with a random odd m and a random s, all 64
-// bits of each. Two words that agree in their first k bits and differ in the next have a difference
-// of 2^k times an odd number; m makes it 2^k times *any* odd number with equal chance, and s moves
-// the pair anywhere. That is just what nested uniform scrambling does to two points. The variance
-// of an estimate is made of pairs, so this one has Owen's variance exactly, for every integrand and
-// every set of points. The fixed steps around it change nothing of that, for they too keep what two
-// words have in common; they are there for three points and more, which m and s alone would leave
-// on a lattice. (m and s are hashes of the seed, so «random» is as true as it is of those.)
+// Which additions and multiplications? Take z -> m z + s with a random odd m and a random s. Two
+// words that agree in their first k bits and differ in the next have a difference of 2^k times an
+// odd number; m makes it 2^k times *any* odd number with equal chance, and s moves the pair anywhere.
+// That is just what nested uniform scrambling does to two points. The variance of an estimate is
+// made of pairs, so it is Owen's, for every integrand and every set of points. But m and s alone
+// leave three points and more on a lattice: most errors are tiny then, and a few are huge. So fixed
+// steps stand around them, z -> z ^ z c with an even c: a bit is changed by those below it, and
+// pairs keep what they have in common. The constants are those of Vegdahl's search (2021, "Building
+// a better LK hash"). What is measured: in one dimension the error of exp(x) has a kurtosis between
+// 2.93 and 3.02 for N = 16 ... 16,384, a Gaussian's is 3; with one fixed step it is 4.4 at N = 16
+// and 50 at 1,024.
+//
+// Vector registers multiply eight words of 32 bits at a time, and none of 64. So the first 32 bits
+// are scrambled as above, and the 21 behind them, which for Sobol' points are zeros, are flipped by a
+// hash of all that is before.
 
 namespace {
 
-constexpr std::uint64_t mirrored(std::uint64_t word) {
-  word = (word >> 1 & 0x5555555555555555u) | (word & 0x5555555555555555u) << 1;
-  word = (word >> 2 & 0x3333333333333333u) | (word & 0x3333333333333333u) << 2;
-  word = (word >> 4 & 0x0f0f0f0f0f0f0f0fu) | (word & 0x0f0f0f0f0f0f0f0fu) << 4;
-  return __builtin_bswap64(word);
+constexpr std::uint32_t mirrored(std::uint32_t word) {
+  word = (word >> 1 & 0x55555555u) | (word & 0x55555555u) << 1;
+  word = (word >> 2 & 0x33333333u) | (word & 0x33333333u) << 2;
+  word = (word >> 4 & 0x0f0f0f0fu) | (word & 0x0f0f0f0fu) << 4;
+  return __builtin_bswap32(word);
 }
 
-// Vector registers cannot convert 64-bit integers to doubles or back, but a sum can put bits where
-// they are wanted: a double near 2^31 has 2^-21 as its last place, one near 1/2 has 2^-53. Doubles
-// of one binade, read as integers, count last places.
-
+/// A double of one binade, read as an integer, counts its last places: of one near 2^20 they are
+/// 2^-32, of one near 1/2 they are 2^-53.
 constexpr std::uint64_t bits(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
-/// x 2^53, for x in [0, 1) of 53 bits: the nearest multiple of 2^-21, and what is left, of any sign.
-std::uint64_t to_word(double x) {
-  const double high = x + 0x1p31;
-  const double low = x - (high - 0x1p31);
-  return ((bits(high) - bits(0x1p31)) << 32) + (bits(low + 0.75) - bits(0.75));
-}
+/// What a seed chooses.
+struct OwenHash {
+  std::uint32_t m, s, a, b;
 
-/// word 2^-53, for words below 2^53.
-double to_double(std::uint64_t word) {
-  const double high = std::bit_cast<double>(bits(0x1p31) | word >> 32);
-  const double low = std::bit_cast<double>(bits(0.5) | (word & 0xffffffffu));
-  return (high - (0x1p31 + 0.5)) + low;
+  explicit OwenHash(std::uint64_t seed) {
+    Rng rng(seed);
+    const std::uint64_t one = rng(), two = rng();
+    m = static_cast<std::uint32_t>(one) | 1;
+    s = static_cast<std::uint32_t>(one >> 32);
+    a = static_cast<std::uint32_t>(two) | 1;
+    b = static_cast<std::uint32_t>(two >> 32);
+  }
+
+  /// The first 32 bits, mirrored.
+  std::uint32_t scrambled(std::uint32_t z) const {
+    z ^= z * 0x3d20adeau;
+    z = z * m + s;
+    z ^= z * 0x05526c56u;
+    z ^= z * 0x53a22864u;
+    return z;
+  }
+
+  /// A hash of them, in whose upper 21 bits stand the flips of the bits behind.
+  std::uint32_t behind(std::uint32_t z) const {
+    z = (z ^ z >> 16) * a;
+    return (z ^ z >> 15) * 0x846ca68bu + b;
+  }
+};
+
+/// In short loops, which fill the registers of a processor better than a long one.
+constexpr std::size_t owen_block = 256;
+
+void owen_scramble_block(std::span<double> x, const OwenHash& hash) {
+  std::array<std::uint32_t, owen_block> words, flips;
+  const std::size_t n = x.size();
+  std::uint64_t longer = 0;  // than 32 bits: then the sum below is rounded
+  for (std::size_t i = 0; i < n; ++i) {
+    const double sum = x[i] + 0x1p20;
+    words[i] = static_cast<std::uint32_t>(bits(sum));
+    longer |= bits(sum - 0x1p20 - x[i]);
+  }
+  if (longer != 0) {
+    for (std::size_t i = 0; i < n; ++i) {
+      words[i] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(x[i] * 0x1p32));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) words[i] = mirrored(words[i]);
+  for (std::size_t i = 0; i < n; ++i) words[i] = hash.scrambled(words[i]);
+  for (std::size_t i = 0; i < n; ++i) flips[i] = hash.behind(words[i]);
+  if (longer != 0) {
+    for (std::size_t i = 0; i < n; ++i) {  // those behind, nested too: their zeros stay zeros
+      const auto rest = static_cast<std::uint32_t>(static_cast<std::uint64_t>(x[i] * 0x1p53) << 11);
+      const std::uint32_t odd = hash.behind(~words[i]) | 1;
+      flips[i] ^= mirrored(mirrored(rest) * odd);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) words[i] = mirrored(words[i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double first = std::bit_cast<double>(bits(1) | std::uint64_t{words[i]} << 20);
+    const double last = std::bit_cast<double>(bits(0.5) | flips[i] >> 11);
+    x[i] = (first - 1.5) + last;
+  }
 }
 
 }  // namespace
 
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
-  Rng rng(seed);
-  const std::uint64_t s = rng();
-  const std::uint64_t m = rng() | 1;
-  // In three short loops: a processor works on as many values at once as fit into its window of some
-  // two hundred operations, and each value is a chain of eighty.
-  std::array<std::uint64_t, 256> words;
-  for (std::size_t first = 0; first < column.size(); first += words.size()) {
-    const auto part = column.subspan(first, std::min(words.size(), column.size() - first));
-    for (std::size_t i = 0; i < part.size(); ++i) words[i] = mirrored(to_word(part[i]) << 11);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      std::uint64_t z = words[i];
-      z ^= z << 5;  // a left shift and an even factor alike: a bit is changed by those below it
-      z = z * m + s;
-      words[i] = z ^ z * 0xb82f1e52d1342544u;
-    }
-    for (std::size_t i = 0; i < part.size(); ++i) part[i] = to_double(mirrored(words[i]) >> 11);
+  const OwenHash hash(seed);
+  for (std::size_t first = 0; first < column.size(); first += owen_block) {
+    const std::size_t size = std::min(owen_block, column.size() - first);
+    owen_scramble_block(column.subspan(first, size), hash);
   }
 }
 

@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
 
 namespace mc::experiments {
 namespace {
+
+/// What nobody has written yet: so it shows where the last values were forgotten.
+constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
+
+PointSet unwritten_points(std::uint64_t n, std::uint64_t dims) {
+  PointSet points(n, dims);
+  for (std::size_t d = 0; d < dims; ++d) std::ranges::fill(points.column(d), unwritten);
+  return points;
+}
 
 std::vector<double> columns_of(const PointSet& points) {
   std::vector<double> all;
@@ -42,7 +52,7 @@ std::vector<double> radical_inverse(unsigned base, std::vector<std::uint64_t> in
 }
 
 std::vector<double> radical_inverses(unsigned base, std::uint64_t first, std::uint64_t count) {
-  std::vector<double> column(count);
+  std::vector<double> column(count, unwritten);
   mc::radical_inverses(base, first, column);
   return column;
 }
@@ -52,19 +62,19 @@ std::vector<unsigned> primes(std::uint64_t count) {
 }
 
 std::vector<double> halton(std::uint64_t n, std::uint64_t dims, std::uint64_t first) {
-  PointSet points(n, dims);
+  PointSet points = unwritten_points(n, dims);
   mc::halton(points, first);
   return columns_of(points);
 }
 
 std::vector<double> hammersley(std::uint64_t n, std::uint64_t dims) {
-  PointSet points(n, dims);
+  PointSet points = unwritten_points(n, dims);
   mc::hammersley(points);
   return columns_of(points);
 }
 
 std::vector<double> sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
-  std::vector<double> column(count);
+  std::vector<double> column(count, unwritten);
   mc::sobol(dimension, first, column);
   return column;
 }
@@ -109,14 +119,24 @@ std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t firs
                                                std::vector<std::uint64_t> seeds) {
   std::vector<double> all;
   for (const std::uint64_t seed : seeds) {
-    std::vector<double> column(count);
+    std::vector<double> column(count, unwritten);
     mc::radical_inverses_scrambled(base, first, column, seed);
     all.insert(all.end(), column.begin(), column.end());
   }
   return all;
 }
 
-double repeat(unsigned task, unsigned of, std::uint64_t n, std::uint64_t rounds) {
+std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_t> indices,
+                                         std::uint64_t seed) {
+  std::vector<double> values(indices.size(), unwritten);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    mc::radical_inverses_scrambled(base, indices[i], std::span(values).subspan(i, 1), seed);
+  }
+  return values;
+}
+
+double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds) {
+  const unsigned of = base_or_dimension;
   std::vector<double> column(n, 0.0);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     switch (task) {
@@ -167,19 +187,24 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(radical_inverses, "base first count",
                     "5.2  radical inverses of first, first + 1, ..."),
       MC_EXPERIMENT(primes, "count", "5.3  the first primes"),
-      MC_EXPERIMENT(halton, "n dims first", "5.3  n Halton points, column by column"),
+      MC_EXPERIMENT(halton, "n dims first",
+                    "5.3  Halton points first, first + 1, ..., column by column"),
       MC_EXPERIMENT(hammersley, "n dims", "5.4  n Hammersley points, column by column"),
-      MC_EXPERIMENT(sobol, "dimension first count", "5.5  one coordinate of Sobol' points"),
+      MC_EXPERIMENT(sobol, "dimension first count",
+                    "5.5  one coordinate of Sobol' points first, first + 1, ..."),
       MC_EXPERIMENT(star_discrepancy_1d, "x", "5.6  star discrepancy of points of the line"),
       MC_EXPERIMENT(star_discrepancy_2d, "x y", "5.6  star discrepancy of points of the plane"),
       MC_EXPERIMENT(random_shift, "points dims times seed",
-                    "5.7  points shifted, from the start each time"),
-      MC_EXPERIMENT(owen_scramble, "x seeds", "5.8  x scrambled by each seed"),
+                    "5.7  points (column by column) shifted, from where they are each time"),
+      MC_EXPERIMENT(owen_scramble, "x seeds", "5.8  the column x scrambled by each seed"),
       MC_EXPERIMENT(radical_inverses_scrambled, "base first count seeds",
-                    "5.9  scrambled radical inverses, by each seed"),
-      MC_EXPERIMENT(repeat, "task of n rounds", "a column of task 5.task, rounds times (timing)"),
+                    "5.9  scrambled radical inverses of first, first + 1, ..., by each seed"),
+      MC_EXPERIMENT(scrambled_one_by_one, "base indices seed",
+                    "5.9  scrambled radical inverses of indices, a column for each"),
+      MC_EXPERIMENT(repeat, "task base_or_dimension n rounds",
+                    "a column of task 5.task, rounds times (timing)"),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",
-                    "n points of task 5.task, rounds times (timing)"),
+                    "points of task 5.task, rounds times (timing)"),
   };
   return all;
 }

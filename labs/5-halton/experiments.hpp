@@ -1,5 +1,6 @@
 #pragma once
-// What lab 5 measures of a submission. Point sets are returned column by column.
+// What lab 5 measures of a submission. Point sets are returned column by column; what is filled in is
+// NaN before, so that a value that was never written shows.
 
 #include <cstdint>
 #include <vector>
@@ -42,9 +43,13 @@ std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t firs
                                                std::uint64_t count,
                                                std::vector<std::uint64_t> seeds);
 
+/// 5.9: of each of `indices`, in a column of its own.
+std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_t> indices,
+                                         std::uint64_t seed);
+
 /// For timing: a column of n values, `rounds` times, by task 5.`task`: 1 and 2 radical inverses, 9
-/// scrambled ones, in base `of`; 5 Sobol', 8 Sobol' scrambled, dimension `of`. The last value.
-double repeat(unsigned task, unsigned of, std::uint64_t n, std::uint64_t rounds);
+/// scrambled ones, in that base; 5 Sobol', 8 Sobol' scrambled, in that dimension. The last value.
+double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds);
 
 /// For timing: n points of `dims` dimensions, `rounds` times, by task 5.`task`: 3 Halton points, 5
 /// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled. They are made in blocks of

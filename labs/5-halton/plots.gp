@@ -27,23 +27,24 @@ unset multiplot
 
 # Discrepancy against N ---------------------------------------------------------------------------
 array way[6] = ["random", "stratified", "5.3 Halton", "5.4 Hammersley", "5.5 Sobol'", "5.8 scrambled Sobol'"]
-name = "discrepancy"; width = 80 + 500 * count; height = 570
+name = "discrepancy"; width = 220 + 500 * count; height = 600
 load draw
-set multiplot layout 1,count title "Star discrepancy in the plane" \
-  margins 80./width, 1 - 20./width, 0.30, 0.86 spacing 80./width, 0
+set multiplot layout 1,count title "Star discrepancy in the plane, at N = 2^k and between" \
+  margins 80./width, 1 - 20./width, 0.29, 0.87 spacing 80./width, 0
 set logscale xy
-set xrange [12:5500]
+set xrange [9:5500]
 set yrange [0.0005:0.7]
 set format y "10^{%L}"
 set xtics (16, 64, 256, 1024, 4096)
 set xlabel "N"
 set ylabel "D*"
-set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 3 width -1
+set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3 width -1
 do for [s=1:count] {
   set title labels[s] noenhanced
   plot 0.85/sqrt(x) with lines ls 9 lw 2 title "N^{-1/2}", \
-       0.42*log(x)/x with lines ls 9 lw 2 dt 3 title "log N / N", \
-       for [i=1:6] data[s]."/discrepancy.tsv" using 1:(column(i+1)) with linespoints ls i title way[i]
+       0.16*log(x)**2/x with lines ls 9 lw 2 dt 4 title "(log N)^2 / N", \
+       0.65*log(x)/x with lines ls 9 lw 2 dt 3 title "log N / N", \
+       for [i=1:6] data[s]."/discrepancy-".i.".tsv" using 1:2 with linespoints ls i title way[i]
   unset key
   unset ylabel
 }
@@ -73,11 +74,34 @@ do for [s=1:count] {
 }
 unset multiplot
 
-# The bad pair ------------------------------------------------------------------------------------
-array pair[3] = ["bases 29 and 31", "5.7 shifted", "5.9 digits permuted"]
-name = "pair"; width = 1060; height = 20 + 370 * count
+# The same points, made random in four ways -------------------------------------------------------
+array random[4] = ["random points", "5.7 random shift", "5.9 digits permuted (base 2: a digital shift)", "5.8 nested scrambling"]
+array wave[2] = ["exp(x)", "cos(2 pi N x)"]
+array style[4] = [1, 3, 5, 6]
+name = "randomised"; width = 980; height = 90 + 380 * count
 load draw
-set multiplot layout count,3 margins 0.015, 0.985, 10./height, 1 - 36./height spacing 0.02, 40./height
+set multiplot layout count,2 margins 75./width, 1 - 15./width, 110./height, 1 - 36./height spacing 75./width, 90./height
+set logscale xy
+set format "10^{%L}"
+set xrange [3:6000]
+set xlabel "N"
+set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3
+do for [s=1:count] {
+  do for [i=1:2] {
+    set title wave[i].who(s) noenhanced
+    set ylabel (i == 1 ? "RMSE, points of base 2 on the line" : "")
+    set yrange [(i == 1 ? 1e-7 : 5e-3):(i == 1 ? 1 : 2)]
+    plot for [k=1:4] data[s]."/randomised-".i.".tsv" using 1:(column(k+1)) with linespoints ls style[k] title random[k]
+    unset key
+  }
+}
+unset multiplot
+
+# Bad pairs of axes -------------------------------------------------------------------------------
+array pair[5] = ["bases 29 and 31, 64 points", "5.7 shifted", "5.9 digits permuted", "Sobol' dimensions 14 and 15, 1024 points", "5.8 scrambled"]
+name = "pair"; width = 1060; height = 20 + 730 * count
+load draw
+set multiplot layout 2*count,3 margins 0.015, 0.985, 10./height, 1 - 36./height spacing 0.02, 40./height
 set size square
 set xrange [0:1]
 set yrange [0:1]
@@ -85,10 +109,11 @@ set xtics 0,0.125 format ""
 set ytics 0,0.125 format ""
 unset key
 do for [s=1:count] {
-  do for [i=1:3] {
+  do for [i=1:5] {
     set title pair[i].who(s) noenhanced
-    plot data[s]."/pair-".i.".tsv" using 1:2 with points pt 7 ps 0.8 lc rgb "#0072B2"
+    plot data[s]."/pair-".i.".tsv" using 1:2 with points pt 7 ps (i < 4 ? 0.8 : 0.3) lc rgb "#0072B2"
   }
+  set multiplot next
 }
 unset multiplot
 
@@ -99,7 +124,7 @@ load draw
 set multiplot layout 1,count title "Error of exp(x + y) against time, 4096 points, in cache" \
   margins 80./width, 1 - 20./width, 0.14, 0.83 spacing 80./width, 0
 set logscale xy
-set xrange [0.05:2000]
+set xrange [0.02:2000]
 set yrange [5e-6:2e-2]
 set format y "10^{%L}"
 set xlabel "ns a point (less is better)"

@@ -1,5 +1,6 @@
 // mistake: each point is shifted by itself, and becomes a random one
 // caught by: 5.7 one shift moves
+// caught by: 5.7 the shift is uniform
 // caught by: 5.7 shifted points stay
 // hint: not one for a point
 #include "halton.hpp"

@@ -1,7 +1,6 @@
 // mistake: a column begins where the block of its first index begins
 // caught by: 5.2 a column may begin anywhere
-// caught by: 5.2 a column past the last
-// hint: the block that `first` lies in
+// hint: these are the radical inverses from index
 #include "halton.hpp"
 
 #define radical_inverses right_radical_inverses

@@ -1,7 +1,7 @@
 // mistake: adds a random number to each digit, modulo the base
 // caught by: 5.9 permutations are random
 // caught by: 5.9 permuted digits
-// hint: a random permutation for each position
+// hint: these are rotations
 #include "halton.hpp"
 
 #define radical_inverses_scrambled right_radical_inverses_scrambled

@@ -1,7 +1,6 @@
 // mistake: point i is chosen by the Gray code of i
 // caught by: 5.5 the first points
 // caught by: 5.5 a column of Sobol
-// caught by: 5.5 Sobol' points that do not exist
 // hint: in Gray-code order
 #include "halton.hpp"
 

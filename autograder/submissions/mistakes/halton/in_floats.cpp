@@ -3,7 +3,7 @@
 // caught by: 5.1 every index
 // caught by: 5.1 the last digit
 // caught by: 5.1 the radical inverse is below 1
-// hint: these are the seven digits of a float
+// hint: this is a float
 #include "halton.hpp"
 
 #define radical_inverse right_radical_inverse

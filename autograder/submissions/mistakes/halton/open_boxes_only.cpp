@@ -2,7 +2,6 @@
 // caught by: 5.6 the star discrepancy of points of the plane
 // caught by: 5.6 points that share
 // caught by: 5.6 no error
-// caught by: 5.6 what is no point
 // hint: only open boxes were looked at
 #include "halton.hpp"
 

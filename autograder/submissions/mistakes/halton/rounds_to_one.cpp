@@ -1,6 +1,6 @@
 // mistake: more than 53 ones are rounded up to 1
 // caught by: 5.1 the radical inverse is below 1
-// hint: it was rounded up to 1
+// hint: it was rounded up to the upper end
 #include "halton.hpp"
 
 #define radical_inverse right_radical_inverse

@@ -3,7 +3,6 @@
 // caught by: 5.5 a column of Sobol
 // caught by: 5.5 the first two
 // caught by: 5.5 integrals
-// caught by: 5.5 Sobol' points that do not exist
 // hint: point 0 is the origin
 #include "halton.hpp"
 

@@ -2,7 +2,6 @@
 // fails: 5.5 the first points
 // fails: 5.5 a column of Sobol' points
 // fails: 5.5 the first two dimensions
-// fails: 5.5 Sobol' points that do not exist
 // fails: 5.5 integrals by Sobol' points
 // because: Boost leaves out the origin, point 0, and goes on in the order of Gray codes
 #include "halton.hpp"

@@ -1,0 +1,180 @@
+// The data of lab 5's plots: errors against N, and against time.
+
+#include <cmath>
+
+#include "checks/halton/plot_points.hpp"
+#include "checks/support/catch.hpp"
+
+namespace mc::checks {
+namespace {
+
+/// An RMSE of so many is right to an eighth of itself: a third of a mark's height.
+constexpr std::size_t replicates = 32;
+
+/// What is integrated, and the exact integrals.
+struct Integral {
+  std::size_t dims;
+  double (*g)(std::span<const double>);
+  double exact;
+};
+double smooth(std::span<const double> x) {
+  return std::exp(std::accumulate(x.begin(), x.end(), 0.0));
+}
+double kink(std::span<const double> x) {
+  return std::abs(x[0] - 0.4) + std::abs(x[0] + x[1] - 1);
+}
+double edge(std::span<const double> x) {
+  return x[0] * x[0] + x[1] * x[1] < 0.7 ? 1 : 0;
+}
+const double e_1 = std::exp(1) - 1;
+const std::array<Integral, 5> integrals{
+    Integral{1, smooth, e_1}, Integral{2, smooth, std::pow(e_1, 2)},
+    Integral{4, smooth, std::pow(e_1, 4)},
+    Integral{2, kink, 0.26 + 1. / 3},      // (.4^2 + .6^2)/2, and E|x + y - 1|
+    Integral{2, edge, 0.7 * std::atan(1)}  // a quarter of a disk of radius sqrt(.7) < 1
+};
+
+/// Of points in as many dimensions, or more.
+Number error(const Points& points, const Integral& integral) {
+  if (!points) return {};
+  const std::size_t n = (*points)[0].size();
+  double sum = 0;
+  std::array<double, 4> x{};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t d = 0; d < integral.dims; ++d) x[d] = (*points)[d][i];
+    sum += integral.g({x.data(), integral.dims}) - integral.exact;
+  }
+  return std::abs(sum / static_cast<double>(n));
+}
+
+/// The root of the mean square over sets.
+Number rms_error(const std::vector<Points>& sets, const Integral& integral) {
+  double squares = 0;
+  for (const Points& set : sets) {
+    const Number one = error(set, integral);
+    if (!one) return {};
+    squares += *one * *one;
+  }
+  return std::sqrt(squares / static_cast<double>(sets.size()));
+}
+
+template <class Make>
+std::vector<Points> sets_of(std::size_t count, Make make) {
+  std::vector<Points> sets;
+  while (sets.size() < count) sets.push_back(make());
+  return sets;
+}
+
+/// One size of the plot, for all integrals: a row for each. Fewer replicates of many points.
+void plot_size(std::size_t n, std::span<std::ofstream> files, Rng& rng) {
+  const std::size_t sets = n > 10000 ? replicates / 4 : replicates;
+  const Points halton = halton_points(n, 4), hammersley = hammersley_points(n, 4);
+  const Points sobol = sobol_plot_points(n, {0, 1, 2, 3});
+  const auto scrambled = scrambled_sets_of(sobol, sets, n);
+  for (std::size_t i = 0; i < integrals.size(); ++i) {
+    const Integral& integral = integrals[i];
+    const auto random = sets_of(sets, [&] { return random_points(rng, n, integral.dims); });
+    const auto strata = sets_of(sets, [&] { return stratified_points(rng, n, integral.dims); });
+    plot_row(files[i], std::array{Number(static_cast<double>(n)), rms_error(random, integral),
+                                  rms_error(strata, integral), error(halton, integral),
+                                  error(hammersley, integral), error(sobol, integral),
+                                  rms_error(scrambled, integral)});
+  }
+}
+
+TEST_CASE("plot error against N", "[.plot]") {
+  Rng rng(3);
+  std::vector<std::ofstream> files;
+  for (std::size_t i = 1; i <= integrals.size(); ++i) {
+    files.push_back(plot_file("convergence-" + std::to_string(i) + ".tsv"));
+  }
+  for (std::size_t n = 16; n <= 65536; n *= 4) plot_size(n, files, rng);
+}
+
+/// The same column of base 2, made random in every way of this lab; for exp(x), and for a wave of
+/// frequency N.
+TEST_CASE("plot error of randomised points", "[.plot]") {
+  constexpr std::size_t sets = 256;
+  Rng rng(4);
+  auto smooth_file = plot_file("randomised-1.tsv"), wave_file = plot_file("randomised-2.tsv");
+  std::vector<std::uint64_t> seeds(sets);
+  std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
+  for (std::size_t n = 4; n <= 4096; n *= 4) {
+    const Column column = column_of(TRY_MEASURE(radical_inverses, 2, 0, n), n);
+    std::vector<Points> ways(4);  // a list of all sets, each a column
+    ways[0] = columns_of(uniform_values(rng, n * sets, 0, 1), n);
+    if (column) {
+      ways[1] = columns_of(column_of(TRY_MEASURE(random_shift, *column, 1, sets, 1), n * sets), n);
+      ways[3] = columns_of(column_of(TRY_MEASURE(owen_scramble, *column, seeds), n * sets), n);
+    }
+    ways[2] =
+        columns_of(column_of(TRY_MEASURE(radical_inverses_scrambled, 2, 0, n, seeds), n * sets), n);
+    const auto row = [&](auto g) {
+      std::vector<Number> numbers{static_cast<double>(n)};
+      for (const Points& way : ways) {
+        numbers.emplace_back();
+        if (!way) continue;
+        double squares = 0;
+        for (const auto& set : *way) {
+          double sum = 0;
+          for (const double x : set) sum += g(x);
+          squares += sum * sum;
+        }
+        numbers.back() = std::sqrt(squares / sets) / static_cast<double>(n);
+      }
+      return numbers;
+    };
+    plot_row(smooth_file, row([](double x) { return std::exp(x) - e_1; }));
+    const double frequency = 2 * std::acos(-1.) * static_cast<double>(n);
+    plot_row(wave_file, row([&](double x) { return std::cos(frequency * x); }));
+  }
+}
+
+/// Nanoseconds a point of the plane, `run` making 4,096 of them so many times.
+template <class Run>
+Number nanoseconds(Run run) {
+  const auto round = seconds_a_round(
+      [&](std::uint64_t rounds) -> Number {
+        const auto got = run(rounds);
+        if (!got) return {};
+        return got->cpu_seconds;
+      },
+      0.01);
+  if (!round) return {};
+  return *round * 1e9 / 4096;
+}
+
+TEST_CASE("plot error against time", "[.plot]") {
+  auto file = plot_file("speed.tsv");
+  constexpr std::size_t n = 4096;
+  const Integral& plane = integrals[1];
+  const Points halton = halton_points(n, 2), sobol = sobol_plot_points(n, {0, 1});
+  std::vector<std::uint64_t> seeds(replicates);
+  std::iota(seeds.begin(), seeds.end(), std::uint64_t{1000});
+  std::vector<Points> along;
+  for (const unsigned base : {2u, 3u}) {
+    for (auto& seed : seeds) seed += 1000;
+    along.push_back(columns_of(
+        column_of(TRY_MEASURE(radical_inverses_scrambled, base, 0, n, seeds), n * replicates), n));
+  }
+  std::vector<Points> permuted(replicates);
+  for (std::size_t i = 0; i < replicates && along[0] && along[1]; ++i) {
+    permuted[i] = {(*along[0])[i], (*along[1])[i]};
+  }
+  const auto points = [](unsigned task) {
+    return nanoseconds([=](auto rounds) { return TRY_MEASURE(repeat_points, task, n, 2, rounds); });
+  };
+  const auto inverses_of = [](unsigned base) {
+    return nanoseconds([=](auto rounds) { return TRY_MEASURE(repeat, 1, base, n, rounds); });
+  };
+  const Number x = inverses_of(2), y = inverses_of(3);
+  plot_row(file, std::array{Number(1), x && y ? Number(*x + *y) : Number{}, error(halton, plane)});
+  plot_row(file, std::array{Number(2), points(3), error(halton, plane)});
+  plot_row(file, std::array{Number(5), points(5), error(sobol, plane)});
+  plot_row(file, std::array{Number(8), points(8),
+                            rms_error(scrambled_sets_of(sobol, replicates, 7), plane)});
+  plot_row(file, std::array{Number(9), points(9), rms_error(permuted, plane)});
+}
+
+}  // namespace
+}  // namespace mc::checks
