@@ -30,6 +30,10 @@ Values every(const Values& coordinates, std::size_t dims) {
   return all;
 }
 
+double half(std::size_t size) {
+  return static_cast<double>(size) / 2;
+}
+
 std::ptrdiff_t signed_size(std::size_t size) {
   return static_cast<std::ptrdiff_t>(size);
 }
@@ -40,13 +44,6 @@ double repeated(Values& numbers) {
   double count = 0;
   for (std::size_t i = 1; i < numbers.size(); ++i) count += numbers[i] == numbers[i - 1] ? 1 : 0;
   return count;
-}
-
-/// Of N numbers with 32 random bits N^2 / 2^33 pairs are equal on average, of 24 bits 256 times as
-/// many. Eight times the former and 20 more are never reached by chance (N = 120,000: 1.7 are
-/// expected and 33 are too many, 1e-29; for few numbers 20 is out of reach).
-double most_repeated(double n) {
-  return std::min(n / 2, 20 + n * n / 0x1p30);
 }
 
 /// What lab 1 makes of the values, if it can say: what is built on it may be wrong because of it.
@@ -92,8 +89,9 @@ Traced::Traced(const Function& g, std::uint64_t n, Rng& rng, std::uint64_t repli
   require_range(call(), "values", values(), finite);
   const Values first = every(points(), dims);
   expect_distinct(call(), "points", {first.begin(), first.begin() + signed_size(evaluations_)},
+                  half(evaluations_),
                   "each sample is drawn anew: take new numbers from rng inside the loop");
-  expect_distinct(call(), "points", first, moves_on);
+  expect_distinct(call(), "points", first, half(first.size()), moves_on);
   const auto other = MEASURE(traces, g, n, rng(), 1);
   const Traces* const others = other.if_exactly({1, evaluations_ * dims, evaluations_}, any_number);
   expect_that(others != nullptr, other.call + " evaluated g another number of times",
@@ -128,8 +126,10 @@ void expect_mean_of(const std::string& call, double value, std::span<const doubl
                         {{mean * n, "this is the sum: divide it by n"},
                          {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
                          {mean * n / (n + 1), "this divides by n + 1"},
-                         {values.back(), "this is g at the last point alone: add up all of them"},
-                         {values.front(), "this is g at the first point alone: add up all of them"},
+                         {values.back() == 0 ? nan : values.back(),
+                          "this is g at the last point alone: add up all of them"},
+                         {values.front() == 0 ? nan : values.front(),
+                          "this is g at the first point alone: add up all of them"},
                          {(mean * n - values.back()) / n, "the last value is not in the sum"},
                          {(mean * n - values.front()) / n, "the first value is not in the sum"}});
   expect_within(call + ".value", value, mean, tolerance,
@@ -140,6 +140,10 @@ void expect_mean_of(const std::string& call, double value, std::span<const doubl
 
 void expect_standard_error(const std::string& call, double standard_error,
                            std::span<const double> values, const std::vector<Suspect>& suspects) {
+  if (values.size() < 2) {
+    expect_nan(call + ".standard_error", standard_error, "one value says nothing about spread");
+    return;
+  }
   const auto exact = exact_moments(values);
   const double n = exact.count, s = std::sqrt(exact.variance);
   const double mean = static_cast<double>(exact.mean);
@@ -186,12 +190,11 @@ void expect_standard_error(const std::string& call, double standard_error,
       hints);
 }
 
-void expect_distinct(const std::string& call, const std::string& what, Values numbers,
+void expect_distinct(const std::string& call, const std::string& what, Values numbers, double most,
                      const std::string& hint) {
   const double count = repeated(numbers);
-  const auto n = static_cast<double>(numbers.size());
   expect_that(
-      count <= most_repeated(n), fmt::format("{}: {} of {} {} came before", call, count, n, what),
+      count <= most, fmt::format("{}: {} of {} {} came before", call, count, numbers.size(), what),
       "new ones each time, but for a rare chance", "independent numbers of 53 bits differ", hint);
 }
 
@@ -202,11 +205,10 @@ void expect_nothing_in_common(const std::string& call, const std::string& what, 
   Values both;
   std::set_intersection(numbers.begin(), numbers.end(), of_another_seed.begin(),
                         of_another_seed.end(), std::back_inserter(both));
-  const auto common = static_cast<double>(both.size());
-  const auto most = static_cast<double>(std::min(numbers.size(), of_another_seed.size()));
+  const std::size_t all = std::min(numbers.size(), of_another_seed.size());
   expect_that(
-      common <= std::min(most / 2, most_repeated(most + static_cast<double>(numbers.size()))),
-      fmt::format("{}: {} of {} {} are those of another seed, too", call, common, most, what),
+      2 * both.size() <= all,
+      fmt::format("{}: {} of {} {} are those of another seed, too", call, both.size(), all, what),
       "other numbers from another generator",
       "the generator that it is given is its only source of randomness",
       "take the numbers from rng, and from nowhere else");

@@ -44,12 +44,11 @@ void expect_standard_error(const std::string& call, double standard_error,
                            std::span<const double> values,
                            const std::vector<Suspect>& suspects = {});
 
-/// Numbers that have to be random ones, all of them new: no more of them are equal than chance
-/// makes of numbers with 32 bits or more.
-void expect_distinct(const std::string& call, const std::string& what, Values numbers,
+/// Numbers that have to be random ones: `most` at the most were there before.
+void expect_distinct(const std::string& call, const std::string& what, Values numbers, double most,
                      const std::string& hint);
 
-/// The same of two generators: their numbers have nothing in common.
+/// The same of two generators: at least half of the numbers are others.
 void expect_nothing_in_common(const std::string& call, const std::string& what, Values numbers,
                               Values of_another_seed);
 

@@ -2,7 +2,7 @@
 // caught by: 2.8 a span of any size
 // caught by: 2.8 the numbers are uniform
 // caught by: 2.8 the last bits
-// hint: how many bits of each number are random?
+// hint: these are numbers of 24 bits
 // hint: which are always 0, or 1?
 #include "independent.hpp"
 

@@ -1,0 +1,20 @@
+// mistake: the quantile of 95 %, whatever the level
+// caught by: 2.5 a confidence interval
+// caught by: 2.5 intervals of normal
+// caught by: 2.5 intervals of rare
+// hint: 1.96 is for 95 % alone
+#include "independent.hpp"
+
+#define confidence_interval right_confidence_interval
+#include "solutions/independent.cpp"
+#undef confidence_interval
+
+namespace mc {
+
+Interval confidence_interval(const Estimate& estimate, double level) {
+  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
+  const double reach = 1.96 * estimate.standard_error;
+  return {estimate.value - reach, estimate.value + reach};
+}
+
+}  // namespace mc

@@ -1,0 +1,21 @@
+// mistake: divides the standard error of the mean by the root of n once more
+// caught by: 2.5 a confidence interval
+// caught by: 2.5 intervals of normal
+// caught by: 2.5 intervals of rare
+// hint: standard_error belongs to the mean: it knows n already
+#include "independent.hpp"
+
+#define confidence_interval right_confidence_interval
+#include "solutions/independent.cpp"
+#undef confidence_interval
+
+namespace mc {
+
+Interval confidence_interval(const Estimate& estimate, double level) {
+  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
+  const double s = estimate.standard_error / std::sqrt(static_cast<double>(estimate.n));
+  const double reach = -normal_quantile((1 - level) / 2) * s;
+  return {estimate.value - reach, estimate.value + reach};
+}
+
+}  // namespace mc
