@@ -108,7 +108,8 @@ void fill_few(std::span<double> column, const Digits& digits) {
   double weight = size;
   column[0] = 0;
   std::size_t filled = 1;
-  for (std::size_t position = 0; weight > 1; ++position, filled *= digits.base) {
+  unsigned position = 0;
+  for (; weight > 1; ++position, filled *= digits.base) {
     weight /= digits.base;
     for (std::size_t digit = std::min<std::size_t>(digits.base - 1, (column.size() - 1) / filled);
          digit > 0; --digit) {
@@ -119,7 +120,8 @@ void fill_few(std::span<double> column, const Digits& digits) {
     const double more = digits(position, 0) * weight;
     for (double& x : column.first(std::min(filled, column.size()))) x += more;
   }
-  for (double& x : column) x = std::min(below_one, (x + digits.zeros) * (1 / size));
+  const double behind = inverse(digits, position, 0);
+  for (double& x : column) x = std::min(below_one, (x + behind) * (1 / size));
 }
 
 void fill(std::span<double> column, std::uint64_t first, const Digits& digits,
