@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <stdexcept>
 
 namespace mc {
@@ -99,10 +98,38 @@ void fill_by_runs(std::span<double> column, std::uint64_t first, const Digits& d
   }
 }
 
+constexpr std::size_t largest = 1024;  // values of a table: a quarter of the first-level cache
+
+/// The first values of a sequence, so few that they are the table themselves: what is there for the
+/// digits so far is there again with one more. Whole numbers, and exact, up to the last line.
+void fill_few(std::span<double> column, const Digits& digits) {
+  double size = digits.base;
+  while (size < static_cast<double>(column.size())) size *= digits.base;
+  double weight = size;
+  column[0] = 0;
+  std::size_t filled = 1;
+  unsigned position = 0;
+  for (; weight > 1; ++position, filled *= digits.base) {
+    weight /= digits.base;
+    for (std::size_t digit = std::min<std::size_t>(digits.base - 1, (column.size() - 1) / filled);
+         digit > 0; --digit) {
+      const double more = digits(position, digit) * weight;
+      const auto to = column.subspan(digit * filled);
+      for (std::size_t k = 0; k < std::min(filled, to.size()); ++k) to[k] = column[k] + more;
+    }
+    const double more = digits(position, 0) * weight;
+    for (double& x : column.first(std::min(filled, column.size()))) x += more;
+  }
+  const double behind = inverse(digits, position, 0);
+  for (double& x : column) x = std::min(below_one, (x + behind) * (1 / size));
+}
+
 void fill(std::span<double> column, std::uint64_t first, const Digits& digits,
           unsigned position = 0) {
-  // At most half of the column, and of the first-level cache a quarter.
-  constexpr std::size_t largest = 1024;
+  if (first == 0 && position == 0 && !column.empty() && column.size() <= largest) {
+    return fill_few(column, digits);
+  }
+  // At most half of the column.
   std::size_t block = 1;
   unsigned low = 0;
   for (; block * digits.base <= std::min(largest, column.size() / 2); ++low) block *= digits.base;
@@ -466,15 +493,16 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // 5.9 --------------------------------------------------------------------------------------------
 //
 // A permutation for each of the 64 digits that an index may have in base 2, of which a column of a
-// thousand uses ten: in the others it has nothing but zeros. So each position has a generator of its
-// own, and its permutation is made from the front: what becomes of 0 is decided first, and for the
-// zeros behind all digits no more of it is made.
+// thousand uses ten: in the others it has nothing but zeros. What a zero becomes is a random digit,
+// independently at each position: together these are the digits of one number, uniform in [0, 1). So
+// that is drawn first, and what is left of it behind the digits in use is what all the zeros behind
+// them come to.
 
 namespace {
 
-/// One of the digits first … base - 1.
+/// One of the digits first … base - 1, by 48 random bits: 2^-32 from uniform at most.
 unsigned any_digit(unsigned first, unsigned base, Rng& rng) {
-  return std::uniform_int_distribution<unsigned>(first, base - 1)(rng);
+  return first + static_cast<unsigned>((rng() >> 16) * (base - first) >> 48);
 }
 
 unsigned digits_of(std::uint64_t number, unsigned base) {
@@ -491,21 +519,18 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
   require_indices(first, column.size(), last_index);
   if (column.empty()) return;
-  const std::uint64_t key = mix_bits(seed ^ mix_bits(base));
+  Rng rng(mix_bits(seed ^ mix_bits(base)));
   const unsigned used = std::max(1u, digits_of(first + (column.size() - 1), base));
   Digits digits{base, std::vector<unsigned>(std::size_t{used} * base)};
+  digits.zeros = static_cast<double>(rng() >> 11) * 0x1p-53;
   for (unsigned position = 0; position < used; ++position) {
-    Rng rng(key + position);
     unsigned* const row = digits.permutations.data() + std::size_t{position} * base;
     std::iota(row, row + base, 0u);
-    for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
-  }
-  // As many digits as make 2^64: what is behind them is below 2^-64. (digits_of would divide for each.)
-  const auto all = static_cast<unsigned>(std::log(0x1p64) / std::log(base)) + 1;
-  const double weight = 1.0 / base;
-  for (unsigned position = all; position-- > used;) {
-    Rng rng(key + position);
-    digits.zeros = (any_digit(0, base, rng) + digits.zeros) * weight;
+    digits.zeros *= base;
+    const auto of_zero = static_cast<unsigned>(digits.zeros);
+    digits.zeros -= of_zero;
+    std::swap(row[0], row[of_zero]);
+    for (unsigned i = 1; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
   }
   fill(column, first, digits);
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace mc {
@@ -15,11 +16,15 @@ namespace {
 
 // 6.1 ---------------------------------------------------------------------------------------------
 
+/// The first points of a sequence's dimensions, not randomised yet (6.3).
+using Tables = std::array<std::vector<double>, 8>;
+
 /// A sample dimension, or two, asked for the first time in this integration.
 struct Use {
   std::size_t number;     ///< how many of its sort were before it, next() and next2() counted apart
   std::size_t dimension;  ///< of a sequence: the one that it gets, or the first of two (6.3)
   Rng order;              ///< for the random order of the block of dimensions they belong to (6.3)
+  Tables& tables;
 };
 
 /// What tells one kind from another: how the column of a next() is filled, or the two of a next2().
@@ -58,36 +63,56 @@ void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng)
 // and in another order of the points, so that a block has nothing to do with the one before it. The
 // columns of a block share their order: it is what holds them together.
 
-constexpr std::size_t block = 8;
+constexpr std::size_t block = std::tuple_size_v<Tables>;
 
-using Randomised = void(std::size_t dimension, std::span<double> x, Rng& rng);
+/// Writes a dimension's points, randomised by `seed`.
+using Randomised = void(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&);
 
-void fill_halton(std::size_t dimension, std::span<double> x, Rng& rng) {
-  static const std::vector<unsigned> bases = primes(block);
-  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 0, x, rng());
-  // In base 2 a permutation of a digit flips a bit or does not, for all points alike: no more than a
-  // digital shift. Nested scrambling is to be had at the same price (5.8).
-  radical_inverses(2, 0, x);
-  owen_scramble(x, rng());
+// 6.8 A picture asks for the same few points in every pixel, and then for other scrambles of them: so
+// short columns are kept as they are before they are scrambled.
+template <auto fill>
+void fill_or_copy(std::size_t dimension, std::span<double> x, Tables& tables) {
+  constexpr std::size_t most_kept = 4096;
+  std::vector<double>& kept = tables[dimension];
+  if (x.size() > most_kept) return fill(dimension, x);
+  if (kept.size() < x.size()) {
+    kept.resize(x.size());
+    fill(dimension, kept);
+  }
+  std::copy_n(kept.begin(), x.size(), x.begin());
 }
-void fill_sobol(std::size_t dimension, std::span<double> x, Rng& rng) {
+
+void sobol_points(std::size_t dimension, std::span<double> x) {
   sobol(static_cast<unsigned>(dimension), 0, x);
-  owen_scramble(x, rng());
+}
+void fill_sobol(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables& tables) {
+  fill_or_copy<sobol_points>(dimension, x, tables);
+  owen_scramble(x, seed);
+}
+
+/// In base 2 a permutation of a digit flips a bit or does not, for all points alike: no more than a
+/// digital shift. Nested scrambling is to be had at the same price (5.8), and the radical inverses in
+/// base 2 are Sobol's dimension 0.
+void fill_halton(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables& tables) {
+  if (dimension == 0) return fill_sobol(0, x, seed, tables);
+  static const std::vector<unsigned> bases = primes(block);
+  radical_inverses_scrambled(bases[dimension], 0, x, seed);
 }
 
 template <Randomised fill>
-void fill_in_order(std::size_t dimension, Rng order, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng);
-  if (dimension >= block) shuffle(x, order);  // a copy: the same numbers for the whole block
+void fill_in_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
+  Rng order = use.order;  // a copy: the same numbers for the whole block
+  if (dimension >= block) shuffle(x, order);
 }
 template <Randomised fill>
 void one_of(const Use& use, std::span<double> x, Rng& rng) {
-  fill_in_order<fill>(use.dimension, use.order, x, rng);
+  fill_in_order<fill>(use, use.dimension, x, rng);
 }
 template <Randomised fill>
 void two_of(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_in_order<fill>(use.dimension, use.order, x, rng);
-  fill_in_order<fill>(use.dimension + 1, use.order, y, rng);
+  fill_in_order<fill>(use, use.dimension, x, rng);
+  fill_in_order<fill>(use, use.dimension + 1, y, rng);
 }
 
 // 6.7 ---------------------------------------------------------------------------------------------
@@ -170,9 +195,8 @@ class ColumnSampler final : public Sampler {
   Use taking(std::size_t count, std::size_t number) {
     if (dimension_ % block + count > block) ++dimension_;
     if (dimension_ > 0 && dimension_ % block == 0) order_ = Rng(rng_());
-    const Use use{number, dimension_, order_};
     dimension_ += count;
-    return use;
+    return {number, dimension_ - count, order_, tables_};
   }
 
   void require_sample() const {
@@ -188,6 +212,7 @@ class ColumnSampler final : public Sampler {
   std::size_t ready_ = 0, ready2_ = 0;    // uses that have columns; none after the last sample
   std::size_t dimension_ = 0;             // of a sequence: the next one
   Rng order_{0};                          // of its block
+  Tables tables_;
   std::vector<std::vector<double>> ones_;
   std::vector<Pair> twos_;
 };

@@ -202,45 +202,47 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 namespace {
 
 /// A random permutation of 0 … n-1, twice, so that it may begin at any of its first n entries.
-std::vector<double> permutation_twice(std::size_t n, Rng& rng) {
-  std::vector<double> order(2 * n);
-  const auto once = std::span(order).first(n);
+void permute_twice(std::span<double> order, Rng& rng) {
+  const auto once = order.first(order.size() / 2);
   std::iota(once.begin(), once.end(), 0.0);
   shuffle(once, rng);
-  std::copy(once.begin(), once.end(), order.begin() + static_cast<std::ptrdiff_t>(n));
-  return order;
+  std::copy(once.begin(), once.end(), order.subspan(once.size()).begin());
 }
 
-std::vector<std::size_t> places(std::size_t count, std::size_t n, Rng& rng) {
-  std::vector<double> u(count);
-  uniforms(rng, u);
-  std::vector<std::size_t> any(count);
-  std::transform(u.begin(), u.end(), any.begin(), [n](double v) {
-    return static_cast<std::size_t>(static_cast<std::int64_t>(v * static_cast<double>(n)));
-  });
-  return any;
+/// Each one of 0 … n-1.
+void choose(std::span<double> any, std::size_t n, Rng& rng) {
+  uniforms(rng, any);
+  for (double& u : any) u = std::floor(u * static_cast<double>(n));
 }
 
 }  // namespace
 
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
-  const auto in_column = permutation_twice(grid.ny, rng), in_row = permutation_twice(grid.nx, rng);
-  const auto column_begins = places(grid.nx, grid.ny, rng);
-  const auto row_begins = places(grid.ny, grid.nx, rng);
+  // All that is remembered of columns and rows stands in one piece of memory: with few points, six
+  // pieces would cost more than the points do.
+  std::vector<double> memory(3 * (grid.nx + grid.ny));
+  const auto in_column = std::span(memory).first(2 * grid.ny);
+  const auto in_row = std::span(memory).subspan(in_column.size(), 2 * grid.nx);
+  const auto column_begins = std::span(memory).last(grid.nx);
+  const auto row_begins = std::span(memory).last(grid.nx + grid.ny).first(grid.ny);
+  permute_twice(in_column, rng);
+  permute_twice(in_row, rng);
+  choose(column_begins, grid.ny, rng);
+  choose(row_begins, grid.nx, rng);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
   for (std::size_t i = 0; i < grid.nx; ++i) {  // column by column of cells
     const auto column_x = x.subspan(i * grid.ny, grid.ny);
     const auto column_y = y.subspan(i * grid.ny, grid.ny);
-    const double* const stratum = in_column.data() + column_begins[i];
+    const double* const stratum = in_column.data() + static_cast<std::size_t>(column_begins[i]);
     const auto first = static_cast<double>(i * grid.ny);
     for (std::size_t j = 0; j < grid.ny; ++j) {
       column_x[j] = all.place(first + stratum[j], column_x[j]);
     }
     for (std::size_t j = 0; j < grid.ny; ++j) {
-      const double in_its_row = in_row[row_begins[j] + i];
+      const double in_its_row = in_row[static_cast<std::size_t>(row_begins[j]) + i];
       column_y[j] = all.place(static_cast<double>(j * grid.nx) + in_its_row, column_y[j]);
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -200,6 +201,21 @@ std::vector<double> columns(std::string kind, std::uint64_t samples,
   return all;
 }
 
+std::vector<double> sobol_pair(unsigned first, std::uint64_t samples,
+                               std::vector<std::uint64_t> seeds) {
+  std::vector<double> all(seeds.size() * 2 * samples, std::numeric_limits<double>::quiet_NaN());
+  std::span<double> rest = all;
+  for (const std::uint64_t seed : seeds) {
+    Rng rng(seed);
+    for (const unsigned dimension : {first, first + 1}) {
+      mc::sobol(dimension, 0, rest.first(samples));
+      mc::owen_scramble(rest.first(samples), rng());
+      rest = rest.subspan(samples);
+    }
+  }
+  return all;
+}
+
 std::vector<double> estimates(std::string kind, std::string scene, std::vector<double> parameters,
                               double a, double b, std::uint64_t samples,
                               std::vector<std::uint64_t> seeds) {
@@ -341,6 +357,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
           "6.1  all coordinates of a sampler, a column for each; uses: 1 is next, 2 next2"),
       MC_EXPERIMENT(estimates, "kind scene parameters a b samples seeds",
                     "6.5  integrate, of a times the scene plus b, with each seed"),
+      MC_EXPERIMENT(sobol_pair, "first samples seeds",
+                    "6.3  dimensions first and first + 1 of the Sobol' sequence, scrambled"),
       MC_EXPERIMENT(integrate_recorded, "dealt samples seed",
                     "6.5  what integrate does with a scene of these values"),
       MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture"),

@@ -45,6 +45,37 @@ do for [against=1:2] {
   unset multiplot
 }
 
+# What each next2 is worth ------------------------------------------------------------------------
+name = "next2"; width = 1180; height = 40 + 400 * count
+load draw
+set multiplot layout count,3 margins 70./width, 1 - 15./width, 105./height, 1 - 36./height spacing 85./width, 100./height
+do for [s=1:count] {
+  set title "Sobol' dimensions 14 and 15, 1024 points".who(s)
+  set size ratio -1
+  set xrange [0:1]; set yrange [0:1]
+  set xtics 0.125 format "" ; set ytics 0.125 format ""
+  unset key; unset xlabel; unset ylabel
+  plot data[s]."/pair.tsv" using 1:2 with points pt 7 ps 0.3 lc rgb "#000000"
+  set size noratio
+  set xrange [-0.7:19.7]
+  set xtics 0,4,16 format "%g"
+  set logscale y
+  set ytics autofreq format "10^{%L}"
+  set xlabel "the k-th next2() of a sample"
+  array scene[2] = ["under a lamp", "at an edge"]
+  do for [i=1:2] {
+    set title scene[i].", 1024 samples".who(s)
+    set ylabel (i == 1 ? "RMSE" : "")
+    set yrange [(i == 1 ? 2e-5 : 1e-3):3e-2]
+    if (i == 1 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 1 Left reverse samplen 3 width 1 } else { unset key }
+    plot data[s]."/next2.tsv" using 1:(column(1+i)) with linespoints ls 5 title "blocks of eight (yours)", \
+         data[s]."/next2.tsv" using 1:(column(3+i)) with linespoints ls 6 title "one sequence", \
+         data[s]."/next2.tsv" using 1:(column(5+i)) with lines ls 1 title "independent"
+  }
+  unset logscale y
+}
+unset multiplot
+
 # What a coordinate costs -------------------------------------------------------------------------
 array samples[3] = [16, 256, 4096]
 name = "speed"; width = 1180; height = 30 + 430 * count
@@ -67,7 +98,7 @@ do for [s=1:count] {
          file using ($0+1):1 with boxes lc rgb "#0072B2" title "generation"
   }
   unset logscale y
-  set yrange [0:60]
+  set yrange [0:*]
   set xrange [1.5:8.5]
   set xtics norotate autofreq 2,2,8
   set xlabel "dimensions"

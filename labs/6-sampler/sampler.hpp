@@ -35,10 +35,10 @@ inline constexpr std::size_t most_samples = std::size_t{1} << 27;
 /// of sampler promises something of every column: that it is stratified, say. Different uses have
 /// nothing to do with each other (or, for halton and sobol, are different dimensions of one set).
 ///
-/// 6.4  A contract for every kind: a sample may ask for less than the one before it, or for nothing: the number that a use has for
-/// a sample does not depend on what other samples ask for. It depends on the seed, on the number of
-/// samples, and, if you like, on the order in which uses were first asked for; on nothing else, not
-/// even on what the same object was used for before.
+/// 6.4  A contract for every kind: a sample may ask for fewer numbers than the one before it, or for
+/// none. The value of sample i in a use does not depend on what other samples ask for. It depends on
+/// the seed, on the number of samples, and, if you like, on the order in which uses were first asked
+/// for; on nothing else: not on what the same object was used for before, nor on other samplers.
 class Sampler {
  public:
   virtual ~Sampler() = default;
@@ -68,13 +68,13 @@ class Sampler {
 /// point in each cell of strata(N) and at the same time one in each of N strata on either axis
 /// (multi-jittered, 3.7: so a prime N stratifies both axes). Every use in a random order of its own.
 ///
-/// 6.3  "halton": the dimensions of the Halton sequence from index 0, in the order in which uses are
-/// first asked for (a next2() takes two), digits permuted as in 5.9, each by a seed of its own.
-/// "sobol": those of the Sobol' sequence, each scrambled as in 5.8 by a seed of its own. Any number
-/// of uses: where no dimension is left (or one, and two are asked for), sobol hands out the first
-/// one or two dimensions again, freshly scrambled and in a random order of their own, which a
-/// next2() has in common for both of its axes. Halton goes on to larger primes, or does likewise
-/// from its 33rd dimension on.
+/// 6.3  "halton" and "sobol": dimensions of the sequence from index 0, in the order in which uses
+/// are first asked for (a next2() takes two), each randomised by a seed of its own: Sobol' by nested
+/// scrambling (5.8); Halton with its digits permuted (5.9), but in base 2 by nested scrambling too.
+/// Any number of uses, in blocks of eight dimensions: the first block is dimensions 0 to 7 in the
+/// sequence's own order; every other block is dimensions 0 to 7 again, scrambled anew, its points in
+/// a random order that is the same for all its dimensions and no other block's. Where one dimension
+/// of a block is left and a next2() asks for two, that one is left over.
 ///
 /// 6.7  "blue_noise": the first next2() is a blue-noise pattern of exactly N points, as blue as
 /// best_candidate with c = 1; all else is as in "stratified".

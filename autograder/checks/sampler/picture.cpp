@@ -91,7 +91,7 @@ TEST_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") {
   }
 }
 
-TEST_CASE("6.6 the same seed is the same picture", "[6.6][points:1]") {
+TEST_CASE("6.6 the same seed is the same picture", "[6.6][edge][points:1]") {
   Rng rng = check_rng();
   const std::size_t width = 9, height = 7, spp = 2;
   const std::uint64_t seed = fresh_seed(rng);
