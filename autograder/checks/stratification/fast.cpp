@@ -45,8 +45,8 @@ TEST_CASE("3.9 fast numbers are as independent as slow ones",
   Rng rng = check_rng();
   constexpr std::size_t n = 32000, lags = 40;
   const std::string streams =
-      "streams that run side by side must not be copies of each other, nor start again with each "
-      "block: seed each of them with words of its own";
+      "points some strata apart move alike, as where each block begins with the same numbers, or "
+      "streams that run side by side are copies of each other";
   const Sets line = columns_of(MEASURE(stratified_1d, n, 2, fresh_seed(rng)), n, 1, 2, n);
   const Values u = jitters_of(line, 0, n);
   const double each = 1.0 / 32;

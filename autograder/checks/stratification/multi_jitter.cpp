@@ -32,33 +32,53 @@ TEST_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][point
   }
 }
 
-TEST_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
-  Rng rng = check_rng();
-  constexpr Grid grid{4, 3};
-  constexpr std::size_t n = grid.nx * grid.ny, sets = 8000;
-  const Sets got = multi_jittered(rng, grid, sets);
-  // Points of one set may share a permutation, so a set counts once: with one cell, the same in all
-  // sets, and the one of its ny x nx parts that its point lies in.
+/// Points of one set may share a permutation, so a set counts once: with one cell, the same in all
+/// sets, and the one of its ny x nx parts that its point lies in.
+void expect_uniform_in_cell(Rng& rng, Grid grid) {
+  const std::size_t n = grid.nx * grid.ny;
+  const Sets got = multi_jittered(rng, grid, 8000);
   const std::size_t cell = rng() % n;
   std::vector<std::uint64_t> counts(n);
-  for (std::size_t set = 0; set < sets; ++set) {
+  std::size_t along_x = 0, along_y = 0;  // points in the parts where the canonical arrangement is
+  for (std::size_t set = 0; set < got.size(); ++set) {
     const View x = got.column(set, 0), y = got.column(set, 1);
     const auto cells = expect_one_in_each_cell(got.call, x, y, grid);
     const auto k =
         static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
-    const auto part_x = static_cast<std::size_t>(jitter_of(x[k], grid.nx) * grid.ny);
-    const auto part_y = static_cast<std::size_t>(jitter_of(y[k], grid.ny) * grid.nx);
+    const auto part_x =
+        static_cast<std::size_t>(jitter_of(x[k], grid.nx) * static_cast<double>(grid.ny));
+    const auto part_y =
+        static_cast<std::size_t>(jitter_of(y[k], grid.ny) * static_cast<double>(grid.nx));
     ++counts[part_x * grid.nx + part_y];
+    along_x += part_x == cell / grid.nx;
+    along_y += part_y == cell % grid.nx;
   }
+  const bool x_stays = along_x == got.size(), y_stays = along_y == got.size();
   const double each = 1 / static_cast<double>(n);
   expect_counts(
-      fmt::format("{}, points in the 3 x 4 parts of cell ({}, {})", got.call, cell % grid.nx,
-                  cell / grid.nx),
+      fmt::format("{}, points in the {} x {} parts of cell ({}, {})", got.call, grid.ny, grid.nx,
+                  cell % grid.nx, cell / grid.nx),
       counts, std::span(&each, 1),
-      {"a point of 3.7 lies in any of the ny x nx parts of its cell", alpha},
+      {fmt::format("a point of {} x {} cells lies in any of the parts of its cell", grid.nx,
+                   grid.ny),
+       alpha},
       {{},
-       "the canonical arrangement is biased, and so is shuffling x only: within each column of "
-       "cells shuffle who gets which stratum of x, within each row of y"});
+       x_stays && y_stays
+           ? "this is the canonical arrangement, which is biased: within each column "
+             "of cells shuffle who gets which stratum of x, within each row of y"
+       : y_stays ? "x is shuffled and y is not: within each row of cells shuffle who gets which "
+                   "stratum of y"
+       : x_stays
+           ? "y is shuffled and x is not: within each column of cells shuffle who gets which "
+             "stratum of x"
+           : "who gets which stratum of x in a column of cells, and of y in a row, are orders "
+             "of their own, all of them equally likely"});
+}
+
+TEST_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
+  Rng rng = check_rng();
+  expect_uniform_in_cell(rng, {4, 3});
+  expect_uniform_in_cell(rng, {3, 3});  // where one permutation would do for both
 }
 
 TEST_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {

@@ -26,7 +26,8 @@ std::vector<std::string> parameters_of(const Layout& layout, const Lab& lab,
   if (at == std::string::npos) return names;
   const auto open = text.find('"', at), close = text.find('"', open + 1);
   if (close == std::string::npos) return names;
-  for (const auto name : text::split(text.substr(open + 1, close - open - 1), ' ')) {
+  const std::string words = text.substr(open + 1, close - open - 1);  // outlives its parts
+  for (const auto name : text::split(words, ' ')) {
     if (!name.empty()) names.emplace_back(name);
   }
   return names;

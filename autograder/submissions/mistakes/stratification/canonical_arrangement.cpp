@@ -1,6 +1,6 @@
 // mistake: leaves the canonical arrangement as it is
 // caught by: 3.7 each point is uniform in its cell
-// hint: the canonical arrangement is biased
+// hint: this is the canonical arrangement
 #include "stratification.hpp"
 #define multi_jittered right_multi_jittered
 #include "solutions/stratification.cpp"

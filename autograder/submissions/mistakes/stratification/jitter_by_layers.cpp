@@ -1,7 +1,7 @@
 // mistake: x is jittered once for each layer of cells, and so for every axis
 // caught by: 3.5 each point is uniform in its cell
 // caught by: 3.5 the curse of dimension
-// hint: the same random numbers come again and again
+// hint: the same random number moves both
 #include "stratification.hpp"
 #define stratified_nd right_stratified_nd
 #include "solutions/stratification.cpp"

@@ -2,6 +2,7 @@
 // caught by: 3.3 each point is uniform in its cell
 // caught by: 3.3 the cells are independent of each other
 // caught by: 3.3 the error falls as 1/N in the plane
+// caught by: 3.3 the error falls as N^-3/4 across an edge
 // caught by: 3.3 edges and waves and a corner have their exact variances
 // hint: the same random numbers come again and again
 #include "stratification.hpp"

@@ -1,6 +1,6 @@
 // mistake: shuffles the strata of x within their columns, and leaves those of y
 // caught by: 3.7 each point is uniform in its cell
-// hint: and so is shuffling x only
+// hint: x is shuffled and y is not
 #include "stratification.hpp"
 #define multi_jittered right_multi_jittered
 #include "solutions/stratification.cpp"
