@@ -15,7 +15,7 @@ using Values = std::vector<double>;
 
 /// Uniform values of which the first two lie in the first and in the last quarter, so that the
 /// variance of two or three is never small beside their mean by chance: kappa is below 2 for those
-/// in [-1, 1), below 7 in [1, 2).
+/// in [-1, 1), below 4 in [0.5, 2.5), below 7 in [1, 2).
 Values tame_values(Rng& rng, std::size_t n, double low, double high);
 
 /// offset + r + {4, 7, 13, 16} over and over in random order, r a whole number below 1000. Exact in

@@ -39,10 +39,12 @@ Hints variance_hints(double got, std::span<const double> x, const ExactMoments& 
   auto suspects = scale_suspects(exact);
   suspects.push_back({mean_square, "this is E{X^2}: take E{X}^2 off"});
   suspects.push_back({mean_square * n / (n - 1), "this is E{X^2} n/(n-1): the mean is not in it"});
-  suspects.push_back(
-      {about_it * n / (n - 1),
-       "these are squares of distances from a mean that was added up in whole numbers: "
-       "std::accumulate(…, 0) adds in int; begin with 0.0"});
+  for (const double around :
+       {about_it, mean_square - mean_in_whole_numbers * mean_in_whole_numbers}) {
+    suspects.push_back({around * n / (n - 1),
+                        "this has a mean in it that was added up in whole numbers: "
+                        "std::accumulate(…, 0) adds in int; begin with 0.0"});
+  }
   suspects.push_back({0,
                       "the squares add up to 0: in whole numbers? std::accumulate(…, 0) adds in "
                       "int; begin with 0.0"});
