@@ -68,13 +68,19 @@ Json json_of(const CheckResult& result) {
     p_values.push_back({{"null", one.null}, {"p", one.p}, {"alpha", one.alpha}});
   }
   const Check& check = result.check;
-  return {{"name", check.name},        {"task", check.task},
-          {"needs", check.needs},      {"points", check.points},
-          {"main", check.is_main},     {"edge", check.is_edge},
-          {"slow", check.is_slow},     {"status", name_of(result.status)},
-          {"story", result.story},     {"printed", result.printed},
-          {"repeat", result.repeat},   {"call", result.call},
-          {"by_hand", result.by_hand}, {"p_values", std::move(p_values)},
+  return {{"name", check.name},
+          {"task", check.task},
+          {"needs", check.needs},
+          {"points", check.points},
+          {"main", check.is_main},
+          {"edge", check.is_edge},
+          {"slow", check.is_slow},
+          {"status", name_of(result.status)},
+          {"story", result.story},
+          {"printed", result.printed},
+          {"repeat", result.repeat},
+          {"by_hand", result.by_hand},
+          {"p_values", std::move(p_values)},
           {"seconds", result.seconds}};
 }
 CheckResult check_in(const Json& json) {
@@ -85,7 +91,6 @@ CheckResult check_in(const Json& json) {
   result.story = json.at("story");
   result.printed = json.at("printed");
   result.repeat = json.at("repeat");
-  result.call = json.at("call").get<std::vector<std::string>>();
   result.by_hand = json.at("by_hand");
   for (const Json& one : json.at("p_values")) {
     result.p_values.push_back({one.at("null"), number_in(one.at("p")), number_in(one.at("alpha"))});

@@ -137,7 +137,6 @@ TEST_CASE("a verdict survives its way to disk") {
   result.story = "measured  \x01 \xff";
   result.printed = "…\n";
   result.repeat = "./lab";
-  result.call = {"mean", "1,2"};
   result.by_hand = "./lab run";
   result.p_values = {{"uniform", 1e-300, 1e-9}, {"", std::nan(""), 0}};
   result.seconds = 2;
@@ -196,13 +195,15 @@ TEST_CASE("a batch that is killed at any moment loses nothing and does nothing t
   Course course;
   course.hand_in_tiny(30);
   const std::string seed = std::to_string(700'000'000 + getpid());
+  const auto start = std::chrono::steady_clock::now();
   const auto whole = course.grade({"--csv", course.csv("whole").string(), "--seed", seed});
   CAPTURE(whole.errors);
   REQUIRE(whole.exit_code == 0);
   REQUIRE(rows_of(course.csv("whole")).size() == 30);
 
   std::mt19937 random(static_cast<unsigned>(getpid()));
-  std::uniform_real_distribution<double> moment(0.05, 0.9);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  std::uniform_real_distribution<double> moment(0.02 * seconds.count(), 0.3 * seconds.count());
   int kills = 0, hits = 0;
   while (kills < 20) {
     const auto state = read_book_state(course.csv());
@@ -228,7 +229,10 @@ TEST_CASE("a batch that is killed at any moment loses nothing and does nothing t
   CAPTURE(last.output, last.errors);
   CHECK(last.exit_code == 0);
   CHECK(rows_of(course.csv()) == rows_of(course.csv("whole")));
-  CHECK(verdicts_of(course.csv()) == verdicts_of(course.csv("whole")));
+  const auto verdicts = verdicts_of(course.csv());
+  for (const auto& [id, verdict] : verdicts_of(course.csv("whole"))) {
+    CHECK(verdicts.at(id) == verdict);
+  }
   std::vector<std::string> order;
   for (const auto& row : csv_rows(read_text(course.csv()))) order.push_back(row[0]);
   CHECK(std::is_sorted(order.begin() + 1, order.end()));
