@@ -57,7 +57,7 @@ std::string found_in_path(const std::string& name) {
   std::string_view left = path == nullptr ? "/usr/bin:/bin" : path;
   while (!left.empty()) {
     const auto colon = left.find(':');
-    const std::string candidate = std::string(left.substr(0, colon)) + '/' + name;
+    std::string candidate = std::string(left.substr(0, colon)) + '/' + name;
     if (candidate[0] == '/' && access(candidate.c_str(), X_OK) == 0) return candidate;
     if (colon == std::string_view::npos) break;
     left.remove_prefix(colon + 1);
