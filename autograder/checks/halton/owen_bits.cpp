@@ -70,7 +70,7 @@ double bits_between(std::uint64_t bits, int first, int count) {
   return static_cast<double>(bits >> (53 - first - count) & all) * std::ldexp(1, -count);
 }
 
-TEST_CASE("5.8 each bit is flipped by chance for each string before it", "[5.8][points:2]") {
+TEST_CASE("5.8 each bit is flipped by chance for each string before it", "[5.8][points:3]") {
   Rng rng = check_rng();
   constexpr std::size_t count = 4000;
   // 0 and 1/2 differ in their first bit; the others share 19 bits and differ in the 20th.

@@ -1,8 +1,7 @@
 // mistake: one flip for each level of bits, not for each string of bits before
 // caught by: 5.8 each bit
 // caught by: 5.8 a scrambled net
-// caught by: 5.8 more than two
-// hint: that of a digital shift
+// hint: that is a digital shift
 #include "halton.hpp"
 
 #define owen_scramble right_owen_scramble

@@ -1,7 +1,7 @@
 // mistake: the constants of Laine and Karras 2011, where the seed is only added: not Owen's variance
 // caught by: 5.8 a scrambled net
 // caught by: 5.8 each bit
-// hint: nested uniform scrambling in base 2
+// hint: nested uniform scrambling
 #include "halton.hpp"
 
 #define owen_scramble right_owen_scramble

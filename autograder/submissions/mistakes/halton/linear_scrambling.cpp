@@ -1,5 +1,5 @@
 // mistake: Matousek's random linear scrambling, a matrix and a shift: right in pairs, not in triples
-// caught by: 5.8 more than two
+// caught by: 5.8 a scrambled net
 // hint: are pairs of values scrambled independently, but not triples
 #include "halton.hpp"
 
@@ -12,7 +12,8 @@ namespace mc {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
   const std::uint64_t shift = rng() >> 11;
-  std::array<std::uint64_t, 53> columns;  // what bit k of a value, the first being 0, does to the word
+  std::array<std::uint64_t, 53>
+      columns;  // what bit k of a value, the first being 0, does to the word
   for (unsigned k = 0; k < 53; ++k) {
     const std::uint64_t bit = std::uint64_t{1} << (52 - k);
     columns[k] = bit | (rng() & (bit - 1));
