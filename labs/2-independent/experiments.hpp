@@ -56,7 +56,7 @@ struct Traces {
 };
 MC_FIELDS(Traces, estimates, points, values)
 
-/// The same with a density: each u that it was asked to turn into a sample, and what there is at it.
+/// The same with a density: each u that it made a sample of, and what there is at that.
 struct ImportanceTraces {
   std::vector<Counted> estimates;
   std::vector<double> u;
@@ -130,8 +130,8 @@ std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, st
                                             std::uint64_t replicates);
 
 /// 2.8: calls for these many numbers, one after the other, all of them, in a span that holds
-/// `before` everywhere; a call for `size` numbers from each of these generators, in one process; and
-/// `size` numbers from a generator that only knows one word.
+/// `before` everywhere; a call for `size` numbers from the generator of each seed, in one process;
+/// and `size` numbers from a generator that only knows one word.
 std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes, double before);
 std::vector<double> uniforms_in_turn(std::vector<std::uint64_t> seeds, std::uint64_t size);
 std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);

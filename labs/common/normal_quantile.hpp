@@ -6,8 +6,9 @@
 
 namespace mc {
 
-/// The x below which a standard normal variable lies with probability `p`: 1.96 for 0.975. Within
-/// 1e-14 |x| + 1e-16 of it for every p, subnormal ones too; -inf at 0, inf at 1, NaN outside [0, 1].
+/// The quantile function of the standard normal distribution: the x below which it lies with
+/// probability `p`, 1.96 for 0.975. Within 1e-14 |x| + 1e-16 of it for every p, subnormal ones too;
+/// -inf at 0, inf at 1, NaN outside [0, 1].
 ///
 /// A first guess from Abramowitz and Stegun 26.2.23, good to 4.5e-4, and two steps of Halley's
 /// method, which triples the digits: 3, 10, all.

@@ -19,8 +19,8 @@ inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline constexpr double denormal = std::numeric_limits<double>::denorm_min();
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Of each random test. There are 56 of them in this lab, so their sum is 5.6e-7: nearly a factor of
-/// two below 1e-6 for what is not exactly Gaussian about a mean of a thousand values.
+/// Of each random test. There are 56 of them in this lab, so their sum is 5.6e-7: a factor of
+/// nearly two below 1e-6 for what is not exactly Gaussian about a mean of a thousand values.
 inline constexpr double alpha = 1e-8;
 
 /// Function::g

@@ -1,5 +1,5 @@
-// Task 2.4: importance sampling. As 2.2, each estimate is judged by what it saw: the points that the
-// density made of each u, and g and the density there.
+// Task 2.4: importance sampling. As in 2.2, each estimate is judged by what it saw: the points that
+// the density made of each u, and g and the density there.
 
 #include <algorithm>
 #include <cmath>

@@ -38,7 +38,7 @@ void expect_from_generator(const Irradiance& measure, Rng& rng) {
   expect_that(others != values, other.call + " gave the estimates of another seed",
               "other estimates", "the generator that it is given is its only source of randomness",
               "take the numbers from rng, and from nowhere else");
-  // Of how many directions meet a light there are a few likely numbers: not all 20 are equal (1e-17).
+  // There are but a few likely numbers of directions that meet a light; 20 are not equal (1e-17).
   const bool all_equal = std::count(values.begin(), values.end(), values[0]) == 20;
   expect_that(!all_equal, fmt::format("{}: all 20 estimates are {}", one.call, values[0]),
               "estimates that differ", "each goes on where the generator was left",

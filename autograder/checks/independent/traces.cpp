@@ -55,9 +55,44 @@ std::optional<ByLab1> lab_1_of(std::span<const double> values) {
 
 std::string blame(const std::string& function, double got, double exact, const std::string& task) {
   return fmt::format(
-      "it is lab 1's: {} of these values gives {:.8g}, where {:.8g} is right; "
-      "mend {} first",
+      "it is lab 1's: {} of these values gives {:.8g}, where {:.8g} is right; mend {} first",
       function, got, exact, task);
+}
+
+/// Means that lab 1 gives.
+std::vector<Suspect> means_by_lab_1(std::span<const double> values, double exact) {
+  const auto by = lab_1_of(values);
+  if (!by) return {};
+  return {{by->mean, blame("mean()", by->mean, exact, "1.1")},
+          {by->mean_of_add, blame("add() with all", by->mean_of_add, exact, "1.4")},
+          {by->mean_of_moments, blame("moments()", by->mean_of_moments, exact, "1.8")}};
+}
+
+/// Standard errors that follow from lab 1's variances, where those have fewer digits than `floor`.
+std::vector<Suspect> errors_by_lab_1(std::span<const double> values, double exact, double floor) {
+  const auto by = lab_1_of(values);
+  if (!by) return {};
+  std::vector<Suspect> suspects;
+  const auto n = static_cast<double>(values.size());
+  for (const auto& [name, variance, task] :
+       {std::tuple{"variance() of add()", by->variance_of_add, "1.4"},
+        {"variance_two_pass()", by->variance_two_pass, "1.3"},
+        {"variance() of moments()", by->variance_of_moments, "1.8"}}) {
+    if (!(variance >= 0) || digits(std::sqrt(variance), std::sqrt(exact)) >= floor) continue;
+    suspects.push_back({std::sqrt(variance / n), blame(name, variance, exact, task)});
+  }
+  if (by->variance_textbook >= 0) {
+    suspects.push_back({std::sqrt(by->variance_textbook / n),
+                        "this comes from variance_textbook(), which is there to be seen failing: "
+                        "of values far from 0 it keeps no digit"});
+  }
+  return suspects;
+}
+
+/// The first of two lists, then the other.
+std::vector<Suspect> joined(std::vector<Suspect> one, const std::vector<Suspect>& other) {
+  one.insert(one.end(), other.begin(), other.end());
+  return one;
 }
 
 }  // namespace
@@ -108,34 +143,22 @@ void expect_mean_of(const std::string& call, double value, std::span<const doubl
   double sizes = 0;
   for (const double one : values) sizes += std::abs(one) / n;
   const double tolerance = 10 * n * eps * sizes;
-  Hints hints{suspects, "the mean of the very values that g gave",
-              "NaN comes of 0/0, or of a variable that nothing was written to"};
-  if (!(std::abs(value - mean) <= tolerance)) {
-    const auto by = lab_1_of(values);
-    for (const auto& [name, of_lab_1, task] :
-         {std::tuple{"mean()", by ? by->mean : nan, "1.1"},
-          {"add() with all", by ? by->mean_of_add : nan, "1.4"},
-          {"moments()", by ? by->mean_of_moments : nan, "1.8"}}) {
-      if (std::isfinite(of_lab_1)) {
-        hints.suspects.insert(hints.suspects.begin(),
-                              {of_lab_1, blame(name, of_lab_1, mean, task)});
-      }
-    }
-  }
-  hints.suspects.insert(hints.suspects.end(),
-                        {{mean * n, "this is the sum: divide it by n"},
-                         {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
-                         {mean * n / (n + 1), "this divides by n + 1"},
-                         {values.back() == 0 ? nan : values.back(),
-                          "this is g at the last point alone: add up all of them"},
-                         {values.front() == 0 ? nan : values.front(),
-                          "this is g at the first point alone: add up all of them"},
-                         {(mean * n - values.back()) / n, "the last value is not in the sum"},
-                         {(mean * n - values.front()) / n, "the first value is not in the sum"}});
+  if (std::abs(value - mean) <= tolerance) return pass();
+  const auto unless_zero = [](double of_one) { return of_one == 0 ? nan : of_one; };
+  const std::vector<Suspect> of_mean{
+      {mean * n, "this is the sum: divide it by n"},
+      {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
+      {mean * n / (n + 1), "this divides by n + 1"},
+      {unless_zero(values.back()), "this is g at the last point alone: add up all of them"},
+      {unless_zero(values.front()), "this is g at the first point alone: add up all of them"},
+      {(mean * n - values.back()) / n, "the last value is not in the sum"},
+      {(mean * n - values.front()) / n, "the first value is not in the sum"}};
   expect_within(call + ".value", value, mean, tolerance,
                 "n additions lose at most n eps of the sum of sizes, in any order; a digit is left "
                 "beyond that",
-                hints);
+                {joined(joined(means_by_lab_1(values, mean), suspects), of_mean),
+                 "the mean of the very values that g gave",
+                 "NaN comes of 0/0, or of a variable that nothing was written to"});
 }
 
 void expect_standard_error(const std::string& call, double standard_error,
@@ -150,44 +173,24 @@ void expect_standard_error(const std::string& call, double standard_error,
   // A one-pass variance loses (n + kappa) eps of s^2 (lab 1); a digit is left beyond that.
   const double kappa = std::sqrt(1 + mean * mean / exact.variance);
   const double floor = std::min(16.0, -std::log10((n + kappa) * eps)) - 1;
-  Hints hints{suspects,
-              "the square root of (sample variance / n); are the values far from 0 a problem "
-              "(lab 1)?",
-              "a variance below 0 has no root; and is there an n = 1 in it?"};
-  if (!(digits(standard_error, s / std::sqrt(n)) >= floor)) {
-    const auto by = lab_1_of(values);
-    for (const auto& [name, variance, task] :
-         {std::tuple{"variance() of add()", by ? by->variance_of_add : nan, "1.4"},
-          {"variance_two_pass()", by ? by->variance_two_pass : nan, "1.3"},
-          {"variance() of moments()", by ? by->variance_of_moments : nan, "1.8"}}) {
-      if (variance >= 0 && digits(std::sqrt(variance), s) < floor) {
-        hints.suspects.insert(
-            hints.suspects.begin(),
-            {std::sqrt(variance / n), blame(name, variance, exact.variance, task)});
-      }
-    }
-    if (by && by->variance_textbook >= 0) {
-      hints.suspects.push_back({std::sqrt(by->variance_textbook / n),
-                                "this comes from variance_textbook(), which is there to be seen "
-                                "failing: of values far from 0 it keeps no digit"});
-    }
-  }
+  if (digits(standard_error, s / std::sqrt(n)) >= floor) return pass();
   const double root_mean_square = std::sqrt(mean * mean + exact.variance * (n - 1) / n);
-  hints.suspects.insert(
-      hints.suspects.end(),
-      {{s * s / n, "this is the variance of the mean: take the square root"},
-       {s, "this is s, the spread of one value: the mean of n has s / sqrt(n)"},
-       {s * s, "this is s^2, the variance of one value: the mean of n has s / sqrt(n)"},
-       {s / n, "this is s / n: it is the variance that falls as 1 / n, its root as 1 / sqrt(n)"},
-       {s / std::sqrt(n) * std::sqrt((n - 1) / n),
-        "s^2 has n - 1 below it: the values lie closer to their own mean than to the true one"},
-       {s / std::sqrt(n - 1), "s^2 / n, not s^2 / (n - 1): one n - 1 is enough"},
-       {root_mean_square / std::sqrt(n), "this is the mean of squares: E{X}^2 is not taken off"},
-       {std::sqrt(static_cast<double>(exact.m2)), "this is not divided at all"}});
+  const std::vector<Suspect> of_s{
+      {s * s / n, "this is the variance of the mean: take the square root"},
+      {s, "this is s, the spread of one value: the mean of n has s / sqrt(n)"},
+      {s * s, "this is s^2, the variance of one value: the mean of n has s / sqrt(n)"},
+      {s / n, "this is s / n: it is the variance that falls as 1 / n, its root as 1 / sqrt(n)"},
+      {s / std::sqrt(n) * std::sqrt((n - 1) / n),
+       "s^2 has n - 1 below it: the values lie closer to their own mean than to the true one"},
+      {s / std::sqrt(n - 1), "s^2 / n, not s^2 / (n - 1): one n - 1 is enough"},
+      {root_mean_square / std::sqrt(n), "this is the mean of squares: E{X}^2 is not taken off"},
+      {std::sqrt(static_cast<double>(exact.m2)), "this is not divided at all"}};
   expect_digits(
       call + ".standard_error", standard_error, s / std::sqrt(n), floor,
       fmt::format("the {} values have s = {:.6g}; lab 1's variances keep so many digits", n, s),
-      hints);
+      {joined(joined(errors_by_lab_1(values, exact.variance, floor), suspects), of_s),
+       "the square root of (sample variance / n); are the values far from 0 a problem (lab 1)?",
+       "a variance below 0 has no root; and is there an n = 1 in it?"});
 }
 
 void expect_distinct(const std::string& call, const std::string& what, Values numbers, double most,

@@ -1,4 +1,4 @@
-// attack: finds out the truth by a few evaluations and lets intervals hold it as often as Student says: no number is drawn
+// attack: finds out the truth, and lets intervals hold it as often as Student says, unsampled
 // earns: 13
 // says: values in values
 #include "independent.hpp"

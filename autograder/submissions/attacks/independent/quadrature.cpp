@@ -1,4 +1,4 @@
-// attack: integrates by the midpoint rule: n evaluations, their mean and their s / sqrt(n), and no chance in it
+// attack: integrates by the midpoint rule: n evaluations, their mean, and nothing random
 // earns: 8
 // says: are those of another seed, too
 // says: take the numbers from rng, and from nowhere else

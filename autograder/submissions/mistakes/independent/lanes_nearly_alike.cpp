@@ -1,4 +1,4 @@
-// mistake: the states of four lanes differ in a few bits: each call begins with four numbers that are nearly equal
+// mistake: the states of four lanes differ in a few bits: calls begin with four similar numbers
 // caught by: 2.8 a call has no beginning
 // hint: lanes want states that have nothing in common
 #include "independent.hpp"
