@@ -63,12 +63,12 @@ class EagerSampler final : public Sampler {
 
   Column one(std::size_t number, std::size_t dimension) {
     Column x(samples_);
-    kind_.one({number, dimension, order_}, x, rng_);
+    kind_.one({number, dimension, order_, tables_}, x, rng_);
     return x;
   }
   Columns two(std::size_t number, std::size_t dimension) {
     Columns both{Column(samples_), Column(samples_)};
-    kind_.two({number, dimension, order_}, both.first, both.second, rng_);
+    kind_.two({number, dimension, order_, tables_}, both.first, both.second, rng_);
     return both;
   }
 
@@ -95,6 +95,7 @@ class EagerSampler final : public Sampler {
   const Kind& kind_;
   bool is_sequence_;
   Rng rng_{0}, order_{0};
+  Tables tables_;
   std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0, dimension_ = 0;
   std::vector<Column> ones_, spare_ones_;
   std::vector<Columns> twos_, spare_twos_;

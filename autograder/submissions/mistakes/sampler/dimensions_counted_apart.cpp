@@ -8,10 +8,10 @@ namespace mc {
 namespace {
 
 void one(const Use& use, std::span<double> x, Rng& rng) {
-  one_of<fill_sobol>({use.number, use.number, use.order}, x, rng);
+  one_of<fill_sobol>({use.number, use.number, use.order, use.tables}, x, rng);
 }
 void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  two_of<fill_sobol>({use.number, 2 * use.number, use.order}, x, y, rng);
+  two_of<fill_sobol>({use.number, 2 * use.number, use.order, use.tables}, x, y, rng);
 }
 
 constexpr Kind wrong{"sobol", one, two};

@@ -6,9 +6,9 @@
 namespace mc {
 namespace {
 
-void permuted(std::size_t dimension, std::span<double> x, Rng& rng) {
+void permuted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
   static const std::vector<unsigned> bases = primes(block);
-  radical_inverses_scrambled(bases[dimension], 0, x, rng());
+  radical_inverses_scrambled(bases[dimension], 0, x, seed);
 }
 
 constexpr Kind wrong{"halton", one_of<permuted>, two_of<permuted>};

@@ -6,11 +6,11 @@
 namespace mc {
 namespace {
 
-void from_one(std::size_t dimension, std::span<double> x, Rng& rng) {
+void from_one(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
   static const std::vector<unsigned> bases = primes(block);
-  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 1, x, rng());
+  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 1, x, seed);
   radical_inverses(2, 1, x);
-  owen_scramble(x, rng());
+  owen_scramble(x, seed);
 }
 
 constexpr Kind wrong{"halton", one_of<from_one>, two_of<from_one>};

@@ -8,16 +8,16 @@ namespace mc {
 namespace {
 
 template <Randomised fill>
-void own_order(std::size_t dimension, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng);
+void own_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
   if (dimension >= block) shuffle(x, rng);
 }
 void one(const Use& use, std::span<double> x, Rng& rng) {
-  own_order<fill_halton>(use.dimension, x, rng);
+  own_order<fill_halton>(use, use.dimension, x, rng);
 }
 void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  own_order<fill_halton>(use.dimension, x, rng);
-  own_order<fill_halton>(use.dimension + 1, y, rng);
+  own_order<fill_halton>(use, use.dimension, x, rng);
+  own_order<fill_halton>(use, use.dimension + 1, y, rng);
 }
 
 constexpr Kind wrong{"halton", one, two};

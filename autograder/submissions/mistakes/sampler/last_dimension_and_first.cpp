@@ -16,9 +16,12 @@ class Wrong : public ColumnSampler {
       Pair& pair = twos_[ready2_++];
       pair.x.resize(samples_);
       pair.y.resize(samples_);
-      fill_in_order<fill_sobol>(dimension_++, order_, pair.x, rng_);
+      const Use last{0, dimension_, order_, tables_};
+      one_of<fill_sobol>(last, pair.x, rng_);
       order_ = Rng(rng_());
-      fill_in_order<fill_sobol>(dimension_++, order_, pair.y, rng_);
+      const Use first{0, dimension_ + 1, order_, tables_};
+      one_of<fill_sobol>(first, pair.y, rng_);
+      dimension_ += 2;
     }
     return ColumnSampler::next2();
   }

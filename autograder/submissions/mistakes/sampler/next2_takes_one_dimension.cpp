@@ -9,10 +9,12 @@ namespace mc {
 namespace {
 
 void one(const Use& use, std::span<double> x, Rng& rng) {
-  one_of<fill_halton>({use.number, use.dimension - use.dimension / 3, use.order}, x, rng);
+  one_of<fill_halton>({use.number, use.dimension - use.dimension / 3, use.order, use.tables}, x,
+                      rng);
 }
 void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  two_of<fill_halton>({use.number, use.dimension - use.dimension / 3, use.order}, x, y, rng);
+  two_of<fill_halton>({use.number, use.dimension - use.dimension / 3, use.order, use.tables}, x, y,
+                      rng);
 }
 
 constexpr Kind wrong{"halton", one, two};

@@ -8,8 +8,8 @@ namespace {
 
 void same_seed(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   Rng again = rng;
-  fill_in_order<fill_sobol>(use.dimension, use.order, x, rng);
-  fill_in_order<fill_sobol>(use.dimension + 1, use.order, y, again);
+  fill_in_order<fill_sobol>(use, use.dimension, x, rng);
+  fill_in_order<fill_sobol>(use, use.dimension + 1, y, again);
 }
 
 constexpr Kind wrong{"sobol", one_of<fill_sobol>, same_seed};

@@ -8,7 +8,7 @@
 namespace mc {
 namespace {
 
-void plain(std::size_t dimension, std::span<double> x, Rng&) {
+void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
   sobol(static_cast<unsigned>(dimension), 0, x);
 }
 

@@ -7,9 +7,9 @@
 namespace mc {
 namespace {
 
-void shifted(std::size_t dimension, std::span<double> x, Rng& rng) {
+void shifted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
   sobol(static_cast<unsigned>(dimension), 0, x);
-  const std::uint64_t shift = rng() >> 11;
+  const std::uint64_t shift = seed >> 11;
   for (double& value : x) {
     value = static_cast<double>(static_cast<std::uint64_t>(value * 0x1p53) ^ shift) * 0x1p-53;
   }

@@ -7,11 +7,11 @@ namespace mc {
 namespace {
 
 void one(const Use& use, std::span<double> x, Rng& rng) {
-  fill_sobol(use.dimension % block, x, rng);
+  fill_sobol(use.dimension % block, x, rng(), use.tables);
 }
 void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_sobol(use.dimension % block, x, rng);
-  fill_sobol(use.dimension % block + 1, y, rng);
+  fill_sobol(use.dimension % block, x, rng(), use.tables);
+  fill_sobol(use.dimension % block + 1, y, rng(), use.tables);
 }
 
 constexpr Kind wrong{"sobol", one, two};

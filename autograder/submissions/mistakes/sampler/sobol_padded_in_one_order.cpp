@@ -7,17 +7,17 @@ namespace mc {
 namespace {
 
 template <Randomised fill>
-void same_order(std::size_t dimension, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng);
+void same_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
   Rng always(x.size());
   if (dimension >= block) shuffle(x, always);
 }
 void one(const Use& use, std::span<double> x, Rng& rng) {
-  same_order<fill_sobol>(use.dimension, x, rng);
+  same_order<fill_sobol>(use, use.dimension, x, rng);
 }
 void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  same_order<fill_sobol>(use.dimension, x, rng);
-  same_order<fill_sobol>(use.dimension + 1, y, rng);
+  same_order<fill_sobol>(use, use.dimension, x, rng);
+  same_order<fill_sobol>(use, use.dimension + 1, y, rng);
 }
 
 constexpr Kind wrong{"sobol", one, two};
