@@ -95,10 +95,10 @@ TEST_CASE("3.3 each point is uniform in its cell", "[3.3][points:3]") {
   Rng rng = check_rng();
   const Sets got = jittered(rng, {5, 3}, 4400);
   const Values u = jitters_of(got, 0, 5), v = jitters_of(got, 1, 3);
-  expect_independent(got.call, u, v, "the points of 3.3 are uniform in their cells",
-                     "the same random number moves x and y: points lie on the cells' diagonals");
   expect_fine(got.call + ", x", u, 5);
   expect_fine(got.call + ", y", v, 3);
+  expect_independent(got.call, u, v, "the points of 3.3 are uniform in their cells",
+                     "the same random number moves x and y: points lie on the cells' diagonals");
 }
 
 TEST_CASE("3.3 the cells are independent of each other", "[3.3][points:3]") {

@@ -120,11 +120,11 @@ inline void expect_fine(const std::string& call, Values jitters, std::size_t str
 /// Jitters are uniform, and fine. `strata` along their axis; `what` they are jitters of.
 inline void expect_uniform_jitter(const std::string& call, const Values& jitters,
                                   std::size_t strata, const std::string& words) {
+  expect_fine(call, jitters, strata);
   const double each = 1.0 / 32;
   expect_counts(call + ", places of points within their strata, in 32 equal parts",
                 counts_of(jitters, 32), std::span(&each, 1), {words, alpha},
                 {{}, jitter_hint(jitters)});
-  expect_fine(call, jitters, strata);
 }
 
 /// Pairs (u, v) that should be independent and uniform: counted in 8 x 8 cells. `same` is said

@@ -2,6 +2,9 @@
 // caught by: 3.1 each point is uniform in its stratum
 // hint: the random numbers have too few bits
 #include "stratification.hpp"
+
+#include <cmath>
+
 #define stratified_1d right_stratified_1d
 #include "solutions/stratification.cpp"
 #undef stratified_1d
@@ -9,9 +12,11 @@
 namespace mc {
 
 void stratified_1d(std::span<double> x, Rng& rng) {
-  const Strata strata(x.size());
+  const auto n = static_cast<double>(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = strata.place(static_cast<double>(i), static_cast<double>(rng() >> 56) / 256);
+    const double u = static_cast<double>(rng() >> 56) / 256;
+    const double edge = static_cast<double>(i + 1) / n;
+    x[i] = std::min((static_cast<double>(i) + u) / n, std::nextafter(edge, 0.0));
   }
 }
 
