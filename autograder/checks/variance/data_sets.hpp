@@ -35,8 +35,9 @@ struct HardList {
 
 /// 100,001 values, all equal but one, which is 1e9 times as far from zero and comes first, in the
 /// middle, or last. Shifting by that one squares all others to the same large number, whose roundings
-/// add up: n times what two passes lose.
-std::vector<HardList> one_outlier_lists(Rng& rng);
+/// add up: n times what two passes lose, give or take; by sums in blocks and lanes up to 16 times, and
+/// as little as two passes in one list of eight. So there are `of_each` lists of each kind.
+std::vector<HardList> one_outlier_lists(Rng& rng, int of_each);
 
 /// 2^20 values, all equal but three outliers of different size, of which one comes first, one in the
 /// middle, and one last.
