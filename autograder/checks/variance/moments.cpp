@@ -133,7 +133,7 @@ TEST_CASE("1.8 the moments keep their digits beside outliers", "[1.8][points:2]"
   const std::string far_shift =
       "is everything measured from a value that may lie far from all others? A shift belongs near "
       "most of the data";
-  std::vector<HardList> lists = one_outlier_lists(rng, 4);
+  std::vector<HardList> lists = one_outlier_lists(rng, 5);
   lists.push_back(several_outliers(rng));
   for (const HardList& list : lists) {
     expect_fast(list.name, list.x, list.exact, repeating_floor(list.x.size()), because_repeating,
