@@ -43,7 +43,7 @@ double dependence(std::span<const double> /*joint*/, std::size_t /*columns*/) {
 }
 
 Moments moments(std::span<const double> /*x*/) {
-  throw todo("1.8");  // TODO(1.8): the speed task; a loop over add() is right, how fast can you be?
+  throw todo("1.8");  // TODO(1.8): the speed task; a loop over add() is a beginning
 }
 
 }  // namespace mc

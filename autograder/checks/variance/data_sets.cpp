@@ -67,14 +67,14 @@ Values numacc(int number, Rng& rng) {
   return x;
 }
 
-std::vector<HardList> one_outlier_lists(Rng& rng) {
+std::vector<HardList> one_outlier_lists(Rng& rng, int of_each) {
   constexpr std::size_t n = 100'001;  // odd: the middle is in one place
   const std::pair<const char*, std::size_t> places[] = {{"the outlier comes first", 0},
                                                         {"the outlier is in the middle", n / 2},
                                                         {"the outlier comes last", n - 1}};
   std::vector<HardList> lists;
   for (const auto& [name, place] : places) {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < of_each; ++i) {
       const double usual = uniform(rng, 1, 2);
       const double outlier = either_sign(rng, uniform(rng, 1e9, 2e9));
       Values x(n, usual);

@@ -25,6 +25,7 @@ struct Algorithm {
   std::string because;  ///< where the floor comes from
   std::function<Hints(double got, const Values&, const ExactMoments&, const std::string& otherwise)>
       hints;
+  int outlier_lists = 1;  ///< of each kind
 };
 
 /// The hard cases that any sample variance of a list must get through, by whatever way: very large

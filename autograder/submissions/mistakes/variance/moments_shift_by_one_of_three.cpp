@@ -1,6 +1,6 @@
 // mistake: one pass about the median of the first, the middle and the last value, all of which may be far from the others
 // caught by: 1.8 the moments keep their digits beside outliers
-// hint: is everything measured from that one value
+// hint: far from all others
 #include "variance.hpp"
 #define moments right_moments
 #include "solutions/variance.cpp"

@@ -1,6 +1,6 @@
 // mistake: sums in blocks and lanes about the first value, which may be far from all others
 // caught by: 1.8 the moments keep their digits beside outliers
-// hint: is everything measured from that one value
+// hint: is everything measured from a value that may lie far
 #include "variance.hpp"
 #define moments right_moments
 #include "solutions/variance.cpp"

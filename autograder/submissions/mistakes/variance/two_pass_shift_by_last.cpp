@@ -1,6 +1,6 @@
 // mistake: one pass about the last value, which may be far from all others
 // caught by: 1.3 two passes on hard cases
-// hint: is everything measured from that one value
+// hint: is everything measured from a value that may lie far
 #include "variance.hpp"
 #define variance_two_pass right_variance_two_pass
 #include "solutions/variance.cpp"

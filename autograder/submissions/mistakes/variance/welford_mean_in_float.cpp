@@ -2,7 +2,7 @@
 // caught by: 1.4 add keeps count and mean and m2
 // caught by: 1.4 Welford keeps his digits
 // caught by: 1.4 Welford on constant data
-// hint: a float keeps seven digits
+// hint: is anything here a float?
 #include "variance.hpp"
 #define add right_add
 #include "solutions/variance.cpp"
