@@ -394,8 +394,8 @@ void random_shift(PointSet& points, Rng& rng) {
 // steps stand around them, z -> z ^ z c with an even c: a bit is changed by those below it, and
 // pairs keep what they have in common. The constants are those of Vegdahl's search (2021, "Building
 // a better LK hash"). What is measured: in one dimension the error of exp(x) has a kurtosis between
-// 2.93 and 3.02 for N = 16 ... 16,384, a Gaussian's is 3; with one fixed step it is 4.4 at N = 16
-// and 50 at 1,024.
+// 2.92 and 3.02 for N = 16 … 16,384, a Gaussian's is 3; with one fixed step it is 4.4 at N = 16 and
+// 50 at 1,024.
 //
 // Vector registers multiply eight words of 32 bits at a time, and none of 64. So the first 32 bits
 // are scrambled as above, and the 21 behind them, which for Sobol' points are zeros, are flipped by a

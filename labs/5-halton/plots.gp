@@ -97,6 +97,28 @@ do for [s=1:count] {
 }
 unset multiplot
 
+# How the error of exp(x) is distributed, beyond its mean square -----------------------------------
+name = "tails"; width = 80 + 500 * count; height = 420
+load draw
+set multiplot layout 1,count title "Kurtosis of the error of exp(x), 5.8 on the line, with its standard error" \
+  margins 80./width, 1 - 20./width, 0.14, 0.83 spacing 80./width, 0
+set logscale xy
+set xrange [12:5500]
+set yrange [2:200]
+set xtics (16, 64, 256, 1024, 4096)
+set ytics (2, 3, 5, 10, 20, 50, 100)
+set xlabel "N"
+set ylabel "kurtosis"
+unset key
+do for [s=1:count] {
+  set title labels[s] noenhanced
+  plot 3 with lines ls 9 lw 2, \
+       data[s]."/tails.tsv" using 1:2:3 with yerrorbars ls 6 dt 1, \
+       data[s]."/tails.tsv" using 1:2 with lines ls 6
+  unset ylabel
+}
+unset multiplot
+
 # Bad pairs of axes -------------------------------------------------------------------------------
 array pair[5] = ["bases 29 and 31, 64 points", "5.7 shifted", "5.9 digits permuted", "Sobol' dimensions 14 and 15, 1024 points", "5.8 scrambled"]
 name = "pair"; width = 1060; height = 20 + 730 * count
