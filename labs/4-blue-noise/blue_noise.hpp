@@ -51,7 +51,8 @@ std::vector<double> radial_power(std::span<const double> power, int kmax);
 PointSet tile(const PointSet& pattern, int copies);
 
 /// 4.7  The speed task has no function of its own: make 4.2 find the nearest of i points without
-/// looking at all of them (4,096 points with c = 1 within a second), and 4.3 take time and random
-/// numbers in proportion to its points (100,000 well within a second).
+/// looking at all of them, so that a candidate costs the same however many points there are (4,096
+/// points with c = 1 then take a fraction of a second), and 4.3 take time and random numbers in
+/// proportion to its points (100,000 then take well below a second).
 
 }  // namespace mc

@@ -1,7 +1,5 @@
 // mistake: lays a grid of the radius, whose cells have room for two points and remember the last
 // caught by: 4.3 no two points are closer
-// caught by: 4.3 hardly any room is left
-// caught by: 4.3 Poisson disks are blue
 // hint: it must not have room for two
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk

@@ -1,7 +1,6 @@
 // mistake: looks at the eight cells around a new point, of a grid whose cells are narrower than the
 // mistake: radius
 // caught by: 4.3 no two points are closer
-// caught by: 4.3 Poisson disks are blue
 // hint: is each new point compared with all near it
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk

@@ -1,5 +1,6 @@
 // mistake: begins each pattern in the middle of the square
 // caught by: 4.3 no two points are closer
+// caught by: 4.3 a radius too large for two
 // hint: the first point of a set is as random as any other
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk
