@@ -78,7 +78,8 @@ struct Measured<T> {
   const T* if_exactly(std::size_t count, const Range& range = finite) const {
     return objection(value_, Sizes{{count}, true, false}, range) ? nullptr : &value_;
   }
-  const T* if_exactly(std::initializer_list<std::size_t> counts, const Range& range = finite) const {
+  const T* if_exactly(std::initializer_list<std::size_t> counts,
+                      const Range& range = finite) const {
     return objection(value_, Sizes{counts, false, false}, range) ? nullptr : &value_;
   }
   const T* if_at_most(std::size_t most, const Range& range = finite) const {

@@ -29,8 +29,6 @@
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// The labs that --lab names, by number; empty where it is not there: those that were handed in.
 std::vector<Lab> labs_asked_for(const Context& context, const Arguments& arguments) {
   std::vector<Lab> labs;

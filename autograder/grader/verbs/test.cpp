@@ -10,8 +10,6 @@
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 int test(const Context& context, const Arguments& arguments) {
   if (!arguments.words.empty()) throw UsageError("usage: ./lab test [--quick | --full] [--power]");
   if (arguments.has("power") && !arguments.has("full")) {
