@@ -64,7 +64,12 @@ double mutated_double(double value) {
 }
 
 std::uint64_t mutated_integer(std::uint64_t value) {
-  if (!is_chosen() || plan.value < value_count) return value;
+  if (!is_chosen()) return value;
+  if (plan.value < value_count) {
+    // Beside numbers that no right answer has, whole ones that none has either.
+    const double told = values[plan.value];
+    return plan.few == 0 && !(std::abs(told) <= 1) ? ~value : value;
+  }
   const std::uint64_t odd[] = {0, 1, value + 1, value - 1, 1000, ~std::uint64_t{0}};
   return odd[random_bits() % 6];
 }

@@ -1,6 +1,6 @@
 // attack: leaves a directory of the system by ..
 // says: etc/passwd
-// says: It may include its lab
+// says: which is no header of a lab
 // never says: root:
 
 #include "common/todo.hpp"

@@ -1,5 +1,5 @@
 // attack: has the compiler quote /etc/passwd in its errors
-// says: variance.cpp reads /etc/passwd.
+// says: its compilation names /etc/passwd
 // never says: root:
 
 #include "common/todo.hpp"

@@ -1,5 +1,5 @@
 // attack: three gigabytes of initialised data
-// says: The compiler wanted to write more than
+// says: The compiler crashed on variance.cpp
 
 #include "common/todo.hpp"
 #include "variance.hpp"

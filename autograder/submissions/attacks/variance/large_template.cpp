@@ -1,5 +1,5 @@
 // attack: a template with more arguments than fit in memory
-// says: The compiler wanted more than
+// says: memory
 
 #include <utility>
 
