@@ -23,6 +23,7 @@
 // `self_test repository` looks at the repository itself: task numbers, points, names.
 
 #include <cstdlib>
+#include <exception>
 #include <string_view>
 #include <utility>
 
@@ -55,9 +56,7 @@ void prove_file(const fs::path& path) {
   complain("no such kind of submission: " + kind);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
   if (what == "repository") {
     prove_repository();
@@ -74,4 +73,15 @@ int main(int argc, char** argv) {
     return 2;
   }
   return has_complained() ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {  // no such file, a machine that fails
+    fmt::print("self_test: {}\n", error.what());
+    return 3;
+  }
 }

@@ -1,6 +1,9 @@
 // peer: the C++ standard library: std::accumulate, std::inner_product, a two-pass loop
 // fails: 1.1 the mean is finite
 // because: it adds first and divides then: the sum overflows where the mean does not
+// fails: 1.3 two passes keep their digits
+// fails: 1.3 the variance of constant data is zero
+// because: the rounding of the mean is not taken back, as the corrected two-pass formula does
 // fails: 1.8 the moments keep their digits on hard data
 // because: one mean is rounded, and what its rounding adds to the squares is not taken back (NumAcc4)
 #include "variance.hpp"
