@@ -14,7 +14,7 @@ endif()
 
 add_library(runner OBJECT labs/runner/main.cpp labs/runner/text.cpp)
 target_include_directories(runner PUBLIC labs)
-target_compile_options(runner PRIVATE ${PROGRAM_FLAGS})
+target_compile_options(runner PRIVATE ${PROGRAM_FLAGS} -O1)  # nothing of it is hot
 with_warnings(runner)
 if(MC_UNITY)
   set_target_properties(runner PROPERTIES UNITY_BUILD ON)

@@ -4,7 +4,7 @@ enable_testing()
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/*_test.cpp)
 add_executable(grader_tests EXCLUDE_FROM_ALL ${sources})
 own_target(grader_tests)
-target_link_libraries(grader_tests PRIVATE grading recording pages drawing benching checking_figures)
+target_link_libraries(grader_tests PRIVATE grading working recording pages drawing benching checking_figures)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
 

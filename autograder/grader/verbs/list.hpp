@@ -16,18 +16,18 @@ inline constexpr std::string_view gradebook = "gradebook";
 
 inline constexpr VerbEntry verb_list[] = {
     {"", "where you stand: labs, points, what to do next", "grader"},
-    {"setup", "install what is missing and build everything", "grader"},
+    {"setup", "install what is missing and build everything", "desk"},
     {"check", "judge one lab of starter/ (or DIR)", "grader"},
-    {"run", "run one experiment by hand and print its numbers", "grader"},
+    {"run", "run one experiment by hand and print its numbers", "desk"},
     {"plot", "draw the lab's plots, several submissions side by side", "pictures"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", "pictures"},
     {"report", "your work on a lab as a page", "pictures"},
-    {"reset", "the starter of a lab again (your file is kept as a backup)", "grader"},
-    {"submit", "write the zip to hand in", "grader"},
+    {"reset", "the starter of a lab again (your file is kept as a backup)", "desk"},
+    {"submit", "write the zip to hand in", "desk"},
     {"grade", "judge whole submissions", gradebook, true},
     {"handout", "write the repository that students get", gradebook, true},
     {"bench", "speed against error: the solutions, any submission, libraries", "bench", true},
-    {"test", "the repository's own tests", "grader", true},
+    {"test", "the repository's own tests", "desk", true},
 };
 
 }  // namespace mc::grader
