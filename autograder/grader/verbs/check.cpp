@@ -38,6 +38,7 @@ int check(const Context& context, const Arguments& arguments) {
   if (!submission.files.contains(lab.name) && !json) {
     throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));
   }
+  const bool is_first_time = !fs::exists(context.layout.build / "programs");
   SubmissionOptions options;
   options.judge.seed = seed_of(arguments);
   options.judge.only = arguments.get("only").value_or(meant.task);
@@ -63,7 +64,8 @@ int check(const Context& context, const Arguments& arguments) {
     if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
   }
   if (json) write_text(*json, report_json(verdict));
-  precompile_headers(context.layout);  // for the next time
+  // For the next time; but who is here for the first time waits for nothing more.
+  if (!is_first_time) precompile_headers(context.layout);
   if (own && is_whole) remember(context.layout, judged);
   return verdict.earned() == verdict.points() ? 0 : 1;
 }
