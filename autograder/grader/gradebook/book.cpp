@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <sstream>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -65,7 +67,13 @@ Book::Book(Setup setup) : setup_(std::move(setup)) {
   // Held until this process is gone, however it goes.
   lock_ = sandbox::Descriptor(
       open((directory / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644), "opening the lock");
-  if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
+  // A run that was killed a moment ago may have a child that has not become another program yet.
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(3);
+  while (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (std::chrono::steady_clock::now() < patience) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      continue;
+    }
     throw UsageError(fmt::format("another run is writing {}", setup_.csv.string()));
   }
   sweep_unfinished(directory, "");
