@@ -80,12 +80,12 @@ array wave[2] = ["exp(x)", "cos(2 pi N x)"]
 array style[4] = [1, 3, 5, 6]
 name = "randomised"; width = 980; height = 90 + 380 * count
 load draw
-set multiplot layout count,2 margins 75./width, 1 - 15./width, 110./height, 1 - 36./height spacing 75./width, 90./height
+set multiplot layout count,2 margins 75./width, 1 - 15./width, 110./height, 1 - 46./height spacing 75./width, 90./height
 set logscale xy
 set format "10^{%L}"
 set xrange [3:6000]
 set xlabel "N"
-set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3
+set key at screen 0.54,0.01 center bottom vertical maxrows 2 Left reverse samplen 3
 do for [s=1:count] {
   do for [i=1:2] {
     set title wave[i].who(s) noenhanced

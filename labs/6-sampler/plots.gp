@@ -48,7 +48,7 @@ do for [against=1:2] {
 # What each next2 is worth ------------------------------------------------------------------------
 name = "next2"; width = 1180; height = 40 + 400 * count
 load draw
-set multiplot layout count,3 margins 70./width, 1 - 15./width, 105./height, 1 - 36./height spacing 85./width, 100./height
+set multiplot layout count,3 margins 70./width, 1 - 15./width, 105./height, 1 - 46./height spacing 85./width, 100./height
 do for [s=1:count] {
   set title "Sobol' dimensions 14 and 15, 1024 points".who(s)
   set size ratio -1
