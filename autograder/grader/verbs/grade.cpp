@@ -226,7 +226,7 @@ const RegisterVerb grade_verb{
      "  --seed S      the same seed again\n"
      "  -j N          so many at the same time: submissions, or of one its checks (all cores)\n"
      "  --speed       measure the speed tasks, too: of several in the end, one after the other\n"
-     "  --shard k/n   every n-th submission from the k-th on, for n machines (see merge)\n"
+     "  --shard k/n   every n-th submission from the k-th on, for n machines\n"
      "  --no-plots    no plots\n"
      "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some are not judged, and "
      "have\n"
