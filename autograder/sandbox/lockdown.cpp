@@ -8,6 +8,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -44,6 +45,7 @@ LaunchPage* launch_page = nullptr;
 #ifdef MC_HAVE_SECCOMP
 
 std::vector<sock_filter> filter;
+constexpr std::size_t longest_filter = 512;
 constexpr std::uint32_t pid_placeholder = 0x5eedc0deu;  // no pid: those end at 2^22
 
 [[noreturn]] void fail_with(int error, const char* action) {
@@ -143,6 +145,7 @@ std::vector<sock_filter> export_filter() {
     fail_with(errno, "reading the filter");
   }
   close(file);
+  if (instructions.size() > longest_filter) fail_with(E2BIG, "the filter");
   return instructions;
 }
 
@@ -151,6 +154,16 @@ std::vector<sock_filter> export_filter() {
 bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
   const rlimit value{soft, hard};
   return setrlimit(resource, &value) == 0;
+}
+
+/// The system calls themselves: the C library's functions would speak to threads that are not ours.
+bool become_nobody() {
+#ifdef __linux__
+  return syscall(SYS_setgroups, 0, nullptr) == 0 && syscall(SYS_setgid, jailed_user) == 0 &&
+         syscall(SYS_setuid, jailed_user) == 0;
+#else
+  return setgroups(0, nullptr) == 0 && setgid(jailed_user) == 0 && setuid(jailed_user) == 0;
+#endif
 }
 
 void close_from(int first) {
@@ -197,10 +210,11 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
   close_from(program_descriptor + 1);
   if (chdir("/") != 0) return failed("chdir");
 
+  // No handler of the parent's runs in here, once signals come through again.
+  for (int one = 1; one < NSIG; ++one) signal(one, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  signal(SIGPIPE, SIG_DFL);
 
   const auto cpu = static_cast<rlim_t>(std::ceil(limits.cpu_seconds));
   constexpr rlim_t stack = rlim_t{16} << 20;
@@ -212,11 +226,7 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
   if (!limit(RLIMIT_AS, limits.memory, limits.memory)) return failed("setrlimit");
 #endif
 
-  if (geteuid() == 0) {
-    if (setgroups(0, nullptr) != 0) return failed("setgroups");
-    if (setgid(jailed_user) != 0) return failed("setgid");
-    if (setuid(jailed_user) != 0) return failed("setuid");
-  }
+  if (geteuid() == 0 && !become_nobody()) return failed("becoming nobody");
   // After the user change: a limit of 0 before it would forbid the exec that follows it.
   if (!limit(RLIMIT_NPROC, 0, 0)) return failed("setrlimit");
 
@@ -230,14 +240,13 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
 #endif
 
 #ifdef MC_HAVE_SECCOMP
-  // This process has its own copy of the filter, and one thread: patching it in place is safe.
+  sock_filter own[longest_filter];  // the parent's memory may be ours too, until the exec
+  std::copy(filter.begin(), filter.end(), own);
   const auto self = static_cast<std::uint32_t>(getpid());
-  for (sock_filter& instruction : filter) {
-    if (BPF_CLASS(instruction.code) == BPF_JMP && instruction.k == pid_placeholder) {
-      instruction.k = self;
-    }
+  for (std::size_t i = 0; i < filter.size(); ++i) {
+    if (BPF_CLASS(own[i].code) == BPF_JMP && own[i].k == pid_placeholder) own[i].k = self;
   }
-  const sock_fprog installed{static_cast<unsigned short>(filter.size()), filter.data()};
+  const sock_fprog installed{static_cast<unsigned short>(filter.size()), own};
   if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &installed) != 0) return failed("seccomp");
 #endif
 

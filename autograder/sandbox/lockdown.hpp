@@ -29,7 +29,8 @@ struct LaunchFailure {
 /// Made ready once, in the parent, where memory may still be allocated.
 void prepare_lockdown();
 
-/// In the child: only async-signal-safe calls. Gives everything up and becomes the program; returns
+/// In the child, which may have its memory in common with the parent until the exec (vfork): only
+/// async-signal-safe calls, and nothing written but its own stack and `failure`. Gives everything up and becomes the program; returns
 /// only if that failed, having said why in `failure`.
 void lock_down_and_exec(const Executable& program, const Ends& ends, const Limits& limits,
                         pid_t parent, LaunchFailure& failure);

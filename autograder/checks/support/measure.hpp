@@ -8,9 +8,11 @@
 // The types come from the experiment's declaration; nothing of the experiment is linked here. A
 // measurement without a value (not written yet, crashed, threw …) ends the check, with the reason.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -107,9 +109,10 @@ struct Call {
 Rng check_rng();
 
 /// Asks the program; ends the check where there is none, or where it may not be asked any more.
-/// `typed` has the arguments as one types them by hand, separated by line ends.
-Call ask(std::string_view experiment, std::string call, std::string typed, std::string request,
-         const sandbox::Limits& limits);
+/// `typed` gives the arguments as one types them by hand, a line each: asked where the check fails, for
+/// a million numbers in decimal take longer than measuring them.
+Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
+         std::string request, const sandbox::Limits& limits);
 
 /// Ends the check unless the call brought a value.
 void require_value(const Call& call);
@@ -157,8 +160,11 @@ struct Measure<Result(Parameters...)> {
     ((call += shown(arguments), call += ", "), ...);
     if constexpr (sizeof...(Parameters) > 0) call.resize(call.size() - 2);
     call += ')';
-    std::string typed;
-    ((typed += '\n' + text::as_typed(arguments)), ...);
+    auto typed = [given = std::tuple(std::move(arguments)...)] {
+      std::string lines;
+      std::apply([&](const auto&... each) { ((lines += '\n' + text::as_typed(each)), ...); }, given);
+      return lines;
+    };
     return ask(experiment, std::move(call), std::move(typed), std::move(request.bytes), limits);
   }
 
