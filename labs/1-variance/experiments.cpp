@@ -20,8 +20,11 @@ double variance_two_pass(std::vector<double> x) {
   return mc::variance_two_pass(x);
 }
 std::vector<double> two_pass_of_constants(std::vector<double> constants, std::uint64_t n) {
-  std::vector<double> all;
-  for (const double c : constants) all.push_back(mc::variance_two_pass(std::vector<double>(n, c)));
+  std::vector<double> all, x(n);
+  for (const double c : constants) {
+    std::fill(x.begin(), x.end(), c);
+    all.push_back(mc::variance_two_pass(x));
+  }
   return all;
 }
 

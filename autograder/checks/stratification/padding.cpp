@@ -25,10 +25,11 @@ Order order_of(const std::string& call, View values) {
   std::vector<bool> taken(values.size());
   for (const double value : values) {
     const auto number = static_cast<std::size_t>(value);
-    const bool is_left = static_cast<double>(number) == value && !taken[number];
-    expect_that(is_left, fmt::format("{}: {} is there twice, or was not given", call, value),
-                "the same values in another order", "",
-                "a shuffle swaps values; it does not copy one over another");
+    if (static_cast<double>(number) != value || taken[number]) {
+      expect_that(false, fmt::format("{}: {} is there twice, or was not given", call, value),
+                  "the same values in another order", "",
+                  "a shuffle swaps values; it does not copy one over another");
+    }
     taken[number] = true;
     order.push_back(number);
   }

@@ -43,7 +43,8 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
   double area = 0;
   for (std::size_t row = 0; row < rows; ++row) {
     auto& line = covered[row];
-    std::sort(line.begin(), line.end());
+    std::sort(line.begin(), line.end(),
+              [](const auto& one, const auto& other) { return one.first < other.first; });
     double at = 0;
     for (const auto& [low, high] : line) {
       if (low > at) area += (low - at) / count;

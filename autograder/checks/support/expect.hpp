@@ -2,6 +2,8 @@
 // What a check may expect of a number, each telling its story when it fails: measured, expected,
 // because, likely. Where the check is read about and how it is repeated is added by the grader.
 
+#include <cmath>
+#include <concepts>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,14 @@ void expect_digits(const std::string& what, double got, double exact, double flo
 /// |got - exact| <= tolerance.
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Hints& hints);
+
+/// The same with hints that are dear to find: asked for where the check fails.
+template <std::invocable Find>
+void expect_within(const std::string& what, double got, double exact, double tolerance,
+                   const std::string& because, const Find& find) {
+  const bool holds = std::abs(got - exact) <= tolerance;
+  expect_within(what, got, exact, tolerance, because, holds ? Hints{} : Hints(find()));
+}
 
 /// `holds` is true; `expected` says in words what that is.
 void expect_that(bool holds, const std::string& measured, const std::string& expected,

@@ -77,12 +77,15 @@ TEST_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][ne
       expect_within(got.call, got.value, 0, eps * eps * c * c,
                     "a rounded mean may be wrong by n eps |c|, but the correction leaves less than "
                     "one rounding of c, squared",
-                    {nearest(got.value, 0,
-                             {{uncorrected_here(x),
-                               "the rounded mean is not c: take (sum of deviations)^2 / n off"},
-                              {textbook_from_means(x), large_numbers},
-                              {textbook_from_sums(x), large_numbers}}),
-                     "measure from the mean, and take back what its rounding adds"});
+                    [&]() -> Hints {
+                      return {nearest(got.value, 0,
+                                      {{uncorrected_here(x),
+                                        "the rounded mean is not c: take (sum of deviations)^2 / n "
+                                        "off"},
+                                       {textbook_from_means(x), large_numbers},
+                                       {textbook_from_sums(x), large_numbers}}),
+                              "measure from the mean, and take back what its rounding adds"};
+                    });
       expect_not_negative(got.call, got.value);
     }
   }
