@@ -173,7 +173,8 @@ bool is_kept(const fs::path& file) {
 }
 
 std::vector<std::string> compile_flags(const Layout& layout) {
-  std::vector<std::string> flags{"-std=c++20", layout.optimisation, "-ffp-contract=off", "-D_GLIBCXX_ASSERTIONS"};
+  std::vector<std::string> flags{"-std=c++20", layout.optimisation, "-ffp-contract=off",
+                                 "-D_GLIBCXX_ASSERTIONS"};
 #if defined(__x86_64__)
   if (std::getenv("MC_BASELINE") != nullptr) return flags;  // for tests: as on any x86-64
   // Never native: digits must not change with the host. A machine has these features or it has not.
