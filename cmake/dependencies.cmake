@@ -26,24 +26,30 @@ find_path(SECCOMP_INCLUDE seccomp.h)
 find_library(ARCHIVE_LIBRARY archive)
 find_path(ARCHIVE_INCLUDE archive.h)
 
-# Libraries that the labs are compared with (autograder/submissions/peers), each as the flags that it is
-# linked with. Where one is missing, its comparison is.
-set(PEER_LAYOUT "peers.std=\n")
+# Libraries that the labs are compared with: a folder each in autograder/submissions/peers, whose
+# find.cmake looks for it. It sets PEER_FOUND, and PEER_LINK to what programs are linked with. Where
+# one is missing, its comparison is.
+set(PEER_LAYOUT)
+set(PEER_LIBRARIES)
+set(PEER_DEFINITIONS)
 if(CMAKE_SYSTEM_NAME STREQUAL Linux)  # programs are static there
-  find_library(GSL_LIBRARY libgsl.a)
-  find_library(GSL_CBLAS_LIBRARY libgslcblas.a)
-else()
-  find_library(GSL_LIBRARY gsl)
-  find_library(GSL_CBLAS_LIBRARY gslcblas)
+  set(PEER_PREFIX lib)
+  set(PEER_SUFFIX .a)
 endif()
-find_path(GSL_INCLUDE gsl/gsl_qrng.h)
-if(GSL_LIBRARY AND GSL_CBLAS_LIBRARY AND GSL_INCLUDE)
-  string(APPEND PEER_LAYOUT "peers.gsl=${GSL_LIBRARY};${GSL_CBLAS_LIBRARY}\n")
-endif()
-find_path(BOOST_INCLUDE boost/random/sobol.hpp)
-if(BOOST_INCLUDE)
-  string(APPEND PEER_LAYOUT "peers.boost=\n")
-endif()
+file(GLOB finds CONFIGURE_DEPENDS autograder/submissions/peers/*/find.cmake)
+foreach(find ${finds})
+  cmake_path(GET find PARENT_PATH folder)
+  cmake_path(GET folder FILENAME peer)
+  set(PEER_FOUND)
+  set(PEER_LINK)
+  include(${find})
+  if(PEER_FOUND)
+    list(APPEND PEER_LIBRARIES ${PEER_LINK})
+    string(TOUPPER ${peer} upper)
+    list(APPEND PEER_DEFINITIONS MC_HAVE_${upper})
+    string(APPEND PEER_LAYOUT "peers.${peer}=${PEER_LINK}\n")
+  endif()
+endforeach()
 
 # Programs that judge nothing: looked for when they are used.
 find_program(GIT git)

@@ -21,9 +21,10 @@ struct BenchRow : protocol::Row {
   std::string lab, submission;
 };
 
-/// A ratio of autograder/bench/ratios.cpp.
+/// A ratio of autograder/bench/ratios.
 struct Ratio {
-  std::string name;
+  std::string name, against;
+  double wanted = 0;                      ///< 0: none
   double ratio = 0, ours = 0, other = 0;  ///< nanoseconds
 };
 

@@ -46,8 +46,15 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
   if (!can_draw(plots)) return plots;
   // Blocks that gnuplot finds by their names: n, microseconds, RMSE and its standard error.
   std::string curves, variances;
+  std::vector<std::string> peers, peers_draw;
   for (const Curve& curve : curves_of(bench)) {
-    curves += fmt::format("# {}|{}|{}\n", curve.submission, curve.what, curve.on);
+    const std::string block = fmt::format("{}|{}", curve.submission, curve.what);
+    if (curve.submission != "solutions" &&
+        std::find(peers.begin(), peers.end(), block) == peers.end()) {
+      peers.push_back(block);
+      peers_draw.push_back(curve.what);
+    }
+    curves += fmt::format("# {}|{}\n", block, curve.on);
     for (const auto& point : curve.points) {
       curves +=
           fmt::format("{}\t{}\t{}\t{}\n", point.n, 1e6 * point.seconds(), point.rmse, point.error);
@@ -68,7 +75,9 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
   draw(plots, place / "plots", [&](const std::string& extension) {
     return script_beginning(layout, place / "bench", extension) +
            fmt::format(
-               "data = {}\n{}load {}\n", gnuplot_string(place.string()), gnuplot_array("who", who),
+               "data = {}\n{}{}{}load {}\n", gnuplot_string(place.string()),
+               gnuplot_array("who", who), gnuplot_array("peer", peers),
+               gnuplot_array("peerwhat", peers_draw),
                gnuplot_string((layout.root / "autograder" / "bench" / "plots.gp").string()));
   });
   collect(plots, place, "bench-");

@@ -7,11 +7,10 @@ array sigma[6] = [0.286, 0.419, 0.625, 0.534, 0.905, 1.0]
 array what[6] = ["independent", "jittered", "multi-jittered", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 array called[6] = ["independent", "jittered", "multi-jittered; Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 array many[6] = ["independent", "jittered, padded", "Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
-# The libraries' lines have the colour of the sampler that they are to be compared with.
-array peer[4] = ["std|independent", "gsl|Halton, shifted", "gsl|Sobol', shifted", "boost|Sobol', shifted"]
-array peers[4] = ["std: independent", "GSL: Halton, shifted", "GSL: Sobol', shifted", "Boost: Sobol', shifted"]
-array peercolour[4] = ["#D55E00", "#000000", "#E69F00", "#E69F00"]
-array peerdash[4] = [3, 3, 3, 4]
+# A library's line (peer[k] is its block, peerwhat[k] what it draws; both come from the bench) has the
+# colour of the method that it is to be compared with.
+method(k) = sum [j=1:|what|] (what[j][1:4] eq peerwhat[k][1:4] ? j : 0)
+second(k) = sum [j=1:k] (peerwhat[j] eq peerwhat[k] ? 1 : 0)
 curves = data."/curves.tsv"
 is_many(i) = i == 3 || i == 6
 block(i, k) = "solutions|".(is_many(i) ? many[k] : what[k])."|".on[i]
@@ -38,7 +37,7 @@ do for [axis in "samples time"] {
       plot for [k=1:6] curves index block(i, k) using column_of:3:4 with yerrorlines ls k ps 0.8 title called[k]
     } else {
       plot for [k=1:6] curves index block(i, k) using column_of:3 with linespoints ls k ps 0.8 title called[k], \
-           for [k=1:4] curves index peer[k]."|".on[i] using column_of:3 with lines lw 2 dt peerdash[k] lc rgb peercolour[k] title peers[k]
+           for [k=1:|peer|] curves index peer[k]."|".on[i] using column_of:3 with lines ls method(k) lw 2 dt 2+second(k) title peer[k][1:strstrt(peer[k], "|")-1].": ".peerwhat[k]
     }
   }
   unset multiplot

@@ -162,9 +162,10 @@ class BenchRun {
     const auto result = sandbox::run_process({path.string()}, {.wall_seconds = 120, .stop = &stop});
     for (const std::string_view line : text::split(result.output, '\n')) {
       const auto parts = text::split(line, '\t');
-      if (parts.size() != 4) continue;
+      if (parts.size() != 6) continue;
       const auto number = [&](std::size_t i) { return std::strtod(parts[i].data(), nullptr); };
-      all.push_back({std::string(parts[0]), number(1), number(2), number(3)});
+      all.push_back({std::string(parts[0]), std::string(parts[1]), number(2), number(3), number(4),
+                     number(5)});
     }
     return all;
   }

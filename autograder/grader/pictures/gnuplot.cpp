@@ -24,7 +24,8 @@ std::string gnuplot_string(const std::string& text) {
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {
   std::string list;
   for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + gnuplot_string(text);
-  return fmt::format("array {}[{}] = [{}]\n", name, texts.size(), list);
+  if (texts.empty()) list = "''";  // there is no array without elements
+  return fmt::format("array {}[{}] = [{}]\n", name, std::max<std::size_t>(texts.size(), 1), list);
 }
 
 std::string run_gnuplot(const fs::path& script, const std::string& text) {

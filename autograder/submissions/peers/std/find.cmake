@@ -1,0 +1,1 @@
+set(PEER_FOUND ON)  # comes with the compiler
