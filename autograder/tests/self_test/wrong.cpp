@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/judging/judge.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 #include "tests/self_test/kept.hpp"
