@@ -107,7 +107,7 @@ TEST_CASE("5.6 the star discrepancy of points of the plane", "[5.6][points:4]") 
     expect_within(fmt::format("{}, {} points", got.call, x.size()), got.value, exact,
                   discrepancy_tolerance,
                   fmt::format("{}, {} points: {} as an exact fraction", name, x.size(), exact),
-                  [&] { return hints_for(x, y); });
+                  [&x = x, &y = y] { return hints_for(x, y); });
   }
   for (const std::size_t n : {2u, 1u}) {
     expect_discrepancy(uniform_values(rng, n, 0, 1), uniform_values(rng, n, 0, 1));
