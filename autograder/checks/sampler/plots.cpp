@@ -161,7 +161,7 @@ Number nanoseconds(const std::string& kind, unsigned by, std::uint64_t dims, std
 
 /// A row for each kind: four dimensions by next2(), generation alone and all of it.
 TEST_CASE("plot what a coordinate costs", "[.plot]") {
-  for (const std::uint64_t n : {16, 256, 4096}) {
+  for (const std::uint64_t n : {16u, 256u, 4096u}) {
     auto file = plot_file("cost-" + std::to_string(n) + ".tsv");
     for (const std::string& kind : sampler_kinds) {
       const bool is_left_out = is_blue(kind) && n > 256;
@@ -174,7 +174,7 @@ TEST_CASE("plot what a coordinate costs", "[.plot]") {
 /// With 256 samples: columns dimensions, and of each kind by next() and by next2().
 TEST_CASE("plot what a coordinate costs against dimensions", "[.plot]") {
   auto file = plot_file("dimensions.tsv");
-  for (const std::uint64_t dims : {2, 4, 8}) {
+  for (const std::uint64_t dims : {2u, 4u, 8u}) {
     Row row{static_cast<double>(dims)};
     for (const std::string& kind : sampler_kinds) {
       for (const unsigned by : {1u, 2u}) {

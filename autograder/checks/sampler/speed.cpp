@@ -51,7 +51,7 @@ TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][edge][points:
 TEST_CASE("speed of samplers", "[.speed]") {
   for (const std::string& kind : sampler_kinds) {
     if (kind == "blue_noise") continue;  // its time grows with the square of the samples
-    for (const std::uint64_t n : {16, 64}) {
+    for (const std::uint64_t n : {16u, 64u}) {
       bench_speed("6.8", fmt::format("a number, {}, {} samples", kind, n), 4 * n,
                   [&](std::uint64_t rounds) {
                     return cpu_seconds_of(TRY_MEASURE(repeat, kind, 2, 4, n, rounds));

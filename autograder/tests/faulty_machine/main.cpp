@@ -55,7 +55,7 @@ void refuse(scmp_filter_ctx filter, const std::string& call) {
     error = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(seccomp), 0);
     constexpr unsigned set_seccomp = 22;  // PR_SET_SECCOMP
     error |= seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), 1,
-                              SCMP_A0_32(SCMP_CMP_EQ, set_seccomp));
+                              scmp_arg_cmp{0, SCMP_CMP_EQ, set_seccomp, 0});
   } else {
     const int number = seccomp_syscall_resolve_name(call.c_str());
     error = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), number, 0);
