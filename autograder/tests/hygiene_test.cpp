@@ -2,6 +2,7 @@
 // workers ends it with a line and a status.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
@@ -77,6 +78,35 @@ TEST_CASE("plots under 64 descriptors") {
     draw_plots(labs.layout, labs.lab, {labs.submission(place, i % 2)}, "tests");
   }
   CHECK(open_descriptors() == before);
+}
+
+TEST_CASE("a plot draws what there is, and says in its place what is missing") {
+  const Labs labs;
+  if (!std::filesystem::exists(labs.layout.figures(labs.lab.name))) return;  // it is not built
+  const Scratch place;
+  const auto drawn = [&](const std::string& text, const char* label) {
+    Submission submission = labs.submission(place, 0);
+    place.write("variance.cpp", text);
+    submission.label = label;
+    return draw_plots(labs.layout, labs.lab, {submission}, "tests");
+  };
+  const auto picture = [&](const std::string& name) {
+    return read_text(labs.layout.build / "plots" / "tests" / ("variance-" + name + ".svg"));
+  };
+  const Plots none = drawn(text_of(labs.layout.starter()), "nobody");
+  CHECK(picture("digits").find("not drawn: ") != std::string::npos);
+  CHECK(picture("digits").find("is not written yet") != std::string::npos);
+  CHECK(std::any_of(none.remarks.begin(), none.remarks.end(), [](const std::string& remark) {
+    return remark.starts_with("nobody, digits: 1.") && remark.ends_with(" is not written yet");
+  }));
+
+  std::string text = text_of(labs.layout.starter());
+  const std::string todo = "throw todo(\"1.2\");";
+  REQUIRE(text.find(todo) != std::string::npos);
+  text.replace(text.find(todo), todo.size(), "return 1.0 / 12;");
+  const Plots some = drawn(text, "somebody");
+  CHECK(picture("digits").find("not drawn: ") == std::string::npos);
+  CHECK_FALSE(some.remarks.empty());
 }
 
 TEST_CASE("an exception in a worker reaches who asked, and the others come to an end") {

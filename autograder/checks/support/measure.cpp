@@ -136,6 +136,8 @@ std::string story_of_end(const Call& call) {
 
 }  // namespace
 
+void (*on_missing)(std::string_view, const Call&) = nullptr;
+
 void record(protocol::RecordKind kind, const std::string& text) {
   static std::FILE* const records = [] {
     const std::string descriptor = environment(protocol::records_variable);

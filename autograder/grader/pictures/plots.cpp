@@ -2,8 +2,10 @@
 
 #include <array>
 #include <mutex>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
@@ -83,6 +85,56 @@ std::string placeholder(const std::string& beginning, const std::string& name,
                          gnuplot_string(name), gnuplot_string(reason));
 }
 
+/// Why measurements of a picture are missing: "halton is not written yet".
+std::set<std::string> missing_in(const Panel& panel, const std::string& name) {
+  std::set<std::string> reasons;
+  for (const auto& entry : fs::directory_iterator(panel.data)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(name + ".") || !file.ends_with(".missing")) continue;
+    const std::string lines = read_text(entry.path());
+    for (const std::string_view line : text::split(lines, '\n')) {
+      if (!line.empty()) reasons.insert(sandbox::printable_line(line));
+    }
+  }
+  return reasons;
+}
+
+/// Is there a number in a picture's data, behind the first of each row (where it is drawn)?
+bool has_data(const Panel& panel, const std::string& name) {
+  for (const auto& entry : fs::directory_iterator(panel.data)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.ends_with(".tsv") || file.substr(0, file.find_first_of("-.")) != name) continue;
+    const std::string rows = read_text(entry.path());
+    for (const std::string_view row : text::split(rows, '\n')) {
+      const auto values = text::split(row, '\t');
+      for (std::size_t i = 1; i < values.size(); ++i) {
+        if (!values[i].empty() && values[i] != "NaN") return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// What a panel lacks in the pictures of a section.
+struct Gaps {
+  std::vector<std::string> remarks;
+  std::string reason;     ///< the first of what is missing
+  bool is_empty = false;  ///< nothing is left to draw
+};
+Gaps gaps_of(const Panel& panel, const std::vector<std::string>& names) {
+  Gaps gaps;
+  bool has_some = false;
+  for (const std::string& name : names) {
+    const auto missing = missing_in(panel, name);
+    has_some = has_some || has_data(panel, name);
+    if (missing.empty()) continue;
+    if (gaps.reason.empty()) gaps.reason = *missing.begin();
+    gaps.remarks.push_back(fmt::format("{}, {}: {}", panel.label, name, fmt::join(missing, ", ")));
+  }
+  gaps.is_empty = !has_some && !gaps.reason.empty();
+  return gaps;
+}
+
 /// What a hidden case says of its end; empty where it came there.
 std::string failure_of(const sandbox::ProcessResult& run) {
   const auto records = read_catch_xml(run.output);
@@ -133,11 +185,8 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   if (panels.empty()) return plots;
   measure(layout, lab, panels, plots.remarks);
 
-  std::vector<std::string> labels, data;
-  for (const Panel& panel : panels) {
-    labels.push_back(panel.label);
-    data.push_back(panel.data.string());
-  }
+  std::vector<std::string> data;
+  for (const Panel& panel : panels) data.push_back(panel.data.string());
   const fs::path here = layout.labs() / lab.folder;
   const std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
   constexpr std::array extensions{"svg", "png"};
@@ -145,20 +194,36 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   run_side_by_side(sections.size() * extensions.size(), cores(), [&](std::size_t i) {
     const Section& section = sections[i / extensions.size()];
     const std::string extension = extensions[i % extensions.size()];
+    const auto names = names_in(section.script);
+    std::vector<std::string> labels, remarks;
+    std::string reason;
+    bool is_empty = true;
+    for (const Panel& panel : panels) {
+      const Gaps gaps = gaps_of(panel, names);
+      labels.push_back(gaps.is_empty ? panel.label + ": " + gaps.reason : panel.label);
+      remarks.insert(remarks.end(), gaps.remarks.begin(), gaps.remarks.end());
+      if (reason.empty()) reason = gaps.reason;
+      is_empty = is_empty && gaps.is_empty;
+    }
     const std::string beginning =
         script_beginning(layout, place / lab.name, extension) +
         fmt::format("count = {}\n{}{}here = {}\n", labels.size(), gnuplot_array("labels", labels),
                     gnuplot_array("data", data), gnuplot_string(here.string()));
-    const auto names = names_in(section.script);
     const auto script =
         place / "data" / fmt::format("{}-{}.{}.gp", lab.name, i / extensions.size(), extension);
-    const std::string failure = run_gnuplot(script, beginning + section.script);
-    if (failure.empty()) return;
-    for (const std::string& name : names) {
-      run_gnuplot(script, placeholder(beginning, name, "not drawn: " + failure.substr(0, 90)));
+    if (!is_empty) {
+      reason = run_gnuplot(script, beginning + section.script);
+      if (!reason.empty()) remarks.push_back(reason);
+    }
+    if (!reason.empty()) {
+      for (const std::string& name : names) {
+        run_gnuplot(script, placeholder(beginning, name, "not drawn: " + reason.substr(0, 90)));
+      }
     }
     const std::lock_guard lock(mutex);
-    plots.remarks.push_back(failure);
+    if (i % extensions.size() == 0) {
+      plots.remarks.insert(plots.remarks.end(), remarks.begin(), remarks.end());
+    }
   });
   collect(plots, place, lab.name + "-");
   return plots;
