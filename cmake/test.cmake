@@ -15,6 +15,12 @@ endif()
 execute_process(COMMAND ctest --test-dir ${BUILD} -j ${jobs} --timeout ${seconds} ${which}
   --output-on-failure --output-log ${log}
   RESULT_VARIABLE failed)
+if(FULL)
+  execute_process(COMMAND ${BUILD}/bin/self_test load 7 RESULT_VARIABLE changed)
+  if(changed)
+    set(failed ${changed})
+  endif()
+endif()
 if(POWER)
   execute_process(COMMAND ${BUILD}/bin/self_test power)
 endif()

@@ -20,6 +20,7 @@ int test(const Context& context, const Arguments& arguments) {
     setenv("MC_MISTAKE_SEEDS", "200", 1);
   }
   become({"cmake", "-D", "BUILD=" + context.layout.build.string(), "-D",
+          std::string("FULL=") + (arguments.has("full") ? "ON" : "OFF"), "-D",
           std::string("QUICK=") + (arguments.has("quick") ? "ON" : "OFF"), "-D",
           std::string("POWER=") + (arguments.has("power") ? "ON" : "OFF"), "-P",
           (context.layout.root / "cmake" / "test.cmake").string()});

@@ -62,14 +62,15 @@ int run(int argc, char** argv) {
     prove_repository();
   } else if (what == "power") {
     print_power();
-  } else if (what == "load" && argc > 3) {
+  } else if (what == "load" && argc > 2) {
     prove_under_load({argv + 3, argv + argc}, static_cast<unsigned>(std::atoi(argv[2])));
   } else if (what == "fuzz" && argc == 4) {
     prove_against_lies(argv[2], static_cast<unsigned>(std::atoi(argv[3])));
   } else if (argc == 2) {
     prove_file(fs::canonical(argv[1]));
   } else {
-    fmt::print("usage: self_test FILE | load RUNS FILE... | fuzz LAB COUNT | repository | power\n");
+    fmt::print(
+        "usage: self_test FILE | load RUNS [FILE...] | fuzz LAB COUNT | repository | power\n");
     return 2;
   }
   return has_complained() ? 1 : 0;

@@ -104,6 +104,7 @@ void prove_mistake(const Proof& proof, const fs::path& file) {
     if (!check.is_slow || is_named || seeds > 1) once.insert(check.name);
   }
   const LabVerdict first = try_mistake(proof, file, 1, once);
+  compare_limits(file, first);
   std::uint64_t seed = 2;
   const Kept kept(proof);
   if (seeds > 1) seed = std::max<std::uint64_t>(2, kept.resume([](const LabVerdict&) {}) + 1);
@@ -127,12 +128,14 @@ void prove_peer(const Proof& proof, const fs::path& file) {
     complain("the file must say 'because:' where it says 'fails:'");
   }
   compare_failures(verdict, checks_named(verdict, said(file, "fails")), true);
+  compare_limits(file, verdict);
   proof.show(verdict, seed);
 }
 
 void prove_attack(const Proof& proof, const fs::path& file) {
   const std::uint64_t seed = 1;
   const LabVerdict verdict = proof.judge(seed);
+  compare_limits(file, verdict);
   const auto earns = said(file, "earns"), words = said(file, "says");
   const double most = earns.empty() ? 0 : std::strtod(earns[0].c_str(), nullptr);
   if (said(file, "attack").empty() || words.empty())

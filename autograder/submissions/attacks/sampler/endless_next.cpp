@@ -1,5 +1,6 @@
 // attack: a number that never comes
 // says: stopped after 2 s of CPU time
+// limit: time
 
 #include "common/todo.hpp"
 #include "sampler.hpp"

@@ -1,5 +1,6 @@
 // attack: asks for a terabyte in generate()
 // says: wanted more than 512 MB of memory
+// limit: memory
 
 #include <vector>
 

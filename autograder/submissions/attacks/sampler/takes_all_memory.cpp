@@ -1,5 +1,6 @@
 // attack: takes memory as long as there is any
 // says: wanted more than 512 MB of memory
+// limit: memory
 
 #include "common/todo.hpp"
 #include "sampler.hpp"

@@ -1,5 +1,6 @@
 // attack: computes on after the signal that says its time is over
 // says: stopped after 2 s of CPU time
+// limit: time
 
 #include <csignal>
 #include <ctime>

@@ -1,5 +1,6 @@
 // attack: never ends
 // says: stopped after 2 s of CPU time
+// limit: time
 
 #include "common/todo.hpp"
 #include "variance.hpp"

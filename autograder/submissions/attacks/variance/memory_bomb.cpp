@@ -1,5 +1,6 @@
 // attack: takes all memory
 // says: wanted more than 512 MB of memory
+// limit: memory
 
 #include "common/todo.hpp"
 #include "variance.hpp"

@@ -1,5 +1,6 @@
 // attack: an exception whose text never comes
 // says: stopped after 2 s of CPU time
+// limit: time
 
 #include <exception>
 

@@ -1,6 +1,7 @@
 // mistake: compares each of N^2 / 2 candidates with all points
 // caught by: 4.7 thousands of best candidates
 // hint: each candidate is compared with all points
+// limit: time
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate
 #include "solutions/blue_noise.cpp"

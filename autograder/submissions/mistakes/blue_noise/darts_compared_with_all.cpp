@@ -1,6 +1,7 @@
 // mistake: compares each dart with all points
 // caught by: 4.7 Poisson disks cost as much as they are many
 // hint: each new point is compared with all others
+// limit: time
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk
 #include "solutions/blue_noise.cpp"

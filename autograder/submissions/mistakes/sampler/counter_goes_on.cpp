@@ -9,6 +9,7 @@
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.7 the first next2 is blue noise
 // hint: a sample that ends early must not hand its numbers
+// limit: time
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 #include <algorithm>

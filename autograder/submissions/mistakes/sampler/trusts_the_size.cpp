@@ -1,6 +1,7 @@
 // mistake: multiplies width and height, and lets the memory decide
 // caught by: 6.6 pictures that cannot be are refused
 // hint: render_recorded(16384, 16384, 1, 1) wanted more than
+// limit: memory
 #include "sampler.hpp"
 #define render right_render
 #include "solutions/sampler.cpp"

@@ -3,6 +3,7 @@
 // because: uniform_01 rounds 64 bits to 53, and numbers near 0 keep more than a shift leaves
 // fails: 2.1 no word becomes one
 // because: what rounds up to 1 is drawn again, which never ends on a generator of one word
+// limit: time
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
