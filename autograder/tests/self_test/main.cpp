@@ -20,6 +20,9 @@
 //                                    fails exactly those checks; what the library has nothing for
 //                                    is not written. Exit status 77 where it is not installed.
 //
+// Any of the last three says // limit: time, or memory, where a measurement of it meets one; `self_test
+// load RUNS` judges all that do beside busy loops, with the same verdict.
+//
 // `self_test repository` looks at the repository itself: task numbers, points, names.
 
 #include <cstdlib>
