@@ -25,6 +25,7 @@ inline constexpr VerbEntry verb_list[] = {
     {"reset", "the starter of a lab again (your file is kept as a backup)", "desk"},
     {"submit", "write the zip to hand in", "desk"},
     {"grade", "judge whole submissions", gradebook, true},
+    {"merge", "make one table of the tables of several shards", gradebook, true},
     {"handout", "write the repository that students get", gradebook, true},
     {"bench", "speed against error: the solutions, any submission, libraries", "bench", true},
     {"test", "the repository's own tests", "desk", true},
