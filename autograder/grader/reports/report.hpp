@@ -31,6 +31,9 @@ std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t col
 /// How wide a name is in a terminal.
 std::size_t columns_of(std::string_view text);
 
+/// Text broken at blanks to `width` columns; lines after the first begin with `indent` blanks.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
 /// Why there is no grade, where there is none; empty otherwise.
 std::string not_judged_line(const Verdict& verdict);
 

@@ -26,6 +26,7 @@ inline constexpr VerbEntry verb_list[] = {
     {"submit", "write the zip to hand in", "desk"},
     {"grade", "judge whole submissions", gradebook, true},
     {"merge", "make one table of the tables of several shards", gradebook, true},
+    {"stats", "what a table of grades says of the class and of the checks", gradebook, true},
     {"handout", "write the repository that students get", gradebook, true},
     {"bench", "speed against error: the solutions, any submission, libraries", "bench", true},
     {"test", "the repository's own tests", "desk", true},
