@@ -41,11 +41,12 @@ std::string histogram(const std::vector<double>& totals) {
   std::size_t most = 1;
   for (const PointsBar& bar : bars) most = std::max(most, bar.submissions);
   std::string all =
-      "<table>\n<tr><th scope=\"col\">points</th><th scope=\"col\" class=\"number\">submissions"
+      "<table>\n<tr><th scope=\"col\" class=\"number\">points</th><th scope=\"col\" "
+      "class=\"number\">submissions"
       "</th><td></td></tr>\n";
   for (const PointsBar& bar : bars) {  // the number beside it says what the bar shows
     all += fmt::format(
-        "<tr><th scope=\"row\">{}</th>{}<td class=\"wide\"><span class=\"bar\" "
+        "<tr><th scope=\"row\" class=\"number\">{}</th>{}<td class=\"wide\"><span class=\"bar\" "
         "aria-hidden=\"true\" "
         "style=\"width:{:.1f}%\"></span></td></tr>\n",
         bar.range, number_cell(bar.submissions),

@@ -227,7 +227,9 @@ std::string html_page(const std::string& title, const std::string& body) {
 
 std::string submission_page(const Verdict& verdict, const PageMaterial& material) {
   std::string body = fmt::format("<h1>{}</h1>\n", html_escaped(verdict.submission));
-  if (!verdict.not_judged.empty()) {
+  if (!verdict.unreadable.empty()) {
+    body += "<p class=\"failed\">Unreadable: " + html_escaped(verdict.unreadable) + "</p>\n";
+  } else if (!verdict.not_judged.empty()) {
     body +=
         fmt::format("<p class=\"failed\">Not judged: {}</p>\n", html_escaped(verdict.not_judged));
   } else {
