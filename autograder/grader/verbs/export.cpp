@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "grader/context/errors.hpp"
+#include "grader/context/shell.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/submission/intake.hpp"
 #include "grader/submission/scratch.hpp"
@@ -42,9 +43,8 @@ int export_class(const Context& context, const Arguments& arguments) {
     throw UsageError("usage: ./lab export jplag DIR|ZIP... --out D");
   }
   const fs::path to = *out;
-  const std::string shown = sandbox::printable_line(to.string());
   if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to))) {
-    throw UsageError(fmt::format("{} is not empty", shown));
+    throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(to.string())));
   }
   sweep_scratch(context.layout);
   const Intake intake =
@@ -62,8 +62,9 @@ int export_class(const Context& context, const Arguments& arguments) {
   }
   if (count == 0) throw UsageError("there is no file of any lab");
   copy_files(context, starters(context), to / "base-code");
-  fmt::print("{} submissions: java -jar jplag.jar -l cpp -bc '{}/base-code' '{}/submissions'\n",
-             count, shown, shown);
+  fmt::print("{} submissions: java -jar jplag.jar -l cpp -bc {} {}\n", count,
+             shell_quoted((to / "base-code").string()),
+             shell_quoted((to / "submissions").string()));
   return 0;
 }
 

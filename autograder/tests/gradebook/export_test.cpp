@@ -52,7 +52,7 @@ TEST_CASE("for JPlag: a folder for each submission, the starters as base code") 
   CHECK(contains(run.output, "left out: broken: it is no zip"));
   CHECK(contains(run.output, "left out: fay: no lab's file in it"));
   CHECK(contains(run.output, "left out: sly: it is a link"));
-  CHECK(contains(run.output, "3 submissions: java -jar jplag.jar -l cpp -bc '"));
+  CHECK(contains(run.output, "3 submissions: java -jar jplag.jar -l cpp -bc " + out.string()));
 }
 
 TEST_CASE("export writes over nothing, and says how it is used") {
