@@ -12,7 +12,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// A table that is scrolled where it is wider than the window; its first column tells the rows apart.
+/// A table that is scrolled where it is wider than the window; its first column names the rows.
 std::string table_begin(const std::vector<std::string>& numbers, const std::string& first) {
   std::string all = fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>\n<tr>"

@@ -18,8 +18,8 @@ struct CheckStatistics {
   std::size_t failed = 0;       ///< no points, whatever was written: wrong, waiting, not compiled
   std::size_t not_written = 0;  ///< no points: the task throws mc::todo, or there is no file
   std::size_t not_judged = 0;   ///< no grade: the machine failed, or nothing could be read
-  /// The point-biserial correlation of passing it with the points of the lab's other checks, over those
-  /// who have points: near 0, it tells nothing of a submission; below, the better ones fail it.
+  /// The point-biserial correlation of passing it with the points of the lab's other checks, over
+  /// those who have points. Near 0 it tells nothing of a submission; below, the better ones fail it.
   std::optional<double> discrimination;  ///< nothing where all pass, all fail, or the rest is equal
 };
 
@@ -42,12 +42,12 @@ struct ClassStatistics {
   std::vector<HintStatistics> hints;  ///< the most frequent first
 };
 
-/// Points are the table's, where somebody may have corrected them. Verdicts, by id, tell what was not
-/// written and which hints were given. Throws UsageError for points that are no number.
+/// Points are the table's, where somebody may have corrected them. Verdicts, by id, tell what was
+/// not written and which hints were given. Throws UsageError for points that are no number.
 ClassStatistics statistics_of(const Table& table, const std::map<std::string, Verdict>& verdicts,
                               const std::vector<Lab>& labs);
 
-/// The correlation of a yes and no with a number, -1 to 1. Nothing where one of them is always the same.
+/// The correlation of yes or no with a number, -1 to 1. Nothing where one of the two never changes.
 std::optional<double> point_biserial(const std::vector<bool>& yes,
                                      const std::vector<double>& number);
 

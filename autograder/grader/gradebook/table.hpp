@@ -35,8 +35,9 @@ struct Merged {
   std::vector<std::string> differences;  ///< "the seeds differ: a.csv 7, b.csv 8"
 };
 
-/// The rows of all, in the order of their ids, under the columns of all: those of an unsharded run. A row
-/// that two tables have alike is there once. Throws UsageError where they have different rows for an id.
+/// The rows of all, in the order of their ids, under the columns of all: those of an unsharded run.
+/// A row that two tables have alike is there once. Throws UsageError where they have different rows
+/// for an id.
 Merged merge_tables(const std::vector<Table>& tables, const std::vector<Lab>& labs);
 
 /// The lab that a column is about, "variance total" or "1.3 …"; null for a column about none.

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 namespace mc::tests::pages {
 namespace {
 
-/// A class with one of each: no code, code that does not compile, a failure, full marks, no zip, and a
-/// name that neither HTML nor an address has as it is.
+/// A class with one of each: no code, code that does not compile, a failure, full marks, no zip,
+/// and a name that neither HTML nor an address has as it is.
 struct GradedClass : Course {
   fs::path pages = path() / "pages";
   sandbox::ProcessResult run;
@@ -61,15 +61,15 @@ std::string chromium() {
   return {};
 }
 
-/// What the browser has to say of these pages in a window 390 pixels wide: its console, and how wide
-/// each page is in the end.
+/// What the browser has to say of these pages in a window 390 pixels wide: its console, and how
+/// wide each page is in the end.
 struct Seen {
   std::string console, widths;
 };
 Seen look_at(const std::vector<fs::path>& pages, const Scratch& place) {
   std::string text = "<!doctype html><title>none</title><body>";
   for (const fs::path& page : pages) {
-    text += fmt::format("<iframe width=390 height=800 style=\"border:0\" srcdoc=\"{}\"></iframe>",
+    text += fmt::format("<iframe width=390 height=800 style='border:0' srcdoc=\"{}\"></iframe>",
                         html_escaped(read_text(page)));
   }
   text += R"(<script>onload = () => {
