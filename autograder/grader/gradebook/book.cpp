@@ -73,6 +73,10 @@ BookState read_book_state(const fs::path& csv) {
   return state;
 }
 
+void write_book_state(const fs::path& csv, bool finished, std::uint64_t seed) {
+  write_text(state_file(csv), fmt::format("{} seed {}\n", finished ? "finished" : "begun", seed));
+}
+
 Book::Book(Setup setup) : setup_(std::move(setup)) {
   const fs::path directory = verdicts_beside(setup_.csv);
   fs::create_directories(directory);
@@ -157,8 +161,7 @@ void Book::write_table() const {
 }
 
 void Book::write_state(bool finished) const {
-  write_text(state_file(setup_.csv),
-             fmt::format("{} seed {}\n", finished ? "finished" : "begun", setup_.seed));
+  write_book_state(setup_.csv, finished, setup_.seed);
 }
 
 }  // namespace mc::grader

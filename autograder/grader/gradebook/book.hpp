@@ -32,6 +32,7 @@ struct BookState {
   std::size_t verdicts = 0;
 };
 BookState read_book_state(const std::filesystem::path& csv);
+void write_book_state(const std::filesystem::path& csv, bool finished, std::uint64_t seed);
 
 class Book {
  public:

@@ -1,10 +1,10 @@
 #include "grader/gradebook/statistics.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -20,16 +20,16 @@ namespace {
 std::optional<double> points_in(const Table& table, const Row& row, const std::string& column) {
   const std::string text = field(row, column);
   if (text.empty()) return {};
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-    throw UsageError(fmt::format("{}: '{}' of {} is no number of points, in column '{}'",
-                                 sandbox::printable_line(table.file.string()),
-                                 sandbox::printable_line(text), field(row, "id"),
-                                 sandbox::printable_line(column)));
+  try {
+    double value = 0;
+    text::parse(text, value);
+    if (std::isfinite(value)) return value;
+  } catch (const std::invalid_argument&) {  // told below
   }
-  return value;
+  throw UsageError(fmt::format("{}: '{}' of {} is no number of points, in column '{}'",
+                               sandbox::printable_line(table.file.string()),
+                               sandbox::printable_line(text), field(row, "id"),
+                               sandbox::printable_line(column)));
 }
 
 /// Why there is nothing in this row's cells of a lab: it was to be judged, and could not be.
@@ -48,14 +48,17 @@ bool is_not_written(const Verdict& verdict, const std::string& check) {
 }
 
 /// Those who have points in a lab: of each check, in the order of the columns.
-using Points = std::vector<std::vector<double>>;
+using Points = std::vector<std::vector<std::optional<double>>>;
 
 std::optional<double> discrimination_of(const Points& points, std::size_t check) {
   std::vector<bool> passed;
   std::vector<double> rest;
   for (const auto& one : points) {
-    passed.push_back(one[check] > 0);
-    rest.push_back(std::accumulate(one.begin(), one.end(), 0.0) - one[check]);
+    if (!one[check]) continue;  // this row's table did not have it
+    double all = 0;
+    for (const auto& earned : one) all += earned.value_or(0);
+    passed.push_back(*one[check] > 0);
+    rest.push_back(all - *one[check]);
   }
   return point_biserial(passed, rest);
 }
@@ -72,10 +75,10 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
     statistics.not_judged += !total && lacks;
     const auto verdict = verdicts.find(field(row, "id"));
     const bool has_file = field(row, lab.name + " status") != "no file";
-    std::vector<double> of_row;
+    std::vector<std::optional<double>> of_row;
     for (CheckStatistics& check : statistics.checks) {
       const auto earned = points_in(table, row, check.name);
-      of_row.push_back(earned.value_or(0));
+      of_row.push_back(earned);
       if (!earned) {
         check.not_judged += lacks;
       } else if (*earned > 0) {

@@ -19,7 +19,7 @@ struct CheckStatistics {
   std::size_t not_written = 0;  ///< no points: the task throws mc::todo, or there is no file
   std::size_t not_judged = 0;   ///< no grade: the machine failed, or nothing could be read
   /// The point-biserial correlation of passing it with the points of the lab's other checks, over
-  /// those who have points. Near 0 it tells nothing of a submission; below, the better ones fail it.
+  /// those who have points. Near 0 it tells nothing of a submission; below, the better fail it.
   std::optional<double> discrimination;  ///< nothing where all pass, all fail, or the rest is equal
 };
 

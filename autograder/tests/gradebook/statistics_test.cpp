@@ -115,6 +115,18 @@ TEST_CASE("of each check: passed, failed, not written, not judged") {
   CHECK(centre_of(lab.totals) == "mean 52.0, median 50");
 }
 
+TEST_CASE("a check that a row's table did not have says nothing of that row") {
+  const Scratch place;
+  const Table table = read_table(place.write("g.csv",
+                                             "id,variance status,variance total,1.1 a,1.2 b\n"
+                                             "ada,judged,3,1,2\n"
+                                             "bob,judged,0,0,0\n"
+                                             "cy,judged,9,,9\n"));
+  const auto checks = statistics_of(table, {}, two_labs).labs[0].checks;
+  CHECK(counts(checks[0]) == "1 1 0 0");
+  CHECK(*checks[0].discrimination == Approx(1));  // ada and bob alone
+}
+
 TEST_CASE("a hint counts once for each submission that it was given to") {
   const auto hints = SmallClass().statistics().hints;
   REQUIRE(hints.size() == 2);
@@ -185,10 +197,12 @@ TEST_CASE("stats of a class that was graded, as text and as a page without names
   for (const char* wrong : {"/no/such.csv", "/"})
     CHECK(course.run({"stats", wrong}).exit_code == 2);
   CHECK(course.run({"stats", csv, "--html", "/no/such/place/x.html"}).exit_code == 2);
-  write_text(csv, "id,variance total,1.1 a\nada,ten,1\n");
-  const auto spoiled = course.run({"stats", csv});
-  CHECK(spoiled.exit_code == 2);
-  CHECK(contains(spoiled.errors, "'ten' of ada is no number of points"));
+  for (const std::string points : {"ten", "nan", "1e999", "2;5"}) {
+    write_text(csv, "id,variance total,1.1 a\nada," + points + ",1\n");
+    const auto spoiled = course.run({"stats", csv});
+    CHECK(spoiled.exit_code == 2);
+    CHECK(contains(spoiled.errors, "'" + points + "' of ada is no number of points"));
+  }
 }
 
 }  // namespace mc::tests::class_statistics

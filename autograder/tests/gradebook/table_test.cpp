@@ -50,6 +50,13 @@ TEST_CASE("the tables of two shards merge to that of one run, verdicts included"
   CHECK(read_verdicts(table).size() == 6);
   CHECK(read_verdict(merged, "s03")->labs[0].no_program ==
         read_verdict(whole, "s03")->labs[0].no_program);
+  // A later run takes it for its own: nothing is judged again, and there is a page for everybody.
+  const std::string before = read_text(merged);
+  const std::string pages = (course.path() / "pages").string();
+  const auto again = course.grade({"--csv", merged.string(), "--resume", "--html", pages});
+  CHECK(contains(again.output, "6 submissions: 0 judged, 6 were before; seed 1"));
+  CHECK(read_text(merged) == before);
+  CHECK(fs::exists(fs::path(pages) / "submissions" / "s04.html"));
   // Without a file to write into it is printed, byte by byte the same.
   words.erase(words.begin() + 1, words.begin() + 3);
   CHECK(course.run(words).output == read_text(merged));
