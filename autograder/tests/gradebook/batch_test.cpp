@@ -25,7 +25,6 @@
 using namespace mc::grader;
 using mc::tests::Course;
 using mc::tests::Scratch;
-using mc::tests::text_of;
 namespace fs = std::filesystem;
 
 namespace {

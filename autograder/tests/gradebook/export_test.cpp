@@ -8,12 +8,11 @@
 #include "tests/gradebook/course.hpp"
 #include "tests/text.hpp"
 
-using namespace mc::grader;
-using mc::tests::contains;
-using mc::tests::Course;
-namespace fs = std::filesystem;
-
 namespace mc::tests::exports {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
 namespace {
 
 std::vector<std::string> files_in(const fs::path& directory) {

@@ -12,12 +12,11 @@
 #include "tests/gradebook/course.hpp"
 #include "tests/text.hpp"
 
-using namespace mc::grader;
-using mc::tests::contains;
-using mc::tests::Course;
-namespace fs = std::filesystem;
-
 namespace mc::tests::pages {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
 namespace {
 
 /// A class with one of each: no code, code that does not compile, a failure, full marks, no zip,
@@ -160,7 +159,7 @@ TEST_CASE("a browser finds no error in a page, and nothing wider than a phone") 
   auto pages = graded.all_pages();
   REQUIRE(pages.size() == 6);
   const Seen seen = look_at(pages, place);
-  CHECK(seen.console == "");
+  CHECK(seen.console.empty());
   CHECK(seen.widths == "390 390 390 390 390 390");
   // It sees what is too wide, and what goes wrong.
   pages = {place.write("wide.html", "<div style=\"width:500px\">x</div>"),
