@@ -27,9 +27,8 @@ std::optional<double> points_in(const Table& table, const Row& row, const std::s
   } catch (const std::invalid_argument&) {  // told below
   }
   throw UsageError(fmt::format("{}: '{}' of {} is no number of points, in column '{}'",
-                               sandbox::printable_line(table.file.string()),
-                               sandbox::printable_line(text), field(row, "id"),
-                               sandbox::printable_line(column)));
+                               sandbox::printable_line(table.file.string()), text, field(row, "id"),
+                               column));
 }
 
 /// Why there is nothing in this row's cells of a lab: it was to be judged, and could not be.

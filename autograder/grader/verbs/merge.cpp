@@ -34,10 +34,20 @@ void copy_verdicts(const Merged& merged, const fs::path& out) {
   for (const auto& [file, text] : texts) write_text(file, text);
 }
 
-/// One run with this seed, as far as a later ./lab grade --resume can tell; nothing if there is none.
-void join_states(const std::vector<Table>& tables, const fs::path& out) {
+/// How the runs of these tables ended. Those that did not lack somebody: that is said.
+std::vector<BookState> states_of(const std::vector<Table>& tables) {
   std::vector<BookState> states;
-  for (const Table& table : tables) states.push_back(read_book_state(table.file));
+  for (const Table& table : tables) {
+    states.push_back(read_book_state(table.file));
+    if (!states.back().exists || states.back().finished) continue;
+    fmt::print(stderr, "{} is not whole: its run did not end, --resume goes on with it\n",
+               sandbox::printable_line(table.file.string()));
+  }
+  return states;
+}
+
+/// One run, as far as a later ./lab grade --resume can tell; nothing if their seeds differ.
+void join_states(const std::vector<BookState>& states, const fs::path& out) {
   const auto all = [&](auto holds) { return std::all_of(states.begin(), states.end(), holds); };
   const std::uint64_t seed = states[0].seed;
   if (!all([&](const BookState& one) { return one.exists && one.seed == seed; })) return;
@@ -54,13 +64,14 @@ int merge(const Context& context, const Arguments& arguments) {
   for (const std::string& difference : merged.differences) {
     fmt::print(stderr, "{}\n", difference);
   }
+  const std::vector<BookState> states = states_of(tables);
   if (!out) {
     fmt::print("{}", table_text(merged.table));
     return 0;
   }
   copy_verdicts(merged, *out);
   write_text(*out, table_text(merged.table));
-  join_states(tables, *out);
+  join_states(states, *out);
   fmt::print("{}: {} submissions of {} tables\n", sandbox::printable_line(*out),
              merged.table.rows.size(), tables.size());
   return 0;

@@ -125,6 +125,23 @@ TEST_CASE("a check that a row's table did not have says nothing of that row") {
   CHECK(*checks[0].discrimination == Approx(1));  // ada and bob alone
 }
 
+TEST_CASE("a lab that somebody did not hand in, and was not asked for, says nothing of them") {
+  const Scratch place;
+  const Table table = read_table(
+      place.write("g.csv",
+                  "id,variance status,variance total,halton status,halton total,1.1 a,5.1 b\n"
+                  "ada,judged,0,\"no file\",,0,\n"
+                  "bob,\"no file\",,judged,7,,7\n"
+                  "cy,unreadable,,unreadable,,,\n"));
+  const auto labs = statistics_of(table, {}, two_labs).labs;
+  REQUIRE(labs.size() == 2);
+  CHECK(labs[0].totals == std::vector<double>{0});
+  CHECK(labs[1].totals == std::vector<double>{7});
+  CHECK(labs[1].not_judged == 1);
+  CHECK(counts(labs[0].checks[0]) == "0 1 0 1");
+  CHECK(counts(labs[1].checks[0]) == "1 0 0 1");
+}
+
 TEST_CASE("a hint counts once for each submission that it was given to") {
   const auto hints = SmallClass().statistics().hints;
   REQUIRE(hints.size() == 2);

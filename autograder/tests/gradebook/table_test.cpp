@@ -89,6 +89,22 @@ TEST_CASE("versions and seeds that differ are said, with the tables that have th
   CHECK(!contains(run.output, "differ"));  // the table alone
 }
 
+TEST_CASE(
+    "a table whose run did not end is said not to be whole, and neither is what it merges to") {
+  Course course;
+  course.hand_in_tiny(2);
+  const std::string part = course.csv("part").string(), merged = course.csv("merged").string();
+  REQUIRE(course.grade({"--csv", part, "--seed", "3"}).exit_code == 0);
+  CHECK(course.run({"merge", part, "--out", merged}).errors.empty());
+  CHECK(read_book_state(merged).finished);
+  write_book_state(part, false, 3);  // as a run leaves it that was killed
+  const auto run = course.run({"merge", part, "--out", merged});
+  CHECK(run.exit_code == 0);
+  CHECK(contains(run.errors, part + " is not whole: its run did not end"));
+  CHECK(read_book_state(merged).seed == 3);
+  CHECK(!read_book_state(merged).finished);
+}
+
 TEST_CASE("columns merge by their names, into the order that a run gives them") {
   const Scratch place;
   const auto halton = read_table(place.write(
@@ -120,6 +136,7 @@ TEST_CASE("what is no table of grades is refused, with the reason") {
   CHECK(why("id,a,a\n") == " is no table of grades: two columns are called 'a'");
   CHECK(why("id,seed\n../ada,1\n") == " is no table of grades: '../ada' is no id");
   CHECK(why("id,seed\n,1\n") == " is no table of grades: '' is no id");
+  CHECK(read_table(place.write("e.csv", "id,\x1b[2J\nada,\x1b[2J\n")).columns[1] == "?[2J");
   CHECK(why("\xef\xbb\xbfid,seed\r\nada,1\r\n").empty());  // as a spreadsheet saves it
   CHECK_THROWS_WITH(read_table("/no/such.csv"), "no such table: /no/such.csv");
   CHECK(Course().run({"merge"}).exit_code == 2);
