@@ -27,7 +27,7 @@ inline constexpr VerbEntry verb_list[] = {
     {"grade", "judge whole submissions", gradebook, true},
     {"merge", "make one table of the tables of several shards", gradebook, true},
     {"stats", "what a table of grades says of the class and of the checks", gradebook, true},
-    {"export", "a class's files, laid out for JPlag, which finds similar ones", gradebook, true},
+    {"export", "lay a class's files out for JPlag, which finds similar ones", gradebook, true},
     {"handout", "write the repository that students get", gradebook, true},
     {"bench", "speed against error: the solutions, any submission, libraries", "bench", true},
     {"test", "the repository's own tests", "desk", true},
