@@ -51,6 +51,10 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
       {{"grade", "/no/such/place"}, "no such directory"},
       {{"grade", empty.path().string()}, "no file of any lab"},
       {{"grade", "a", "b", "--json", "x.json"}, "--json takes one DIR"},
+      {{"grade", "a", "--leaderboard"}, "--leaderboard takes --json FILE"},
+      {{"merge"}, "usage: ./lab merge A.csv"},
+      {{"stats"}, "usage: ./lab stats grades.csv"},
+      {{"export", "jplag", "a"}, "usage: ./lab export jplag DIR"},
       {{"plot", "vriance"}, "did you mean 'variance'"},
       {{"render", "egde"}, "the pictures are edge, penumbra"},
       {{"render", "--sampler", "random"}, "the kinds are independent, stratified"},
@@ -71,8 +75,8 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
 }
 
 TEST_CASE("every verb has help") {
-  for (const char* verb :
-       {"setup", "check", "run", "grade", "plot", "render", "reset", "submit", "test"}) {
+  for (const char* verb : {"setup", "check", "run", "grade", "merge", "stats", "export", "plot",
+                           "render", "reset", "submit", "test"}) {
     const auto run = lab({verb, "--help"});
     CHECK(run.exit_code == 0);
     CHECK(contains(run.output, std::string("usage: ./lab ") + verb));

@@ -26,10 +26,10 @@ Speed task(double nanoseconds, std::optional<double> reference) {
   return speed;
 }
 
-nlohmann::json results_of(const LabVerdict& lab) {
+nlohmann::json results_of(const LabVerdict& lab, Leaderboard wanted = Leaderboard::of_speed) {
   Verdict verdict;
   verdict.labs.push_back(lab);
-  return nlohmann::json::parse(report_json(verdict));
+  return nlohmann::json::parse(report_json(verdict, wanted));
 }
 
 TEST_CASE("a lab is as many times as fast as the geometric mean of its tasks") {
@@ -54,6 +54,8 @@ TEST_CASE("speed is in the results and not in the score") {
   CHECK(results["score"] == 3);
   REQUIRE(results["leaderboard"].size() == 1);
   CHECK(results["leaderboard"][0]["value"] == 2);
+  // The class sees it: it is there only where it is asked for.
+  CHECK_FALSE(results_of(lab, Leaderboard::none).contains("leaderboard"));
   CHECK(results["extra_data"]["speed"][0]["name"] == "2.8 uniforms");
 }
 

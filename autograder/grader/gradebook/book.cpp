@@ -48,6 +48,18 @@ fs::path verdict_file(const fs::path& csv, const std::string& id) {
   return verdicts_beside(csv) / (id + ".json");
 }
 
+std::optional<Verdict> read_verdict(const fs::path& csv, const std::string& id) {
+  const fs::path file = verdict_file(csv, id);
+  if (!fs::exists(file)) return {};
+  const std::string text = read_whole_text(file);
+  try {
+    Verdict verdict = verdict_from_json(text);
+    return verdict.submission == id ? std::optional(std::move(verdict)) : std::nullopt;
+  } catch (const std::exception&) {  // of another version, or edited by hand
+    return {};
+  }
+}
+
 BookState read_book_state(const fs::path& csv) {
   BookState state;
   std::istringstream text(read_text(state_file(csv)));
@@ -59,6 +71,10 @@ BookState read_book_state(const fs::path& csv) {
     state.verdicts += entry.path().extension() == ".json" ? 1 : 0;
   }
   return state;
+}
+
+void write_book_state(const fs::path& csv, bool finished, std::uint64_t seed) {
+  write_text(state_file(csv), fmt::format("{} seed {}\n", finished ? "finished" : "begun", seed));
 }
 
 Book::Book(Setup setup) : setup_(std::move(setup)) {
@@ -110,15 +126,7 @@ std::optional<Verdict> Book::known(const std::string& id, const std::string& tex
 }
 
 std::optional<Verdict> Book::read(const std::string& id) const {
-  const fs::path file = verdict_file(setup_.csv, id);
-  if (!fs::exists(file)) return {};
-  const std::string text = read_whole_text(file);
-  try {
-    Verdict verdict = verdict_from_json(text);
-    return verdict.submission == id ? std::optional(std::move(verdict)) : std::nullopt;
-  } catch (const std::exception&) {  // of another version, or edited by hand
-    return {};
-  }
+  return read_verdict(setup_.csv, id);
 }
 
 void Book::add(const Verdict& verdict) {
@@ -153,8 +161,7 @@ void Book::write_table() const {
 }
 
 void Book::write_state(bool finished) const {
-  write_text(state_file(setup_.csv),
-             fmt::format("{} seed {}\n", finished ? "finished" : "begun", setup_.seed));
+  write_book_state(setup_.csv, finished, setup_.seed);
 }
 
 }  // namespace mc::grader

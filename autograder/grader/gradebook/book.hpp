@@ -22,6 +22,9 @@ std::filesystem::path verdicts_beside(const std::filesystem::path& csv);
 /// The file of one verdict in there.
 std::filesystem::path verdict_file(const std::filesystem::path& csv, const std::string& id);
 
+/// That verdict; nothing where it is not there, or is none that this autograder can read.
+std::optional<Verdict> read_verdict(const std::filesystem::path& csv, const std::string& id);
+
 /// What an earlier run left beside a table.
 struct BookState {
   bool exists = false, finished = false;
@@ -29,6 +32,7 @@ struct BookState {
   std::size_t verdicts = 0;
 };
 BookState read_book_state(const std::filesystem::path& csv);
+void write_book_state(const std::filesystem::path& csv, bool finished, std::uint64_t seed);
 
 class Book {
  public:
@@ -54,7 +58,6 @@ class Book {
   void begin();
   /// Writes the verdict, then its row. For several threads.
   void add(const Verdict& verdict);
-  /// As it was written; nothing where it is not there.
   std::optional<Verdict> read(const std::string& id) const;
   /// The same verdict with more in it (its speed): its row stays.
   void update(const Verdict& verdict);

@@ -52,7 +52,7 @@ std::string csv_field(const std::string& text) {
 std::string csv_header(const std::vector<LabColumns>& labs) {
   std::string line = "id,seed,version,seconds,reason";
   for (const LabColumns& one : labs) {
-    line += fmt::format(",{0} status,{0} total", one.lab.name);
+    line += ',' + csv_field(one.lab.name + " status") + ',' + csv_field(one.lab.name + " total");
   }
   for (const LabColumns& one : labs) {
     for (const std::string& check : one.checks) line += ',' + csv_field(check);

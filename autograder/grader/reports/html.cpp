@@ -1,7 +1,6 @@
 #include "grader/reports/html.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -34,19 +33,11 @@ span.passed, span.failed { white-space: nowrap; }
 ol.code { background: var(--soft); padding: .6rem .6rem .6rem 3.6rem; margin: .4rem 0;
   font: .8rem/1.4 ui-monospace, monospace; }
 ol.code li { white-space: pre-wrap; } ol.code .message { color: var(--bad); font-weight: 600; }
+th[scope=row] { font-weight: normal; } th.name { min-width: 11rem; } td.wide { width: 100%; }
 .bar { display: inline-block; height: .7rem; background: var(--bar); vertical-align: middle; }
 img { width: 100%; height: auto; background: #fff; }
 .scroll { overflow-x: auto; }
 )css";
-
-std::string page(const std::string& title, const std::string& body) {
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
-      "<main>\n{}</main>\n</body>\n</html>\n",
-      html_escaped(title), style, body);
-}
 
 std::string points_cell(double earned, double points) {
   return fmt::format("<td class=\"number\">{:g} of {:g}</td>", earned, points);
@@ -200,57 +191,6 @@ std::string lab_section(const LabVerdict& lab, const PageMaterial& material) {
   return all;
 }
 
-/// How many have so much: ten bars of a tenth of the points each.
-std::string histogram(const std::vector<IndexEntry>& entries) {
-  std::array<std::size_t, 10> counts{};
-  std::size_t most = 1;
-  for (const IndexEntry& entry : entries) {
-    const double points = entry.verdict->points();
-    if (!entry.verdict->not_judged.empty() || points <= 0) continue;
-    const double part = entry.verdict->earned() / points;
-    most = std::max(most, ++counts[std::min<std::size_t>(9, static_cast<std::size_t>(10 * part))]);
-  }
-  std::string all =
-      "<h2>Points</h2>\n<table>\n<tr><th scope=\"col\">part of the points</th>"
-      "<th scope=\"col\" class=\"number\">submissions</th><th scope=\"col\"></th></tr>\n";
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    all += fmt::format(
-        "<tr><td>{}–{} %</td><td class=\"number\">{}</td><td><span class=\"bar\" "
-        "style=\"width:{:.1f}rem\"></span></td></tr>\n",
-        10 * i, 10 * i + 10, counts[i],
-        20.0 * static_cast<double>(counts[i]) / static_cast<double>(most));
-  }
-  return all + "</table>\n";
-}
-
-/// Each check with the part of those who pass it, the hardest first.
-std::string hardest(const std::vector<IndexEntry>& entries) {
-  std::map<std::string, std::pair<std::size_t, std::size_t>> passed_of;
-  for (const IndexEntry& entry : entries) {
-    for (const LabVerdict& lab : entry.verdict->labs) {
-      for (const CheckResult& result : lab.checks) {
-        auto& [passed, all] = passed_of[result.check.name];
-        passed += result.status == Status::passed;
-        ++all;
-      }
-    }
-  }
-  std::vector<std::pair<double, std::string>> order;
-  for (const auto& [name, counts] : passed_of) {
-    order.emplace_back(static_cast<double>(counts.first) / static_cast<double>(counts.second),
-                       name);
-  }
-  std::sort(order.begin(), order.end());
-  std::string all =
-      "<h2>Checks, the hardest first</h2>\n<table>\n<tr><th scope=\"col\">check</th>"
-      "<th scope=\"col\" class=\"number\">passed</th></tr>\n";
-  for (const auto& [part, name] : order) {
-    all += fmt::format("<tr><td>{}</td><td class=\"number\">{:.0f} %</td></tr>\n",
-                       html_escaped(name), 100 * part);
-  }
-  return all + "</table>\n";
-}
-
 }  // namespace
 
 std::string html_escaped(std::string_view text) {
@@ -276,9 +216,20 @@ std::string html_escaped(std::string_view text) {
   return all;
 }
 
+std::string html_page(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
+      "<main>\n{}</main>\n</body>\n</html>\n",
+      html_escaped(title), style, body);
+}
+
 std::string submission_page(const Verdict& verdict, const PageMaterial& material) {
   std::string body = fmt::format("<h1>{}</h1>\n", html_escaped(verdict.submission));
-  if (!verdict.not_judged.empty()) {
+  if (!verdict.unreadable.empty()) {
+    body += "<p class=\"failed\">Unreadable: " + html_escaped(verdict.unreadable) + "</p>\n";
+  } else if (!verdict.not_judged.empty()) {
     body +=
         fmt::format("<p class=\"failed\">Not judged: {}</p>\n", html_escaped(verdict.not_judged));
   } else {
@@ -291,31 +242,7 @@ std::string submission_page(const Verdict& verdict, const PageMaterial& material
     body += "<p class=\"failed\">" + html_escaped(warning) + "</p>\n";
   }
   for (const LabVerdict& lab : verdict.labs) body += lab_section(lab, material);
-  return page(verdict.submission, body);
-}
-
-std::string class_page(const std::vector<IndexEntry>& entries) {
-  std::string body = fmt::format("<h1>{} submissions</h1>\n", entries.size());
-  body +=
-      "<div class=\"scroll\"><table>\n<tr><th scope=\"col\">submission</th>"
-      "<th scope=\"col\" class=\"number\">points</th><th scope=\"col\">labs</th></tr>\n";
-  for (const IndexEntry& entry : entries) {
-    const Verdict& verdict = *entry.verdict;
-    const std::string name = html_escaped(verdict.submission);
-    std::string labs;
-    for (const LabVerdict& lab : verdict.labs) {
-      labs += fmt::format("{} {:g}  ", html_escaped(lab.lab.name), lab.earned());
-    }
-    body += fmt::format("<tr><td>{}</td>{}<td>{}</td></tr>\n",
-                        entry.page.empty()
-                            ? name
-                            : fmt::format("<a href=\"{}\">{}</a>", html_escaped(entry.page), name),
-                        verdict.not_judged.empty() ? points_cell(verdict.earned(), verdict.points())
-                                                   : "<td class=\"number\">not judged</td>",
-                        verdict.not_judged.empty() ? labs : html_escaped(verdict.not_judged));
-  }
-  body += "</table></div>\n" + histogram(entries) + hardest(entries);
-  return page("Grades", body);
+  return html_page(verdict.submission, body);
 }
 
 }  // namespace mc::grader

@@ -20,14 +20,8 @@ struct PageMaterial {
 /// The page of one submission.
 std::string submission_page(const Verdict& verdict, const PageMaterial& material);
 
-/// A row of the index.
-struct IndexEntry {
-  const Verdict* verdict;
-  std::string page;  ///< the file's name, relative to the index; empty where there is no page
-};
-
-/// The index of a class: everybody's points, how they are distributed, and what most people miss.
-std::string class_page(const std::vector<IndexEntry>& entries);
+/// A whole page around its body: everything that it needs is in it.
+std::string html_page(const std::string& title, const std::string& body);
 
 /// Text as HTML has it.
 std::string html_escaped(std::string_view text);

@@ -34,7 +34,7 @@ nlohmann::ordered_json as_json(const Speed& speed) {
           {"points", speed.points}};
 }
 
-std::string as_results(const Verdict& verdict) {
+std::string as_results(const Verdict& verdict, Leaderboard wanted) {
   auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
   std::string output = jail_warning(verdict);
   if (!verdict.found_in.empty()) output += fmt::format("found in {}\n", verdict.found_in);
@@ -75,7 +75,8 @@ std::string as_results(const Verdict& verdict) {
                        {"flags", verdict.flags},
                        {"jail_complete", verdict.jail_complete},
                        {"speed", std::move(speed)}};
-  if (!leaderboard.empty()) all["leaderboard"] = std::move(leaderboard);
+  if (wanted == Leaderboard::of_speed && !leaderboard.empty())
+    all["leaderboard"] = std::move(leaderboard);
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 

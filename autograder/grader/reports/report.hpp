@@ -31,15 +31,21 @@ std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t col
 /// How wide a name is in a terminal.
 std::size_t columns_of(std::string_view text);
 
+/// Text broken at blanks to `width` columns; lines after the first begin with `indent` blanks.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
 /// Why there is no grade, where there is none; empty otherwise.
 std::string not_judged_line(const Verdict& verdict);
 
 /// What must be said of every grade that was given without the whole jail; empty with it.
 std::string jail_warning(const Verdict& verdict);
 
+/// Gradescope shows a leaderboard to the whole class.
+enum class Leaderboard { none, of_speed };
+
 /// Gradescope's results.json: every check, its points, its story; complete whatever happened.
 /// Null in a program without it (without_json.cpp): then the gradebook is asked.
-using JsonReporter = std::string (*)(const Verdict& verdict);
+using JsonReporter = std::string (*)(const Verdict& verdict, Leaderboard wanted);
 extern const JsonReporter report_json;
 
 }  // namespace mc::grader

@@ -25,19 +25,6 @@ std::string painted(const Terminal& terminal, const char* colour, const std::str
   return terminal.colour ? colour + text + "\x1b[0m" : text;
 }
 
-/// Text broken at blanks to `width` columns; lines after the first begin with `indent` blanks.
-std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
-  std::string all, line;
-  for (const std::string_view word : text::split(text, ' ')) {
-    if (!line.empty() && columns_of(line) + 1 + columns_of(word) > width) {
-      all += line + '\n' + std::string(indent, ' ');
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + std::string(word);
-  }
-  return all + line;
-}
-
 /// "measured  x = 1" with its lines wrapped under the second column.
 std::string story_line(std::string_view line, std::size_t margin, std::size_t width) {
   constexpr std::size_t label = 10;
@@ -125,6 +112,18 @@ std::string short_story(const CheckResult& result, const Terminal& terminal) {
 }
 
 }  // namespace
+
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+  std::string all, line;
+  for (const std::string_view word : text::split(text, ' ')) {
+    if (!line.empty() && columns_of(line) + 1 + columns_of(word) > width) {
+      all += line + '\n' + std::string(indent, ' ');
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + std::string(word);
+  }
+  return all + line;
+}
 
 /// Columns that a UTF-8 text takes (every code point one; the labs use no others).
 std::size_t columns_of(std::string_view text) {

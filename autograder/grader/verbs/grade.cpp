@@ -14,6 +14,7 @@
 #include "grader/context/text_file.hpp"
 #include "grader/gradebook/batch.hpp"
 #include "grader/gradebook/book.hpp"
+#include "grader/gradebook/class_page.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
@@ -27,6 +28,7 @@
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
+namespace fs = std::filesystem;
 namespace {
 
 /// The labs that --lab names, by number; empty where it is not there: those that were handed in.
@@ -99,21 +101,47 @@ std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::stri
   return state.exists ? state.seed : seed_of(arguments);
 }
 
-std::optional<Book> open_book(const Context& context, const Arguments& arguments,
-                              const std::vector<Handed>& all, const std::vector<Handed>& mine,
-                              const std::vector<Lab>& asked_for, std::uint64_t seed) {
-  const auto csv = arguments.get("csv");
-  if (!csv) return {};
-  std::vector<std::string> ids;
-  for (const Handed& one : mine) ids.push_back(one.submission.label);
-  // Of all, so that the tables of several shards have the same columns.
-  return std::make_optional<Book>(Book::Setup{*csv, columns_for(context, all, asked_for),
-                                              std::move(ids), seed, arguments.has("resume")});
-}
+/// What is kept of a run: its table and verdicts, where they are asked for, and its pages.
+class Records {
+ public:
+  Records(const Context& context, const Arguments& arguments, const std::vector<Handed>& all,
+          const std::vector<Handed>& mine, const std::vector<Lab>& asked_for, std::uint64_t seed)
+      : context_(context), mine_(mine), csv_(arguments.get("csv")), html_(arguments.get("html")) {
+    if (html_) fs::create_directories(*html_);
+    if (html_ && !csv_) {  // pages are made of a table in any case
+      scratch_ = std::make_unique<ScratchDirectory>(context.layout);
+      csv_ = (scratch_->path() / "grades.csv").string();
+    }
+    if (!csv_) return;
+    std::vector<std::string> ids;
+    for (const Handed& one : mine) ids.push_back(one.submission.label);
+    // Of all, so that the tables of several shards have the same columns.
+    book_.emplace(Book::Setup{*csv_, columns_for(context, all, asked_for), std::move(ids), seed,
+                              arguments.has("resume")});
+  }
+
+  Book* book() { return book_ ? &*book_ : nullptr; }
+
+  void finish(bool whole) {
+    if (book_) book_->finish(whole);
+    if (!html_) return;
+    write_class_pages(*html_, context_, read_table(*csv_), mine_);
+    fmt::print("pages: {}\n", sandbox::printable_line((fs::path(*html_) / "index.html").string()));
+  }
+
+ private:
+  const Context& context_;
+  const std::vector<Handed>& mine_;
+  std::optional<std::string> csv_, html_;
+  std::unique_ptr<ScratchDirectory> scratch_;
+  std::optional<Book> book_;
+};
 
 /// Everything about one submission.
-int grade_one(const Context& context, const Handed& handed, Book* book, const Arguments& arguments,
-              const std::vector<Lab>& asked_for, SubmissionOptions options) {
+int grade_one(const Context& context, const Handed& handed, Records& records,
+              const Arguments& arguments, const std::vector<Lab>& asked_for,
+              SubmissionOptions options) {
+  Book* const book = records.book();
   const Submission& submission = handed.submission;
   const auto json = arguments.get("json");
   const auto labs = labs_of(context, submission, asked_for);
@@ -132,7 +160,7 @@ int grade_one(const Context& context, const Handed& handed, Book* book, const Ar
   if (book != nullptr) {
     book->begin();
     book->add(verdict);
-    book->finish(true);
+    records.finish(true);
   }
   for (const LabVerdict& lab : verdict.labs) {
     fmt::print("{}\n", report_lab(lab, verdict, this_terminal()));
@@ -143,15 +171,18 @@ int grade_one(const Context& context, const Handed& handed, Book* book, const Ar
   }
   // No grade, and no file that could be taken for one.
   if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
-  if (json) write_text(*json, report_json(verdict));
+  if (json) {
+    const auto wanted = arguments.has("leaderboard") ? Leaderboard::of_speed : Leaderboard::none;
+    write_text(*json, report_json(verdict, wanted));
+  }
   if (!arguments.has("no-plots")) show_plots(context, submission, labs);
   return 0;
 }
 
-int grade_many(const Context& context, const std::vector<Handed>& handed, Book* book,
-               const BatchOptions& options) {
-  const BatchOutcome outcome = run_batch(context, handed, book, options);
-  if (book != nullptr) book->finish(outcome.stopped.empty() && outcome.not_judged == 0);
+int grade_many(const Context& context, const std::vector<Handed>& handed, Records& records,
+               bool can_resume, const BatchOptions& options) {
+  const BatchOutcome outcome = run_batch(context, handed, records.book(), options);
+  records.finish(outcome.stopped.empty() && outcome.not_judged == 0);
   if (!sandbox::jail_is_complete()) {
     Verdict without;
     without.jail_complete = false;
@@ -162,7 +193,7 @@ int grade_many(const Context& context, const std::vector<Handed>& handed, Book* 
   if (outcome.unreadable > 0) fmt::print(", {} unreadable", outcome.unreadable);
   if (outcome.not_judged > 0) fmt::print(", {} not judged", outcome.not_judged);
   fmt::print("; seed {}\n", options.judging.judge.seed);
-  const std::string next = book == nullptr ? "" : "; once that is mended, go on with --resume";
+  const std::string next = can_resume ? "; once that is mended, go on with --resume" : "";
   if (!outcome.stopped.empty()) {
     throw MachineError(
         fmt::format("three submissions in a row were not judged ({}): the rest was "
@@ -182,9 +213,16 @@ int grade(const Context& context, const Arguments& arguments) {
   const auto json = arguments.get("json"), csv = arguments.get("csv");
   require_writable(json);
   require_writable(csv);
+  const auto html = arguments.get("html");
+  require_writable(html);
+  if (html && fs::exists(*html) && !fs::is_directory(*html)) {
+    throw UsageError(
+        fmt::format("--html takes a directory, and {} is none", sandbox::printable_line(*html)));
+  }
   if (json && arguments.words.size() > 1) {
     throw UsageError("--json takes one DIR; for several there is --csv");
   }
+  if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard takes --json FILE");
   BatchOptions options;
   options.asked_for = labs_asked_for(context, arguments);
   options.workers = static_cast<unsigned>(
@@ -196,20 +234,20 @@ int grade(const Context& context, const Arguments& arguments) {
   Intake intake = take_in(context, arguments.words, json ? Meaning::one : Meaning::many);
   const bool single = intake.handed.size() == 1 && !arguments.has("shard");
   const std::vector<Handed> mine = shard_of(intake.handed, arguments.get("shard"));
-  auto book = open_book(context, arguments, intake.handed, mine, options.asked_for,
-                        options.judging.judge.seed);
+  Records records(context, arguments, intake.handed, mine, options.asked_for,
+                  options.judging.judge.seed);
   precompile_headers(context.layout);
-  Book* const to = book ? &*book : nullptr;
   if (single) {
-    return grade_one(context, mine[0], to, arguments, options.asked_for, options.judging);
+    return grade_one(context, mine[0], records, arguments, options.asked_for, options.judging);
   }
-  return grade_many(context, mine, to, options);
+  return grade_many(context, mine, records, csv.has_value(), options);
 }
 
 const RegisterVerb grade_verb{
     {"grade",
-     "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--json FILE] [--seed S] [-j N] ...",
-     {"lab=,", "json=", "csv=", "resume", "shard=", "seed=", "jobs=j", "speed", "no-plots"},
+     "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--html DIR] [--json FILE] ...",
+     {"lab=,", "json=", "leaderboard", "csv=", "resume", "html=", "shard=", "seed=", "jobs=j",
+      "speed", "no-plots"},
      "Every lab that DIR has a file of: at its top, in starter/, or wherever it is below. A "
      "directory\n"
      "or zip of several people's work, as Gradescope, Canvas and Moodle export it, means each of "
@@ -222,7 +260,11 @@ const RegisterVerb grade_verb{
      "  --resume      go on where a run with the same FILE ended, with its seed; what has changed "
      "or\n"
      "                was not judged is judged again\n"
+     "  --html DIR    DIR/index.html, everybody's points and what ./lab stats says of them, and a "
+     "page\n"
+     "                for each submission\n"
      "  --json FILE   Gradescope's results.json (one DIR)\n"
+     "  --leaderboard with --json: how many times as fast as the reference, for the class to see\n"
      "  --seed S      the same seed again\n"
      "  -j N          so many at the same time: submissions, or of one its checks (all cores)\n"
      "  --speed       measure the speed tasks, too: of several in the end, one after the other\n"

@@ -19,45 +19,15 @@
 #include "grader/submission/compile.hpp"
 #include "grader/submission/scratch.hpp"
 #include "sandbox/process.hpp"
+#include "tests/gradebook/course.hpp"
 #include "tests/submissions.hpp"
 
 using namespace mc::grader;
-using mc::sandbox::ProcessOptions;
-using mc::sandbox::ProcessResult;
-using mc::sandbox::run_process;
+using mc::tests::Course;
 using mc::tests::Scratch;
-using mc::tests::text_of;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Course : Scratch {
-  Layout layout = read_layout();
-  std::vector<Lab> labs = find_labs(layout);
-  std::vector<std::string> ids;
-
-  void hand_in(const std::string& id, const std::string& text) {
-    fs::create_directories(path() / "class" / id);
-    write_text(path() / "class" / id / "variance.cpp", text);
-    ids.push_back(id);
-  }
-  /// Cheap ones: most do not compile, a few are the starter.
-  void hand_in_tiny(int count) {
-    for (int i = 0; i < count; ++i) {
-      const std::string id = fmt::format("s{:02}", i);
-      hand_in(id, i % 5 == 0 ? fmt::format("// {}\n", i) + text_of(layout.starter())
-                             : fmt::format("int {} is no name;\n", i));
-    }
-  }
-  fs::path csv(const std::string& name = "grades") const { return path() / (name + ".csv"); }
-
-  ProcessResult grade(std::vector<std::string> more, const ProcessOptions& options = {}) const {
-    std::vector<std::string> words{(layout.build / "bin" / "gradebook").string(), "grade",
-                                   (path() / "class").string(), "--lab", "variance"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run_process(words, options);
-  }
-};
 
 /// The table without what depends on the day: id -> its row.
 std::map<std::string, std::vector<std::string>> rows_of(const fs::path& csv) {

@@ -1,0 +1,167 @@
+#include "grader/gradebook/class_page.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "grader/context/text_file.hpp"
+#include "grader/reports/html.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// A table that is scrolled where it is wider than the window; its first column names the rows.
+std::string table_begin(const std::vector<std::string>& numbers, const std::string& first) {
+  std::string all = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>\n<tr>"
+      "<th scope=\"col\" class=\"name\">{0}</th>",
+      html_escaped(first));
+  for (const std::string& number : numbers) {
+    all += fmt::format("<th scope=\"col\" class=\"number\">{}</th>", html_escaped(number));
+  }
+  return all + "</tr>\n";
+}
+constexpr const char* table_end = "</table></div>\n";
+
+std::string number_cell(const std::string& text) {
+  return fmt::format("<td class=\"number\">{}</td>", html_escaped(text));
+}
+std::string number_cell(std::size_t count) {
+  return number_cell(std::to_string(count));
+}
+/// `name` is HTML already.
+std::string name_cell(const std::string& name) {
+  return fmt::format("<th scope=\"row\" class=\"name\">{}</th>", name);
+}
+
+std::string histogram(const std::vector<double>& totals) {
+  const auto bars = histogram_of(totals);
+  std::size_t most = 1;
+  for (const PointsBar& bar : bars) most = std::max(most, bar.submissions);
+  std::string all =
+      "<table>\n<tr><th scope=\"col\" class=\"number\">points</th><th scope=\"col\" "
+      "class=\"number\">submissions"
+      "</th><td></td></tr>\n";
+  for (const PointsBar& bar : bars) {  // the number beside it says what the bar shows
+    all += fmt::format(
+        "<tr><th scope=\"row\" class=\"number\">{}</th>{}<td class=\"wide\"><span class=\"bar\" "
+        "aria-hidden=\"true\" "
+        "style=\"width:{:.1f}%\"></span></td></tr>\n",
+        bar.range, number_cell(bar.submissions),
+        100.0 * static_cast<double>(bar.submissions) / static_cast<double>(most));
+  }
+  return all + "</table>\n";
+}
+
+std::string lab_section(const LabStatistics& lab) {
+  std::string all = fmt::format("<h2>{}</h2>\n<p>{} with points", html_escaped(lab.lab.title()),
+                                lab.totals.size());
+  if (lab.not_judged > 0) all += fmt::format(", {} not judged", lab.not_judged);
+  if (!lab.totals.empty()) all += "; " + centre_of(lab.totals);
+  all += "</p>\n<h3>Points</h3>\n" + histogram(lab.totals) + "<h3>Checks</h3>\n";
+  all += table_begin({"passed", "failed", "not written", "not judged", "discrimination"}, "check");
+  for (const CheckStatistics& one : lab.checks) {
+    all += "<tr>" + name_cell(html_escaped(one.name)) + number_cell(one.passed) +
+           number_cell(one.failed) + number_cell(one.not_written) + number_cell(one.not_judged) +
+           number_cell(one.discrimination ? fmt::format("{:.2f}", *one.discrimination) : "-") +
+           "</tr>\n";
+  }
+  return all + table_end;
+}
+
+std::string statistics_sections(const ClassStatistics& statistics) {
+  std::string all;
+  if (statistics.without_verdict > 0) {
+    all += fmt::format(
+        "<p>{} of {} submissions have no verdict beside the table: of those, what was not written "
+        "counts as failed, and no hint is known.</p>\n",
+        statistics.without_verdict, statistics.submissions);
+  }
+  for (const LabStatistics& lab : statistics.labs) all += lab_section(lab);
+  if (!statistics.labs.empty()) {
+    all +=
+        "<p class=\"quiet\">Discrimination is the point-biserial correlation of passing a check "
+        "with "
+        "the points of the lab's other checks.</p>\n";
+  }
+  if (statistics.hints.empty()) return all;
+  all += "<h2>Hints</h2>\n" + table_begin({"submissions"}, "hint");
+  for (std::size_t i = 0; i < std::min(most_hints, statistics.hints.size()); ++i) {
+    all += "<tr>" + name_cell(html_escaped(statistics.hints[i].hint)) +
+           number_cell(statistics.hints[i].submissions) + "</tr>\n";
+  }
+  return all + table_end;
+}
+
+/// An address of the file of this name. An id may have any character but a slash.
+std::string address_of(const std::string& name) {
+  std::string all;
+  for (const char c : name) {
+    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+                          (c >= 'a' && c <= 'z') || c == '-' || c == '_' || c == '.';
+    all += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return all;
+}
+
+constexpr const char* pages_folder = "submissions";
+
+std::string index_page(const Table& table, const std::map<std::string, Verdict>& verdicts,
+                       const ClassStatistics& statistics) {
+  std::vector<std::string> labs;
+  for (const LabStatistics& lab : statistics.labs) labs.push_back(lab.lab.name);
+  std::string all = fmt::format("<h1>Grades</h1>\n<p>{} submissions</p>\n<h2>Submissions</h2>\n",
+                                statistics.submissions);
+  all += table_begin(labs, "submission");
+  for (const Row& row : table.rows) {
+    const std::string id = field(row, "id"), name = html_escaped(id);
+    std::string first =
+        verdicts.contains(id)
+            ? fmt::format("<a href=\"{}/{}\">{}</a>", pages_folder, address_of(id + ".html"), name)
+            : name;
+    const std::string reason = field(row, "reason");
+    if (!reason.empty()) first += "<br><span class=\"quiet\">" + html_escaped(reason) + "</span>";
+    all += "<tr>" + name_cell(first);
+    for (const std::string& lab : labs) {
+      const std::string total = field(row, lab + " total"), status = field(row, lab + " status");
+      all += number_cell(total.empty()        ? status
+                         : status == "judged" ? total
+                                              : fmt::format("{} ({})", total, status));
+    }
+    all += "</tr>\n";
+  }
+  return html_page("Grades", all + table_end + statistics_sections(statistics));
+}
+
+}  // namespace
+
+std::string statistics_page(const ClassStatistics& statistics) {
+  return html_page("Statistics",
+                   fmt::format("<h1>Statistics of {} submissions</h1>\n", statistics.submissions) +
+                       statistics_sections(statistics));
+}
+
+void write_class_pages(const fs::path& directory, const Context& context, const Table& table,
+                       const std::vector<Handed>& handed) {
+  const auto verdicts = read_verdicts(table);
+  fs::create_directories(directory / pages_folder);
+  for (const Handed& one : handed) {
+    const auto verdict = verdicts.find(one.submission.label);
+    if (verdict == verdicts.end()) continue;
+    PageMaterial material;
+    for (const LabVerdict& lab : verdict->second.labs) {
+      const auto file = one.submission.files.find(lab.lab.name);
+      if (file != one.submission.files.end()) {
+        material.sources[lab.lab.name] = read_text(file->second);
+      }
+    }
+    write_text(directory / pages_folder / (one.submission.label + ".html"),
+               submission_page(verdict->second, material));
+  }
+  write_text(directory / "index.html",
+             index_page(table, verdicts, statistics_of(table, verdicts, context.labs)));
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,23 @@
+#pragma once
+// A class as pages: its statistics, and each submission.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/context/context.hpp"
+#include "grader/gradebook/statistics.hpp"
+#include "grader/gradebook/table.hpp"
+#include "grader/submission/intake.hpp"
+
+namespace mc::grader {
+
+/// The statistics as a page, with nobody's name on it.
+std::string statistics_page(const ClassStatistics& statistics);
+
+/// Writes directory/index.html, everybody's points and the statistics, and a page for each
+/// submission that the table has a verdict on: its failures and its text.
+void write_class_pages(const std::filesystem::path& directory, const Context& context,
+                       const Table& table, const std::vector<Handed>& handed);
+
+}  // namespace mc::grader

@@ -1,0 +1,73 @@
+// The statistics of a class, at a terminal.
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "grader/gradebook/statistics.hpp"
+#include "grader/reports/report.hpp"
+
+namespace mc::grader {
+namespace {
+
+constexpr std::size_t width = 80;
+
+std::string histogram_text(const std::vector<double>& totals) {
+  constexpr std::size_t longest = 50;  // columns of the longest bar
+  const auto bars = histogram_of(totals);
+  std::size_t most = 1;
+  for (const PointsBar& bar : bars) most = std::max(most, bar.submissions);
+  std::string all;
+  for (const PointsBar& bar : bars) {
+    // One for each submission where there is room. Nobody is rounded away.
+    const std::size_t length =
+        most <= longest ? bar.submissions : (bar.submissions * longest + most - 1) / most;
+    const std::string line =
+        fmt::format("  {:>5}  {:>5}  {}", bar.range, bar.submissions, std::string(length, '#'));
+    all += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return all;
+}
+
+std::string checks_text(const std::vector<CheckStatistics>& checks) {
+  constexpr std::size_t numbers = 45;  // columns before the name
+  std::string all =
+      "  passed  failed      not     not   discri-\n"
+      "                  written  judged  mination  check\n";
+  for (const CheckStatistics& one : checks) {
+    const std::string discrimination =
+        one.discrimination ? fmt::format("{:.2f}", *one.discrimination) : "-";
+    all += fmt::format("  {:>6}  {:>6}  {:>7}  {:>6}  {:>8}  {}\n", one.passed, one.failed,
+                       one.not_written, one.not_judged, discrimination,
+                       wrapped(one.name, width - numbers, numbers));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string report_statistics(const ClassStatistics& statistics) {
+  std::string all = fmt::format("{} submissions\n", statistics.submissions);
+  if (statistics.without_verdict > 0) {
+    all +=
+        wrapped(fmt::format("{} of them have no verdict beside the table: of those, what was not "
+                            "written counts as failed, and no hint is known.",
+                            statistics.without_verdict),
+                width, 0) +
+        '\n';
+  }
+  for (const LabStatistics& one : statistics.labs) {
+    all += fmt::format("\n{}: {} with points", one.lab.title(), one.totals.size());
+    if (one.not_judged > 0) all += fmt::format(", {} not judged", one.not_judged);
+    if (!one.totals.empty()) all += "; " + centre_of(one.totals);
+    all += "\n\n" + histogram_text(one.totals) + '\n' + checks_text(one.checks);
+  }
+  if (!statistics.hints.empty()) all += "\nHints, by the submissions they were given to\n\n";
+  for (std::size_t i = 0; i < std::min(most_hints, statistics.hints.size()); ++i) {
+    const HintStatistics& one = statistics.hints[i];
+    all += fmt::format("  {:>6}  {}\n", one.submissions, wrapped(one.hint, width - 10, 10));
+  }
+  return all;
+}
+
+}  // namespace mc::grader

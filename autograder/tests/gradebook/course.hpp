@@ -1,0 +1,53 @@
+#pragma once
+// A class of small submissions of lab 1, and ./lab for whoever grades it.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/context/text_file.hpp"
+#include "sandbox/process.hpp"
+#include "tests/submissions.hpp"
+
+namespace mc::tests {
+
+struct Course : Scratch {
+  grader::Layout layout = grader::read_layout();
+  std::vector<grader::Lab> labs = grader::find_labs(layout);
+  std::vector<std::string> ids;
+
+  void hand_in(const std::string& id, const std::string& text) {
+    std::filesystem::create_directories(path() / "class" / id);
+    grader::write_text(path() / "class" / id / "variance.cpp", text);
+    ids.push_back(id);
+  }
+  /// Cheap ones: most do not compile, a few are the starter.
+  void hand_in_tiny(int count) {
+    for (int i = 0; i < count; ++i) {
+      const std::string id = fmt::format("s{:02}", i);
+      hand_in(id, i % 5 == 0 ? fmt::format("// {}\n", i) + text_of(layout.starter())
+                             : fmt::format("int {} is no name;\n", i));
+    }
+  }
+  std::filesystem::path csv(const std::string& name = "grades") const {
+    return path() / (name + ".csv");
+  }
+
+  sandbox::ProcessResult run(std::vector<std::string> words,
+                             const sandbox::ProcessOptions& options = {}) const {
+    words.insert(words.begin(), (layout.build / "bin" / "gradebook").string());
+    return sandbox::run_process(words, options);
+  }
+  sandbox::ProcessResult grade(const std::vector<std::string>& more,
+                               const sandbox::ProcessOptions& options = {}) const {
+    std::vector<std::string> words{"grade", (path() / "class").string(), "--lab", "variance"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words, options);
+  }
+};
+
+}  // namespace mc::tests

@@ -1,0 +1,172 @@
+// A class as pages, opened as a person opens them.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "grader/gradebook/class_page.hpp"
+#include "grader/gradebook/statistics.hpp"
+#include "grader/reports/html.hpp"
+#include "sandbox/process.hpp"
+#include "tests/gradebook/course.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::pages {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// A class with one of each: no code, code that does not compile, a failure, full marks, no zip,
+/// and a name that neither HTML nor an address has as it is.
+struct GradedClass : Course {
+  fs::path pages = path() / "pages";
+  sandbox::ProcessResult run;
+  GradedClass() {
+    std::string wrong = text_of(layout.solutions());
+    const std::string right = "if (columns == 0) throw";
+    wrong.replace(wrong.find(right), right.size(), "if (columns == 77) throw");
+    hand_in("<i>#1 100%", text_of(layout.starter()));
+    hand_in("bob", "int " + std::string(300, 'x') + " is no name;\n");
+    hand_in("eve", wrong);
+    hand_in("sol", text_of(layout.solutions()));
+    write_text(path() / "class" / "broken.zip", "no zip");
+    run = grade({"--csv", csv().string(), "--html", pages.string(), "--seed", "1"});
+    REQUIRE(run.exit_code == 0);
+  }
+  std::vector<fs::path> all_pages() const {
+    std::vector<fs::path> all;
+    for (const auto& entry : fs::recursive_directory_iterator(pages)) {
+      if (entry.is_regular_file()) all.push_back(entry.path());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+};
+
+/// Graded once.
+const GradedClass& graded_class() {
+  static const GradedClass graded;
+  return graded;
+}
+
+std::string chromium() {
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
+    const auto found = sandbox::run_process({"sh", "-c", fmt::format("command -v {}", name)});
+    if (found.succeeded()) return name;
+  }
+  return {};
+}
+
+/// What the browser has to say of these pages in a window 390 pixels wide: its console, and how
+/// wide each page is in the end.
+struct Seen {
+  std::string console, widths;
+};
+Seen look_at(const std::vector<fs::path>& pages, const Scratch& place) {
+  std::string text = "<!doctype html><title>none</title><body>";
+  for (const fs::path& page : pages) {
+    text += fmt::format("<iframe width=390 height=800 style='border:0' srcdoc=\"{}\"></iframe>",
+                        html_escaped(read_text(page)));
+  }
+  text += R"(<script>onload = () => {
+    document.title = [...document.querySelectorAll("iframe")]
+      .map(f => Math.max(f.contentWindow.innerWidth, f.contentDocument.documentElement.scrollWidth))
+      .join(" ");
+    document.body.innerHTML = ""; };</script>)";
+  const auto run = sandbox::run_process(
+      {chromium(), "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
+       "--user-data-dir=" + (place.path() / "profile").string(), "--dump-dom",
+       "file://" + place.write("look.html", text).string()},
+      {.wall_seconds = 60});
+  Seen seen;
+  const auto begin = run.output.find("<title>") + 7;
+  seen.widths = run.output.substr(begin, run.output.find("</title>") - begin);
+  for (auto at = run.errors.find("CONSOLE"); at != std::string::npos;
+       at = run.errors.find("CONSOLE", at + 1)) {
+    seen.console += run.errors.substr(at, run.errors.find('\n', at) - at) + '\n';
+  }
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("a page for each submission, and an index that leads to it") {
+  const GradedClass& graded = graded_class();
+  CHECK(contains(graded.run.output, "index.html"));
+  CHECK(graded.all_pages().size() == 6);
+  const std::string index = read_text(graded.pages / "index.html");
+  CHECK(contains(index, "<a href=\"submissions/%3Ci%3E%231%20100%25.html\">&lt;i&gt;#1 100%</a>"));
+  CHECK(contains(index, "unreadable: it is no zip"));
+  CHECK(contains(index, ">0 (no program)<"));
+  const std::string eve = read_text(graded.pages / "submissions" / "eve.html");
+  CHECK(contains(eve, "<pre>measured"));
+  CHECK(contains(eve, "if (columns == 77) throw"));
+  CHECK(contains(read_text(graded.pages / "submissions" / "broken.html"), "Unreadable: it is no"));
+}
+
+TEST_CASE("the index has the numbers of stats") {
+  const GradedClass& graded = graded_class();
+  const Table table = read_table(graded.csv());
+  const auto statistics = statistics_of(table, read_verdicts(table), graded.labs);
+  const std::string stats = statistics_page(statistics);
+  const std::string numbers = stats.substr(stats.find("<h2>"));
+  CHECK(numbers.size() > 5000);
+  CHECK(contains(read_text(graded.pages / "index.html"), numbers));
+}
+
+TEST_CASE("pages need no table that is kept, and one submission has them, too") {
+  Course course;
+  course.hand_in("ada", "int x\n");
+  const fs::path pages = course.path() / "pages";
+  const auto run = course.grade({"--html", pages.string(), "--no-plots"});
+  CHECK(run.exit_code == 0);
+  CHECK(fs::exists(pages / "index.html"));
+  CHECK(contains(read_text(pages / "submissions" / "class.html"), "does not compile"));
+  CHECK(course.grade({"--html", "/no/such/place/pages"}).exit_code == 2);
+  CHECK(course.grade({"--html", (pages / "index.html").string()}).exit_code == 2);
+}
+
+TEST_CASE("pages hold all that they need, headings in order, a text for every picture") {
+  const GradedClass& graded = graded_class();
+  for (const fs::path& file : graded.all_pages()) {
+    const std::string page = read_text(file);
+    CAPTURE(file);
+    for (const char* foreign : {"<script", "src=\"http", "href=\"http", "@import", "url("}) {
+      CHECK(!contains(page, foreign));
+    }
+    CHECK(contains(page, "prefers-color-scheme: dark"));
+    CHECK(contains(page, "<html lang=\"en\">"));
+    char before = '0';
+    for (auto at = page.find("<h"); at != std::string::npos; at = page.find("<h", at + 1)) {
+      if (page[at + 2] < '1' || page[at + 2] > '6') continue;
+      CHECK(page[at + 2] <= before + 1);  // none is left out on the way down
+      before = page[at + 2];
+    }
+    CHECK(before != '0');
+    for (auto at = page.find("<img "); at != std::string::npos; at = page.find("<img ", at + 1)) {
+      CHECK(page.compare(at + 5, 5, "alt=\"") == 0);
+    }
+  }
+}
+
+TEST_CASE("a browser finds no error in a page, and nothing wider than a phone") {
+  if (chromium().empty()) return;  // nothing to open them with
+  const GradedClass& graded = graded_class();
+  const Scratch place;
+  auto pages = graded.all_pages();
+  REQUIRE(pages.size() == 6);
+  const Seen seen = look_at(pages, place);
+  CHECK(seen.console.empty());
+  CHECK(seen.widths == "390 390 390 390 390 390");
+  // It sees what is too wide, and what goes wrong.
+  pages = {place.write("wide.html", "<div style=\"width:500px\">x</div>"),
+           place.write("wrong.html", "<script>nothing.there();</script>")};
+  const Seen spoiled = look_at(pages, place);
+  CHECK(contains(spoiled.console, "nothing is not defined"));
+  CHECK(spoiled.widths == "508 390");
+}
+
+}  // namespace mc::tests::pages

@@ -1,0 +1,226 @@
+// What a table says of the class: worked out by hand here.
+#include <cmath>
+#include <filesystem>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/errors.hpp"
+#include "grader/gradebook/book.hpp"
+#include "grader/gradebook/statistics.hpp"
+#include "grader/reports/report.hpp"
+#include "grader/reports/verdict_json.hpp"
+#include "runner/text.hpp"
+#include "tests/gradebook/course.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::class_statistics {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+const std::vector<Lab> two_labs{{1, "variance", "1-variance", {}}, {5, "halton", "5-halton", {}}};
+
+CheckResult result_of(const std::string& name, Status status, const std::string& story = "") {
+  CheckResult result;
+  result.check.name = name;
+  result.status = status;
+  result.story = story;
+  return result;
+}
+
+Verdict verdict_on(const std::string& id, std::vector<CheckResult> results) {
+  Verdict verdict;
+  verdict.submission = id;
+  verdict.seed = 7;
+  verdict.version = "1.0";
+  LabVerdict lab;
+  lab.lab = two_labs[0];
+  lab.checks = std::move(results);
+  verdict.labs = {lab};
+  return verdict;
+}
+
+/// "passed failed not written not judged"
+std::string counts(const CheckStatistics& one) {
+  return fmt::format("{} {} {} {}", one.passed, one.failed, one.not_written, one.not_judged);
+}
+
+/// Six people, of whom five have points; bob wrote 1.1 and nothing of 1.2.
+struct SmallClass : Scratch {
+  fs::path csv = write("g.csv",
+                       "id,seed,version,seconds,reason,variance status,variance total,1.1 a,1.1 b,"
+                       "1.2 c\n"
+                       "ada,7,1.0,1,,judged,100,50,30,20\n"
+                       "bob,7,1.0,1,,judged,50,50,0,0\n"
+                       "cy,7,1.0,1,,\"no file\",0,0,0,0\n"
+                       "dee,7,1.0,1,,judged,30,0,30,0\n"
+                       "eve,7,1.0,1,,judged,80,50,30,0\n"
+                       "fay,7,1.0,1,\"not judged: disk\",\"not judged\",,,,\n");
+  SmallClass() {
+    fs::create_directories(verdicts_beside(csv));
+    const std::string hint = "measured  1\nlikely    it divides by n\nread      x";
+    keep(verdict_on("ada", {result_of("1.1 a", Status::passed, "likely    nothing")}));
+    keep(verdict_on("bob", {result_of("1.1 b", Status::failed, hint),
+                            result_of("1.2 c", Status::not_written)}));
+    keep(
+        verdict_on("eve", {result_of("1.1 b", Status::failed, hint),
+                           result_of("1.2 c", Status::failed, hint + "\nlikely    it <b>rounds")}));
+    keep(verdict_on("dee", {result_of("1.2 c", Status::not_written)}));
+  }
+  void keep(const Verdict& verdict) const {
+    write_text(verdict_file(csv, verdict.submission), verdict_to_json(verdict));
+  }
+  ClassStatistics statistics() const {
+    const Table table = read_table(csv);
+    return statistics_of(table, read_verdicts(table), two_labs);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the point-biserial correlation, and where there is none") {
+  // Means 4 and 1.5, squares 10: 2.5 sqrt(3 * 2 / 5) / sqrt(10) = sqrt(0.75)
+  const auto r = point_biserial({true, true, false, false, true}, {5, 3, 2, 1, 4});
+  REQUIRE(r);
+  CHECK(*r == Approx(std::sqrt(0.75)));
+  CHECK(*point_biserial({false, true}, {1, 2}) == Approx(1));
+  CHECK(*point_biserial({true, false}, {1, 2}) == Approx(-1));
+  CHECK(*point_biserial({true, false, true, false}, {1, 1, 2, 2}) == Approx(0).margin(1e-15));
+  CHECK(!point_biserial({true, true}, {1, 2}));
+  CHECK(!point_biserial({false, false}, {1, 2}));
+  CHECK(!point_biserial({true, false}, {0.1, 0.1}));
+  CHECK(!point_biserial({}, {}));
+}
+
+TEST_CASE("of each check: passed, failed, not written, not judged") {
+  const SmallClass place;
+  const auto statistics = place.statistics();
+  CHECK(statistics.submissions == 6);
+  REQUIRE(statistics.labs.size() == 1);  // there is no column about halton
+  const LabStatistics& lab = statistics.labs[0];
+  CHECK(lab.totals == std::vector<double>{100, 50, 0, 30, 80});
+  CHECK(lab.not_judged == 1);
+  REQUIRE(lab.checks.size() == 3);
+  CHECK(counts(lab.checks[0]) == "3 1 1 1");  // cy has no file
+  CHECK(counts(lab.checks[1]) == "3 1 1 1");
+  CHECK(counts(lab.checks[2]) == "1 1 3 1");
+  // 1.1 a: passed by ada, bob, eve with 50, 0, 30 of the rest, not by cy, dee with 0, 30.
+  CHECK(*lab.checks[0].discrimination ==
+        Approx(*point_biserial({true, true, false, false, true}, {50, 0, 0, 30, 30})));
+  CHECK(*lab.checks[2].discrimination ==
+        Approx(*point_biserial({true, false, false, false, false}, {80, 50, 0, 30, 80})));
+  CHECK(centre_of(lab.totals) == "mean 52.0, median 50");
+}
+
+TEST_CASE("a check that a row's table did not have says nothing of that row") {
+  const Scratch place;
+  const Table table = read_table(place.write("g.csv",
+                                             "id,variance status,variance total,1.1 a,1.2 b\n"
+                                             "ada,judged,3,1,2\n"
+                                             "bob,judged,0,0,0\n"
+                                             "cy,judged,9,,9\n"));
+  const auto checks = statistics_of(table, {}, two_labs).labs[0].checks;
+  CHECK(counts(checks[0]) == "1 1 0 0");
+  CHECK(*checks[0].discrimination == Approx(1));  // ada and bob alone
+}
+
+TEST_CASE("a lab that somebody did not hand in, and was not asked for, says nothing of them") {
+  const Scratch place;
+  const Table table = read_table(
+      place.write("g.csv",
+                  "id,variance status,variance total,halton status,halton total,1.1 a,5.1 b\n"
+                  "ada,judged,0,\"no file\",,0,\n"
+                  "bob,\"no file\",,judged,7,,7\n"
+                  "cy,unreadable,,unreadable,,,\n"));
+  const auto labs = statistics_of(table, {}, two_labs).labs;
+  REQUIRE(labs.size() == 2);
+  CHECK(labs[0].totals == std::vector<double>{0});
+  CHECK(labs[1].totals == std::vector<double>{7});
+  CHECK(labs[1].not_judged == 1);
+  CHECK(counts(labs[0].checks[0]) == "0 1 0 1");
+  CHECK(counts(labs[1].checks[0]) == "1 0 0 1");
+}
+
+TEST_CASE("a hint counts once for each submission that it was given to") {
+  const auto hints = SmallClass().statistics().hints;
+  REQUIRE(hints.size() == 2);
+  CHECK(hints[0].hint == "it divides by n");
+  CHECK(hints[0].submissions == 2);
+  CHECK(hints[1].hint == "it <b>rounds");
+}
+
+TEST_CASE("without verdicts, what was not written counts as failed, and that is said") {
+  SmallClass place;
+  place.keep(verdict_on("bob", {result_of("1.2 c", Status::not_written)}));
+  Verdict older = verdict_on("dee", {result_of("1.2 c", Status::not_written)});
+  older.seed = 8;  // the row was not made from it
+  place.keep(older);
+  Verdict newer = verdict_on("eve", {});
+  newer.version = "1.1";
+  place.keep(newer);
+  CHECK(counts(place.statistics().labs[0].checks[2]) == "1 2 2 1");
+  CHECK(place.statistics().without_verdict == 4);
+  fs::remove_all(verdicts_beside(place.csv));
+  const auto statistics = place.statistics();
+  CHECK(counts(statistics.labs[0].checks[2]) == "1 3 1 1");
+  CHECK(statistics.hints.empty());
+  CHECK(statistics.without_verdict == 6);
+  CHECK(contains(report_statistics(statistics), "6 of them have no verdict beside the table"));
+}
+
+TEST_CASE("a histogram has ten bars of ten points, and one for all points") {
+  const auto bars = histogram_of({0, 9.5, 10, 99.5, 100, 104, -3});
+  REQUIRE(bars.size() == 11);
+  std::string counted;
+  for (const PointsBar& bar : bars) counted += fmt::format("{}:{} ", bar.range, bar.submissions);
+  CHECK(counted ==
+        "0-9:3 10-19:1 20-29:0 30-39:0 40-49:0 50-59:0 60-69:0 70-79:0 80-89:0 90-99:1 100:2 ");
+  CHECK(centre_of({}).empty());
+  CHECK(centre_of({1, 2, 4, 9}) == "mean 4.0, median 3");
+}
+
+TEST_CASE("statistics fit 80 columns, however large the class and long the names") {
+  ClassStatistics statistics;
+  statistics.submissions = statistics.without_verdict = 100'000;
+  LabStatistics lab{two_labs[0], std::vector<double>(99'999, 42.0), 0, {}};
+  lab.totals.push_back(7);
+  std::string name = "1.1 the";
+  for (int i = 0; i < 20; ++i) name += " variance";
+  lab.checks = {{name, 100'000, 100'000, 100'000, 100'000, -0.5}};
+  statistics.labs = {lab};
+  statistics.hints = {{name, 100'000}};
+  const std::string text = report_statistics(statistics);
+  std::size_t widest = 0;
+  for (const auto line : text::split(text, '\n')) widest = std::max(widest, columns_of(line));
+  CHECK(widest <= 80);
+  CHECK(contains(text, "0-9      1  #\n"));  // one among very many is seen
+  CHECK(contains(text, "-0.50  1.1 the variance"));
+}
+
+TEST_CASE("stats of a class that was graded, as text and as a page without names") {
+  Course course;
+  course.hand_in_tiny(5);
+  const std::string csv = course.csv().string();
+  REQUIRE(course.grade({"--csv", csv, "--seed", "1"}).exit_code == 0);
+  const fs::path page = course.path() / "stats.html";
+  const auto run = course.run({"stats", csv, "--html", page.string()});
+  CHECK(run.exit_code == 0);
+  CHECK(contains(run.output, "Lab 1 · variance: 5 with points; mean 0.0, median 0"));
+  CHECK(
+      contains(run.output, "       0       4        1       0         -  1.1 the mean of a list"));
+  const std::string html = read_text(page);
+  CHECK(contains(html, "<td class=\"number\">4</td>"));
+  CHECK(!contains(html, "s03"));
+  for (const char* wrong : {"/no/such.csv", "/"})
+    CHECK(course.run({"stats", wrong}).exit_code == 2);
+  CHECK(course.run({"stats", csv, "--html", "/no/such/place/x.html"}).exit_code == 2);
+  for (const std::string points : {"ten", "nan", "1e999", "2;5"}) {
+    write_text(csv, "id,variance total,1.1 a\nada," + points + ",1\n");
+    const auto spoiled = course.run({"stats", csv});
+    CHECK(spoiled.exit_code == 2);
+    CHECK(contains(spoiled.errors, "'" + points + "' of ada is no number of points"));
+  }
+}
+
+}  // namespace mc::tests::class_statistics

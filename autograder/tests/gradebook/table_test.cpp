@@ -1,0 +1,143 @@
+// The tables of several shards become one again.
+#include <filesystem>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/errors.hpp"
+#include "grader/gradebook/book.hpp"
+#include "grader/gradebook/table.hpp"
+#include "tests/gradebook/course.hpp"
+#include "tests/text.hpp"
+
+using namespace mc::grader;
+using mc::tests::contains;
+using mc::tests::Course;
+using mc::tests::Scratch;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What differs from day to day: how long it took.
+std::string without_seconds(const fs::path& csv) {
+  Table table = read_table(csv);
+  for (Row& row : table.rows) row.erase("seconds");
+  return table_text(table);
+}
+
+std::string merged_text(const std::vector<Table>& tables) {
+  return table_text(merge_tables(tables, find_labs(read_layout())).table);
+}
+
+}  // namespace
+
+TEST_CASE("the tables of two shards merge to that of one run, verdicts included") {
+  Course course;
+  course.hand_in_tiny(5);
+  course.hand_in("=1+1, \"zoe\"", "int x\n");  // a name that a table has to quote
+  const auto whole = course.csv("whole"), merged = course.csv("merged");
+  REQUIRE(course.grade({"--csv", whole.string(), "--seed", "1"}).exit_code == 0);
+  std::vector<std::string> words{"merge", "--out", merged.string()};
+  for (const std::string which : {"2", "1"}) {  // in any order
+    const std::string part = course.csv("part" + which).string();
+    REQUIRE(course.grade({"--csv", part, "--shard", which + "/2", "--seed", "1"}).exit_code == 0);
+    words.push_back(part);
+  }
+  const auto run = course.run(words);
+  CHECK(run.exit_code == 0);
+  CHECK(run.errors.empty());
+  CHECK(contains(run.output, "6 submissions of 2 tables"));
+  CHECK(without_seconds(merged) == without_seconds(whole));
+  const Table table = read_table(merged);
+  CHECK(read_verdicts(table).size() == 6);
+  const auto one = read_verdict(merged, "s03");
+  REQUIRE(one);
+  CHECK(one->labs[0].no_program == read_verdict(whole, "s03")->labs[0].no_program);
+  // A later run takes it for its own: nothing is judged again, and there is a page for everybody.
+  const std::string before = read_text(merged);
+  const std::string pages = (course.path() / "pages").string();
+  const auto again = course.grade({"--csv", merged.string(), "--resume", "--html", pages});
+  CHECK(contains(again.output, "6 submissions: 0 judged, 6 were before; seed 1"));
+  CHECK(read_text(merged) == before);
+  CHECK(fs::exists(fs::path(pages) / "submissions" / "s04.html"));
+  // Without a file to write into it is printed, byte by byte the same.
+  words.erase(words.begin() + 1, words.begin() + 3);
+  CHECK(course.run(words).output == read_text(merged));
+}
+
+TEST_CASE("an id with different rows in two tables is an error that names both") {
+  const Scratch place;
+  const auto a = read_table(place.write("a.csv", "id,seed,variance total\nada,1,10\nbob,1,20\n"));
+  const auto same = read_table(place.write("b.csv", "id,variance total,seed\nada,10,1\n"));
+  const auto other = read_table(place.write("c.csv", "id,seed,variance total\nada,1,11\n"));
+  CHECK(merged_text({a, same}) == "id,seed,\"variance total\"\nada,1,10\nbob,1,20\n");
+  CHECK_THROWS_WITH(merged_text({a, same, other}), "ada is in " + a.file.string() + " and in " +
+                                                       other.file.string() +
+                                                       ", with different rows: which one counts?");
+}
+
+TEST_CASE("versions and seeds that differ are said, with the tables that have them") {
+  const Scratch place;
+  const auto a = place.write("a.csv", "id,seed,version\nada,1,1.0\nbob,1,1.0\n").string();
+  const auto b = place.write("b.csv", "id,seed,version\ncy,2,1.1\n").string();
+  const auto merged = merge_tables({read_table(a), read_table(b)}, {});
+  CHECK(merged.differences ==
+        std::vector<std::string>{"the versions differ: " + a + " 1.0, " + b + " 1.1",
+                                 "the seeds differ: " + a + " 1, " + b + " 2"});
+  CHECK(merge_tables({read_table(a)}, {}).differences.empty());
+  const auto run = Course().run({"merge", a, b});
+  CHECK(run.exit_code == 0);
+  CHECK(contains(run.errors, "the seeds differ"));
+  CHECK(!contains(run.output, "differ"));  // the table alone
+}
+
+TEST_CASE(
+    "a table whose run did not end is said not to be whole, and neither is what it merges to") {
+  Course course;
+  course.hand_in_tiny(2);
+  const std::string part = course.csv("part").string(), merged = course.csv("merged").string();
+  REQUIRE(course.grade({"--csv", part, "--seed", "3"}).exit_code == 0);
+  CHECK(course.run({"merge", part, "--out", merged}).errors.empty());
+  CHECK(read_book_state(merged).finished);
+  write_book_state(part, false, 3);  // as a run leaves it that was killed
+  const auto run = course.run({"merge", part, "--out", merged});
+  CHECK(run.exit_code == 0);
+  CHECK(contains(run.errors, part + " is not whole: its run did not end"));
+  CHECK(read_book_state(merged).seed == 3);
+  CHECK(!read_book_state(merged).finished);
+}
+
+TEST_CASE("columns merge by their names, into the order that a run gives them") {
+  const Scratch place;
+  const auto halton = read_table(place.write(
+      "h.csv",
+      "id,seed,halton status,halton total,5.1 a,5.10 b,remark\nbob,1,judged,3,3,0,late\n"));
+  const auto variance = read_table(
+      place.write("v.csv", "id,seed,variance status,variance total,1.1 a\nada,1,judged,4,4\n"));
+  CHECK(merged_text({halton, variance}) ==
+        "id,seed,\"variance status\",\"variance total\",\"halton status\",\"halton total\","
+        "\"1.1 a\",\"5.1 a\",\"5.10 b\",remark\n"
+        "ada,1,judged,4,,,4,,,\n"
+        "bob,1,,,judged,3,,3,0,late\n");
+}
+
+TEST_CASE("what is no table of grades is refused, with the reason") {
+  const Scratch place;
+  const auto why = [&](const std::string& text) {
+    const fs::path file = place.write("x.csv", text);
+    try {
+      read_table(file);
+    } catch (const UsageError& error) {
+      return std::string(error.what()).substr(file.string().size());
+    }
+    return std::string();
+  };
+  CHECK(why("") == " is no table of grades: it has no column id");
+  CHECK(why("id;seed\nada;1\n") == " is no table of grades: it has no column id");
+  CHECK(why("id,seed\nada\n") == " is no table of grades: row 2 has 1 fields, and the header 2");
+  CHECK(why("id,a,a\n") == " is no table of grades: two columns are called 'a'");
+  CHECK(why("id,seed\n../ada,1\n") == " is no table of grades: '../ada' is no id");
+  CHECK(why("id,seed\n,1\n") == " is no table of grades: '' is no id");
+  CHECK(read_table(place.write("e.csv", "id,\x1b[2J\nada,\x1b[2J\n")).columns[1] == "?[2J");
+  CHECK(why("\xef\xbb\xbfid,seed\r\nada,1\r\n").empty());  // as a spreadsheet saves it
+  CHECK_THROWS_WITH(read_table("/no/such.csv"), "no such table: /no/such.csv");
+  CHECK(Course().run({"merge"}).exit_code == 2);
+}
