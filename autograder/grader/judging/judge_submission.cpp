@@ -1,5 +1,6 @@
 #include "grader/judging/judge_submission.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -27,6 +28,19 @@ Built build_within(const Context& context, const Lab& lab, const Submission& sub
   Built built = build_program(context.layout, lab, submission, options.workers == 1 ? 1 : cores());
   if (options.budget != nullptr) options.budget->use(built.cpu_seconds);
   return built;
+}
+
+/// The files of several labs at the same time: what their programs are linked from is there then. The
+/// lab that stands on most others has them all.
+void compile_side_by_side(const Context& context, const Submission& submission,
+                          const std::vector<Lab>& labs, const JudgeOptions& options) {
+  if (labs.size() < 2 || options.workers == 1) return;
+  build_within(context,
+               *std::max_element(labs.begin(), labs.end(),
+                                 [](const Lab& one, const Lab& other) {
+                                   return one.stands_on.size() < other.stands_on.size();
+                                 }),
+               submission, options);
 }
 
 /// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judged now, unless
@@ -114,6 +128,8 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   judge.submission = own ? "" : submission.path.string();
   Finished finished(context, submission, judge);
   const auto all = static_cast<double>(labs.size());
+  if (labs.size() > 1 && options.progress) options.progress(0, all, "compiling");
+  compile_side_by_side(context, submission, labs, judge);
   for (std::size_t i = 0; i < labs.size(); ++i) {
     const Lab& lab = labs[i];
     const auto tell = [&](double part, const std::string& what) {
