@@ -162,7 +162,8 @@ struct Measure<Result(Parameters...)> {
     call += ')';
     auto typed = [given = std::tuple(std::move(arguments)...)] {
       std::string lines;
-      std::apply([&](const auto&... each) { ((lines += '\n' + text::as_typed(each)), ...); }, given);
+      std::apply([&](const auto&... each) { ((lines += '\n' + text::as_typed(each)), ...); },
+                 given);
       return lines;
     };
     return ask(experiment, std::move(call), std::move(typed), std::move(request.bytes), limits);

@@ -13,6 +13,9 @@
 //                                    // earns: the points at most, 0 if nothing is said
 //                                    // says: words that must stand in the story of some check
 //                                    // never says: words that must stand nowhere in it
+//                                    // forges: a speed task ("3.9 points"): of a right answer that
+//                                    cheats when it is timed, and may include solutions/. Then the
+//                                    speed line says what `says:` says, and shows no figure.
 //                                    whatever is shown is mc::sandbox::printable and in lines that fit
 //   …/peers/library/x.cpp            // peer: what of the library it is
 //                                    // fails: as "caught by"; of one reason, one after the other

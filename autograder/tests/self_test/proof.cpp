@@ -62,8 +62,10 @@ Proof proof_of(const std::filesystem::path& file) {
     }
     proof.submission = *peer;
   } else {
-    proof.submission = single_file_submission(proof.layout, proof.labs, proof.lab, file,
-                                              kind != "attacks" && kind != "starter");
+    const bool is_strange =
+        kind == "starter" || (kind == "attacks" && said(file, "forges").empty());
+    proof.submission =
+        single_file_submission(proof.layout, proof.labs, proof.lab, file, !is_strange);
   }
   precompile_headers(proof.layout);
   proof.submission.label = std::filesystem::relative(file, proof.layout.root).string();
