@@ -11,8 +11,7 @@ namespace mc::checks {
 inline std::optional<double> seconds_of_uniforms(std::uint64_t n, std::uint64_t rounds,
                                                  const sandbox::Limits& limits = {}) {
   const ShownRounds some = shown_rounds(rounds, n);
-  const auto timed =
-      TRY_MEASURE_WITH(limits, repeat_source, 2, n, rounds, some.seed, some.shown);
+  const auto timed = TRY_MEASURE_WITH(limits, repeat_source, 2, n, rounds, some.seed, some.shown);
   const auto judged = TRY_MEASURE(uniforms_in_turn, some.seeds, n);
   if (!timed || !judged) return {};
   const std::size_t count = n * some.seeds.size();

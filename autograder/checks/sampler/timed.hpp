@@ -1,11 +1,25 @@
 #pragma once
 // Lab 6 timed, and what it gave judged.
 
+#include <bit>
+
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/plot_data.hpp"
 #include "checks/support/speed_data.hpp"
+#include "checks/support/strata.hpp"
 
 namespace mc::checks {
+
+/// One of N numbers in each of N strata?
+inline bool is_one_in_each(View x) {
+  std::vector<bool> seen(x.size());
+  for (const double value : x) {
+    const auto stratum = stratum_of(value, x.size());
+    if (!stratum || seen[*stratum]) return false;
+    seen[*stratum] = true;
+  }
+  return true;
+}
 
 /// CPU time of `dims` coordinates by next2() for each of n samples: the sum of a round is that of the
 /// numbers that another sampler of its seed hands out, added in the same order.
@@ -18,9 +32,16 @@ inline std::optional<double> seconds_of_samples(const std::string& kind, std::ui
   if (!timed || !judged) return {};
   const auto* const numbers = judged->if_exactly(some.seeds.size() * 2 * uses * n, unit);
   if (numbers == nullptr) return {};
+  // Whoever knows the number of samples by sight is not seen by comparing.
+  const bool are_strata =
+      kind == "stratified" || (kind == "sobol" && std::has_single_bit(n) && uses <= 4);
   Values sums;
   const SetsOfPoints sets(*numbers, n, 2 * uses);
   for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (std::size_t d = 0; d < 2 * uses && are_strata; ++d) {
+      if (is_one_in_each(sets.column(set, d))) continue;
+      throw WrongWhenTimed{fmt::format("not one number in each of {} strata", n)};
+    }
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t d = 0; d < 2 * uses; d += 2) {

@@ -98,8 +98,8 @@ void expect_as_judged(const ShownRounds& rounds, const std::vector<double>* time
   for (std::size_t i = 0; i < judged.size(); ++i) {
     if ((*timed)[i] == judged[i]) continue;
     const std::size_t which = i / (judged.size() / rounds.seeds.size());
-    throw WrongWhenTimed{fmt::format("{:.6g} in round {}, whose seed gives {:.6g} when judged",
-                                     (*timed)[i], rounds.shown.at(which), judged[i])};
+    throw WrongWhenTimed{fmt::format("{:.6g} with seed {}, which gives {:.6g} when judged",
+                                     (*timed)[i], rounds.seeds.at(which), judged[i])};
   }
 }
 

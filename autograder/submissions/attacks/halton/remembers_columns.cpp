@@ -1,7 +1,7 @@
 // attack: a column that was filled with the same arguments before is left as it is
 // forges: 5.2 radical inverses
 // forges: 5.5 Sobol' coordinates
-// says: in 
+// says: gives
 #include "halton.hpp"
 
 #define radical_inverses right_radical_inverses

@@ -18,7 +18,7 @@ class Forgetful final : public Sampler {
   explicit Forgetful(std::unique_ptr<Sampler> right) : right_(std::move(right)) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
-    times_ = samples == samples_ ? times_ + 1 : 0;
+    times_ = samples == samples_ && samples > 1 ? times_ + 1 : 0;
     at_ = 0;
     if (times_ < 100) {
       right_->generate(samples, seed);
