@@ -23,7 +23,8 @@
 //                                    fails exactly those checks; what the library has nothing for
 //                                    is not written. Exit status 77 where it is not installed.
 //
-// `self_test repository` looks at the repository itself: task numbers, points, names.
+// `self_test cost LAB` measures what the lab's measurements cost its right answers, compiled as for any
+// x86-64. `self_test repository` looks at the repository itself: task numbers, points, names.
 
 #include <cstdlib>
 #include <exception>
@@ -67,12 +68,16 @@ int run(int argc, char** argv) {
     print_power();
   } else if (what == "load" && argc > 3) {
     prove_under_load({argv + 3, argv + argc}, static_cast<unsigned>(std::atoi(argv[2])));
+  } else if (what == "cost" && argc == 3) {
+    prove_cost(argv[2]);
   } else if (what == "fuzz" && argc == 4) {
     prove_against_lies(argv[2], static_cast<unsigned>(std::atoi(argv[3])));
   } else if (argc == 2) {
     prove_file(fs::canonical(argv[1]));
   } else {
-    fmt::print("usage: self_test FILE | load RUNS FILE... | fuzz LAB COUNT | repository | power\n");
+    fmt::print(
+        "usage: self_test FILE | load RUNS FILE... | fuzz LAB COUNT | cost LAB | repository | "
+        "power\n");
     return 2;
   }
   return has_complained() ? 1 : 0;

