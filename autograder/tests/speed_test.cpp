@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
+#include "checks/support/speed_data.hpp"
 #include "grader/reports/report.hpp"
 
 namespace mc::grader {
@@ -55,6 +56,19 @@ TEST_CASE("speed is in the results and not in the score") {
   REQUIRE(results["leaderboard"].size() == 1);
   CHECK(results["leaderboard"][0]["value"] == 2);
   CHECK(results["extra_data"]["speed"][0]["name"] == "2.8 uniforms");
+}
+
+TEST_CASE("time wasted before the first round makes no round shorter") {
+  int runs = 0;
+  const checks::Rounds run = [&](std::uint64_t rounds) -> std::optional<double> {
+    const double noise = runs++ % 2 == 0 ? 1e-4 : 0;  // it hides a microsecond
+    return 0.03 + noise + 1e-6 * static_cast<double>(rounds);
+  };
+  auto rounds = checks::rounds_of(run, 0.025);
+  REQUIRE(rounds);
+  const auto seconds = checks::seconds_by_difference(run, *rounds);
+  REQUIRE(seconds);
+  CHECK(*seconds == Approx(1e-6).epsilon(0.02));
 }
 
 TEST_CASE("what was wrong when it was timed has no speed, and says why") {

@@ -31,19 +31,18 @@ Rng& judges_own() {
 }
 
 void time_speed(const std::string& what, std::uint64_t values, const Rounds& rounds) {
-  const auto count = rounds_of(rounds, 0.025);
+  auto count = rounds_of(rounds, 0.025);
   if (!count) return;
   // The median of three differences, the two runs of each close together: a shared machine changes its
   // pace from one second to the next.
-  std::array<double, 3> differences{};
-  for (double& difference : differences) {
-    const auto once = rounds(*count), twice = rounds(2 * *count);
-    if (!once || !twice) return;
-    difference = *twice - *once;
+  std::array<double, 3> seconds{};
+  for (double& one : seconds) {
+    const auto round = seconds_by_difference(rounds, *count);
+    if (!round) return;
+    one = *round;
   }
-  std::sort(differences.begin(), differences.end());
-  const double nanoseconds = differences[1] * 1e9 / static_cast<double>(*count * values);
-  if (nanoseconds > 0) bench_row({"speed", what, "", 0, values, nanoseconds});
+  std::sort(seconds.begin(), seconds.end());
+  bench_row({"speed", what, "", 0, values, seconds[1] * 1e9 / static_cast<double>(values)});
 }
 
 }  // namespace
@@ -68,6 +67,15 @@ std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted) {
   }
 }
 
+std::optional<double> seconds_by_difference(const Rounds& run, std::uint64_t& rounds) {
+  for (int attempt = 0; attempt < 8; ++attempt, rounds *= 4) {
+    const auto one = run(rounds), two = run(2 * rounds);
+    if (!one || !two) return {};
+    if (*two - *one > 0.25 * *one) return (*two - *one) / static_cast<double>(rounds);
+  }
+  return {};
+}
+
 void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
                  const Rounds& rounds) {
   if (!is_asked_for(task)) return;
@@ -79,7 +87,7 @@ void bench_speed(const std::string& task, const std::string& name, std::uint64_t
 }
 
 ShownRounds shown_rounds(std::uint64_t rounds, std::uint64_t values) {
-  constexpr std::uint64_t most_values = std::uint64_t{1} << 18;
+  constexpr std::uint64_t most_values = std::uint64_t{1} << 20;
   const auto count = std::min({std::uint64_t{4}, rounds, most_values / values});
   Rng& rng = judges_own();
   std::set<std::uint64_t> shown;

@@ -50,6 +50,11 @@ std::optional<double> cpu_seconds_of(const Measured& measured) {
 /// So many rounds that they take about `wanted` seconds, the start of the program included.
 std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted);
 
+/// Seconds a round: the CPU time of 2R rounds less that of R. What a program does before its first round
+/// may take longer than R of them (values to be made, memory to be had, or time to be wasted): its noise
+/// must not be taken for a round, and R becomes four times as large until it is not.
+std::optional<double> seconds_by_difference(const Rounds& run, std::uint64_t& rounds);
+
 /// Rows of kind speed, if `task` is one that MC_SPEED_TASKS names (the grader does: those that
 /// passed): `rounds` makes `values` numbers or points each time. A seventh of a second. A row of kind
 /// speed wrong instead, where what came back was wrong: nobody is as fast as a wrong answer.
