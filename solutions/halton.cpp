@@ -242,8 +242,8 @@ constexpr auto all_directions = [] {
   return all;
 }();
 
-/// The coordinate that the bits of `index` choose: the definition. All 32 of them, and no branch, so
-/// that eight go at a time.
+/// The coordinate that the bits of `index` choose: the definition. All 32 of them, and no branch,
+/// so that eight go at a time.
 std::uint32_t sobol_word(const Directions& v, std::uint32_t index) {
   std::uint32_t word = 0;
   for (unsigned k = 0; k < 32; ++k) word ^= v[k] & (0 - (index >> k & 1));

@@ -134,10 +134,10 @@ std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);
 std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t seed,
                              std::uint64_t replicates);
 
-/// For timing: `size` numbers by a source, `rounds` times; round r has a generator of its own, of seed
-/// `seed` + r (but source 0, whose seeding takes long: one for all). The numbers of the rounds
-/// `shown`. And 2.7 by way of the area (0) or the hemisphere (1) with n samples, `rounds` times: what
-/// came last.
+/// For timing: `size` numbers by a source, `rounds` times; round r has a generator of its own, of
+/// seed `seed` + r (but source 0, whose seeding takes long: one for all). The numbers of the rounds
+/// `shown`. And 2.7 by way of the area (0) or the hemisphere (1) with n samples, `rounds` times:
+/// what came last.
 std::vector<double> repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds,
                                   std::uint64_t seed, std::vector<std::uint64_t> shown);
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);

@@ -76,8 +76,8 @@ struct Replicated {
 };
 MC_FIELDS(Replicated, value, standard_error, n, generated, evaluated, misshapen, repeated)
 
-/// Estimates, one after the other, and the points behind them all, set by set, each column by column:
-/// as many as are due, cut or filled up with zeros.
+/// Estimates, one after the other, and the points behind them all, set by set, each column by
+/// column: as many as are due, cut or filled up with zeros.
 struct ReplicatedTraces {
   std::vector<Replicated> estimates;
   std::vector<double> points;

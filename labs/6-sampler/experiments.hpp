@@ -99,8 +99,8 @@ std::vector<double> repeat(std::string kind, unsigned by, std::uint64_t dims, st
                            std::uint64_t rounds, std::uint64_t seed,
                            std::vector<std::uint64_t> shown);
 
-/// For timing: integrate() of a scene as it stands in its file, with one sampler; round r with the seed
-/// `seed` + r. The integrals of the rounds `shown`.
+/// For timing: integrate() of a scene as it stands in its file, with one sampler; round r with the
+/// seed `seed` + r. The integrals of the rounds `shown`.
 std::vector<double> repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
                                  std::uint64_t rounds, std::uint64_t seed,
                                  std::vector<std::uint64_t> shown);

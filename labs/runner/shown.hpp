@@ -1,6 +1,6 @@
 #pragma once
-// An experiment for timing does the same work in every round; of some rounds it gives back what they
-// made, so that it can be judged. Which ones, the work never knows.
+// An experiment for timing does the same work in every round; of some rounds it gives back what
+// they made, so that it can be judged. Which ones, the work never knows.
 
 #include <cstddef>
 #include <cstdint>

@@ -20,8 +20,8 @@ inline std::uint64_t first_of(std::uint64_t seed) {
   return 4096 * (seed % 4096);
 }
 
-/// The radical inverse of an index below 2^32 in a base up to 2^16: both whole numbers stay below 2^53,
-/// and one division rounds.
+/// The radical inverse of an index below 2^32 in a base up to 2^16: both whole numbers stay below
+/// 2^53, and one division rounds.
 inline double short_inverse(unsigned base, std::uint64_t index) {
   double mirrored = 0, size = 1;
   for (; index > 0; index /= base, size *= base) {
@@ -40,8 +40,9 @@ inline void expect_inverses(std::span<const double> got, unsigned base, std::uin
   }
 }
 
-/// Is `got` what 5.8 makes of a column with that seed? A hundred of its values, scrambled by themselves,
-/// become the same: so nobody knows the column by its length. False where the program does not say.
+/// Is `got` what 5.8 makes of a column with that seed? A hundred of its values, scrambled by
+/// themselves, become the same: so nobody knows the column by its length. False where the program
+/// does not say.
 inline bool is_scrambled(std::span<const double> column, std::span<const double> got,
                          std::uint64_t seed) {
   constexpr std::size_t some = 100;

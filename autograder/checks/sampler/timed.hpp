@@ -21,8 +21,8 @@ inline bool is_one_in_each(View x) {
   return true;
 }
 
-/// CPU time of `dims` coordinates by next2() for each of n samples: the sum of a round is that of the
-/// numbers that another sampler of its seed hands out, added in the same order.
+/// CPU time of `dims` coordinates by next2() for each of n samples: the sum of a round is that of
+/// the numbers that another sampler of its seed hands out, added in the same order.
 inline std::optional<double> seconds_of_samples(const std::string& kind, std::uint64_t dims,
                                                 std::uint64_t n, std::uint64_t rounds) {
   const std::uint64_t uses = (dims + 1) / 2;

@@ -128,9 +128,10 @@ TEST_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:2]"
                 {{}, "E{X^2} - E{X}^2 cancels: let lab 1 tell the variance of the means"});
 }
 
-/// An estimate comes of the points that were made for it, and its bar of how their means differ: numbers
-/// that only look so cost no work. Whether the bar has the right factor is for the exact check: one of
-/// 8/9 passes here, one that is drawn from its distribution (9 replicates: 25 %) never does 60 times.
+/// An estimate comes of the points that were made for it, and its bar of how their means differ:
+/// numbers that only look so cost no work. Whether the bar has the right factor is for the exact
+/// check: one of 8/9 passes here, one that is drawn from its distribution (9 replicates: 25 %)
+/// never does 60 times.
 void expect_of_its_points(const std::string& call, const Replicated& got,
                           const experiments::Function& g, View points, std::size_t n) {
   Values means;

@@ -23,8 +23,8 @@
 //                                    fails exactly those checks; what the library has nothing for
 //                                    is not written. Exit status 77 where it is not installed.
 //
-// `self_test cost LAB` measures what the lab's measurements cost its right answers, compiled as for any
-// x86-64. `self_test repository` looks at the repository itself: task numbers, points, names.
+// `self_test cost LAB` measures what measurements cost the right answers of a lab, compiled as for
+// any x86-64. `self_test repository` looks at the repository itself: task numbers, points, names.
 
 #include <cstdlib>
 #include <exception>

@@ -1,4 +1,4 @@
-// attack: of the blocks that are timed, only the number that a known order of places looks at is made
+// attack: of the blocks that are timed, only the number is made that a known order looks at
 // forges: 2.8 uniforms
 // says: when judged
 #include "independent.hpp"
