@@ -8,6 +8,7 @@
 
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
+#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -291,6 +292,7 @@ class Source {
   Source(unsigned source, std::uint64_t seed) : source_(source), rng_(seed), twister_(seed) {
     if (source > 2) throw std::out_of_range("source: 0 to 2");
   }
+  void seed(std::uint64_t seed) { rng_ = Rng(seed); }
   void fill(std::span<double> out) {
     if (source_ == 0) {
       for (double& u : out) u = uniform_(twister_);
@@ -323,20 +325,17 @@ std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t 
   return all;
 }
 
-Repeated repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds) {
-  Source from(source, 1);
-  std::vector<double> block(size, unwritten);
-  Repeated seen;
-  double sum = 0;
+std::vector<double> repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds,
+                                  std::uint64_t seed, std::vector<std::uint64_t> shown) {
+  Source from(source, seed);
+  std::vector<double> block(size, unwritten), all;
+  runner::Shown is_shown(shown);
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    const double& one = block[mix_bits(round) % size];
-    const double before = one;
+    from.seed(seed + round);
     from.fill(block);
-    sum += one;
-    seen.unchanged += one == before ? 1 : 0;
+    if (is_shown(round)) all.insert(all.end(), block.begin(), block.end());
   }
-  seen.mean = sum / static_cast<double>(rounds);
-  return seen;
+  return all;
 }
 
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds) {
@@ -387,7 +386,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(uniforms_constant, "word size", "2.8  from a generator of one word"),
       MC_EXPERIMENT(means_of, "source size seed replicates",
                     "2.8  means of numbers by mt19937_64 (0), to_unit (1), uniforms (2)"),
-      MC_EXPERIMENT(repeat_source, "source size rounds", "2.8  the same, rounds times (timing)"),
+      MC_EXPERIMENT(repeat_source, "source size rounds seed shown",
+                    "2.8  numbers, rounds times; those of the rounds shown (timing)"),
       MC_EXPERIMENT(repeat_irradiance, "way n rounds",
                     "2.7  by area (0) or hemisphere (1), rounds times (timing)"),
   };

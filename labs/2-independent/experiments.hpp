@@ -82,13 +82,6 @@ struct ByLab1 {
 MC_FIELDS(ByLab1, mean, variance_textbook, variance_two_pass, mean_of_add, variance_of_add,
           mean_of_moments, variance_of_moments)
 
-/// What was seen of the numbers of many rounds: one of each, at a place that moves.
-struct Repeated {
-  double mean = 0;
-  std::uint64_t unchanged = 0;  ///< rounds after which there stood what had stood there before
-};
-MC_FIELDS(Repeated, mean, unchanged)
-
 /// 2.1: of each word.
 std::vector<double> to_unit(std::vector<std::uint64_t> words);
 
@@ -141,9 +134,12 @@ std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);
 std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t seed,
                              std::uint64_t replicates);
 
-/// For timing: the same numbers, `rounds` times; and 2.7 by way of the area (0) or the hemisphere
-/// (1) with n samples, `rounds` times: what came last.
-Repeated repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds);
+/// For timing: `size` numbers by a source, `rounds` times; round r has a generator of its own, of
+/// seed `seed` + r (but source 0, whose seeding takes long: one for all). The numbers of the rounds
+/// `shown`. And 2.7 by way of the area (0) or the hemisphere (1) with n samples, `rounds` times:
+/// what came last.
+std::vector<double> repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds,
+                                  std::uint64_t seed, std::vector<std::uint64_t> shown);
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);
 
 }  // namespace mc::experiments

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
+#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -90,6 +91,14 @@ double mean_of(const Function& g, const PointSet& points, std::size_t used) {
   return sum / static_cast<double>(used);
 }
 
+/// Points at the end of a list, column by column.
+void append(std::vector<double>& all, const PointSet& points) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    const auto column = points.column(d);
+    all.insert(all.end(), column.begin(), column.end());
+  }
+}
+
 /// `sets` sets of points, each column by column, one after the other.
 template <class Fill>
 std::vector<double> many(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
@@ -101,10 +110,7 @@ std::vector<double> many(std::uint64_t n, std::uint64_t dims, std::uint64_t sets
   for (std::uint64_t set = 0; set < sets; ++set) {
     clear(points);
     fill(points, rng);
-    for (std::size_t d = 0; d < dims; ++d) {
-      const auto column = points.column(d);
-      all.insert(all.end(), column.begin(), column.end());
-    }
+    append(all, points);
   }
   return all;
 }
@@ -244,17 +250,21 @@ Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std:
   return with_counts({dims, weighted}, dealing, n, replicates, rng);
 }
 
-std::vector<Replicated> estimates_replicated(unsigned task, Function g, std::uint64_t dims,
-                                             std::uint64_t n, std::uint64_t replicates,
-                                             std::uint64_t times, std::uint64_t seed) {
+ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t dims,
+                                      std::uint64_t n, std::uint64_t replicates,
+                                      std::uint64_t times, std::uint64_t seed) {
   Rng rng(seed);
   const Integrand integrand{dims, [&](std::span<const double> x) {
                               return evaluate(g, dims, [&](std::size_t d) { return x[d]; });
                             }};
-  const Generator generator = [&](PointSet& points, Rng& from) { make_points(task, points, from); };
-  std::vector<Replicated> all;
+  ReplicatedTraces all;
+  const Generator generator = [&](PointSet& points, Rng& from) {
+    make_points(task, points, from);
+    append(all.points, points);
+  };
   for (std::uint64_t i = 0; i < times; ++i) {
-    all.push_back(with_counts(integrand, generator, n, replicates, rng));
+    all.estimates.push_back(with_counts(integrand, generator, n, replicates, rng));
+    all.points.resize(all.estimates.size() * replicates * n * dims);
   }
   return all;
 }
@@ -287,13 +297,18 @@ std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n,
   return picture;
 }
 
-double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
-  Rng rng(1);
+std::vector<double> repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds,
+                           std::uint64_t seed, std::vector<std::uint64_t> shown) {
   PointSet points(n, dims);
+  clear(points);
+  std::vector<double> all;
+  runner::Shown is_shown(shown);
   for (std::uint64_t round = 0; round < rounds; ++round) {
+    Rng rng(seed + round);
     make_points(task, points, rng);
+    if (is_shown(round)) append(all, points);
   }
-  return points.column(points.dims() - 1)[n - 1];
+  return all;
 }
 
 double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds) {
@@ -348,8 +363,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "3.8  replicated estimates of kind:a:b:edge by points of task 3.task"),
       MC_EXPERIMENT(shadow, "task width points seed",
                     "a soft shadow, pixels row by row, by points of task 3.task"),
-      MC_EXPERIMENT(repeat, "task points dims rounds",
-                    "for timing: points of task 3.task, made again and again"),
+      MC_EXPERIMENT(repeat, "task points dims rounds seed shown",
+                    "for timing: points of task 3.task, again and again; of the rounds shown"),
       MC_EXPERIMENT(repeat_textbook, "dims points rounds",
                     "for timing: jittered points by a textbook's loop and std::mt19937_64"),
   };

@@ -76,23 +76,32 @@ struct Replicated {
 };
 MC_FIELDS(Replicated, value, standard_error, n, generated, evaluated, misshapen, repeated)
 
+/// Estimates, one after the other, and the points behind them all, set by set, each column by
+/// column: as many as are due, cut or filled up with zeros.
+struct ReplicatedTraces {
+  std::vector<Replicated> estimates;
+  std::vector<double> points;
+};
+MC_FIELDS(ReplicatedTraces, estimates, points)
+
 /// 3.8: of x0 + 2 x1 + 3 x2 + …, with a generator that deals out `values` in turn, over and over,
 /// column by column.
 Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std::uint64_t dims,
                                std::uint64_t replicates);
 
 /// 3.8: `times` times of `g` over n points of task 3.`task`, as in estimates().
-std::vector<Replicated> estimates_replicated(unsigned task, Function g, std::uint64_t dims,
-                                             std::uint64_t n, std::uint64_t replicates,
-                                             std::uint64_t times, std::uint64_t seed);
+ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t dims,
+                                      std::uint64_t n, std::uint64_t replicates,
+                                      std::uint64_t times, std::uint64_t seed);
 
 /// A picture of width x width pixels, row by row: the soft shadow of a ball under a square light,
 /// each pixel the mean of n points on the light, as in estimates().
 std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n, std::uint64_t seed);
 
-/// For timing: n points of `dims` dimensions as in estimates(), `rounds` times; the last coordinate
-/// of all.
-double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds);
+/// For timing: n points of `dims` dimensions as in estimates(), `rounds` times, round r with a
+/// generator of seed `seed` + r; of the rounds `shown`, what they made, column by column.
+std::vector<double> repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds,
+                           std::uint64_t seed, std::vector<std::uint64_t> shown);
 
 /// For timing: the same points, jittered in 1 or 2 dimensions by the loop of a textbook, with
 /// std::mt19937_64 and std::uniform_real_distribution.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
+#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -20,6 +21,12 @@ std::uint64_t draws_between(Rng before, Rng after) {
   std::uint64_t draws = 0;
   while (draws < most && before() != next) ++draws;
   return draws;
+}
+
+void append(Patterns& all, std::span<const double> x, std::span<const double> y) {
+  all.x.insert(all.x.end(), x.begin(), x.end());
+  all.y.insert(all.y.end(), y.begin(), y.end());
+  all.sizes.push_back(x.size());
 }
 
 Points columns_of(const PointSet& points) {
@@ -61,10 +68,7 @@ Patterns poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed) {
   Patterns all;
   for (std::uint64_t set = 0; set < sets; ++set) {
     const PointSet points = mc::poisson_disk(radius, rng);
-    const auto x = points.column(0), y = points.column(1);
-    all.x.insert(all.x.end(), x.begin(), x.end());
-    all.y.insert(all.y.end(), y.begin(), y.end());
-    all.sizes.push_back(points.size());
+    append(all, points.column(0), points.column(1));
   }
   all.draws = draws_between(before, rng);
   return all;
@@ -104,23 +108,25 @@ Points tile_of(std::uint64_t size, std::uint64_t dims, int copies) {
   return columns_of(mc::tile(PointSet(size, dims), copies));
 }
 
-double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds) {
-  Rng rng(n);
-  double last = 0;
+Patterns repeat(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_t seed,
+                std::vector<std::uint64_t> shown) {
+  Patterns all;
+  runner::Shown is_shown(shown);
   for (std::uint64_t round = 0; round < rounds; ++round) {
+    Rng rng(seed + round);
     if (task == 2) {
-      std::vector<double> x(n), y(n);
+      std::vector<double> x(n, unwritten), y(n, unwritten);
       mc::best_candidate(x, y, 1, rng);
-      last = y.back();
+      if (is_shown(round)) append(all, x, y);
     } else if (task == 3) {
       const double radius = std::sqrt(0.7 / static_cast<double>(n));
       const PointSet points = mc::poisson_disk(radius, rng);
-      last = points.column(1).back();
+      if (is_shown(round)) append(all, points.column(0), points.column(1));
     } else {
       throw std::out_of_range("task: 2 or 3");
     }
   }
-  return last;
+  return all;
 }
 
 }  // namespace mc::experiments
@@ -138,7 +144,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(radial_power, "power kmax", "4.5  means over rings of a periodogram"),
       MC_EXPERIMENT(tile, "x y copies", "4.6  a pattern, copies times along each axis"),
       MC_EXPERIMENT(tile_of, "points dims copies", "4.6  points at the origin, the same"),
-      MC_EXPERIMENT(repeat, "task points rounds", "4.2 or 4.3, again and again (timing)"),
+      MC_EXPERIMENT(repeat, "task points rounds seed shown",
+                    "4.2 or 4.3, again and again; of the rounds shown (timing)"),
   };
   return all;
 }

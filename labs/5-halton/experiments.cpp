@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
+#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -135,32 +136,37 @@ std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_
   return values;
 }
 
-double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds) {
+std::vector<double> repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n,
+                           std::uint64_t rounds, std::uint64_t seed,
+                           std::vector<std::uint64_t> shown) {
   const unsigned of = base_or_dimension;
-  std::vector<double> column(n, 0.0);
+  std::vector<double> column(n, unwritten), all;
+  runner::Shown is_shown(shown);
   for (std::uint64_t round = 0; round < rounds; ++round) {
+    const std::uint64_t its_seed = seed + round, first = 4096 * (its_seed % 4096);
     switch (task) {
       case 1:
         for (std::uint64_t i = 0; i < n; ++i) column[i] = mc::radical_inverse(of, i);
         break;
       case 2:
-        mc::radical_inverses(of, 0, column);
+        mc::radical_inverses(of, first, column);
         break;
       case 5:
-        mc::sobol(of, 0, column);
+        mc::sobol(of, first, column);
         break;
       case 8:
-        mc::sobol(of, 0, column);
-        mc::owen_scramble(column, round);
+        mc::sobol(of, first, column);
+        mc::owen_scramble(column, its_seed);
         break;
       case 9:
-        mc::radical_inverses_scrambled(of, 0, column, round);
+        mc::radical_inverses_scrambled(of, first, column, its_seed);
         break;
       default:
         throw std::out_of_range("task: 1, 2, 5, 8 or 9");
     }
+    if (is_shown(round)) all.insert(all.end(), column.begin(), column.end());
   }
-  return column.empty() ? 0 : column.back();
+  return all;
 }
 
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
@@ -201,8 +207,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "5.9  scrambled radical inverses of first, first + 1, ..., by each seed"),
       MC_EXPERIMENT(scrambled_one_by_one, "base indices seed",
                     "5.9  scrambled radical inverses of indices, a column for each"),
-      MC_EXPERIMENT(repeat, "task base_or_dimension n rounds",
-                    "a column of task 5.task, rounds times (timing)"),
+      MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed shown",
+                    "a column of task 5.task, rounds times; of the rounds shown (timing)"),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",
                     "points of task 5.task, rounds times (timing)"),
   };

@@ -22,6 +22,7 @@
 #include "common/scenes/stripes.hpp"
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
+#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -304,36 +305,52 @@ std::vector<unsigned> uses_of_picture(std::string picture) {
   return sampler.uses;
 }
 
-double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
-              std::uint64_t rounds) {
-  const auto sampler = mc::make_sampler(kind);
+namespace {
+
+/// The sum of a round of repeat().
+double sum_of(Sampler& sampler, unsigned by, std::uint64_t dims, std::uint64_t asked) {
   double sum = 0;
-  for (std::uint64_t round = 0; round < rounds; ++round) {
-    sampler->generate(samples, round);
-    const std::uint64_t asked = by == 0 ? 1 : samples;
-    for (std::uint64_t i = 0; i < asked; ++i, sampler->advance()) {
-      if (by == 1) {
-        for (std::uint64_t d = 0; d < dims; ++d) sum += sampler->next();
-      } else {
-        for (std::uint64_t d = 0; d < dims; d += 2) {
-          const Point2 point = sampler->next2();
-          sum += point.x + point.y;
-        }
+  for (std::uint64_t i = 0; i < asked; ++i, sampler.advance()) {
+    if (by == 1) {
+      for (std::uint64_t d = 0; d < dims; ++d) sum += sampler.next();
+    } else {
+      for (std::uint64_t d = 0; d < dims; d += 2) {
+        const Point2 point = sampler.next2();
+        sum += point.x + point.y;
       }
     }
   }
   return sum;
 }
 
-double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
-                    std::uint64_t rounds) {
+}  // namespace
+
+std::vector<double> repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
+                           std::uint64_t rounds, std::uint64_t seed,
+                           std::vector<std::uint64_t> shown) {
+  const auto sampler = mc::make_sampler(kind);
+  std::vector<double> sums;
+  runner::Shown is_shown(shown);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    sampler->generate(samples, seed + round);
+    const double sum = sum_of(*sampler, by, dims, by == 0 ? 1 : samples);
+    if (is_shown(round)) sums.push_back(sum);
+  }
+  return sums;
+}
+
+std::vector<double> repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
+                                 std::uint64_t rounds, std::uint64_t seed,
+                                 std::vector<std::uint64_t> shown) {
   const Scene seen = named(scenes, scene).with({});
   const auto sampler = mc::make_sampler(kind);
-  double sum = 0;
+  std::vector<double> integrals;
+  runner::Shown is_shown(shown);
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    sum += mc::integrate(seen, *sampler, samples, round);
+    const double integral = mc::integrate(seen, *sampler, samples, seed + round);
+    if (is_shown(round)) integrals.push_back(integral);
   }
-  return sum;
+  return integrals;
 }
 
 double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds) {
@@ -370,9 +387,10 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "6.6  the same, after that picture and another one"),
       MC_EXPERIMENT(uses_of, "scene parameters", "what a sample of a scene asks for"),
       MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for"),
-      MC_EXPERIMENT(repeat, "kind by dims samples rounds",
+      MC_EXPERIMENT(repeat, "kind by dims samples rounds seed shown",
                     "6.8  for timing: by next (1), by next2 (2), or generation alone (0)"),
-      MC_EXPERIMENT(repeat_scene, "kind scene samples rounds", "6.8  for timing: integrate"),
+      MC_EXPERIMENT(repeat_scene, "kind scene samples rounds seed shown",
+                    "6.8  for timing: integrate"),
       MC_EXPERIMENT(repeat_textbook, "dims samples rounds",
                     "6.8  for timing: numbers of std::mt19937_64"),
   };

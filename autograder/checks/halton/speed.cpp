@@ -1,6 +1,7 @@
 // Lab 5: how fast the speed tasks are, shown beside a verdict.
 
 #include "checks/halton/bench_samplers.hpp"
+#include "checks/halton/timed.hpp"
 #include "checks/support/catch.hpp"
 
 namespace mc::checks {
@@ -8,9 +9,7 @@ namespace {
 
 TEST_CASE("speed of sequences", "[.speed]") {
   const auto column = [](unsigned task, unsigned of) {
-    return [=](std::uint64_t rounds) {
-      return cpu_seconds_of(TRY_MEASURE(repeat, task, of, 4096, rounds));
-    };
+    return [=](std::uint64_t rounds) { return seconds_of_columns(task, of, 4096, rounds); };
   };
   bench_speed("5.2", "radical inverses in base 3", 4096, column(2, 3));
   bench_speed("5.5", "Sobol' coordinates", 4096, column(5, 1));

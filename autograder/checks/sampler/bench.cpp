@@ -5,6 +5,7 @@
 
 #include "6-sampler/experiments.hpp"
 #include "checks/sampler/samplers.hpp"
+#include "checks/sampler/timed.hpp"
 #include "checks/support/bench_data.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
@@ -66,7 +67,7 @@ TEST_CASE("bench time", "[.bench-time]") {
     for (const Benched& kind : benched) {
       for (std::uint64_t n = 16; n <= kind.most; n *= 16) {
         const auto round = seconds_once([&](std::uint64_t rounds) {
-          return cpu_seconds_of(TRY_MEASURE(repeat_scene, kind.kind, scene, n, rounds));
+          return seconds_of_integrals(kind.kind, scene, n, rounds);
         });
         if (!round) break;
         bench_row({"time", kind.name, scene, dims_of_scene(scene), n,
@@ -83,11 +84,11 @@ TEST_CASE("bench growth", "[.bench-growth]") {
     BenchSampler sampler;
     sampler.name = name;
     sampler.rounds = [&](std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
-      return cpu_seconds_of(TRY_MEASURE(repeat, kind.kind, 1, dims, n, rounds));
+      return cpu_seconds_of(TRY_MEASURE(repeat, kind.kind, 1, dims, n, rounds, 1, {}));
     };
     bench_growth_of_dims(sampler);
     bench_growth(name, 2, 10'000'000, [&](std::uint64_t n, std::uint64_t rounds) {
-      return used_by(TRY_MEASURE_WITH(large, repeat, kind.kind, 2, 2, n, rounds));
+      return used_by(TRY_MEASURE_WITH(large, repeat, kind.kind, 2, 2, n, rounds, 1, {}));
     });
   }
 }

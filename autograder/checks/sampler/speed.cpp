@@ -1,6 +1,7 @@
 // 6.8: many samples, and what is not asked for; and what a number costs.
 
 #include "checks/sampler/samplers.hpp"
+#include "checks/sampler/timed.hpp"
 #include "checks/sampler/walks.hpp"
 #include "checks/support/bench_data.hpp"
 #include "checks/support/catch.hpp"
@@ -53,9 +54,7 @@ TEST_CASE("speed of samplers", "[.speed]") {
     if (kind == "blue_noise") continue;  // its time grows with the square of the samples
     for (const std::uint64_t n : {16u, 64u}) {
       bench_speed("6.8", fmt::format("a number, {}, {} samples", kind, n), 4 * n,
-                  [&](std::uint64_t rounds) {
-                    return cpu_seconds_of(TRY_MEASURE(repeat, kind, 2, 4, n, rounds));
-                  });
+                  [&](std::uint64_t rounds) { return seconds_of_samples(kind, 4, n, rounds); });
     }
   }
 }

@@ -89,16 +89,11 @@ void bench_errors_at(const BenchSampler& sampler, std::uint64_t dims, std::uint6
 }  // namespace
 
 std::optional<double> seconds_once(const Rounds& run) {
-  const auto enough = rounds_of(run, 0.025);
-  if (!enough) return {};
-  std::uint64_t rounds = *enough;
-  // What it takes before the first round may be more than that (values to be made, memory to be
-  // had): its noise must not be taken for a round.
-  for (int attempt = 0;; ++attempt, rounds *= 4) {
-    const auto one = run(rounds), two = run(2 * rounds);
-    if (!one || !two) return {};
-    if (*two - *one > 0.25 * *one) return (*two - *one) / static_cast<double>(rounds);
-    if (attempt == 3) return {};
+  try {
+    auto rounds = rounds_of(run, 0.025);
+    return rounds ? seconds_by_difference(run, *rounds) : std::nullopt;
+  } catch (const WrongWhenTimed&) {
+    return {};  // the speed beside a verdict says what was wrong
   }
 }
 

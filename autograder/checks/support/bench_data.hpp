@@ -20,7 +20,8 @@
 namespace mc::checks {
 
 /// Seconds a round, seen from outside: the CPU time of 2R rounds less that of R, R so large that
-/// this is about 25 ms. One such difference: ./lab bench comes back for more of them.
+/// this is about 25 ms. One such difference: ./lab bench comes back for more of them. Nothing where
+/// what came back was wrong.
 std::optional<double> seconds_once(const Rounds& run);
 
 /// Columns of one point set after another; nothing where the task is not written.

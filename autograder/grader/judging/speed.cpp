@@ -76,9 +76,14 @@ std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict
   const auto reference = rows_of_reference(layout, verdict.lab, passed, program, own);
   std::vector<Speed> speed;
   for (const protocol::Row& row : own) {
-    if (row.kind != "speed") continue;
+    if (row.kind != "speed" && row.kind != "speed wrong") continue;
     Speed one;
     one.name = row.what;
+    if (row.kind == "speed wrong") {
+      one.wrong = row.on;
+      speed.push_back(std::move(one));
+      continue;
+    }
     one.nanoseconds = row.value;
     if (const auto* other = find(reference, "speed", row.what)) one.reference = other->value;
     if (const auto* error = find(own, "speed error", row.what)) {

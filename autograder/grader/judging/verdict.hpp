@@ -58,6 +58,7 @@ struct Speed {
   std::optional<double> reference_error;  ///< of the solution's, as many points
   std::uint64_t points = 0;
   std::string integrand;
+  std::string wrong = {};  ///< what was wrong when it was timed: then there is no figure
 };
 
 struct LabVerdict {

@@ -106,7 +106,8 @@ Json json_of(const Speed& speed) {
           {"error", maybe(speed.error)},
           {"reference_error", maybe(speed.reference_error)},
           {"points", speed.points},
-          {"integrand", speed.integrand}};
+          {"integrand", speed.integrand},
+          {"wrong", speed.wrong}};
 }
 Speed speed_in(const Json& json) {
   return {json.at("name"),
@@ -115,7 +116,8 @@ Speed speed_in(const Json& json) {
           maybe_in(json.at("error")),
           maybe_in(json.at("reference_error")),
           json.at("points"),
-          json.at("integrand")};
+          json.at("integrand"),
+          json.value("wrong", "")};
 }
 
 Json json_of(const LabVerdict& lab) {

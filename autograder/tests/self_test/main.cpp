@@ -13,6 +13,9 @@
 //                                    // earns: the points at most, 0 if nothing is said
 //                                    // says: words that must stand in the story of some check
 //                                    // never says: words that must stand nowhere in it
+//                                    // forges: a speed task ("3.9 points"): of a right answer that
+//                                    cheats when it is timed, and may include solutions/. Then the
+//                                    speed line says what `says:` says, and shows no figure.
 //                                    whatever is shown is mc::sandbox::printable and in lines that fit
 //   …/peers/library/x.cpp            // peer: what of the library it is
 //                                    // fails: as "caught by"; of one reason, one after the other
@@ -23,7 +26,8 @@
 // Any of the last three says // limit: time, or memory, where a measurement of it meets one; `self_test
 // load RUNS` judges all that do beside busy loops, with the same verdict.
 //
-// `self_test repository` looks at the repository itself: task numbers, points, names.
+// `self_test cost LAB` measures what measurements cost the right answers of a lab, compiled as for
+// any x86-64. `self_test repository` looks at the repository itself: task numbers, points, names.
 
 #include <cstdlib>
 #include <exception>
@@ -67,13 +71,16 @@ int run(int argc, char** argv) {
     print_power();
   } else if (what == "load" && argc > 2) {
     prove_under_load({argv + 3, argv + argc}, static_cast<unsigned>(std::atoi(argv[2])));
+  } else if (what == "cost" && argc == 3) {
+    prove_cost(argv[2]);
   } else if (what == "fuzz" && argc == 4) {
     prove_against_lies(argv[2], static_cast<unsigned>(std::atoi(argv[3])));
   } else if (argc == 2) {
     prove_file(fs::canonical(argv[1]));
   } else {
     fmt::print(
-        "usage: self_test FILE | load RUNS [FILE...] | fuzz LAB COUNT | repository | power\n");
+        "usage: self_test FILE | load RUNS [FILE...] | fuzz LAB COUNT | cost LAB | repository | "
+        "power\n");
     return 2;
   }
   return has_complained() ? 1 : 0;

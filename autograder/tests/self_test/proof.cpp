@@ -62,8 +62,10 @@ Proof proof_of(const std::filesystem::path& file) {
     }
     proof.submission = *peer;
   } else {
-    proof.submission = single_file_submission(proof.layout, proof.labs, proof.lab, file,
-                                              kind != "attacks" && kind != "starter");
+    const bool is_strange =
+        kind == "starter" || (kind == "attacks" && said(file, "forges").empty());
+    proof.submission =
+        single_file_submission(proof.layout, proof.labs, proof.lab, file, !is_strange);
   }
   // A third of a mistake's price is its compilation, and its answers do not depend on the optimiser.
   if (kind == "mistakes") proof.layout.optimisation = "-O1";

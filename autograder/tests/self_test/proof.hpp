@@ -69,6 +69,10 @@ std::string kind_of(const std::filesystem::path& file);
 /// The proof of a file of the repository, its program built.
 Proof proof_of(const std::filesystem::path& file);
 
+/// No measurement costs a right answer of the lab more than 0.2 s of CPU time, compiled as for any
+/// x86-64; prints the dearest.
+void prove_cost(const std::string& lab);
+
 /// Task numbers, points, names.
 void prove_repository();
 

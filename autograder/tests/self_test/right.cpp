@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "checks/support/distributions.hpp"
+#include "grader/judging/speed.hpp"
 #include "tests/self_test/kept.hpp"
 #include "tests/self_test/proof.hpp"
 
@@ -91,6 +92,15 @@ void judge_cost(const LabVerdict& verdict) {
   if (worst > 2 * most) complain(fmt::format("a measurement of more than {} s", most));
 }
 
+/// What a right answer gives when it is timed is right, too: it has a figure.
+void judge_speed(const Proof& proof, const LabVerdict& verdict) {
+  for (const grader::Speed& one :
+       grader::measure_speed(proof.layout, verdict, *proof.built.program)) {
+    if (one.wrong.empty()) continue;
+    complain(fmt::format("a right answer that is wrong when timed: {}: {}", one.name, one.wrong));
+  }
+}
+
 }  // namespace
 
 void prove_right(const Proof& proof) {
@@ -119,6 +129,7 @@ void prove_right(const Proof& proof) {
     (result.p_values.empty() ? fresh : random).insert(result.check.name);
   }
   judge_cost(first);
+  judge_speed(proof, first);
   for (; seed == 1 || choose(); ++seed) {
     const LabVerdict verdict = seed == 1 ? first : proof.judge(seed, checks);
     if (verdict.earned() != verdict.points()) {
