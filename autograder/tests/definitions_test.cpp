@@ -1,0 +1,114 @@
+// The faster ways of the solutions against the definitions that stand above them.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "checks/support/catch.hpp"
+#include "common/rng.hpp"
+#include "halton.hpp"
+
+namespace mc::definition {
+void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column);
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column);
+void owen_scramble(std::span<double> column, std::uint64_t seed);
+}  // namespace mc::definition
+
+namespace {
+
+using Column = std::vector<double>;
+
+std::vector<std::size_t> sizes(std::size_t largest) {
+  std::vector<std::size_t> all{0,  1,  2,   3,   15,   16,   17,   63,
+                               64, 65, 127, 128, 1000, 1024, 1025, 5000};
+  std::erase_if(all, [&](std::size_t size) { return size > largest; });
+  return all;
+}
+
+/// The largest distance between numbers at the same place.
+double apart(const Column& a, const Column& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// Of numbers in [0, 1) with 53 bits: how many of the first bits are the same.
+int shared_bits(double a, double b) {
+  const auto bits = [](double x) { return static_cast<std::uint64_t>(x * 0x1p53) << 11; };
+  return std::countl_zero(bits(a) ^ bits(b));
+}
+
+}  // namespace
+
+TEST_CASE("5.2 radical inverses of a column: by their definition, up to both errors") {
+  for (const unsigned base : {2u, 3u, 7u, 29u, 131u, 1031u, 65537u, ~0u}) {
+    for (const std::size_t size : sizes(5000)) {
+      const std::uint64_t last = ~std::uint64_t{0} - (size > 0 ? size - 1 : 0);
+      for (const std::uint64_t first :
+           {std::uint64_t{0}, std::uint64_t{777}, std::uint64_t{1} << 40, last}) {
+        Column expected(size), got(size);
+        mc::definition::radical_inverses(base, first, expected);
+        mc::radical_inverses(base, first, got);
+        INFO("base " << base << ", " << size << " from " << first);
+        REQUIRE(apart(expected, got) <= (2 + 4) * 0x1p-53);
+        REQUIRE(std::all_of(got.begin(), got.end(), [](double x) { return 0 <= x && x < 1; }));
+      }
+    }
+  }
+}
+
+TEST_CASE("5.5 Sobol' coordinates: by their definition, bit by bit") {
+  for (unsigned dimension = 0; dimension < mc::joe_kuo.size(); ++dimension) {
+    for (const std::size_t size : sizes(5000)) {
+      const std::uint64_t last = (std::uint64_t{1} << 32) - std::max<std::size_t>(size, 1);
+      for (const std::uint64_t first :
+           {std::uint64_t{0}, std::uint64_t{777}, std::uint64_t{1} << 20, last}) {
+        Column expected(size), got(size);
+        mc::definition::sobol(dimension, first, expected);
+        mc::sobol(dimension, first, got);
+        INFO("dimension " << dimension << ", " << size << " from " << first);
+        REQUIRE(expected == got);
+      }
+    }
+  }
+}
+
+// The decisions are hashed in two ways, so the numbers differ; what is decided by what does not.
+TEST_CASE(
+    "5.8 Owen's scrambling, by its definition and fast: pairs share the bits that they shared") {
+  mc::Rng rng(58);
+  for (int shared = 0; shared < 53; ++shared) {
+    Column pairs(2 * 300);
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+      const std::uint64_t word = rng() >> 11, after = (std::uint64_t{1} << (52 - shared)) - 1;
+      pairs[i] = static_cast<double>(word) * 0x1p-53;
+      pairs[i + 1] = static_cast<double>(word ^ (after + 1) ^ (rng() & after)) * 0x1p-53;
+      REQUIRE(shared_bits(pairs[i], pairs[i + 1]) == shared);
+    }
+    for (const auto scramble : {mc::definition::owen_scramble, mc::owen_scramble}) {
+      Column scrambled = pairs;
+      scramble(scrambled, 7);
+      for (std::size_t i = 0; i < pairs.size(); i += 2) {
+        REQUIRE(shared_bits(scrambled[i], scrambled[i + 1]) == shared);
+      }
+    }
+  }
+}
+
+TEST_CASE("5.8 what becomes of a value depends on the value, not on those beside it") {
+  mc::Rng rng(85);
+  Column together(700);  // more than are scrambled at a time; every other one of 32 bits
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    together[i] =
+        static_cast<double>(rng() >> (i % 2 == 0 ? 11 : 32)) * (i % 2 == 0 ? 0x1p-53 : 0x1p-32);
+  }
+  for (const auto scramble : {mc::definition::owen_scramble, mc::owen_scramble}) {
+    Column alone = together, beside = together;
+    for (double& value : alone) scramble({&value, 1}, 7);
+    scramble(beside, 7);
+    CHECK(alone == beside);
+  }
+}
