@@ -10,8 +10,16 @@
 #include "checks/support/catch.hpp"
 #include "common/rng.hpp"
 #include "halton.hpp"
+#include "independent.hpp"
+#include "stratification.hpp"
+#include "variance.hpp"
 
 namespace mc::definition {
+Moments moments(std::span<const double> x);
+void uniforms(Rng& rng, std::span<double> out);
+double in_stratum(std::size_t i, std::size_t n, double u);
+void stratified_1d(std::span<double> x, Rng& rng);
+void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng);
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column);
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column);
 void owen_scramble(std::span<double> column, std::uint64_t seed);
@@ -41,7 +49,101 @@ int shared_bits(double a, double b) {
   return std::countl_zero(bits(a) ^ bits(b));
 }
 
+/// One of the generators that run side by side: xoshiro256+, as its authors print it.
+struct Xoshiro {
+  std::uint64_t a, b, c, d;
+  std::uint64_t operator()() {
+    const std::uint64_t result = a + d, shifted = b << 17;
+    c ^= a;
+    d ^= b;
+    b ^= c;
+    a ^= d;
+    c ^= shifted;
+    d = std::rotl(d, 45);
+    return result;
+  }
+};
+
 }  // namespace
+
+// Welford's error is n eps kappa at most, that of shifted sums smaller: kappa^2 = 1 + mean^2/variance.
+TEST_CASE("1.8 moments: by their definition, up to its error") {
+  mc::Rng rng(18);
+  for (const double offset : {0.0, -3.0, 1000.0}) {
+    for (const std::size_t size : sizes(5000)) {
+      Column x(size);
+      for (double& value : x) value = offset + static_cast<double>(rng() >> 11) * 0x1p-53;
+      const mc::Moments expected = mc::definition::moments(x), got = mc::moments(x);
+      const double kappa = std::sqrt(1 + 12 * (offset + 0.5) * (offset + 0.5));
+      const double bound = 4 * static_cast<double>(size) * kappa * 0x1p-53;
+      INFO(size << " values from " << offset);
+      REQUIRE(got.count == expected.count);
+      REQUIRE(std::abs(got.mean - expected.mean) <= bound * (std::abs(offset) + 1));
+      REQUIRE(std::abs(got.m2 - expected.m2) <= bound * expected.m2);
+    }
+  }
+}
+
+TEST_CASE(
+    "2.8 uniform numbers: by their definition, bit by bit, from sixteen generators or from one") {
+  for (const std::size_t size : sizes(5000)) {
+    mc::Rng rng(28), again(28);
+    Column got(size), expected(size);
+    mc::uniforms(rng, got);
+    std::size_t i = 0;
+    if (size >= 128) {
+      Xoshiro lanes[16];
+      for (const auto word : {&Xoshiro::a, &Xoshiro::b, &Xoshiro::c, &Xoshiro::d}) {
+        for (Xoshiro& lane : lanes) lane.*word = again();
+      }
+      for (; i < size / 16 * 16; ++i) expected[i] = mc::to_unit(lanes[i % 16]());
+    }
+    mc::definition::uniforms(again, std::span(expected).subspan(i));
+    INFO(size << " numbers");
+    REQUIRE(expected == got);
+    REQUIRE(rng() == again());
+  }
+}
+
+// Jitter that keeps away from edges moves a point by 2^-50 at most, and roundings by 7 times 2^-53.
+constexpr double by_margins = 0x1p-49;
+
+TEST_CASE("3.1 strata: by their definition, up to the margins") {
+  for (const std::size_t size : sizes(5000)) {
+    mc::Rng rng(31), again(31);
+    Column got(size), expected(size);
+    mc::stratified_1d(got, rng);
+    for (std::size_t first = 0; first < size; first += 1024) {  // as many as are drawn at a time
+      const auto block =
+          std::span(expected).subspan(first, std::min(size - first, std::size_t{1024}));
+      mc::uniforms(again, block);
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      expected[i] = mc::definition::in_stratum(i, size, expected[i]);
+    }
+    INFO(size << " strata");
+    REQUIRE(apart(expected, got) <= by_margins);
+  }
+}
+
+TEST_CASE("3.1, 3.3 few strata: by their definition, from the same random numbers") {
+  for (const std::size_t size : sizes(127)) {  // more are drawn many at a time
+    mc::Rng rng(33), again(33);
+    Column got(size), expected(size);
+    mc::stratified_1d(got, rng);
+    mc::definition::stratified_1d(expected, again);
+    INFO(size << " strata");
+    REQUIRE(apart(expected, got) <= by_margins);
+    if (size == 0) continue;
+    Column y(size), expected_y(size);
+    for (const mc::Grid grid : {mc::strata(size), mc::Grid{size, 1}, mc::Grid{1, size}}) {
+      mc::stratified_2d(got, y, grid, rng);
+      mc::definition::stratified_2d(expected, expected_y, grid, again);
+      REQUIRE(apart(expected, got) <= by_margins);
+      REQUIRE(apart(expected_y, y) <= by_margins);
+    }
+  }
+}
 
 TEST_CASE("5.2 radical inverses of a column: by their definition, up to both errors") {
   for (const unsigned base : {2u, 3u, 7u, 29u, 131u, 1031u, 65537u, ~0u}) {
