@@ -16,16 +16,16 @@ namespace mc {
 // 3.9 ---------------------------------------------------------------------------------------------
 
 namespace definition {
-/// The point of stratum i of n that u in [0, 1) leads to. Sum and quotient may be rounded up, even to
-/// the edge: then it is the double before.
+/// The point of stratum i of n that u in [0, 1) leads to. Sum and quotient may be rounded up, even
+/// to the edge: then it is the double before.
 double in_stratum(std::size_t i, std::size_t n, double u) {
   const auto stratum = static_cast<double>(i), strata = static_cast<double>(n);
   return std::min((stratum + u) / strata, std::nextafter((stratum + 1) / strata, 0.0));
 }
 }  // namespace definition
 
-// That is two divisions and, in 3.1 and 3.3, a call of the generator for every number, one after the
-// other. Here nothing is divided, clamped or waited for:
+// That is two divisions and, in 3.1 and 3.3, a call of the generator for every number, one after
+// the other. Here nothing is divided, clamped or waited for:
 //
 // * The jitter keeps away from both edges of its stratum, by 2^-50 of the whole axis: more than all
 //   its roundings together. Then nothing can reach an edge, and multiplying by 1/n, rounded, will
@@ -57,7 +57,8 @@ class Strata {
 /// Moves the values of `u`, in [0,1), to the strata first, first + 1, …
 void move_into(const Strata& strata, std::size_t first, std::span<double> u) {
   const auto start = static_cast<double>(first);
-  for (int i = 0; i < static_cast<int>(u.size()); ++i) u[i] = strata.place(start + i, u[i]);
+  double* const x = u.data();
+  for (int i = 0; i < static_cast<int>(u.size()); ++i) x[i] = strata.place(start + i, x[i]);
 }
 
 }  // namespace
@@ -138,8 +139,8 @@ namespace {
 
 /// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
 /// last, which of the others before it, and so on. The definition would draw each number by
-/// std::uniform_int_distribution. The integer part of u n, u uniform in [0,1) by 53 bits, is as good
-/// to 2^-53 and comes many at a time; it is below n, since u n is, rounded or not.
+/// std::uniform_int_distribution. The integer part of u n, u uniform in [0,1) by 53 bits, is as
+/// good to 2^-53 and comes many at a time; it is below n, since u n is, rounded or not.
 void shuffle_by(auto swap, std::size_t n, Rng& rng) {
   std::array<double, 256> any;
   while (n > 1) {
@@ -218,15 +219,16 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 // 3.7 ---------------------------------------------------------------------------------------------
 
-// A column of cells has ny of the N strata of x, one for each of its cells: which cell gets which is
-// left to chance, by a permutation for each column; and so for the nx strata of y in a row.
+// A column of cells has ny of the N strata of x, one for each of its cells: which cell gets which
+// is left to chance, by a permutation for each column; and so for the nx strata of y in a row.
 //
 // That is N random numbers for each axis. Or all columns share one permutation (Kensler 2013): but
-// then points lie at the same place in their cells all along a row, their errors add up, and fall as
-// N^-3/4 where N^-1 is to be had. So let each column begin the shared permutation at a random place.
-// Then any two points lie as they would with permutations of their own (in one column: as two entries
-// of a random permutation; in two columns: independently), and the variance of an estimate, which is
-// made of pairs, is the same for every integrand, for the price of one number a column.
+// then points lie at the same place in their cells all along a row, their errors add up, and fall
+// as N^-3/4 where N^-1 is to be had. So let each column begin the shared permutation at a random
+// place. Then any two points lie as they would with permutations of their own (in one column: as
+// two entries of a random permutation; in two columns: independently), and the variance of an
+// estimate, which is made of pairs, is the same for every integrand, for the price of one number a
+// column.
 
 namespace {
 
