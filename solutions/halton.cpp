@@ -347,7 +347,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     z = (z ^ z >> 16) * a;
     return (z ^ z >> 15) * 0x846ca68bu + b;
   };
-  const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };  // of 32 bits, rounded
+  const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };  // behind 32 bits, rounded
   constexpr std::size_t block = 256;  // short loops fill a processor's registers better
   std::array<std::uint32_t, block> words, flips;
   for (; !column.empty(); column = column.subspan(std::min(block, column.size()))) {
@@ -357,11 +357,11 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
       words[i] = std::uint32_t(bits(x[i] + 0x1p20));
       longer |= bits(rest(x[i]));
     }
-    for (std::size_t i = 0; longer != 0 && i < x.size(); ++i) words[i] -= rest(x[i]) < 0;
+    const std::size_t rests = longer == 0 ? 0 : x.size();  // Sobol' points have none
+    for (std::size_t i = 0; i < rests; ++i) words[i] -= rest(x[i]) < 0;
     for (std::size_t i = 0; i < x.size(); ++i) words[i] = scrambled(mirrored(words[i]));
     for (std::size_t i = 0; i < x.size(); ++i) flips[i] = behind(words[i]);
-    for (std::size_t i = 0; longer != 0 && i < x.size();
-         ++i) {  // nested too: zeros behind stay zeros
+    for (std::size_t i = 0; i < rests; ++i) {  // nested too: zeros behind stay zeros
       const std::uint32_t last = std::uint32_t(bits(rest(x[i]) + 0.75)) << 11;
       flips[i] ^= mirrored(mirrored(last) * (behind(~words[i]) | 1));
     }
