@@ -347,7 +347,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     z = (z ^ z >> 16) * a;
     return (z ^ z >> 15) * 0x846ca68bu + b;
   };
-  const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };  // behind 32 bits, rounded
+  const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };  // past 32 bits, rounded
   constexpr std::size_t block = 256;  // short loops fill a processor's registers better
   std::array<std::uint32_t, block> words, flips;
   for (; !column.empty(); column = column.subspan(std::min(block, column.size()))) {
