@@ -359,7 +359,8 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     }
     const std::size_t rests = longer == 0 ? 0 : x.size();  // Sobol' points have none
     for (std::size_t i = 0; i < rests; ++i) words[i] -= rest(x[i]) < 0;
-    for (std::size_t i = 0; i < x.size(); ++i) words[i] = scrambled(mirrored(words[i]));
+    for (std::size_t i = 0; i < x.size(); ++i) words[i] = mirrored(words[i]);
+    for (std::size_t i = 0; i < x.size(); ++i) words[i] = scrambled(words[i]);
     for (std::size_t i = 0; i < x.size(); ++i) flips[i] = behind(words[i]);
     for (std::size_t i = 0; i < rests; ++i) {  // nested too: zeros behind stay zeros
       const std::uint32_t last = std::uint32_t(bits(rest(x[i]) + 0.75)) << 11;
@@ -373,9 +374,8 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
-// A permutation for each position that an index may have; at most of them, a column has zeros only.
-// Zeros become random digits, together one uniform number, which is drawn first. What is left of it
-// behind the positions in use is what all the zeros there come to.
+// A permutation for each position; at most of them, a column has zeros only. What zeros become are
+// digits of one uniform number, drawn first; what is left of it behind those in use is `zeros`.
 
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
