@@ -7,6 +7,12 @@ own_target(grader_tests)
 target_link_libraries(grader_tests PRIVATE grading working recording pages drawing benching checking_figures)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
+# The solutions, as programs have them: their faster ways are compared with their definitions.
+add_library(solutions OBJECT EXCLUDE_FROM_ALL ${solutions_FILES})
+target_include_directories(solutions PRIVATE labs ${LAB_INCLUDES})
+target_compile_options(solutions PRIVATE ${PROGRAM_FLAGS})
+with_warnings(solutions)
+target_sources(grader_tests PRIVATE $<TARGET_OBJECTS:solutions>)
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/self_test/*.cpp)
 add_executable(self_test EXCLUDE_FROM_ALL ${sources} autograder/checks/support/distributions.cpp

@@ -1,10 +1,10 @@
-// Lab 4 · blue noise: the reference solution. Each function is its definition first; where a faster
-// way stands below, its reason stands with it.
+// Lab 4 · blue noise: the reference solution. Speed tasks show a definition, then the faster way.
 
 #include "blue_noise.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -14,6 +14,8 @@
 
 namespace mc {
 namespace {
+
+constexpr double below_one = 1 - 0x1p-53;  // the largest double that is
 
 double uniform(Rng& rng) {
   return static_cast<double>(rng() >> 11) * 0x1p-53;
@@ -32,8 +34,7 @@ void require_pairs(std::size_t x, std::size_t y) {
 /// A number with two digits: 1.5e+12.
 std::string in_words(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g", number);
-  return text;
+  return {text, text + std::snprintf(text, sizeof text, "%.2g", number)};
 }
 
 std::size_t require_square(std::size_t size, int kmax) {
@@ -56,15 +57,24 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 }
 
 // 4.2 --------------------------------------------------------------------------------------------
-//
-// The definition, for point i:
-//
-//   for each of ceil(c i) + 1 candidates
-//     nearest = the least distance to points 0 … i-1
-//     keep the candidate whose nearest is largest
-//
-// which looks at N points for each of N^2 / 2 candidates: N^3.
-//
+
+namespace definition {
+void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    double farthest = -1;
+    for (double left = std::ceil(c * double(i)) + 1; left > 0; --left) {
+      const Point2 candidate = uniform_point(rng);
+      double nearest = 1;
+      for (std::size_t j = 0; j < i; ++j) {
+        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[j], y[j]}));
+      }
+      if (nearest > farthest) farthest = nearest, x[i] = candidate.x, y[i] = candidate.y;
+    }
+  }
+}
+}  // namespace definition
+
+// That looks at N points for each of N^2 / 2 candidates: N^3.
 // 4.7  Two thoughts make it N^2:
 //
 // * A grid of about as many cells as points: near points lie in near cells, so a few cells answer.
@@ -73,33 +83,52 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 
 namespace {
 
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+/// side x side cells of the torus: left meets right, and top meets bottom.
+struct Cells {
+  long side;
+
+  long of(double x) const { return std::min(static_cast<long>(x * double(side)), side - 1); }
+  std::size_t at(long i, long j) const {
+    return static_cast<std::size_t>(wrapped(j) * side + wrapped(i));
+  }
+  std::size_t count() const { return static_cast<std::size_t>(side * side); }
+
+ private:
+  long wrapped(long i) const {
+    while (i < 0) i += side;
+    while (i >= side) i -= side;
+    return i;
+  }
+};
+
 /// Points of the torus, found by where they are.
 class Neighbours {
  public:
   void add(Point2 point) {
     points_.push_back(point);
-    if (points_.size() > side_ * side_) {
-      rebuild();
-    } else {
-      link(points_.size() - 1);
-    }
+    const auto number = static_cast<std::uint32_t>(points_.size() - 1);
+    if (points_.size() <= cells_.count()) return link(number);
+    cells_.side *= 2;  // four times the cells: each point moves once, on average
+    first_.assign(cells_.count(), none);
+    next_.clear();
+    for (std::uint32_t p = 0; p <= number; ++p) link(p);
   }
 
   /// Squared distance to the nearest point, or to any point that is nearer than sqrt(`enough`).
-  double nearest(Point2 at, double enough) const {
-    const auto side = static_cast<long>(side_);
-    const auto column = static_cast<long>(cell(at.x)), row = static_cast<long>(cell(at.y));
+  double nearest(Point2 to, double enough) const {
+    const long column = cells_.of(to.x), row = cells_.of(to.y);
     double least = std::numeric_limits<double>::infinity();
-    for (long ring = 0; 2 * (ring - 1) < side; ++ring) {
+    for (long ring = 0; 2 * (ring - 1) < cells_.side; ++ring) {
       // Rings 0 … ring-1 hold everything within ring - 1 cells.
-      const double seen = static_cast<double>(ring - 1) / static_cast<double>(side);
+      const double seen = double(ring - 1) / double(cells_.side);
       if (ring > 0 && least <= seen * seen) break;
       for (long j = -ring; j <= ring; ++j) {
         const long step = std::abs(j) == ring || ring == 0 ? 1 : 2 * ring;
         for (long i = -ring; i <= ring; i += step) {
-          const auto where = wrapped(row + j) * side_ + wrapped(column + i);
-          for (std::size_t p = first_[where]; p != none; p = next_[p]) {
-            least = std::min(least, toroidal_distance_squared(at, points_[p]));
+          for (auto p = first_[cells_.at(column + i, row + j)]; p != none; p = next_[p]) {
+            least = std::min(least, toroidal_distance_squared(to, points_[p]));
             if (least < enough) return least;
           }
         }
@@ -109,33 +138,16 @@ class Neighbours {
   }
 
  private:
-  static constexpr std::size_t none = ~std::size_t{0};
-
-  std::size_t cell(double x) const {
-    return std::min(static_cast<std::size_t>(x * static_cast<double>(side_)), side_ - 1);
-  }
-  std::size_t wrapped(long i) const {
-    const auto side = static_cast<long>(side_);
-    while (i < 0) i += side;
-    while (i >= side) i -= side;
-    return static_cast<std::size_t>(i);
-  }
-  void link(std::size_t p) {
-    std::size_t& first = first_[cell(points_[p].y) * side_ + cell(points_[p].x)];
+  void link(std::uint32_t p) {
+    std::uint32_t& first = first_[cells_.at(cells_.of(points_[p].x), cells_.of(points_[p].y))];
     next_.push_back(first);
     first = p;
   }
-  void rebuild() {  // with four times the cells: each point moves once, on average
-    side_ *= 2;
-    first_.assign(side_ * side_, none);
-    next_.clear();
-    for (std::size_t p = 0; p < points_.size(); ++p) link(p);
-  }
 
-  std::size_t side_ = 1;  // cells along each axis
+  Cells cells_{1};
   std::vector<Point2> points_;
-  std::vector<std::size_t> first_ = {none};  // of each cell: one of its points,
-  std::vector<std::size_t> next_;            // and of each point: another one in its cell
+  std::vector<std::uint32_t> first_ = {none};  // of each cell: one of its points,
+  std::vector<std::uint32_t> next_;            // and of each point: another one in its cell
 };
 
 }  // namespace
@@ -145,105 +157,113 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
   if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
   Neighbours points;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    Point2 best;
     double farthest = -1;
-    for (double k = 0; k < candidates; ++k) {
+    for (double left = std::ceil(c * double(i)) + 1; left > 0; --left) {
       const Point2 candidate = uniform_point(rng);
       const double nearest = points.nearest(candidate, farthest);
-      if (nearest > farthest) {
-        farthest = nearest;
-        best = candidate;
-      }
+      if (nearest > farthest) farthest = nearest, x[i] = candidate.x, y[i] = candidate.y;
     }
-    points.add(best);
-    x[i] = best.x;
-    y[i] = best.y;
+    points.add({x[i], y[i]});
   }
 }
 
 // 4.3 --------------------------------------------------------------------------------------------
-//
-// The definition is dart throwing: throw points at the square, keep those that are not too close to
-// one kept before, go on until none fits. The last gaps are small, and darts hardly ever hit them:
-// one can neither go on for ever nor know when to stop.
-//
-// 4.7  So throw only where a gap may be (Ebeida et al. 2012, "A simple algorithm for maximal
-// Poisson-disk sampling in high dimensions"):
+
+namespace {
+
+PointSet columns_of(const std::vector<Point2>& from) {
+  PointSet points(from.size(), 2);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    points.column(0)[i] = from[i].x;
+    points.column(1)[i] = from[i].y;
+  }
+  return points;
+}
+
+}  // namespace
+
+namespace definition {
+PointSet poisson_disk(double radius, Rng& rng) {
+  std::vector<Point2> points;
+  for (int misses = 0; misses < 10000; ++misses) {  // then 0.1 % is left, or less
+    const Point2 dart = uniform_point(rng);
+    const auto covers = [&](Point2 p) {
+      return toroidal_distance_squared(p, dart) < radius * radius;
+    };
+    if (std::any_of(points.begin(), points.end(), covers)) continue;
+    points.push_back(dart);
+    misses = -1;
+  }
+  return columns_of(points);
+}
+}  // namespace definition
+
+// Darts hardly ever hit the last gaps, the small ones. 4.7: throw only where a gap may be (Ebeida
+// et al. 2012, "A simple algorithm for maximal Poisson-disk sampling in high dimensions"):
 //
 // * The square is cut into cells so small that a cell holds one point at most. All are active.
 // * Darts fall on active cells, which cover every gap: the next point that is kept is uniform in
 //   the gaps, as with darts thrown at the whole square. The pattern is a dart thrower's, exactly.
 // * After one dart a cell, every active cell is quartered. A quarter that lies within one disc has
-//   no gap in it and is dropped. What is left shrinks towards the gaps.
-//
-// Each step looks at the few cells around. The number of active cells stays in proportion to that
-// of the points, and after ten quarterings they cover less than 1e-4 of the square.
+//   no gap in it and is dropped. After ten quarterings, less than 1e-4 of the square is active.
 
 namespace {
-
-constexpr int quarterings = 10;
 
 class DiskPattern {
  public:
   explicit DiskPattern(double radius)
       : radius_squared_(radius * radius),
-        side_(static_cast<std::uint32_t>(std::ceil(std::numbers::sqrt2 / radius))),
-        point_in_(std::size_t{side_} * side_, none) {
-    const int reach = static_cast<int>(std::ceil(radius * side_));
+        cells_{static_cast<long>(std::ceil(std::numbers::sqrt2 / radius))},
+        point_in_(cells_.count(), none) {
+    const int reach = static_cast<int>(std::ceil(radius * double(cells_.side)));
     for (int j = -reach; j <= reach; ++j) {
       for (int i = -reach; i <= reach; ++i) around_.push_back({i, j});
     }
-    std::sort(around_.begin(), around_.end(),
-              [](Step a, Step b) { return a.i * a.i + a.j * a.j < b.i * b.i + b.j * b.j; });
+    const auto nearer = [](Cell a, Cell b) {
+      return a.i * a.i + a.j * a.j < b.i * b.i + b.j * b.j;
+    };
+    std::sort(around_.begin(), around_.end(), nearer);
   }
 
-  void fill(Rng& rng) {
-    for (std::uint32_t j = 0; j < side_; ++j) {
-      for (std::uint32_t i = 0; i < side_; ++i) active_.push_back({i, j});
+  std::vector<Point2> fill(Rng& rng) {
+    for (int j = 0; j < cells_.side; ++j) {
+      for (int i = 0; i < cells_.side; ++i) active_.push_back({i, j});
     }
-    for (level_ = 0; level_ <= quarterings && !active_.empty(); ++level_) {
-      throw_darts(rng);
-      quarter();
+    double width = 1 / double(cells_.side);
+    for (int level = 0; level <= 10 && !active_.empty(); ++level, width /= 2) {
+      throw_darts(width, rng);
+      quarter(width / 4);
     }
+    return points_;
   }
-
-  const std::vector<Point2>& points() const { return points_; }
 
  private:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-  struct Cell {  // of a grid of side_ 2^level_ cells along each axis
-    std::uint32_t i, j;
-  };
-  struct Step {
+  struct Cell {
     int i, j;
   };
 
-  double width() const { return std::ldexp(1.0 / side_, -level_); }
-
-  void throw_darts(Rng& rng) {
-    const double cell_width = width();
+  void throw_darts(double width, Rng& rng) {
     for (std::size_t darts = active_.size(); darts > 0 && !active_.empty(); --darts) {
       Cell& cell = active_[static_cast<std::size_t>(uniform(rng) * double(active_.size()))];
       const Point2 u = uniform_point(rng);
-      const Point2 dart{std::min((double(cell.i) + u.x) * cell_width, below_one),
-                        std::min((double(cell.j) + u.y) * cell_width, below_one)};
+      const Point2 dart{std::min((double(cell.i) + u.x) * width, below_one),
+                        std::min((double(cell.j) + u.y) * width, below_one)};
       if (covered(dart, 0)) continue;
-      point_in_[grid_index(dart)] = static_cast<std::uint32_t>(points_.size());
+      point_in_[cells_.at(cells_.of(dart.x), cells_.of(dart.y))] =
+          static_cast<std::uint32_t>(points_.size());
       points_.push_back(dart);
       cell = active_.back();
       active_.pop_back();
     }
   }
 
-  void quarter() {
+  /// Cuts the active cells into quarters of half-width `half`.
+  void quarter(double half) {
     std::vector<Cell> quarters;
-    const double half = width() / 4;
     for (const Cell& cell : active_) {
-      for (unsigned q = 0; q < 4; ++q) {
+      for (int q = 0; q < 4; ++q) {
         const Cell child{2 * cell.i + q % 2, 2 * cell.j + q / 2};
-        const Point2 centre{(2 * double(child.i) + 1) * half, (2 * double(child.j) + 1) * half};
+        const Point2 centre{double(2 * child.i + 1) * half, double(2 * child.j + 1) * half};
         if (!covered(centre, half)) quarters.push_back(child);
       }
     }
@@ -252,9 +272,9 @@ class DiskPattern {
 
   /// Does the disc of some point hold the whole square of half-width `half` around `centre`?
   bool covered(Point2 centre, double half) const {
-    const auto i = static_cast<int>(centre.x * side_), j = static_cast<int>(centre.y * side_);
-    for (const auto& [di, dj] : around_) {
-      const std::uint32_t p = point_in_[std::size_t{wrapped(j + dj)} * side_ + wrapped(i + di)];
+    const long i = cells_.of(centre.x), j = cells_.of(centre.y);
+    for (const Cell& step : around_) {
+      const std::uint32_t p = point_in_[cells_.at(i + step.i, j + step.j)];
       if (p == none) continue;
       double dx = std::abs(centre.x - points_[p].x), dy = std::abs(centre.y - points_[p].y);
       dx = std::min(dx, 1 - dx) + half;  // to the farthest corner
@@ -264,25 +284,12 @@ class DiskPattern {
     return false;
   }
 
-  std::size_t grid_index(Point2 p) const {
-    return static_cast<std::size_t>(p.y * side_) * side_ + static_cast<std::size_t>(p.x * side_);
-  }
-  std::uint32_t wrapped(int i) const {
-    const int side = static_cast<int>(side_);
-    while (i < 0) i += side;
-    while (i >= side) i -= side;
-    return static_cast<std::uint32_t>(i);
-  }
-
-  static constexpr double below_one = 1 - 0x1p-53;
-
   double radius_squared_;
-  std::uint32_t side_;        // cells along each axis: a cell's diagonal is the radius at most
-  std::vector<Step> around_;  // to the cells that a radius spans, near ones first: they cover most
-  int level_ = 0;
+  Cells cells_;               // a cell's diagonal is the radius at most
+  std::vector<Cell> around_;  // steps to what a radius spans, near ones first: they cover most
   std::vector<Point2> points_;
-  std::vector<std::uint32_t> point_in_;  // of each cell of level 0
-  std::vector<Cell> active_;
+  std::vector<std::uint32_t> point_in_;  // of each cell
+  std::vector<Cell> active_;             // cells or parts of them: of a grid 2^level times as fine
 };
 
 }  // namespace
@@ -293,26 +300,30 @@ PointSet poisson_disk(double radius, Rng& rng) {
     throw std::invalid_argument("radius: too small for memory, about " +
                                 in_words(0.7 / radius / radius) + " points");
   }
-  DiskPattern pattern(std::min(radius, 1.0));  // from sqrt(1/2) on, one disc covers everything
-  pattern.fill(rng);
-  PointSet points(pattern.points().size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points.column(0)[i] = pattern.points()[i].x;
-    points.column(1)[i] = pattern.points()[i].y;
-  }
-  return points;
+  // From sqrt(1/2) on, one disc covers everything.
+  return columns_of(DiskPattern(std::min(radius, 1.0)).fill(rng));
 }
 
 // 4.4 --------------------------------------------------------------------------------------------
-//
-// The definition would be, for each k:
-//
-//   sum = 0
-//   for each point: sum += exp(-2 pi i (kx x + ky y))
-//   power = |sum|^2 / N
-//
-// with a sine and a cosine for each of N (2 kmax + 1)^2 terms. But exp(a + b) = exp(a) exp(b): the
-// waves along x and along y are enough, N (2 kmax + 1) of each, and a term is a product. And
+
+namespace definition {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  std::size_t i = 0;
+  for (int ky = -kmax; ky <= kmax; ++ky) {
+    for (int kx = -kmax; kx <= kmax; ++kx) {
+      std::complex<double> sum = 0;
+      for (std::size_t p = 0; p < x.size(); ++p) {
+        sum += std::polar(1.0, -2 * std::numbers::pi * (kx * x[p] + ky * y[p]));
+      }
+      power[i++] = std::norm(sum) / double(x.size());
+    }
+  }
+}
+}  // namespace definition
+
+// That is a sine and a cosine for each of N (2 kmax + 1)^2 terms. But exp(a + b) = exp(a) exp(b):
+// the waves along x and along y are enough, N (2 kmax + 1) of each, and a term is a product. And
 // the power at -k is that at k, since the points are real: half of it is never computed.
 
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -370,7 +381,7 @@ PointSet tile(const PointSet& pattern, int copies) {
   if (pattern.dims() != 2) throw std::invalid_argument("pattern: not in two dimensions");
   if (pattern.size() == 0) throw std::invalid_argument("pattern: there are no points");
   const auto place = [&](int cell, double x) {  // the sum may be rounded up to the next cell
-    return std::min((cell + x) / copies, 1 - 0x1p-53);
+    return std::min((cell + x) / copies, below_one);
   };
   const auto repeats = static_cast<std::size_t>(copies);
   PointSet tiled(repeats * repeats * pattern.size(), 2);

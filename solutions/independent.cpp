@@ -1,5 +1,5 @@
-// Lab 2 · independent sampling: the reference solution. Each function is its definition first;
-// where a faster way stands below, its reason stands with it.
+// Lab 2 · independent sampling: the reference solution. The definition of the speed task stands
+// above its faster way, whose reason stands with it.
 
 #include "independent.hpp"
 
@@ -148,20 +148,23 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }
 
 // 2.8 ---------------------------------------------------------------------------------------------
+
+namespace definition {
+void uniforms(Rng& rng, std::span<double> out) {
+  for (double& u : out) u = to_unit(rng());
+}
+}  // namespace definition
+
+// Two things hold that up: the generator multiplies 64-bit words, which vector units (before
+// AVX-512) cannot do, and so cannot convert them to double either. Both have a way round:
 //
-// The definition would be
-//
-//   for (double& u : out) u = to_unit(rng());
-//
-// Two things hold it up: the generator multiplies 64-bit words, which vector units (before AVX-512)
-// cannot do, and so cannot convert them to double either. Both have a way round:
-//
-// * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only adds,
-//   shifts and xors; its upper 53 bits are what it was made for. Sixteen of them run side by side,
-//   each from 256 random bits of its own, so that nothing waits and four lanes fill a register.
-// * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper 21
-//   next to 2^31, whose last place is 2^-21, the lower 32 next to 1/2, whose last place is 2^-53.
-//   Subtracting the powers is exact.
+// * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only
+//   adds, shifts and xors; its upper 53 bits are what it was made for. Sixteen of them run side by
+//   side, each from 256 random bits of its own, so that nothing waits and four lanes fill a
+//   register.
+// * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper
+//   21 next to 2^31, whose last place is 2^-21, the lower 32 next to 1/2, whose last place is
+//   2^-53. Subtracting the powers is exact.
 
 namespace {
 

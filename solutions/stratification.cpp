@@ -1,5 +1,5 @@
-// Lab 3 · stratification: the reference solution. Each function is its definition first; where a
-// faster way stands below, its reason stands with it.
+// Lab 3 · stratification: the reference solution. The definitions of speed tasks stand above their
+// faster ways, whose reasons stand with them.
 
 #include "stratification.hpp"
 
@@ -14,14 +14,18 @@
 namespace mc {
 
 // 3.9 ---------------------------------------------------------------------------------------------
-//
-// The definition of a point in stratum i of n, for u uniform in [0,1), would be
-//
-//   std::min((i + u) / n, below((i + 1) / n))      with below(x) the double before x
-//
-// because the sum and the quotient may each be rounded up to the edge. That is two divisions and a
-// call of the generator for every number, one after the other. Here nothing is divided, clamped or
-// waited for:
+
+namespace definition {
+/// The point of stratum i of n that u in [0, 1) leads to. Sum and quotient may be rounded up, even
+/// to the edge: then it is the double before.
+double in_stratum(std::size_t i, std::size_t n, double u) {
+  const auto stratum = static_cast<double>(i), strata = static_cast<double>(n);
+  return std::min((stratum + u) / strata, std::nextafter((stratum + 1) / strata, 0.0));
+}
+}  // namespace definition
+
+// That is two divisions and, in 3.1 and 3.3, a call of the generator for every number, one after
+// the other. Here nothing is divided, clamped or waited for:
 //
 // * The jitter keeps away from both edges of its stratum, by 2^-50 of the whole axis: more than all
 //   its roundings together. Then nothing can reach an edge, and multiplying by 1/n, rounded, will
@@ -53,12 +57,19 @@ class Strata {
 /// Moves the values of `u`, in [0,1), to the strata first, first + 1, …
 void move_into(const Strata& strata, std::size_t first, std::span<double> u) {
   const auto start = static_cast<double>(first);
-  for (int i = 0; i < static_cast<int>(u.size()); ++i) u[i] = strata.place(start + i, u[i]);
+  double* const x = u.data();
+  for (int i = 0; i < static_cast<int>(u.size()); ++i) x[i] = strata.place(start + i, x[i]);
 }
 
 }  // namespace
 
 // 3.1 ---------------------------------------------------------------------------------------------
+
+namespace definition {
+void stratified_1d(std::span<double> x, Rng& rng) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = in_stratum(i, x.size(), to_unit(rng()));
+}
+}  // namespace definition
 
 void stratified_1d(std::span<double> x, Rng& rng) {
   const Strata strata(x.size());
@@ -93,6 +104,14 @@ void require_grid(std::span<const double> x, std::span<const double> y, Grid gri
 
 }  // namespace
 
+namespace definition {
+void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  const std::size_t n = x.size();
+  for (std::size_t k = 0; k < n; ++k) x[k] = in_stratum(k % grid.nx, grid.nx, to_unit(rng()));
+  for (std::size_t k = 0; k < n; ++k) y[k] = in_stratum(k / grid.nx, grid.ny, to_unit(rng()));
+}
+}  // namespace definition
+
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
   const Strata columns(grid.nx), rows(grid.ny);
@@ -116,34 +135,45 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 
 // 3.4 ---------------------------------------------------------------------------------------------
 
-// Which of the first n values comes last, which of the others before it, and so on. The definition
-// would draw each by std::uniform_int_distribution. The integer part of u n, u uniform in [0,1) by
-// 53 bits, is as good to 2^-53 and comes many at a time; it is below n, since u n is, rounded or not.
+namespace {
 
-void shuffle(std::span<double> x, Rng& rng) {
+/// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
+/// last, which of the others before it, and so on. The definition would draw each number by
+/// std::uniform_int_distribution. The integer part of u n, u uniform in [0,1) by 53 bits, is as
+/// good to 2^-53 and comes many at a time; it is below n, since u n is, rounded or not.
+void shuffle_by(auto swap, std::size_t n, Rng& rng) {
   std::array<double, 256> any;
-  for (std::size_t n = x.size(); n > 1;) {
+  while (n > 1) {
     const auto block = std::span(any).first(std::min(any.size(), n - 1));
     uniforms(rng, block);
     for (const double u : block) {
       const auto last = static_cast<std::int64_t>(u * static_cast<double>(n));
-      std::swap(x[--n], x[static_cast<std::size_t>(last)]);
+      swap(--n, static_cast<std::size_t>(last));
     }
   }
 }
 
+}  // namespace
+
+void shuffle(std::span<double> x, Rng& rng) {
+  shuffle_by([&](std::size_t i, std::size_t j) { std::swap(x[i], x[j]); }, x.size(), rng);
+}
+
 void stratified(PointSet& points, Rng& rng) {
-  std::size_t d = 0;
-  for (; d + 1 < points.dims(); d += 2) {
+  const std::size_t n = points.size(), odd = points.dims() % 2;
+  for (std::size_t d = 0; d + odd < points.dims(); d += 2) {
     const auto x = points.column(d), y = points.column(d + 1);
-    stratified_2d(x, y, strata(points.size()), rng);
-    Rng again = rng;
-    shuffle(x, rng);
-    shuffle(y, again);  // the same numbers, so the same order: pairs stay together
+    stratified_2d(x, y, strata(n), rng);
+    const auto swap = [&](std::size_t i, std::size_t j) {  // pairs stay together
+      std::swap(x[i], x[j]);
+      std::swap(y[i], y[j]);
+    };
+    shuffle_by(swap, n, rng);
   }
-  if (d < points.dims()) {
-    stratified_1d(points.column(d), rng);
-    shuffle(points.column(d), rng);
+  if (odd == 1) {
+    const auto last = points.column(points.dims() - 1);
+    stratified_1d(last, rng);
+    shuffle(last, rng);
   }
 }
 
@@ -189,15 +219,16 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 // 3.7 ---------------------------------------------------------------------------------------------
 
-// A column of cells has ny of the N strata of x, one for each of its cells: which cell gets which is
-// left to chance, by a permutation for each column; and so for the nx strata of y in a row.
+// A column of cells has ny of the N strata of x, one for each of its cells: which cell gets which
+// is left to chance, by a permutation for each column; and so for the nx strata of y in a row.
 //
 // That is N random numbers for each axis. Or all columns share one permutation (Kensler 2013): but
-// then points lie at the same place in their cells all along a row, their errors add up, and fall as
-// N^-3/4 where N^-1 is to be had. So let each column begin the shared permutation at a random place.
-// Then any two points lie as they would with permutations of their own (in one column: as two entries
-// of a random permutation; in two columns: independently), and the variance of an estimate, which is
-// made of pairs, is the same for every integrand, for the price of one number a column.
+// then points lie at the same place in their cells all along a row, their errors add up, and fall
+// as N^-3/4 where N^-1 is to be had. So let each column begin the shared permutation at a random
+// place. Then any two points lie as they would with permutations of their own (in one column: as
+// two entries of a random permutation; in two columns: independently), and the variance of an
+// estimate, which is made of pairs, is the same for every integrand, for the price of one number a
+// column.
 
 namespace {
 

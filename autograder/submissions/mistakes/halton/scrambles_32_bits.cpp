@@ -4,6 +4,8 @@
 // hint: 53 bits of a value are scrambled, not 32
 #include "halton.hpp"
 
+#include <cmath>
+
 #define owen_scramble right_owen_scramble
 #include "solutions/halton.cpp"
 #undef owen_scramble
