@@ -102,8 +102,8 @@ std::vector<Peer> peers_of(const Layout& layout, const std::vector<Lab>& labs);
 
 std::string bench_csv(const Bench& bench);
 std::string bench_json(const Bench& bench);
-/// The page: `outline` (autograder/bench/page.md) with its tables, its pictures in `pictures` (a path
-/// as it stands in the page).
+/// The page: `outline` (autograder/bench/page.md) with its tables, its pictures in `pictures` (a
+/// path as it stands in the page).
 std::string bench_page(const Bench& bench, const std::string& outline, const std::string& pictures);
 /// The tables of the page's beginning, for a terminal.
 std::string bench_summary(const Bench& bench);

@@ -34,8 +34,8 @@ double median(std::vector<double> values) {
   return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-/// Nanoseconds a sample of each curve, where they were measured: on its integrand, if it is one whose
-/// cost cannot be told from the sample's; else anywhere.
+/// Nanoseconds a sample of each curve, where they were measured: on its integrand, if it is one
+/// whose cost cannot be told from the sample's; else anywhere.
 class Times {
  public:
   explicit Times(const Bench& bench) {

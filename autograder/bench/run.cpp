@@ -67,8 +67,8 @@ std::string name_of(const Job& job) {
   return fmt::format("{} {} {}", job.entrant->lab.name, job.kind, job.entrant->label);
 }
 
-/// How far it is, in seconds as they were expected. What each job took the last time is kept, so that
-/// the next estimate is a good one.
+/// How far it is, in seconds as they were expected. What each job took the last time is kept, so
+/// that the next estimate is a good one.
 class Progress {
  public:
   explicit Progress(fs::path memory) : memory_(std::move(memory)), line_("bench") {

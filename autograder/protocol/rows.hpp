@@ -1,6 +1,6 @@
 #pragma once
-// A figure that a hidden case has measured, for bench and for the speed that a report shows. One row
-// a line, its fields separated by tabs, written as soon as it is there.
+// A figure that a hidden case has measured, for bench and for the speed that a report shows. One
+// row a line, its fields separated by tabs, written as soon as it is there.
 //
 //   kind         what, on what                         value
 //   error        a point set, an integrand             root mean square error of the mean of n points

@@ -52,9 +52,9 @@ struct Start {
   LaunchFailure& failure;
 };
 
-/// A new process that locks itself down and becomes the program. Its number; -1 where there is none.
-/// On Linux without a copy of the parent's memory: after a fork each page the parent writes is a fault,
-/// and one check starts dozens of programs. No signal handler of ours may run in there.
+/// A new process that locks itself down and becomes the program. Its number; -1 where there is
+/// none. On Linux without a copy of the parent's memory: after a fork each page the parent writes
+/// is a fault, and one check starts dozens of programs. No signal handler of ours may run in there.
 [[gnu::noinline]] pid_t start(const Start& start) {
   const pid_t parent = getpid();
 #ifdef __linux__

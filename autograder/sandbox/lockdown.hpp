@@ -30,8 +30,8 @@ struct LaunchFailure {
 void prepare_lockdown();
 
 /// In the child, which may have its memory in common with the parent until the exec (vfork): only
-/// async-signal-safe calls, and nothing written but its own stack and `failure`. Gives everything up and becomes the program; returns
-/// only if that failed, having said why in `failure`.
+/// async-signal-safe calls, and nothing written but its own stack and `failure`. Gives everything
+/// up and becomes the program; returns only if that failed, having said why in `failure`.
 void lock_down_and_exec(const Executable& program, const Ends& ends, const Limits& limits,
                         pid_t parent, LaunchFailure& failure);
 

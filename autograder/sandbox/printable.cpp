@@ -6,8 +6,8 @@
 namespace mc::sandbox {
 namespace {
 
-/// Characters that turn the direction of writing, end lines, or cannot be seen (Unicode's Cf and the
-/// separators): with them a text can look like another one.
+/// Characters that turn the direction of writing, end lines, or cannot be seen (Unicode's Cf and
+/// the separators): with them a text can look like another one.
 bool is_deceptive(std::uint32_t point) {
   return point == 0xad || point == 0x61c || point == 0x180e ||  // soft hyphen, Arabic mark
          (point >= 0x200b && point <= 0x200f) || (point >= 0x2028 && point <= 0x202e) ||

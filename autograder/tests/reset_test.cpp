@@ -17,8 +17,8 @@ using namespace grader;
 
 namespace {
 
-/// A checkout beside which the grader is built, as far as it can tell: it is found by where it lies,
-/// and the checkout by the layout beside it.
+/// A checkout beside which the grader is built, as far as it can tell: it is found by where it
+/// lies, and the checkout by the layout beside it.
 class Checkout {
  public:
   Checkout() {

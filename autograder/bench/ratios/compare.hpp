@@ -9,8 +9,8 @@
 
 namespace mc::ratios {
 
-/// What is made is made in the same 32 KB (but for «out of cache»), as a library makes every point in
-/// the same few bytes: what is timed is making numbers, not storing them.
+/// What is made is made in the same 32 KB (but for «out of cache»), as a library makes every point
+/// in the same few bytes: what is timed is making numbers, not storing them.
 constexpr std::size_t block = 4096;
 
 /// Whatever is measured leaves something here, so that it is computed.

@@ -19,8 +19,8 @@ struct Set {
   View x, y;
 };
 
-/// About 0.7 / radius^2 points are a Poisson-disk pattern (0.696, by 400 patterns of the reference):
-/// the radius for n of them.
+/// About 0.7 / radius^2 points are a Poisson-disk pattern (0.696, by 400 patterns of the
+/// reference): the radius for n of them.
 inline double radius_for(double n) {
   return std::sqrt(0.7 / n);
 }

@@ -179,8 +179,8 @@ TEST_CASE("plot error against N", "[.plot]") {
   }
 }
 
-/// CPU seconds a round: of one round where that is long enough to be seen, else the difference of 2R
-/// rounds and R. A few per cent of noise are nothing on four decades.
+/// CPU seconds a round: of one round where that is long enough to be seen, else the difference of
+/// 2R rounds and R. A few per cent of noise are nothing on four decades.
 Maybe seconds_of(unsigned task, std::uint64_t n) {
   const auto run = [&](std::uint64_t rounds) -> Maybe {
     const auto got = TRY_MEASURE(repeat, task, n, rounds, 1, {});

@@ -25,8 +25,8 @@ inline double power_of_two(long double dx, long double dy, int kx, int ky) {
   return static_cast<double>(2 * wave * wave);
 }
 
-/// The definition in extended precision (where the machine has it): a spectrum that is right to some
-/// of the least bits of a double even where waves cancel.
+/// The definition in extended precision (where the machine has it): a spectrum that is right to
+/// some of the least bits of a double even where waves cancel.
 inline Spectrum exact_spectrum(View x, View y, int kmax) {
   using Real = long double;
   const auto side = static_cast<std::size_t>(2 * kmax + 1);

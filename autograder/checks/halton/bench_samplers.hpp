@@ -12,8 +12,8 @@
 
 namespace mc::checks {
 
-/// Deterministic points have an error, but no RMSE: they are shifted by `sets` random vectors, here,
-/// so that it is done alike for all.
+/// Deterministic points have an error, but no RMSE: they are shifted by `sets` random vectors,
+/// here, so that it is done alike for all.
 inline std::optional<PointSets> shifted_sets(const Column& points, std::uint64_t n,
                                              std::uint64_t dims, std::uint64_t sets,
                                              std::uint64_t seed) {

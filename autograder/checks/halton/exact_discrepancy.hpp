@@ -1,6 +1,6 @@
 #pragma once
-// The star discrepancy as it is defined, to judge by: slowly, box by box, also of some boxes only as
-// a mistake has it; and of hundreds of points faster.
+// The star discrepancy as it is defined, to judge by: slowly, box by box, also of some boxes only
+// as a mistake has it; and of hundreds of points faster.
 
 #include <algorithm>
 #include <numeric>
@@ -52,8 +52,8 @@ inline double exact_discrepancy(std::span<const double> x, Boxes boxes = {}) {
   return worst;
 }
 
-/// A box [0, a) x [0, b), or the closed one, and by how much its area and the fraction of the points
-/// inside differ.
+/// A box [0, a) x [0, b), or the closed one, and by how much its area and the fraction of the
+/// points inside differ.
 struct Box {
   double a = 1, b = 1;
   bool closed = false;

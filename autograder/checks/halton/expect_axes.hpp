@@ -1,5 +1,6 @@
 #pragma once
-// What is expected of Halton and Hammersley points: axis by axis, and of what they make of integrals.
+// What is expected of Halton and Hammersley points: axis by axis, and of what they make of
+// integrals.
 
 #include "checks/halton/expect_inverse.hpp"
 

@@ -1,7 +1,7 @@
-// 5.8, as integrals see it: the errors of scrambled nets. Their variance is exact (Owen 1997, "Monte
-// Carlo variance of scrambled net quadrature", theorem 2), with the gain of every pair of scales
-// counted over the pairs of the net's points. Their distribution tells what the variance cannot:
-// whether more than two points at a time are scrambled independently.
+// 5.8, as integrals see it: the errors of scrambled nets. Their variance is exact (Owen 1997,
+// "Monte Carlo variance of scrambled net quadrature", theorem 2), with the gain of every pair of
+// scales counted over the pairs of the net's points. Their distribution tells what the variance
+// cannot: whether more than two points at a time are scrambled independently.
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/randomness.hpp"
@@ -90,11 +90,11 @@ bool are_shifted_alike(std::span<const double> x) {
 }
 
 void expect_gaussian_errors(Rng& rng) {
-  // N points of the line, scrambled, are one in each of N strata: if they are independent, the error
-  // of the integral of exp(x) is the sum of N independent ones, hence Gaussian, with the variance
-  // (e^2 - 1)/(24 N^3), up to N^-2 of it. Half of all errors are below the quartile then, 0.6745 of
-  // its root. Where pairs are independent, but not triples, the variance is the same: a few huge
-  // errors, and all others small.
+  // N points of the line, scrambled, are one in each of N strata: if they are independent, the
+  // error of the integral of exp(x) is the sum of N independent ones, hence Gaussian, with the
+  // variance (e^2 - 1)/(24 N^3), up to N^-2 of it. Half of all errors are below the quartile then,
+  // 0.6745 of its root. Where pairs are independent, but not triples, the variance is the same: a
+  // few huge errors, and all others small.
   constexpr std::size_t n = 1024, sets = 250, replicates = 1000;
   const double deviation = std::sqrt((std::exp(2.) - 1) / 24 / (double{n} * n * n));
   const double quartile = 0.6744897501960817 * deviation;
@@ -170,8 +170,9 @@ void expect_owens_variance(Rng& rng) {
                     each == &few ? kurtosis_of_few : kurtosis_of_many,
                     {"the variance of a scrambled net is Owen's", one_alpha}, {{}, otherwise});
   }
-  // Of frequency N, a wave is a whole one in each stratum: no points gain anything over random ones,
-  // whose variance is 1/(2N), and points that all stand at one place in their strata lose a factor N.
+  // Of frequency N, a wave is a whole one in each stratum: no points gain anything over random
+  // ones, whose variance is 1/(2N), and points that all stand at one place in their strata lose a
+  // factor N.
   const double n = 256, kurtosis = 3 - 1.5 / n;
   expect_variance(
       {many.call + ", cos(2 pi N x)", many.waves, n}, 0, 0.5 / n, kurtosis,

@@ -50,7 +50,8 @@ std::vector<std::size_t> some_of(Rng& rng, const std::vector<Digit>& digits) {
   return chosen;
 }
 
-/// By how many units of its position each digit moves the value of index 0: a whole number, never 0.
+/// By how many units of its position each digit moves the value of index 0: a whole number, never
+/// 0.
 std::vector<double> expect_whole_moves(const std::string& call, std::span<const double> got,
                                        const std::vector<Digit>& digits, unsigned base) {
   std::vector<double> moves;

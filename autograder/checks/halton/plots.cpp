@@ -1,5 +1,5 @@
-// The data of lab 5's plots: the points themselves, their discrepancy, and pairs of axes that are bad
-// for each other.
+// The data of lab 5's plots: the points themselves, their discrepancy, and pairs of axes that are
+// bad for each other.
 
 #include <cmath>
 

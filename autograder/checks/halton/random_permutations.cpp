@@ -1,4 +1,5 @@
-// 5.9, over many seeds: that permutations are random, and what they cure; then columns, and refusals.
+// 5.9, over many seeds: that permutations are random, and what they cure; then columns, and
+// refusals.
 
 #include <array>
 #include <numeric>

@@ -17,8 +17,8 @@ double around(double a, double b) {
 }
 
 /// Whether they left the unit cube is asked only if `inside_too`.
-/// Sums and differences below 2 are rounded by 2^-53 at most: two of them for each of two points, and
-/// five more when they are compared. Twice that.
+/// Sums and differences below 2 are rounded by 2^-53 at most: two of them for each of two points,
+/// and five more when they are compared. Twice that.
 constexpr double shift_tolerance = 18 * half_ulp;
 
 void expect_one_shift(const std::string& call, std::span<const double> from,

@@ -137,7 +137,8 @@ TEST_CASE("6.6 the noise of a picture is white across pixels", "[6.6][points:1][
   }
 }
 
-/// A pixel without samples, and more pixels than most_samples, whatever their product is in 64 bits.
+/// A pixel without samples, and more pixels than most_samples, whatever their product is in 64
+/// bits.
 std::vector<std::pair<Call, std::string>> impossible() {
   std::vector<std::pair<Call, std::string>> calls;
   calls.emplace_back(MEASURE_OUTCOME(render_recorded, 2, 2, 0, 1), "spp");

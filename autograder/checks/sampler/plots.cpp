@@ -95,8 +95,8 @@ class PointByPoint final : public Sampler {
   std::size_t sample_ = 0;
 };
 
-/// The root of the mean square error of a scene over sets of points, as many as `points` has columns
-/// for: those of set s are points(s).
+/// The root of the mean square error of a scene over sets of points, as many as `points` has
+/// columns for: those of set s are points(s).
 template <class S, class Points>
 double rmse_over(const S& scene, std::size_t sets, Points points) {
   double squares = 0;
@@ -111,9 +111,9 @@ double rmse_over(const S& scene, std::size_t sets, Points points) {
   return std::sqrt(squares / static_cast<double>(sets));
 }
 
-/// Rows: k and, for the k-th next2() of sobol, the error under a lamp and at an edge, and the same for
-/// dimensions 2k and 2k + 1 of one sequence; and of independent points. 32 sets of 1,024 points:
-/// errors within 13 %.
+/// Rows: k and, for the k-th next2() of sobol, the error under a lamp and at an edge, and the same
+/// for dimensions 2k and 2k + 1 of one sequence; and of independent points. 32 sets of 1,024
+/// points: errors within 13 %.
 TEST_CASE("plot what each next2 is worth", "[.plot]") {
   constexpr std::size_t n = 1024, sets = 32, uses = 20;
   const Seeds seeds = neighbours(1, sets);

@@ -4,8 +4,8 @@
 // the numbers of one walk through the samples with those of another. All seeds, sizes where they
 // are free, and scenes' parameters are fresh in each run.
 //
-// Random tests have an alpha of 1e-8 each; there are fewer than seventy of them. Besides these a few
-// bounds hold with room to spare for whatever is right; each has the chance of failing a right
+// Random tests have an alpha of 1e-8 each; there are fewer than seventy of them. Besides these a
+// few bounds hold with room to spare for whatever is right; each has the chance of failing a right
 // answer beside it, and all of those together come to less than 2e-7.
 
 #include <array>
@@ -95,7 +95,8 @@ inline bool is_refused(const Call& call) {
   return call.outcome.answered && call.outcome.status == wire::Status::invalid_argument;
 }
 
-/// What to suspect where all seeds, or several, have the same numbers: every seed got a new sampler.
+/// What to suspect where all seeds, or several, have the same numbers: every seed got a new
+/// sampler.
 inline const std::string same_for_seeds =
     "does the seed of generate() decide about it? Anything static, or a column or an order kept "
     "from before, would not notice another seed";

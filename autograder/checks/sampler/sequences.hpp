@@ -1,6 +1,6 @@
 #pragma once
-// Which dimensions of the Halton and the Sobol' sequence a sampler's columns are, whatever scrambles
-// them: exactly, by the leading digits that any two of their points share.
+// Which dimensions of the Halton and the Sobol' sequence a sampler's columns are, whatever
+// scrambles them: exactly, by the leading digits that any two of their points share.
 
 #include <algorithm>
 #include <bit>
@@ -23,8 +23,9 @@ struct Place {
   unsigned dimension;
 };
 
-/// Of every coordinate of these uses, in the order in which they are first asked for: a next() takes
-/// one dimension, a next2() two of the same block; a single one that is left then is left over.
+/// Of every coordinate of these uses, in the order in which they are first asked for: a next()
+/// takes one dimension, a next2() two of the same block; a single one that is left then is left
+/// over.
 inline std::vector<Place> places_of(const Uses& uses) {
   std::vector<Place> places;
   std::size_t next = 0;
@@ -43,8 +44,8 @@ inline unsigned common_bits(double a, double b) {
   return static_cast<unsigned>(std::countl_zero(word(a) ^ word(b)));
 }
 
-/// Is the column that of dimension d of the Sobol' sequence, scrambled, in the sequence's own order?
-/// Nested scrambling keeps how many bits any two points have in common, and nothing else.
+/// Is the column that of dimension d of the Sobol' sequence, scrambled, in the sequence's own
+/// order? Nested scrambling keeps how many bits any two points have in common, and nothing else.
 inline bool is_scrambled_sobol(View x, unsigned d) {
   const auto directions = sobol_directions(d);
   std::vector<std::uint32_t> words;
@@ -91,8 +92,8 @@ inline bool is_scrambled_halton(View x, unsigned base, std::span<const std::size
   return true;
 }
 
-/// The same of the indices first, first + 1, …, the digit at each position permuted alike for all of
-/// them, as 5.9 does.
+/// The same of the indices first, first + 1, …, the digit at each position permuted alike for all
+/// of them, as 5.9 does.
 inline bool is_permuted_halton(View x, unsigned base, std::size_t first) {
   std::size_t power = 1;
   for (unsigned position = 1; position == 1 || power < first + x.size(); ++position) {
@@ -113,8 +114,8 @@ inline bool is_permuted_halton(View x, unsigned base, std::size_t first) {
   return true;
 }
 
-/// Is the column that of the first N radical inverses in a base, scrambled? Nested scrambling has no
-/// first index: those of 1 to N are the same to it. Permuted digits have, and it is 0.
+/// Is the column that of the first N radical inverses in a base, scrambled? Nested scrambling has
+/// no first index: those of 1 to N are the same to it. Permuted digits have, and it is 0.
 inline bool is_scrambled_halton(View x, unsigned base) {
   std::vector<std::size_t> own_order(x.size());
   std::iota(own_order.begin(), own_order.end(), std::size_t{0});
@@ -138,8 +139,8 @@ inline bool is_digital_shift(View x, std::span<const std::uint32_t> exact) {
 /// The columns of a whole block, or what is asked for of it, in an order that nobody knows.
 using Block = std::vector<View>;
 
-/// Are these, sample by sample, dimensions 0, 1, … of the first 2^m Sobol' points, scrambled, all in
-/// the same order? The words of these points are a group under exclusive or: so how many leading
+/// Are these, sample by sample, dimensions 0, 1, … of the first 2^m Sobol' points, scrambled, all
+/// in the same order? The words of these points are a group under exclusive or: so how many leading
 /// bits a point shares with each of the others, in all dimensions together, is the same list for
 /// every point, but for its order: that of point 0.
 inline bool is_sobol_in_one_order(const Block& columns) {

@@ -109,8 +109,8 @@ struct Told {
 };
 using ByUse = std::map<Asked, Told>;
 
-/// What each use had for each sample in the walk that begins with step `first`. Throws end it: a use
-/// must have something.
+/// What each use had for each sample in the walk that begins with step `first`. Throws end it: a
+/// use must have something.
 inline ByUse by_use(const Played& got, std::size_t first, std::size_t end,
                     const std::string& hint) {
   ByUse values;

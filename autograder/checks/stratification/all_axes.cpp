@@ -27,8 +27,8 @@ Sets boxes(Rng& rng, std::size_t per_axis, std::size_t dims, std::size_t sets) {
                     per_axis);
 }
 
-/// The stratum of each point along each axis, as one number; ends the check where a cell has not one
-/// point.
+/// The stratum of each point along each axis, as one number; ends the check where a cell has not
+/// one point.
 Order expect_one_in_each_box(const Sets& sets, std::size_t set, std::size_t per_axis) {
   Order cells(sets.n), points(sets.n);
   for (std::size_t d = sets.dims; d-- > 0;) {

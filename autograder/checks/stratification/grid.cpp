@@ -57,8 +57,8 @@ TEST_CASE("3.2 the refusal names the argument", "[3.2][edge][points:0.5]") {
 }
 
 TEST_CASE("3.2 more cells than 32 bits count", "[3.2][edge][points:1]") {
-  // Squares, products of neighbours, what lies beside them. A loop over all numbers up to the square
-  // root takes 30 ns each at worst: 0.1 s a call.
+  // Squares, products of neighbours, what lies beside them. A loop over all numbers up to the
+  // square root takes 30 ns each at worst: 0.1 s a call.
   Rng rng = check_rng();
   const std::uint64_t k = 66000 + rng() % 400000;
   for (const std::vector<std::uint64_t>& n :
@@ -174,8 +174,8 @@ TEST_CASE("3.3 edges and waves and a corner have their exact variances", "[3.3][
   Rng rng = check_rng();
   constexpr std::size_t side = 8, n = side * side;
   const Sets got = jittered(rng, {side, side}, 4000);
-  // An edge along the grid's own lines cuts no cell: every estimate is the exact one, a whole number
-  // of rows over N.
+  // An edge along the grid's own lines cuts no cell: every estimate is the exact one, a whole
+  // number of rows over N.
   const std::size_t rows = 1 + rng() % (side - 1);
   const double line = static_cast<double>(rows) / side;
   for (const std::size_t axis : {0u, 1u}) {
@@ -204,8 +204,8 @@ TEST_CASE("3.3 edges and waves and a corner have their exact variances", "[3.3][
   expect_level(got, wave, {0, 0.25 / n, 3 - 0.75 / n},
                "all variance of a wave as fine as the cells is within them: nothing is gained",
                cell_otherwise);
-  // Its errors have a longer tail than their kurtosis says: by their sixth moment a right answer fails
-  // this one test about three times as often as alpha says.
+  // Its errors have a longer tail than their kurtosis says: by their sixth moment a right answer
+  // fails this one test about three times as often as alpha says.
   const Tested corner{"ln(x + y)", [](View x) { return std::log(x[0] + x[1]); }};
   const CornerStrata cells = corner_strata(side);
   expect_level(got, corner, expected_of(cells.strata, cells.kurtosis),

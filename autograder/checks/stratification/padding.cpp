@@ -138,8 +138,8 @@ void expect_no_trend(const std::string& call, std::span<const Trend> trends,
 
 TEST_CASE("3.4 orders of many values have no trend", "[3.4][points:2]") {
   Rng rng = check_rng();
-  // Numbers of 16 bits in a shuffle of 100,000 make a correlation of -45 standard errors, keys of 16
-  // bits that are sorted, with ties left as they come, 90 in ascents.
+  // Numbers of 16 bits in a shuffle of 100,000 make a correlation of -45 standard errors, keys of
+  // 16 bits that are sorted, with ties left as they come, 90 in ascents.
   constexpr std::size_t n = 100000;
   std::string call;
   const Order one = orders_of(rng, n, 1, call), other = orders_of(rng, n, 1, call);

@@ -94,8 +94,8 @@ Case four_dimensions() {
           0.75};
 }
 
-/// Over 400 sets where they are small, 100 at the least: the RMSE's own standard error is 3.5 to 7 %
-/// of it, and a mark is as wide.
+/// Over 400 sets where they are small, 100 at the least: the RMSE's own standard error is 3.5 to 7
+/// % of it, and a mark is as wide.
 Maybe mean_squared_error(unsigned task, const Case& of, std::size_t n, std::size_t used) {
   const std::size_t sets = std::clamp<std::size_t>((1u << 17) / n, 100, 400);
   const auto got = patiently(task, [&] {

@@ -23,8 +23,8 @@ using protocol::RecordKind;
 namespace {
 
 #ifdef __GLIBC__
-/// Lists of megabytes come and go by the hundred: their pages stay ours, or a fifth of a check's time
-/// goes into being given them again.
+/// Lists of megabytes come and go by the hundred: their pages stay ours, or a fifth of a check's
+/// time goes into being given them again.
 [[maybe_unused]] const bool keeps_pages = [] {
   constexpr int megabyte = 1 << 20;
   return mallopt(M_MMAP_THRESHOLD, 32 * megabyte) != 0 &&

@@ -36,9 +36,9 @@
 
 namespace mc::checks {
 
-/// What a call brought, as it came. A number or a struct of numbers is there as `value`: what a check
-/// expects of it, NaN does not meet. Lists are a stranger's in length and content: they are reached
-/// through the gate only (gate.hpp).
+/// What a call brought, as it came. A number or a struct of numbers is there as `value`: what a
+/// check expects of it, NaN does not meet. Lists are a stranger's in length and content: they are
+/// reached through the gate only (gate.hpp).
 template <class T>
 struct Measured {
   T value;
@@ -109,8 +109,8 @@ struct Call {
 Rng check_rng();
 
 /// Asks the program; ends the check where there is none, or where it may not be asked any more.
-/// `typed` gives the arguments as one types them by hand, a line each: asked where the check fails, for
-/// a million numbers in decimal take longer than measuring them.
+/// `typed` gives the arguments as one types them by hand, a line each: asked where the check fails,
+/// for a million numbers in decimal take longer than measuring them.
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits);
 

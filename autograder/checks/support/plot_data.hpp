@@ -12,8 +12,8 @@
 
 #include "checks/support/measure.hpp"
 
-/// A measurement that may be missing from a plot: empty where the task is not written, or fails. The
-/// reason goes into PICTURE.PID.missing beside the data, for every picture of the case.
+/// A measurement that may be missing from a plot: empty where the task is not written, or fails.
+/// The reason goes into PICTURE.PID.missing beside the data, for every picture of the case.
 #define TRY_MEASURE(experiment, ...) TRY_MEASURE_WITH({}, experiment __VA_OPT__(, ) __VA_ARGS__)
 #define TRY_MEASURE_WITH(limits, experiment, ...)                               \
   ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value_if_any( \
@@ -21,7 +21,8 @@
 
 namespace mc::checks {
 
-/// The data file `name` of the plots that are being drawn: "points-1.tsv" is of the picture "points".
+/// The data file `name` of the plots that are being drawn: "points-1.tsv" is of the picture
+/// "points".
 std::ofstream plot_file(const std::string& name);
 
 /// One row of a data file; what is missing is NaN, which gnuplot leaves out.

@@ -37,8 +37,8 @@ namespace mc::checks {
 
 // Quadrature --------------------------------------------------------------------------------------
 
-/// Nodes in (-1, 1) and weights of the Gauss-Legendre rule with 16 points: the roots of the Legendre
-/// polynomial by Newton's method, from Tricomi's approximation.
+/// Nodes in (-1, 1) and weights of the Gauss-Legendre rule with 16 points: the roots of the
+/// Legendre polynomial by Newton's method, from Tricomi's approximation.
 struct GaussLegendre {
   static constexpr int points = 16;
   std::array<double, points> node{}, weight{};
@@ -60,8 +60,8 @@ struct GaussLegendre {
   }
 };
 
-/// The integral of f from `low` to `high` in panels no wider than `panel`. Where f's nearest pole is
-/// as far away as a panel is wide, a panel's error is near (2 + sqrt(5))^-32 = 1e-20 of f.
+/// The integral of f from `low` to `high` in panels no wider than `panel`. Where f's nearest pole
+/// is as far away as a panel is wide, a panel's error is near (2 + sqrt(5))^-32 = 1e-20 of f.
 template <class F>
 double integral(double low, double high, double panel, F f) {
   static const GaussLegendre rule;
@@ -228,8 +228,8 @@ inline double moment(const scenes::DiskPenumbra& scene, int k) {
          (inverse_powers(light, k) - inverse_powers(dark.radius, dark.height, dark.offset, k));
 }
 
-/// The wall hides half a lune of the sky; projected onto the ground, half an ellipse is left of half
-/// a disk.
+/// The wall hides half a lune of the sky; projected onto the ground, half an ellipse is left of
+/// half a disk.
 inline double exact(const scenes::WallOcclusion& s) {
   return (1 + s.distance / std::hypot(s.distance, s.height)) / 2;
 }

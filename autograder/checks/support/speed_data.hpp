@@ -1,6 +1,6 @@
 #pragma once
-// The speed tasks, as check and grade report them: hidden cases tagged [.speed], timed from outside the
-// program. Each figure is a row (protocol/rows.hpp).
+// The speed tasks, as check and grade report them: hidden cases tagged [.speed], timed from outside
+// the program. Each figure is a row (protocol/rows.hpp).
 
 #include <cstdint>
 #include <functional>
@@ -63,9 +63,9 @@ std::optional<double> seconds_by_difference(const Rounds& run, std::uint64_t& ro
 void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
                  const Rounds& rounds);
 
-/// A row of kind speed error, if `task` is asked for: the RMSE of the mean of exp(x + y), as a part of
-/// its integral, over n points of the plane. `points` gives `sets` sets of them, in each its n x and
-/// then its n y; nothing where the task is not written.
+/// A row of kind speed error, if `task` is asked for: the RMSE of the mean of exp(x + y), as a part
+/// of its integral, over n points of the plane. `points` gives `sets` sets of them, in each its n x
+/// and then its n y; nothing where the task is not written.
 void bench_speed_error(
     const std::string& task, const std::string& name, std::uint64_t n,
     const std::function<std::optional<std::vector<double>>(std::uint64_t sets)>& points);

@@ -1,6 +1,6 @@
 #pragma once
-// Strata of the line and cells of the plane, as the judge counts points in them: with the edges that
-// double division gives.
+// Strata of the line and cells of the plane, as the judge counts points in them: with the edges
+// that double division gives.
 
 #include <algorithm>
 #include <optional>

@@ -11,8 +11,8 @@
 namespace mc::checks {
 namespace {
 
-/// Values of two variables of which y goes against x, neither of them nearly constant: kappa is below
-/// 4 for both.
+/// Values of two variables of which y goes against x, neither of them nearly constant: kappa is
+/// below 4 for both.
 struct Pairs {
   Values x, y;
 };

@@ -34,14 +34,15 @@ struct HardList {
 };
 
 /// 100,001 values, all equal but one, which is 1e9 times as far from zero and comes first, in the
-/// middle, or last: `of_each` lists of each kind. Shifting by that one squares all others to the same
-/// large number, whose roundings add up: to n times what two passes lose (3,000 of 3,000 such lists
-/// were below repeating_floor), or in blocks and lanes to a few times only (2,325 of 3,000: five lists
+/// middle, or last: `of_each` lists of each kind. Shifting by that one squares all others to the
+/// same large number, whose roundings add up: to n times what two passes lose (3,000 of 3,000 such
+/// lists were below repeating_floor), or in blocks and lanes to a few times only (2,325 of 3,000:
+/// five lists
 /// leave one chance in a thousand to escape, less what several_outliers sees).
 std::vector<HardList> one_outlier_lists(Rng& rng, int of_each);
 
-/// 2^20 values, all equal but three outliers of different size, of which one comes first, one in the
-/// middle, and one last.
+/// 2^20 values, all equal but three outliers of different size, of which one comes first, one in
+/// the middle, and one last.
 HardList several_outliers(Rng& rng);
 
 /// One outlier, sorted, a trend, alternating signs: a thousand values each.

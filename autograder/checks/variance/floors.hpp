@@ -1,7 +1,7 @@
 #pragma once
-// How many digits a right algorithm keeps. Every exact value is computed here, in 106 bits, from the
-// very doubles that were sent. Floors come from two bounds (Chan, Golub, LeVeque 1983, table 2), with
-// a digit of room for their constants:
+// How many digits a right algorithm keeps. Every exact value is computed here, in 106 bits, from
+// the very doubles that were sent. Floors come from two bounds (Chan, Golub, LeVeque 1983, table
+// 2), with a digit of room for their constants:
 //
 //   n eps          what n additions may lose in any order       two passes, shifted, in blocks
 //   n kappa eps    what a mean rounded n times may lose,        one pass (Welford, merging)
@@ -37,8 +37,8 @@ inline double one_pass_floor(const ExactMoments& exact) {
   return floor_of(exact.count * condition(exact) * eps);
 }
 
-/// Where values repeat, so do roundings: n of them lose n/4 eps then. A digit and a half of room, as
-/// 1.8 promises.
+/// Where values repeat, so do roundings: n of them lose n/4 eps then. A digit and a half of room,
+/// as 1.8 promises.
 inline double repeating_floor(std::size_t n) {
   return -std::log10(static_cast<double>(n) / 4 * eps) - 1.5;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The ways to a variance that a submission may have gone, right ones and wrong ones, in double: what
+// The ways to a variance that a submission may have gone, right ones and wrong ones, in double:
+// what
 // they give is what a hint compares with.
 
 #include <span>

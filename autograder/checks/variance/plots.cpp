@@ -50,8 +50,8 @@ TEST_CASE("plot digits kept against the offset", "[.plot]") {
   for (const auto& row : rows) plot_row(file, row);
 }
 
-/// 4,096 values near 1e9, 32 KB: they stay in the first-level cache. A case and a file for each way:
-/// what is measured is drawn, whatever becomes of the others.
+/// 4,096 values near 1e9, 32 KB: they stay in the first-level cache. A case and a file for each
+/// way: what is measured is drawn, whatever becomes of the others.
 void plot_speed(unsigned task) {
   Rng rng(2);
   const auto x = uniform_values(rng, 4096, 1e9, 1e9 + 1);

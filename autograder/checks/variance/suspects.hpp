@@ -22,9 +22,9 @@ inline const std::string uncorrected =
 inline const std::string stop_at_zero =
     "what the correction takes away can be rounded up: stop at 0";
 
-/// Those suspects that the measured value is a hundred times nearer to than to the exact one. Where a
-/// mistake costs a few digits only, its value and the right one are near each other, and near many an
-/// innocent's.
+/// Those suspects that the measured value is a hundred times nearer to than to the exact one. Where
+/// a mistake costs a few digits only, its value and the right one are near each other, and near
+/// many an innocent's.
 std::vector<Suspect> nearest(double got, double exact, std::vector<Suspect> suspects);
 
 /// The ways to get the scale of a variance wrong.

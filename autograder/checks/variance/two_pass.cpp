@@ -90,8 +90,8 @@ TEST_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][ne
     }
   }
   // Up to n = 3e5 or so the two parts of eq. 1.7 are whole multiples of ulp(c)^2, exact in double,
-  // and differ by 0. At this n, their difference is below 0 for half of all constants where sums are
-  // taken one after the other: (1/2)^12 is the chance to escape; (4/5)^12 in four lanes.
+  // and differ by 0. At this n, their difference is below 0 for half of all constants where sums
+  // are taken one after the other: (1/2)^12 is the chance to escape; (4/5)^12 in four lanes.
   constexpr std::uint64_t many = 3'000'001;
   for (int i = 0; i < 4; ++i) {
     const Values constants = uniform_values(rng, 3, 1, 2);

@@ -120,8 +120,8 @@ TEST_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
     int bits;
     const char* hint;
   };
-  // Just before the end of what a type counts exactly, and behind it, where every second count is none
-  // of its numbers.
+  // Just before the end of what a type counts exactly, and behind it, where every second count is
+  // none of its numbers.
   for (const End& end :
        {End{24, "a float counts to 2^24 only"}, End{31, "an int counts to 2^31 only"},
         End{32, "32 bits count to 2^32 only"},

@@ -25,9 +25,9 @@ struct Arguments {
 inline constexpr std::size_t all_words = std::numeric_limits<std::size_t>::max();
 
 /// `known` lists the options: "seed=" takes a value, "no-plots" does not, "jobs=j" has a short
-/// form, "lab=," may be given again and is a list then. Behind `before_verbatim` words everything is a word, for words that may be negative
-/// numbers. Throws UsageError for an option that is not known, naming the nearest, or that lacks
-/// its value.
+/// form, "lab=," may be given again and is a list then. Behind `before_verbatim` words everything
+/// is a word, for words that may be negative numbers. Throws UsageError for an option that is not
+/// known, naming the nearest, or that lacks its value.
 Arguments parse_arguments(const std::vector<std::string>& words,
                           const std::vector<std::string>& known,
                           std::size_t before_verbatim = all_words);

@@ -8,8 +8,9 @@
 
 namespace mc::grader {
 
-/// `word` as one word of a POSIX shell, whatever is in it; what cannot be shown is not in it either, so
-/// that the command may fail but does nothing else. A name that begins with a dash is no option.
+/// `word` as one word of a POSIX shell, whatever is in it; what cannot be shown is not in it
+/// either, so that the command may fail but does nothing else. A name that begins with a dash is no
+/// option.
 inline std::string shell_quoted(const std::string& word) {
   std::string shown = sandbox::printable_line(word);
   if (shown.starts_with('-')) shown.insert(0, "./");

@@ -29,8 +29,8 @@ inline std::string read_text(const std::filesystem::path& path) {
   return rest_of(file);
 }
 
-/// The same, but throws std::system_error where there is no such file or it cannot be read: for texts
-/// that are taken for empty by nobody.
+/// The same, but throws std::system_error where there is no such file or it cannot be read: for
+/// texts that are taken for empty by nobody.
 inline std::string read_whole_text(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);

@@ -36,8 +36,8 @@ std::string text_of(const Handed& handed) {
   return fmt::format("{:016x}", hash);
 }
 
-/// What kept the machine from judging: "No space left on device" of "1.3 …: cannot write /a/b: No space
-/// left on device". Empty where it judged, and where only the autograder failed.
+/// What kept the machine from judging: "No space left on device" of "1.3 …: cannot write /a/b: No
+/// space left on device". Empty where it judged, and where only the autograder failed.
 std::string machines_failure(const Verdict& verdict) {
   if (verdict.not_judged.empty()) return {};
   bool is_machines = verdict.labs.empty();

@@ -10,8 +10,8 @@
 
 namespace mc::grader {
 
-/// What is judged of a submission: the labs asked for, whatever was handed in; without such, those that
-/// it has a file of.
+/// What is judged of a submission: the labs asked for, whatever was handed in; without such, those
+/// that it has a file of.
 std::vector<Lab> labs_of(const Context& context, const Submission& submission,
                          const std::vector<Lab>& asked_for);
 
@@ -35,8 +35,8 @@ struct BatchOutcome {
   std::string stopped;  ///< why the rest was not tried, where the machine fails at everything
 };
 
-/// Judges them, prints a line for each as it comes, and writes each into the book (null: none) before
-/// its worker begins another.
+/// Judges them, prints a line for each as it comes, and writes each into the book (null: none)
+/// before its worker begins another.
 BatchOutcome run_batch(const Context& context, const std::vector<Handed>& handed, Book* book,
                        const BatchOptions& options);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The grades of a class on disk: a table, and beside it the whole verdicts, each there before the next
-// submission is begun. Whatever kills the judge, what was judged stays.
+// The grades of a class on disk: a table, and beside it the whole verdicts, each there before the
+// next submission is begun. Whatever kills the judge, what was judged stays.
 
 #include <cstdint>
 #include <filesystem>

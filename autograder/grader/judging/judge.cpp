@@ -35,7 +35,8 @@ Check parse_check(const XmlRecord& record) {
   return check;
 }
 
-/// Checks by task, those with slow ones first: a worker that begins one last would keep all waiting.
+/// Checks by task, those with slow ones first: a worker that begins one last would keep all
+/// waiting.
 std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results) {
   std::vector<std::vector<CheckResult*>> tasks;
   for (CheckResult& result : results) {
@@ -85,8 +86,8 @@ void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& pr
   });
 }
 
-/// A check that failed while a task it needs has failed too is waiting: one fault, shown once. What a
-/// task does with misuse and edge cases is nothing that another one stands on.
+/// A check that failed while a task it needs has failed too is waiting: one fault, shown once. What
+/// a task does with misuse and edge cases is nothing that another one stands on.
 void find_waiting(std::vector<CheckResult>& results) {
   const auto stands = [&](const std::string& task) {
     return std::all_of(results.begin(), results.end(), [&](auto& other) {

@@ -39,8 +39,8 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab);
 LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
                      const JudgeOptions& options);
 
-/// A failed check that needs another lab ("3"), or a task of one ("1.4"), is waiting while that is short
-/// of full marks, as `is_finished` says; it is asked only where it matters.
+/// A failed check that needs another lab ("3"), or a task of one ("1.4"), is waiting while that is
+/// short of full marks, as `is_finished` says; it is asked only where it matters.
 void wait_for_labs(LabVerdict& verdict,
                    const std::function<bool(const std::string& need)>& is_finished);
 

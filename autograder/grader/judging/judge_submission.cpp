@@ -30,8 +30,8 @@ Built build_within(const Context& context, const Lab& lab, const Submission& sub
   return built;
 }
 
-/// The files of several labs at the same time: what their programs are linked from is there then. The
-/// lab that stands on most others has them all.
+/// The files of several labs at the same time: what their programs are linked from is there then.
+/// The lab that stands on most others has them all.
 void compile_side_by_side(const Context& context, const Submission& submission,
                           const std::vector<Lab>& labs, const JudgeOptions& options) {
   if (labs.size() < 2 || options.workers == 1) return;
@@ -43,8 +43,8 @@ void compile_side_by_side(const Context& context, const Submission& submission,
                submission, options);
 }
 
-/// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judged now, unless
-/// it was already.
+/// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judged now,
+/// unless it was already.
 class Finished {
  public:
   Finished(const Context& context, const Submission& submission, const JudgeOptions& options)

@@ -6,8 +6,8 @@
 
 namespace mc::grader {
 
-/// Measures the speed tasks of which all checks passed, on a program of the variant for speed, and the
-/// reference's right after them.
+/// Measures the speed tasks of which all checks passed, on a program of the variant for speed, and
+/// the reference's right after them.
 std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,
                                  const sandbox::Program& program);
 

@@ -30,8 +30,8 @@ class PipeReader {
  public:
   PipeReader() : ends_(sandbox::make_pipe()) {
     thread_ = std::thread([this] {
-      // The arguments of a call as they are typed can take megabytes; a bound, and cut at it exactly,
-      // so that a verdict does not depend on how the pipe was read.
+      // The arguments of a call as they are typed can take megabytes; a bound, and cut at it
+      // exactly, so that a verdict does not depend on how the pipe was read.
       constexpr std::size_t most = std::size_t{32} << 20;
       std::string some;
       bool more = true;

@@ -81,8 +81,8 @@ struct Verdict {
   std::uint64_t seed = 0;
   std::string version, flags;
   bool jail_complete = true;
-  /// Why this is no grade: the machine or the autograder failed; empty where it is one. What was judged
-  /// by then can be shown, but no points may be drawn from it, and no zero.
+  /// Why this is no grade: the machine or the autograder failed; empty where it is one. What was
+  /// judged by then can be shown, but no points may be drawn from it, and no zero.
   std::string not_judged;
   /// Why nothing could be read of what was handed in; empty where it could. No grade either, but no
   /// fault of the machine's.

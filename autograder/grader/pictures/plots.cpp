@@ -27,8 +27,8 @@ struct Panel {
   fs::path data;
 };
 
-/// A part of plots.gp: those that begin with a line "# Title ------" draw a picture or two each, and are
-/// drawn apart, so that one that fails takes no other with it.
+/// A part of plots.gp: those that begin with a line "# Title ------" draw a picture or two each,
+/// and are drawn apart, so that one that fails takes no other with it.
 struct Section {
   std::string script;
 };

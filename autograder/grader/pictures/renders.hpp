@@ -1,5 +1,6 @@
 #pragma once
-// Pictures by every kind of sampler and their errors, with equal samples and in equal time: measured
+// Pictures by every kind of sampler and their errors, with equal samples and in equal time:
+// measured
 // by a hidden case of lab 6's checks, drawn by gnuplot.
 
 #include <cstdint>

@@ -13,7 +13,8 @@
 namespace mc::grader {
 namespace {
 
-/// Colours of 4.5:1 and more on both grounds; status is told by a word and a mark, never by colour alone.
+/// Colours of 4.5:1 and more on both grounds; status is told by a word and a mark, never by colour
+/// alone.
 constexpr const char* style = R"css(
 :root { color-scheme: light dark; --ink: #1b1b1b; --ground: #fff; --soft: #f2f2f0; --line: #c9c9c5;
   --good: #00664f; --bad: #a63a00; --quiet: #5c5c5c; --bar: #0072b2; }

@@ -1,6 +1,6 @@
 #pragma once
-// How far a verb is, on standard error: at a terminal one line that is written again and again and is
-// gone in the end; elsewhere a line every ten seconds.
+// How far a verb is, on standard error: at a terminal one line that is written again and again and
+// is gone in the end; elsewhere a line every ten seconds.
 
 #include <chrono>
 #include <condition_variable>

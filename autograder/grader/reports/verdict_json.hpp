@@ -7,7 +7,8 @@
 
 namespace mc::grader {
 
-/// Without the arguments of calls, which can take megabytes: the commands that repeat them are in it.
+/// Without the arguments of calls, which can take megabytes: the commands that repeat them are in
+/// it.
 std::string verdict_to_json(const Verdict& verdict);
 
 /// Throws std::exception for a text that is no verdict, or one cut short.

@@ -15,9 +15,10 @@
 #include "sandbox/descriptor.hpp"
 #include "sandbox/printable.hpp"
 
-// libarchive: CMake brings it along on every system, it is tested against hostile archives, and it gives
-// names and types before a byte is unpacked. `unzip` and `cmake -E tar` write first: what they do with a
-// link in the way, or with a list that does not say what the archive does, would have to be believed.
+// libarchive: CMake brings it along on every system, it is tested against hostile archives, and it
+// gives names and types before a byte is unpacked. `unzip` and `cmake -E tar` write first: what
+// they do with a link in the way, or with a list that does not say what the archive does, would
+// have to be believed.
 #ifdef MC_HAVE_ARCHIVE
 #include <archive.h>
 #include <archive_entry.h>
@@ -41,7 +42,8 @@ namespace {
 /// A byte more than a compilation takes: the student is told that it is too long.
 constexpr std::size_t most_of_a_source = (std::size_t{1} << 20) + 1;
 
-/// libarchive turns names into the locale's; in "C" those with an umlaut are lost. Of this thread only.
+/// libarchive turns names into the locale's; in "C" those with an umlaut are lost. Of this thread
+/// only.
 class NamesAsTheyAre {
  public:
   NamesAsTheyAre() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
@@ -106,7 +108,8 @@ std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& long
   }
 }
 
-/// A name that the disk does not take is left out; a disk that takes nothing is the machine's fault.
+/// A name that the disk does not take is left out; a disk that takes nothing is the machine's
+/// fault.
 bool make_directory(const fs::path& directory) {
   std::error_code error;
   fs::create_directories(directory, error);

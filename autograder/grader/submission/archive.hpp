@@ -20,8 +20,8 @@ struct ArchiveLimits {
 };
 
 /// Unpacks below `directory`, which is ours and holds no link: directories, .cpp files and zips. Of
-/// other files there is only the name, so that pictures and builds cost nothing; links, .git, build and
-/// what macOS adds are left out. Throws Unreadable for what is no zip, leads out of itself, is
+/// other files there is only the name, so that pictures and builds cost nothing; links, .git, build
+/// and what macOS adds are left out. Throws Unreadable for what is no zip, leads out of itself, is
 /// encrypted or above the limits; std::system_error where the disk is full.
 void unpack(const std::filesystem::path& zip, const std::filesystem::path& directory,
             const ArchiveLimits& limits = {});

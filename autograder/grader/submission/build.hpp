@@ -19,9 +19,9 @@ struct Built {
 };
 
 /// Compiles what is new (one translation unit a file) and links. Works beside other builds, of this
-/// process or of others. There is one program: what is timed is what was judged, so that no text can
-/// tell the one from the other. The library's assertions are on in it; in a loop over a list's own
-/// size they cost nothing. Throws MachineError where the machine fails: that is no grade.
+/// process or of others. There is one program: what is timed is what was judged, so that no text
+/// can tell the one from the other. The library's assertions are on in it; in a loop over a list's
+/// own size they cost nothing. Throws MachineError where the machine fails: that is no grade.
 /// `workers` files are compiled at the same time.
 Built build_program(const Layout& layout, const Lab& lab, const Submission& submission,
                     unsigned workers = cores());

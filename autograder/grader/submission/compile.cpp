@@ -93,9 +93,9 @@ std::vector<std::string> include_flags(const Unit& unit) {
   return flags;
 }
 
-/// The command that compiles `name` and lists what it reads: -H names each file as it is opened, also
-/// where the compilation fails in the end; -MD and --MD write their lists only where it succeeds, but
-/// leave nothing out.
+/// The command that compiles `name` and lists what it reads: -H names each file as it is opened,
+/// also where the compilation fails in the end; -MD and --MD write their lists only where it
+/// succeeds, but leave nothing out.
 std::vector<std::string> command_for(const Unit& unit, const std::vector<std::string>& flags,
                                      const std::vector<std::string>& includes,
                                      const std::string& name) {

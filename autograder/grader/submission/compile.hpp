@@ -1,6 +1,6 @@
 #pragma once
-// One file of a submission, compiled. Compiling a stranger's text is already dangerous: it can include
-// what it should not see, print it in an error message, or never end. See docs/security.md.
+// One file of a submission, compiled. Compiling a stranger's text is already dangerous: it can
+// include what it should not see, print it in an error message, or never end. See docs/security.md.
 
 #include <filesystem>
 #include <string>
@@ -29,8 +29,8 @@ struct Object {
 /// Compiles it, unless that was done before. Throws MachineError where the machine fails.
 Object compile(const Unit& unit);
 
-/// Compiles the standard headers, once, so that a file takes half of the time from then on. It takes
-/// as long as a file itself: on the way to the very first verdict it would be lost. GCC only.
+/// Compiles the standard headers, once, so that a file takes half of the time from then on. It
+/// takes as long as a file itself: on the way to the very first verdict it would be lost. GCC only.
 void precompile_headers(const Layout& layout);
 
 /// The flags of a submission's compilation, as they are recorded with a grade.

@@ -24,8 +24,8 @@ using Files = std::map<std::string, fs::path>;  // lab name -> file
 constexpr int deepest = 12;
 constexpr std::size_t most_entries = 20'000;
 
-/// The lab files that lie in `directory` itself. A link is no file of one's own: it might lead to the
-/// solution.
+/// The lab files that lie in `directory` itself. A link is no file of one's own: it might lead to
+/// the solution.
 Files files_in(const std::vector<Lab>& labs, const fs::path& directory) {
   Files files;
   if (fs::is_symlink(fs::symlink_status(directory))) return files;

@@ -14,18 +14,19 @@ namespace mc::grader {
 
 struct Submission {
   std::string label;  ///< how it is called in reports
-  /// The directory, zip or file, as whoever runs this calls it; empty where it lies in a zip of many.
+  /// The directory, zip or file, as whoever runs this calls it; empty where it lies in a zip of
+  /// many.
   std::filesystem::path path;
   std::map<std::string, std::filesystem::path> files;  ///< lab name -> file
-  /// May include the repository's own sources, as mistakes and alternatives do. Given by who opens it,
-  /// never found out from a path.
+  /// May include the repository's own sources, as mistakes and alternatives do. Given by who opens
+  /// it, never found out from a path.
   bool trusted = false;
   std::vector<std::string> libraries = {};  ///< flags to link what it is made of, if it is a peer
   std::string found_in = {};  ///< where below `path` the files are; empty where they are at its top
 };
 
-/// A directory with some of the labs' .cpp files. Throws UsageError where there is none, where it is a
-/// link (it might lead to the solutions), or is no directory.
+/// A directory with some of the labs' .cpp files. Throws UsageError where there is none, where it
+/// is a link (it might lead to the solutions), or is no directory.
 Submission open_submission(const std::vector<Lab>& labs, const std::filesystem::path& directory);
 
 /// Is this the directory of the reference solutions?

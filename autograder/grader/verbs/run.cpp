@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program to run, for judging or for finding mistakes; empty, and the reason printed, where there
-/// is none.
+/// The program to run, for judging or for finding mistakes; empty, and the reason printed, where
+/// there is none.
 std::string program_of(const Context& context, const Lab& lab, const Submission& submission,
                        bool sanitized) {
   if (!sanitized) {

@@ -11,8 +11,8 @@
 
 namespace mc::grader {
 
-/// A verb takes the words behind its name, writes to standard output and gives back its exit status:
-/// 0, or 1 where `check` finds points missing. Bad usage and a lacking machine are thrown
+/// A verb takes the words behind its name, writes to standard output and gives back its exit
+/// status: 0, or 1 where `check` finds points missing. Bad usage and a lacking machine are thrown
 /// (errors.hpp).
 struct Verb {
   std::string name;                  ///< as list.hpp has it

@@ -8,8 +8,8 @@
 namespace mc::fuzz {
 namespace {
 
-/// How this program lies. The proof writes it into the program's file (tests/self_test/fuzz.cpp), for a
-/// jailed program can read nothing.
+/// How this program lies. The proof writes it into the program's file (tests/self_test/fuzz.cpp),
+/// for a jailed program can read nothing.
 struct Plan {
   char mark[16];
   std::uint8_t value;    ///< which of `values`; past them: one drawn for each process

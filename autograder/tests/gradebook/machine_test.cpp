@@ -1,5 +1,5 @@
-// Machines that fail: no disk, no processes, no descriptors, no jail. Nobody gets points from them, and
-// nobody a zero.
+// Machines that fail: no disk, no processes, no descriptors, no jail. Nobody gets points from them,
+// and nobody a zero.
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
-// Seeds that went well, with their p-values, kept in the build directory: a thousand seeds take hours,
-// and what interrupts them should not cost what is done.
+// Seeds that went well, with their p-values, kept in the build directory: a thousand seeds take
+// hours, and what interrupts them should not cost what is done.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,8 +16,8 @@ class Kept {
   /// Another program, or other checks, begin anew.
   explicit Kept(const Proof& proof);
 
-  /// Gives back what was kept, seed by seed (its p-values, in one check); the first seed that is still
-  /// to be judged.
+  /// Gives back what was kept, seed by seed (its p-values, in one check); the first seed that is
+  /// still to be judged.
   std::uint64_t resume(const std::function<void(const grader::LabVerdict&)>& add) const;
 
   void keep(const grader::LabVerdict& verdict) const;

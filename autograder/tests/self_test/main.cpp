@@ -1,5 +1,5 @@
-// Proves one submission of the repository: `self_test FILE`. What must happen to it stands in its first
-// lines; what must happen to starters and solutions is known.
+// Proves one submission of the repository: `self_test FILE`. What must happen to it stands in its
+// first lines; what must happen to starters and solutions is known.
 //
 //   starter/x.cpp                    every task is «not written yet», no point, no crash
 //   solutions/x.cpp                  full marks, with MC_SEEDS seeds (10)
@@ -23,8 +23,8 @@
 //                                    fails exactly those checks; what the library has nothing for
 //                                    is not written. Exit status 77 where it is not installed.
 //
-// Any of the last three says // limit: time, or memory, where a measurement of it meets one; `self_test
-// load RUNS` judges all that do beside busy loops, with the same verdict.
+// Any of the last three says // limit: time, or memory, where a measurement of it meets one;
+// `self_test load RUNS` judges all that do beside busy loops, with the same verdict.
 //
 // `self_test cost LAB` measures what measurements cost the right answers of a lab, compiled as for
 // any x86-64. `self_test repository` looks at the repository itself: task numbers, points, names.

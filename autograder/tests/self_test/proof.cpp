@@ -67,7 +67,8 @@ Proof proof_of(const std::filesystem::path& file) {
     proof.submission =
         single_file_submission(proof.layout, proof.labs, proof.lab, file, !is_strange);
   }
-  // A third of a mistake's price is its compilation, and its answers do not depend on the optimiser.
+  // A third of a mistake's price is its compilation, and its answers do not depend on the
+  // optimiser.
   if (kind == "mistakes") proof.layout.optimisation = "-O1";
   precompile_headers(proof.layout);
   proof.submission.label = std::filesystem::relative(file, proof.layout.root).string();

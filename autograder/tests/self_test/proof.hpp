@@ -51,16 +51,18 @@ void prove_mistake(const Proof& proof, const std::filesystem::path& file);
 void prove_peer(const Proof& proof, const std::filesystem::path& file);
 void prove_attack(const Proof& proof, const std::filesystem::path& file);
 
-/// Did a measurement run out of time or of memory? A file whose checks do says so: "// limit: time".
+/// Did a measurement run out of time or of memory? A file whose checks do says so: "// limit:
+/// time".
 bool meets_a_limit(const grader::LabVerdict& verdict);
 void compare_limits(const std::filesystem::path& file, const grader::LabVerdict& verdict);
 
 /// The same verdict on a busy machine as on an idle one: of each of these submissions (all that say
-/// "// limit:", where none are given), `runs` times each with 1, 2 and 4 workers beside four busy loops.
+/// "// limit:", where none are given), `runs` times each with 1, 2 and 4 workers beside four busy
+/// loops.
 void prove_under_load(std::vector<std::filesystem::path> files, unsigned runs);
 
-/// `count` programs that answer with numbers and lengths of a stranger's choice: no check of the lab
-/// falls, and none of a task's main checks passes that a right answer would not pass.
+/// `count` programs that answer with numbers and lengths of a stranger's choice: no check of the
+/// lab falls, and none of a task's main checks passes that a right answer would not pass.
 void prove_against_lies(const std::string& lab, unsigned count);
 
 /// What a file of the repository is, by its folder: "starter", "solutions", "mistakes", …

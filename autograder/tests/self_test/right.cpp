@@ -75,9 +75,9 @@ class PValues {
   std::vector<double> all_;
 };
 
-/// Each measurement costs a right answer a tenth of what it may use: then a slow machine, or a plainer
-/// answer, is no fault. On cores that others share CPU time is off by a factor of two: so much is
-/// allowed here, and the figure printed.
+/// Each measurement costs a right answer a tenth of what it may use: then a slow machine, or a
+/// plainer answer, is no fault. On cores that others share CPU time is off by a factor of two: so
+/// much is allowed here, and the figure printed.
 void judge_cost(const LabVerdict& verdict) {
   constexpr double most = 0.2;
   double worst = 0;
