@@ -1,6 +1,6 @@
 #pragma once
-// What lab 5 measures of a submission. Point sets are returned column by column; what is filled in is
-// NaN before, so that a value that was never written shows.
+// What lab 5 measures of a submission. Point sets are returned column by column; what is filled in
+// is NaN before, so that a value that was never written shows.
 
 #include <cstdint>
 #include <vector>
@@ -57,8 +57,8 @@ std::vector<double> repeat(unsigned task, unsigned base_or_dimension, std::uint6
 
 /// For timing: n points of `dims` dimensions, `rounds` times, by task 5.`task`: 3 Halton points, 5
 /// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled. They are made in blocks of
-/// 32 KB, but of 1,024 points at least, over and over in the same place; and from the last dimension
-/// to the first, which suits whoever makes whole points. The last coordinate of all.
+/// 32 KB, but of 1,024 points at least, over and over in the same place; and from the last
+/// dimension to the first, which suits whoever makes whole points. The last coordinate of all.
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds);
 
 }  // namespace mc::experiments

@@ -61,19 +61,20 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y);
 void random_shift(PointSet& points, Rng& rng);
 
 /// 5.8  Nested uniform scrambling in base 2 (Owen 1995): each of the 53 leading bits of a value is
-/// flipped or not, at random, by a decision of its own for each string of bits that may stand before
-/// it. That decision is a hash of the string and of all 64 bits of `seed`: so equal values stay
-/// equal, in whatever column they stand, and columns of one axis can be made in parts. A hash is not
-/// random: what must hold is that any two values are scrambled independently, up to the bits that
-/// they share (then the variance is Owen's), and larger groups nearly so: the error of exp(x) with
-/// 1,024 points of the line is Gaussian, with a kurtosis near 3. Each axis takes a seed of its own.
+/// flipped or not, at random, by a decision of its own for each string of bits that may stand
+/// before it. That decision is a hash of the string and of all 64 bits of `seed`: so equal values
+/// stay equal, in whatever column they stand, and columns of one axis can be made in parts. A hash
+/// is not random: what must hold is that any two values are scrambled independently, up to the bits
+/// that they share (then the variance is Owen's), and larger groups nearly so: the error of exp(x)
+/// with 1,024 points of the line is Gaussian, with a kurtosis near 3. Each axis takes a seed of its
+/// own.
 /// requires: values in [0, 1), whole multiples of 2^-53.
 void owen_scramble(std::span<double> column, std::uint64_t seed);
 
 /// 5.9  As 5.2, with the digit at each position of the radical inverse replaced by a random
 /// permutation of it: one permutation for each position, also for the endless zeros after the last
-/// digit (to 2^-53). A function of index and seed alone. Throws as 5.2 does, and for base > 2^16. (In
-/// base 2, where a permutation either swaps the digits or does not, this is a digital shift.)
+/// digit (to 2^-53). A function of index and seed alone. Throws as 5.2 does, and for base > 2^16.
+/// (In base 2, where a permutation either swaps the digits or does not, this is a digital shift.)
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed);
 
