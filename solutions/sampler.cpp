@@ -68,8 +68,8 @@ constexpr std::size_t block = std::tuple_size_v<Tables>;
 /// Writes a dimension's points, randomised by `seed`.
 using Randomised = void(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&);
 
-// 6.8 A picture asks for the same few points in every pixel, and then for other scrambles of them: so
-// short columns are kept as they are before they are scrambled.
+// 6.8 A picture asks for the same few points in every pixel, and then for other scrambles of them:
+// so short columns are kept as they are before they are scrambled.
 template <auto fill>
 void fill_or_copy(std::size_t dimension, std::span<double> x, Tables& tables) {
   constexpr std::size_t most_kept = 4096;
@@ -91,8 +91,8 @@ void fill_sobol(std::size_t dimension, std::span<double> x, std::uint64_t seed, 
 }
 
 /// In base 2 a permutation of a digit flips a bit or does not, for all points alike: no more than a
-/// digital shift. Nested scrambling is to be had at the same price (5.8), and the radical inverses in
-/// base 2 are Sobol's dimension 0.
+/// digital shift. Nested scrambling is to be had at the same price (5.8), and the radical inverses
+/// in base 2 are Sobol's dimension 0.
 void fill_halton(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables& tables) {
   if (dimension == 0) return fill_sobol(0, x, seed, tables);
   static const std::vector<unsigned> bases = primes(block);
@@ -130,12 +130,12 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 
 // 6.4 ---------------------------------------------------------------------------------------------
 
-// 6.8 What a number costs: a column is made whole when its use is first asked for, by the vectorised
-// loops of labs 2 to 5. After that a number costs its virtual call, one comparison and two loads:
-// `ready_` says how many uses there are columns for, and that it is none where there is no sample, so
-// that both questions are one. What happens rarely stands in functions of its own, or the compiler
-// would have next() save registers for it in every call. Columns keep their memory from one
-// integration to the next: a picture has one for each pixel.
+// 6.8 What a number costs: a column is made whole when its use is first asked for, by the
+// vectorised loops of labs 2 to 5. After that a number costs its virtual call, one comparison and
+// two loads: `ready_` says how many uses there are columns for, and that it is none where there is
+// no sample, so that both questions are one. What happens rarely stands in functions of its own, or
+// the compiler would have next() save registers for it in every call. Columns keep their memory
+// from one integration to the next: a picture has one for each pixel.
 
 class ColumnSampler final : public Sampler {
  public:
