@@ -52,7 +52,7 @@ endforeach()
 # draws, what benches. Libraries of objects, since a verb registers itself: nothing asks for it by name.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/context/*.cpp autograder/grader/submission/*.cpp
   autograder/grader/judging/*.cpp autograder/grader/reports/*.cpp)
-list(FILTER sources EXCLUDE REGEX "(json|html)[.]cpp$")
+list(FILTER sources EXCLUDE REGEX "(json|html|csv)[.]cpp$")
 list(FILTER sources EXCLUDE REGEX "/sanitized[.]cpp$")
 set(verbs check dispatch overview progress verb)
 list(TRANSFORM verbs PREPEND autograder/grader/verbs/)
@@ -77,7 +77,7 @@ target_link_libraries(working PUBLIC sandbox protocol)
 # A check waits for no JSON library.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp autograder/grader/gradebook/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/(check|dispatch|overview|progress|reset|run|setup|submit|test|verb|plot|render|report)[.]cpp$")
-add_library(recording OBJECT autograder/grader/reports/json.cpp
+add_library(recording OBJECT autograder/grader/reports/csv.cpp autograder/grader/reports/json.cpp
   autograder/grader/reports/verdict_json.cpp ${sources})
 own_target(recording)
 target_link_libraries(recording PUBLIC sandbox protocol nlohmann_json::nlohmann_json)
