@@ -62,9 +62,6 @@ quick(repository)
 # Every submission of the repository, with what its first lines say must happen to it; of each kind
 # and lab the first is tried by --quick.
 foreach(lab ${LABS})
-  if(EXISTS ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)
-    test_of(cost/${lab} 60 self_test cost ${lab})
-  endif()
   foreach(who starter solutions)
     if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
       test_of(${who}/${lab} 50 self_test ${who}/${lab}.cpp)
