@@ -31,6 +31,8 @@ inline constexpr VerbEntry verb_list[] = {
     {"stats", "what a table of grades says of the class and of the checks", gradebook, true},
     {"export", "lay a class's files out for JPlag, which finds similar ones", gradebook, true},
     {"handout", "write the repository that students get", gradebook, true, "docs/handout"},
+    {"gradescope", "write the zip that Gradescope's autograder is made of", gradebook, true,
+     "autograder/gradescope"},
     {"bench", "speed against error: the solutions, any submission, libraries", "bench", true,
      "autograder/bench"},
     {"test", "the repository's own tests", "desk", true, "autograder/tests"},
