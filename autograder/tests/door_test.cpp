@@ -54,6 +54,8 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
       {{"grade", "a", "--leaderboard"}, "--leaderboard takes --json FILE"},
       {{"merge"}, "usage: ./lab merge A.csv"},
       {{"stats"}, "usage: ./lab stats grades.csv"},
+      {{"grade", "a", "--visibility", "hidden"}, "--visibility takes --json FILE"},
+      {{"gradescope", "1"}, "usage: ./lab gradescope LAB"},
       {{"export", "jplag", "a"}, "usage: ./lab export jplag DIR"},
       {{"plot", "vriance"}, "did you mean 'variance'"},
       {{"render", "egde"}, "the pictures are edge, penumbra"},
@@ -75,8 +77,8 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
 }
 
 TEST_CASE("every verb has help") {
-  for (const char* verb : {"setup", "check", "run", "grade", "merge", "stats", "export", "plot",
-                           "render", "reset", "submit", "test"}) {
+  for (const char* verb : {"setup", "check", "run", "grade", "merge", "stats", "export",
+                           "gradescope", "plot", "render", "reset", "submit", "test"}) {
     const auto run = lab({verb, "--help"});
     CHECK(run.exit_code == 0);
     CHECK(contains(run.output, std::string("usage: ./lab ") + verb));

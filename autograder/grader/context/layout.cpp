@@ -59,6 +59,11 @@ Layout read_layout() {
       }
     }
   }
+  // What was taken out of the repository (./lab gradescope) says what it was taken from.
+  if (std::ifstream taken(layout.root / "VERSION.txt"); std::getline(taken, line)) {
+    layout.version = line;
+    return layout;
+  }
   const auto commit = sandbox::run_process(
       {"git", "-C", layout.root.string(), "describe", "--always", "--dirty", "--exclude=*"});
   if (commit.succeeded()) {

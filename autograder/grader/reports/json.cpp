@@ -1,22 +1,28 @@
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "grader/judging/commands.hpp"
 #include "grader/reports/report.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
 
-std::string output_of(const CheckResult& result, const LabVerdict& lab) {
+std::string output_of(const CheckResult& result, const LabVerdict& lab, std::uint64_t seed) {
+  JudgeOptions own;  // the reader's own checkout
+  own.seed = seed;
   if (result.status == Status::passed) return "";
+  // Why there is no program is said once, above all checks.
+  if (!lab.no_program.empty()) return "not run: see the top";
   std::string text = describe(result, lab);
   if (!result.story.empty() && result.status != Status::not_written) text += "\n" + result.story;
   if (result.status == Status::failed) {
     text += fmt::format("\nread      labs/{}/README.md, section {}\nagain     {}", lab.lab.folder,
-                        result.check.task, result.repeat);
+                        result.check.task, repeat_command(lab.lab, result.check, own));
   }
   if (!result.printed.empty()) text += "\nit printed\n" + sandbox::shortened(result.printed, 2000);
   return text;
@@ -35,7 +41,7 @@ nlohmann::ordered_json as_json(const Speed& speed) {
           {"points", speed.points}};
 }
 
-std::string as_results(const Verdict& verdict, Leaderboard wanted) {
+std::string as_results(const Verdict& verdict, const ForGradescope& wanted) {
   auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
   std::string output = jail_warning(verdict);
   if (!verdict.found_in.empty()) output += fmt::format("found in {}\n", verdict.found_in);
@@ -55,9 +61,9 @@ std::string as_results(const Verdict& verdict, Leaderboard wanted) {
                        {"score", result.earned()},
                        {"max_score", result.check.points},
                        {"status", result.status == Status::passed ? "passed" : "failed"},
-                       {"output", output_of(result, lab)},
+                       {"output", output_of(result, lab, verdict.seed)},
                        {"output_format", "text"},
-                       {"visibility", "visible"}});
+                       {"visibility", wanted.visibility}});
     }
   }
   if (!verdict.unreadable.empty()) {
@@ -69,15 +75,14 @@ std::string as_results(const Verdict& verdict, Leaderboard wanted) {
   all["execution_time"] = verdict.seconds;
   all["output"] = output;
   all["output_format"] = "text";
-  all["visibility"] = "visible";
+  all["visibility"] = wanted.visibility;
   all["tests"] = std::move(tests);
   all["extra_data"] = {{"seed", verdict.seed},
                        {"version", verdict.version},
                        {"flags", verdict.flags},
                        {"jail_complete", verdict.jail_complete},
                        {"speed", std::move(speed)}};
-  if (wanted == Leaderboard::of_speed && !leaderboard.empty())
-    all["leaderboard"] = std::move(leaderboard);
+  if (wanted.leaderboard && !leaderboard.empty()) all["leaderboard"] = std::move(leaderboard);
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 

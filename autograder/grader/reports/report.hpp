@@ -40,12 +40,16 @@ std::string not_judged_line(const Verdict& verdict);
 /// What must be said of every grade that was given without the whole jail; empty with it.
 std::string jail_warning(const Verdict& verdict);
 
-/// Gradescope shows a leaderboard to the whole class.
-enum class Leaderboard { none, of_speed };
+/// What an instructor wants of a results.json.
+struct ForGradescope {
+  bool leaderboard = false;            ///< of speed: Gradescope shows it to the whole class
+  std::string visibility = "visible";  ///< of the checks: hidden, after_due_date, after_published
+};
 
-/// Gradescope's results.json: every check, its points, its story; complete whatever happened.
+/// Gradescope's results.json: every check, its points, its story; complete whatever happened. It is
+/// read by a student in a checkout of one's own: commands name no directory.
 /// Null in a program without it (without_json.cpp): then the gradebook is asked.
-using JsonReporter = std::string (*)(const Verdict& verdict, Leaderboard wanted);
+using JsonReporter = std::string (*)(const Verdict& verdict, const ForGradescope& wanted);
 extern const JsonReporter report_json;
 
 }  // namespace mc::grader

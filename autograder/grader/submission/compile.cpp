@@ -75,12 +75,20 @@ void sweep(const fs::path& slot) {
   }
 }
 
+/// A file of the checkout as seen from there: where the checkout lies is nothing to a student.
+std::string shown(const Unit& unit, const fs::path& file) {
+  std::string name = file.string();
+  const std::string root = unit.layout.root.string() + '/';
+  if (name.starts_with(root)) name.erase(0, root.size());
+  return sandbox::printable_line(sandbox::shortened(name, 200));
+}
+
 Object refused(const Unit& unit, const fs::path& file) {
-  return {{},
-          fmt::format(
-              "{} reads {}.\nIt may include its lab's headers, those of labs/common and the "
-              "standard library's, and nothing else.",
-              unit.lab.file(), sandbox::printable_line(sandbox::shortened(file.string(), 200)))};
+  return {
+      {},
+      fmt::format("{} reads {}.\nIt may include its lab's headers, those of labs/common and the "
+                  "standard library's, and nothing else.",
+                  unit.lab.file(), shown(unit, file))};
 }
 
 std::vector<std::string> include_flags(const Unit& unit) {
@@ -132,7 +140,7 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
     return fmt::format(
         "{} does not compile, and nothing is shown of it: its compilation names {}, which is no "
         "header of a lab or of the standard library.",
-        name, sandbox::printable_line(sandbox::shortened(file->string(), 200)));
+        name, shown(unit, *file));
   }
   // The assembler quotes what an .include brings in, and leaves no list of it.
   if (compiled.errors.find("Assembler messages:") != std::string::npos) {

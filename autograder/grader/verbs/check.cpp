@@ -63,7 +63,7 @@ int check(const Context& context, const Arguments& arguments) {
     }
     if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
   }
-  if (json) write_text(*json, report_json(verdict, Leaderboard::none));
+  if (json) write_text(*json, report_json(verdict, {}));
   // For the next time; but who is here for the first time waits for nothing more.
   if (!is_first_time) precompile_headers(context.layout);
   if (own && is_whole) remember(context.layout, judged);

@@ -17,10 +17,15 @@
 namespace mc::grader {
 namespace {
 
-void print_overview(bool is_handout) {
+bool is_here(const Layout& layout, const VerbEntry& verb) {
+  return std::filesystem::exists(layout.root / verb.about);
+}
+
+void print_overview(const Layout& layout) {
+  const bool is_handout = !std::filesystem::exists(layout.solutions());
   fmt::print("usage: ./lab VERB ...   (./lab VERB --help says more)\n\n");
   for (const VerbEntry& verb : verb_list) {
-    if (verb.for_instructors && is_handout) continue;
+    if ((verb.for_instructors && is_handout) || !is_here(layout, verb)) continue;
     fmt::print("  ./lab {:<10} {}\n", verb.name, verb.description);
   }
 }
@@ -55,7 +60,7 @@ int dispatch(char** argv) {
   for (char** word = argv + 1; *word != nullptr; ++word) words.emplace_back(*word);
   Context context{read_layout(), {}};
   if (!words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "help")) {
-    print_overview(!std::filesystem::exists(context.layout.solutions()));
+    print_overview(context.layout);
     return 0;
   }
   if (!words.empty() && (words[0] == "--version" || words[0] == "version")) {
@@ -63,6 +68,10 @@ int dispatch(char** argv) {
     return 0;
   }
   const VerbEntry& entry = find_entry(words.empty() ? "" : words[0]);
+  if (!is_here(context.layout, entry)) {
+    throw UsageError(
+        fmt::format("./lab {} is about {}, which is not here", entry.name, entry.about));
+  }
   const Verb* const verb = find_verb(entry.name);
   if (verb == nullptr) hand_over(context.layout, entry.program, argv);
   const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());

@@ -172,7 +172,9 @@ int grade_one(const Context& context, const Handed& handed, Records& records,
   // No grade, and no file that could be taken for one.
   if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
   if (json) {
-    const auto wanted = arguments.has("leaderboard") ? Leaderboard::of_speed : Leaderboard::none;
+    ForGradescope wanted;
+    wanted.leaderboard = arguments.has("leaderboard");
+    wanted.visibility = visibility_of(arguments).value_or(wanted.visibility);
     write_text(*json, report_json(verdict, wanted));
   }
   if (!arguments.has("no-plots")) show_plots(context, submission, labs);
@@ -223,6 +225,7 @@ int grade(const Context& context, const Arguments& arguments) {
     throw UsageError("--json takes one DIR; for several there is --csv");
   }
   if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard takes --json FILE");
+  if (visibility_of(arguments) && !json) throw UsageError("--visibility takes --json FILE");
   BatchOptions options;
   options.asked_for = labs_asked_for(context, arguments);
   options.workers = static_cast<unsigned>(
@@ -246,8 +249,8 @@ int grade(const Context& context, const Arguments& arguments) {
 const RegisterVerb grade_verb{
     {"grade",
      "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--html DIR] [--json FILE] ...",
-     {"lab=,", "json=", "leaderboard", "csv=", "resume", "html=", "shard=", "seed=", "jobs=j",
-      "speed", "no-plots"},
+     {"lab=,", "json=", "leaderboard", "visibility=", "csv=", "resume",
+      "html=", "shard=", "seed=", "jobs=j", "speed", "no-plots"},
      "Every lab that DIR has a file of: at its top, in starter/, or wherever it is below. A "
      "directory\n"
      "or zip of several people's work, as Gradescope, Canvas and Moodle export it, means each of "
@@ -265,6 +268,7 @@ const RegisterVerb grade_verb{
      "                for each submission\n"
      "  --json FILE   Gradescope's results.json (one DIR)\n"
      "  --leaderboard with --json: how many times as fast as the reference, for the class to see\n"
+     "  --visibility V  with --json: visible, hidden, after_due_date or after_published\n"
      "  --seed S      the same seed again\n"
      "  -j N          so many at the same time: submissions, or of one its checks (all cores)\n"
      "  --speed       measure the speed tasks, too: of several in the end, one after the other\n"

@@ -9,6 +9,7 @@ namespace mc::grader {
 struct VerbEntry {
   std::string_view name, description, program;
   bool for_instructors = false;  ///< not listed where there are no solutions: in a handout
+  std::string_view about = "";   ///< what it is about: without that it is not there at all
 };
 
 /// Has all the grader has, and writes JSON.
@@ -20,7 +21,8 @@ inline constexpr VerbEntry verb_list[] = {
     {"check", "judge one lab of starter/ (or DIR)", "grader"},
     {"run", "run one experiment by hand and print its numbers", "desk"},
     {"plot", "draw the lab's plots, several submissions side by side", "pictures"},
-    {"render", "draw lab 6's pictures by every sampler, and their errors", "pictures"},
+    {"render", "draw lab 6's pictures by every sampler, and their errors", "pictures", false,
+     "labs/6-sampler"},
     {"report", "your work on a lab as a page", "pictures"},
     {"reset", "the starter of a lab again (your file is kept as a backup)", "desk"},
     {"submit", "write the zip to hand in", "desk"},
@@ -28,9 +30,12 @@ inline constexpr VerbEntry verb_list[] = {
     {"merge", "make one table of the tables of several shards", gradebook, true},
     {"stats", "what a table of grades says of the class and of the checks", gradebook, true},
     {"export", "lay a class's files out for JPlag, which finds similar ones", gradebook, true},
-    {"handout", "write the repository that students get", gradebook, true},
-    {"bench", "speed against error: the solutions, any submission, libraries", "bench", true},
-    {"test", "the repository's own tests", "desk", true},
+    {"handout", "write the repository that students get", gradebook, true, "docs/handout"},
+    {"gradescope", "write the zip that Gradescope's autograder is made of", gradebook, true,
+     "autograder/gradescope"},
+    {"bench", "speed against error: the solutions, any submission, libraries", "bench", true,
+     "autograder/bench"},
+    {"test", "the repository's own tests", "desk", true, "autograder/tests"},
 };
 
 }  // namespace mc::grader

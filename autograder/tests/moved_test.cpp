@@ -1,0 +1,125 @@
+// A checkout that was moved or copied with its build. What stands behind the door is a stub here: it
+// says where it was configured.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "sandbox/process.hpp"
+#include "tests/submissions.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::moved {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+constexpr const char* stub = R"(cmake_minimum_required(VERSION 3.22)
+project(stub LANGUAGES NONE)
+file(APPEND ${CMAKE_SOURCE_DIR}/configured.txt "${CMAKE_BINARY_DIR}\n")
+file(WRITE ${CMAKE_BINARY_DIR}/layout.txt "root=${CMAKE_SOURCE_DIR}\n")
+file(WRITE ${CMAKE_BINARY_DIR}/bin/grader "#!/bin/sh\necho ${CMAKE_SOURCE_DIR}\n")
+file(CHMOD ${CMAKE_BINARY_DIR}/bin/grader PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+add_custom_target(grader COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/built)
+)";
+
+sandbox::ProcessResult door(const fs::path& checkout) {
+  return sandbox::run_process({(checkout / "lab").string(), "--version"},
+                              {.environment = {{"MC_BUILD", ""}, {"CI", "true"}}});
+}
+
+/// A checkout in which ./lab was called once.
+struct Checkout : Scratch {
+  fs::path first, other;
+
+  Checkout() {
+    const fs::path here = fs::canonical(path());
+    first = here / "first", other = here / "the other";
+    fs::create_directories(first / "cmake");
+    fs::create_directories(first / "labs");
+    const fs::path root = read_layout().root;
+    fs::copy_file(root / "lab", first / "lab");
+    fs::copy_file(root / "cmake" / "setup.sh", first / "cmake" / "setup.sh");
+    write_text(first / "CMakeLists.txt", stub);
+    REQUIRE(door(first).output == first.string() + '\n');
+    fs::create_directories(first / "build" / "progress");
+    write_text(first / "build" / "progress" / "variance", "40 100 1.5 1\n");
+  }
+};
+
+/// What lies below, with its times.
+std::vector<std::string> listing(const fs::path& directory) {
+  std::vector<std::string> all;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    all.push_back(fmt::format("{} {}", entry.path().string(),
+                              entry.last_write_time().time_since_epoch().count()));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::size_t configured(const fs::path& checkout) {
+  return lines(read_text(checkout / "configured.txt"));
+}
+
+/// It is configured and built where it stands, once, and a line says so.
+void stands_there(const Checkout& checkout) {
+  const auto run = door(checkout.other);
+  CAPTURE(run.output, run.errors);
+  CHECK(run.exit_code == 0);
+  CHECK(run.output == checkout.other.string() + '\n');
+  CHECK(contains(run.errors, "was built for " + checkout.first.string()));
+  const auto again = door(checkout.other);
+  CHECK(again.output == run.output);
+  CHECK(again.errors.empty());
+  CHECK(configured(checkout.other) == 2);
+  CHECK(fs::exists(checkout.other / "build" / "built"));
+  CHECK(fs::exists(checkout.other / "build" / "progress" / "variance"));
+}
+
+}  // namespace
+
+TEST_CASE("a checkout that was moved is built again, once") {
+  const Checkout checkout;
+  fs::rename(checkout.first, checkout.other);
+  stands_there(checkout);
+}
+
+TEST_CASE("a copied checkout is built again, and nothing is written into the original") {
+  const Checkout checkout;
+  fs::copy(checkout.first, checkout.other, fs::copy_options::recursive);
+  const auto before = listing(checkout.first);
+  stands_there(checkout);
+  CHECK(listing(checkout.first) == before);
+}
+
+TEST_CASE("two calls at once in a moved checkout configure it once") {
+  const Checkout checkout;
+  fs::rename(checkout.first, checkout.other);
+  sandbox::ProcessResult runs[2];
+  std::thread second([&] { runs[1] = door(checkout.other); });
+  runs[0] = door(checkout.other);
+  second.join();
+  for (const auto& run : runs) {
+    CAPTURE(run.errors);
+    CHECK(run.output == checkout.other.string() + '\n');
+  }
+  CHECK(configured(checkout.other) == 2);
+}
+
+TEST_CASE("a checkout that is called through a link stands where it stood") {
+  const Checkout checkout;
+  fs::create_directory_symlink(checkout.first, checkout.other);
+  const auto run = door(checkout.other);
+  CHECK(run.output == checkout.first.string() + '\n');
+  CHECK(run.errors.empty());
+  CHECK(configured(checkout.first) == 1);
+}
+
+}  // namespace mc::tests::moved
