@@ -237,7 +237,7 @@ void describe_machine(const Layout& layout, Bench& bench) {
   bench.system = fmt::format("{} {}", system.sysname, system.machine);
   const auto version = sandbox::run_process({layout.compiler, "--version"}).output;
   bench.compiler = version.substr(0, version.find('\n'));
-  bench.flags = fmt::format("{}", fmt::join(compile_flags(layout), " "));
+  bench.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
   bench.version = layout.version;
 }
 

@@ -31,7 +31,7 @@ Rng& judges_own() {
 }
 
 void time_speed(const std::string& what, std::uint64_t values, const Rounds& rounds) {
-  auto count = rounds_of(rounds, 0.012);
+  auto count = rounds_of(rounds, 0.025);
   if (!count) return;
   // The median of three differences, the two runs of each close together: a shared machine changes
   // its pace from one second to the next.

@@ -16,7 +16,6 @@ struct Layout {
   bool sanitized =
       false;  ///< are grader and checks built with a sanitizer? Then limits of memory hold nothing
   std::string version;                  ///< of the project, and the commit where git knows it
-  std::string optimisation = "-O3";     ///< of what is judged
   std::vector<std::string> link_flags;  ///< -static where programs are
   std::map<std::string, std::vector<std::filesystem::path>>
       objects;                                            ///< lab name -> experiments, runner

@@ -119,7 +119,7 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   verdict.found_in = submission.found_in;
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;
-  verdict.flags = fmt::format("{}", fmt::join(compile_flags(context.layout), " "));
+  verdict.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
   verdict.jail_complete = sandbox::jail_is_complete();
 
   JudgeOptions judge = options.judge;

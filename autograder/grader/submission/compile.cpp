@@ -180,9 +180,8 @@ bool is_kept(const fs::path& file) {
   return !missing;
 }
 
-std::vector<std::string> compile_flags(const Layout& layout) {
-  std::vector<std::string> flags{"-std=c++20", layout.optimisation, "-ffp-contract=off",
-                                 "-D_GLIBCXX_ASSERTIONS"};
+std::vector<std::string> compile_flags() {
+  std::vector<std::string> flags{"-std=c++20", "-O3", "-ffp-contract=off", "-D_GLIBCXX_ASSERTIONS"};
 #if defined(__x86_64__)
   if (std::getenv("MC_BASELINE") != nullptr) return flags;  // for tests: as on any x86-64
   // Never native: digits must not change with the host. A machine has these features or it has not.
@@ -196,7 +195,7 @@ std::vector<std::string> compile_flags(const Layout& layout) {
 
 void precompile_headers(const Layout& layout) {
   if (layout.is_clang) return;
-  const auto flags = compile_flags(layout);
+  const auto flags = compile_flags();
   const fs::path header = standard_headers(layout, flags);
   const fs::path compiled = header.string() + ".gch";
   if (fs::exists(compiled)) return;
@@ -259,7 +258,7 @@ Object compile(const Unit& unit) {
   if (text.find_first_not_of(" \t\r\n\xef\xbb\xbf") == std::string::npos) {
     return {{}, fmt::format("{} is empty.", name)};
   }
-  const auto flags = compile_flags(unit.layout);
+  const auto flags = compile_flags();
   const auto includes = include_flags(unit);
   const std::string key =
       fmt::format("{} {} {} {} {}", rules, fmt::join(flags, " "), fmt::join(includes, " "),

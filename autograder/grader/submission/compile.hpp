@@ -34,7 +34,7 @@ Object compile(const Unit& unit);
 void precompile_headers(const Layout& layout);
 
 /// The flags of a submission's compilation, as they are recorded with a grade.
-std::vector<std::string> compile_flags(const Layout& layout);
+std::vector<std::string> compile_flags();
 
 /// What compiler and linker may use.
 sandbox::ProcessOptions compiler_limits(const std::filesystem::path& directory);

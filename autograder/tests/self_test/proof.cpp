@@ -67,9 +67,6 @@ Proof proof_of(const std::filesystem::path& file) {
     proof.submission =
         single_file_submission(proof.layout, proof.labs, proof.lab, file, !is_strange);
   }
-  // A third of a mistake's price is its compilation, and its answers do not depend on the
-  // optimiser.
-  if (kind == "mistakes") proof.layout.optimisation = "-O1";
   // What plain answers cost is measured as on any x86-64.
   if (kind == "alternatives") setenv("MC_BASELINE", "1", 1);
   precompile_headers(proof.layout);

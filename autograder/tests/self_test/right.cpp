@@ -129,7 +129,7 @@ void prove_right(const Proof& proof) {
     (result.p_values.empty() ? fresh : random).insert(result.check.name);
   }
   judge_cost(first);
-  judge_speed(proof, first);
+  if (is_reference || is_full) judge_speed(proof, first);
   for (; seed == 1 || choose(); ++seed) {
     const LabVerdict verdict = seed == 1 ? first : proof.judge(seed, checks);
     if (verdict.earned() != verdict.points()) {

@@ -1,7 +1,6 @@
 // attack: returns 900,000 points where one or two fit, to cost the judge memory and time
 // earns: 20
 // says: gave 900000 values in x
-// limit: memory
 
 #include <algorithm>
 #include <cmath>
