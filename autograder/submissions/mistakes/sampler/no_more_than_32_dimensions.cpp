@@ -1,7 +1,7 @@
 // mistake: throws where the sequence has no more dimensions
 // caught by: 6.3 sobol begins anew after eight dimensions
 // caught by: 6.3 each of the first twenty next2 gains
-// hint: there are direction numbers for 32 of them
+// hint: dimension: there are only 32
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
