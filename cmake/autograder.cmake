@@ -80,6 +80,7 @@ list(FILTER sources EXCLUDE REGEX "/(check|dispatch|overview|progress|reset|run|
 add_library(recording OBJECT autograder/grader/reports/csv.cpp autograder/grader/reports/json.cpp
   autograder/grader/reports/verdict_json.cpp ${sources})
 own_target(recording)
+in_parts(recording 8)
 target_link_libraries(recording PUBLIC sandbox protocol nlohmann_json::nlohmann_json)
 
 add_library(pages OBJECT autograder/grader/reports/html.cpp)
@@ -99,6 +100,7 @@ if(EXISTS ${CMAKE_SOURCE_DIR}/autograder/bench)
   list(FILTER sources EXCLUDE REGEX "/(measurement|ratios)[.]cpp$")
   add_library(benching OBJECT ${sources})
   own_target(benching)
+  in_parts(benching 4)
   target_link_libraries(benching PUBLIC sandbox protocol nlohmann_json::nlohmann_json)
 endif()
 
