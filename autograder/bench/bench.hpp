@@ -73,7 +73,8 @@ struct Reached {
   enum {
     between,  ///< two sizes: interpolated, by a line in the logarithms
     or_less,  ///< the first size is good enough
-    by_law  ///< no size is, but of independent points one knows how many it takes: variance/target^2
+    /// No size is, but of independent points one knows how many it takes: variance / target^2.
+    by_law
   } how = between;
 };
 /// Nothing where no size is good enough.

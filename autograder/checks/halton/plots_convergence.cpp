@@ -156,8 +156,9 @@ TEST_CASE("plot the tails of errors", "[.plot]") {
   auto file = plot_file("tails.tsv");
   for (std::size_t n = 16; n <= 4096; n *= 4) {
     const std::size_t sets = std::min<std::size_t>(20'000, 4'000'000 / n);
-    plot_row(file, std::array{Number(static_cast<double>(n)), kurtosis_of_errors(n, sets),
-                              Number(std::sqrt(96 / static_cast<double>(sets)))});
+    const Number kurtosis = kurtosis_of_errors(n, sets);
+    const Number error = kurtosis ? Number(std::sqrt(96 / static_cast<double>(sets))) : Number();
+    plot_row(file, std::array{Number(static_cast<double>(n)), kurtosis, error});
   }
 }
 

@@ -31,6 +31,8 @@ struct Panel {
 /// and are drawn apart, so that one that fails takes no other with it.
 struct Section {
   std::string script;
+  std::vector<std::string> names{}, labels{};  ///< of its pictures, of the panels in them
+  std::string why_empty{};                     ///< none of the panels has anything to draw
 };
 
 bool begins_section(std::string_view line) {
@@ -135,6 +137,27 @@ Gaps gaps_of(const Panel& panel, const std::vector<std::string>& names) {
   return gaps;
 }
 
+/// A reason as it fits into a picture.
+std::string in_a_title(const std::string& reason) {
+  return sandbox::shortened(reason, 90);
+}
+
+/// What is known of a section's pictures before they are drawn.
+void look_at(Section& section, const std::vector<Panel>& panels,
+             std::vector<std::string>& remarks) {
+  section.names = names_in(section.script);
+  bool has_some = false;
+  for (const Panel& panel : panels) {
+    const Gaps gaps = gaps_of(panel, section.names);
+    section.labels.push_back(gaps.is_empty ? panel.label + ": " + in_a_title(gaps.reason)
+                                           : panel.label);
+    remarks.insert(remarks.end(), gaps.remarks.begin(), gaps.remarks.end());
+    if (section.why_empty.empty()) section.why_empty = gaps.reason;
+    has_some = has_some || !gaps.is_empty;
+  }
+  if (has_some) section.why_empty.clear();
+}
+
 /// What a hidden case says of its end; empty where it came there.
 std::string failure_of(const sandbox::ProcessResult& run) {
   const auto records = read_catch_xml(run.output);
@@ -188,41 +211,29 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   std::vector<std::string> data;
   for (const Panel& panel : panels) data.push_back(panel.data.string());
   const fs::path here = layout.labs() / lab.folder;
-  const std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
+  std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
+  for (Section& section : sections) look_at(section, panels, plots.remarks);
   constexpr std::array extensions{"svg", "png"};
   std::mutex mutex;
   run_side_by_side(sections.size() * extensions.size(), cores(), [&](std::size_t i) {
     const Section& section = sections[i / extensions.size()];
     const std::string extension = extensions[i % extensions.size()];
-    const auto names = names_in(section.script);
-    std::vector<std::string> labels, remarks;
-    std::string reason;
-    bool is_empty = true;
-    for (const Panel& panel : panels) {
-      const Gaps gaps = gaps_of(panel, names);
-      labels.push_back(gaps.is_empty ? panel.label + ": " + gaps.reason : panel.label);
-      remarks.insert(remarks.end(), gaps.remarks.begin(), gaps.remarks.end());
-      if (reason.empty()) reason = gaps.reason;
-      is_empty = is_empty && gaps.is_empty;
-    }
     const std::string beginning =
         script_beginning(layout, place / lab.name, extension) +
-        fmt::format("count = {}\n{}{}here = {}\n", labels.size(), gnuplot_array("labels", labels),
-                    gnuplot_array("data", data), gnuplot_string(here.string()));
+        fmt::format("count = {}\n{}{}here = {}\n", panels.size(),
+                    gnuplot_array("labels", section.labels), gnuplot_array("data", data),
+                    gnuplot_string(here.string()));
     const auto script =
         place / "data" / fmt::format("{}-{}.{}.gp", lab.name, i / extensions.size(), extension);
-    if (!is_empty) {
-      reason = run_gnuplot(script, beginning + section.script);
-      if (!reason.empty()) remarks.push_back(reason);
+    std::string why_not = section.why_empty;
+    if (why_not.empty()) {
+      why_not = run_gnuplot(script, beginning + section.script);
+      if (why_not.empty()) return;
+      const std::lock_guard lock(mutex);
+      plots.remarks.push_back(why_not);
     }
-    if (!reason.empty()) {
-      for (const std::string& name : names) {
-        run_gnuplot(script, placeholder(beginning, name, "not drawn: " + reason.substr(0, 90)));
-      }
-    }
-    const std::lock_guard lock(mutex);
-    if (i % extensions.size() == 0) {
-      plots.remarks.insert(plots.remarks.end(), remarks.begin(), remarks.end());
+    for (const std::string& name : section.names) {
+      run_gnuplot(script, placeholder(beginning, name, "not drawn: " + in_a_title(why_not)));
     }
   });
   collect(plots, place, lab.name + "-");

@@ -21,16 +21,19 @@ constexpr const char* style = R"css(
 @media (prefers-color-scheme: dark) { :root { --ink: #e8e8e6; --ground: #161616; --soft: #232322;
   --line: #4a4a48; --good: #4fc3a1; --bad: #ff9d66; --quiet: #a8a8a4; --bar: #56b4e9; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 62rem; padding: 1rem; color: var(--ink); background: var(--ground);
-  font: 1rem/1.5 system-ui, sans-serif; overflow-wrap: anywhere; }
+body { margin: 0 auto; max-width: 62rem; padding: 1rem; color: var(--ink);
+  background: var(--ground); font: 1rem/1.5 system-ui, sans-serif; overflow-wrap: anywhere; }
 h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin-top: 2rem; } h3 { font-size: 1rem; }
 table { border-collapse: collapse; width: 100%; }
-th, td { text-align: left; vertical-align: top; padding: .25rem .5rem; border-bottom: 1px solid var(--line); }
+th, td { text-align: left; vertical-align: top; padding: .25rem .5rem;
+  border-bottom: 1px solid var(--line); }
 td.number, th.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-pre { background: var(--soft); padding: .6rem; margin: .4rem 0; white-space: pre-wrap; font-size: .85rem; }
+pre { background: var(--soft); padding: .6rem; margin: .4rem 0;
+  white-space: pre-wrap; font-size: .85rem; }
 details > summary { cursor: pointer; }
 span.passed, span.failed { white-space: nowrap; }
-.passed { color: var(--good); } .failed { color: var(--bad); } .other, .quiet { color: var(--quiet); }
+.passed { color: var(--good); } .failed { color: var(--bad); }
+.other, .quiet { color: var(--quiet); }
 ol.code { background: var(--soft); padding: .6rem .6rem .6rem 3.6rem; margin: .4rem 0;
   font: .8rem/1.4 ui-monospace, monospace; }
 ol.code li { white-space: pre-wrap; } ol.code .message { color: var(--bad); font-weight: 600; }

@@ -39,7 +39,7 @@ void lay_out(const Context& context, const Arguments& arguments, const std::stri
   }
   if (arguments.has("leaderboard")) {  // it compares with them; nothing else needs them
     for (const std::string& lab : chosen) {
-      const fs::path file = fs::path("solutions") / (lab + ".cpp");
+      const fs::path file = fs::path("solutions") / find_lab(context.labs, lab).file();
       copy_into(root / file, to / file);
     }
   }
