@@ -53,9 +53,11 @@ endfunction()
 test_of(grader 100 grader_tests)
 test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
-test_of(handout 90 gradebook_tests "[handout]")  # a build from nothing: not in --quick
-test_of(copied 90 gradebook_tests "[copied]")
+# Not in --quick: what builds a checkout, and what takes as long as all others together.
+test_of(handout 90 gradebook_tests "[handout]")
 test_of(gradescope 90 gradebook_tests "[gradescope]")
+test_of(interrupted 90 gradebook_tests "[interrupted]")
+test_of(descriptors 90 grader_tests "[descriptors]")
 set_tests_properties(grader gradebook repository PROPERTIES TIMEOUT 300)  # a minute, on an idle machine
 if(MC_SANITIZE)
   set_tests_properties(grader gradebook repository PROPERTIES TIMEOUT 900)
