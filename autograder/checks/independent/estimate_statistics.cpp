@@ -60,7 +60,7 @@ TEST_CASE("2.2 the points are uniform and independent", "[2.2][points:2][needs:2
 
 /// The values of estimates that are the means of what they saw.
 Values means_of(const Traced& seen) {
-  const Values values = values_of(seen.estimates());
+  Values values = values_of(seen.estimates());
   require_finite(seen.call(), values);
   for (std::size_t i = 0; i < values.size(); ++i) {
     expect_mean_of(fmt::format("{}, estimate {}", seen.call(), i), values[i], seen.values_of(i));
@@ -121,7 +121,7 @@ Values estimates_of(const Measured<std::vector<experiments::Counted>>& measured,
                 fmt::format("{}", n), "n is what the caller pays for",
                 "every sample is one evaluation");
   }
-  const Values values = values_of(estimates);
+  Values values = values_of(estimates);
   require_finite(measured.call, values);
   return values;
 }
