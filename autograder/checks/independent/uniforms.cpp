@@ -167,7 +167,7 @@ TEST_CASE("2.8 the numbers are uniform in all of their bits", "[2.8][points:2][n
       {{}, "no bit of a word is used twice in a number"});
 }
 
-TEST_CASE("2.8 the numbers know nothing of each other", "[2.8][points:2][needs:2.1]") {
+TEST_CASE("2.8 the numbers are independent", "[2.8][points:2][needs:2.1]") {
   Rng rng = check_rng();
   const std::size_t half = 50000;
   const Filled filled(rng(), {half, half});
@@ -227,7 +227,7 @@ TEST_CASE("2.8 the last bits do not repeat", "[2.8][points:1][needs:2.1]") {
        "becomes a number"});
 }
 
-TEST_CASE("2.8 a call has no beginning that one knows", "[2.8][points:1][needs:2.1]") {
+TEST_CASE("2.8 the first numbers of a call are independent", "[2.8][points:1][needs:2.1]") {
   Rng rng = check_rng();
   // The first numbers of many calls against each other: lanes whose states differ by little give
   // nearly the same at first. From one generator, and from a new one for each call.
