@@ -68,8 +68,8 @@ double covariance(std::span<const double> x, std::span<const double> y);
 
 /// 1.7  How far a joint distribution is from independence: the largest |p(x,y) - p(x) p(y)|. At
 /// most 4 eps where X and Y are independent.
-/// requires: `joint` is a table of weights, row by row, `columns` wide. Their total is positive and
-///   a double; the function normalises them.
+/// requires: `joint` is a table of weights, row by row, `columns` wide: a row for each x, a column
+///   for each y. Their total is positive and a double; the function normalises them.
 /// throws: std::invalid_argument for no columns, for a size that is no multiple of `columns`, for a
 ///   weight that is negative, infinite or NaN, and for a total that is not positive.
 /// source: the definition of independence, p(x,y) = p(x) p(y).
