@@ -143,7 +143,7 @@ TEST_CASE("2.8 the numbers are uniform in all of their bits", "[2.8][points:2][n
   expect_distribution(filled.call(), u, [](double at) { return at; },
                       {"numbers of 2.8 are uniform", alpha},
                       {{}, "each is to_unit() of 53 bits that were not used before"});
-  // Bit b of floor(2^53 u) is a fair coin, and so is the exclusive or of two different bits.
+  // Bit b of floor(2^53 u) is a fair coin, and so is the XOR of two different bits.
   Values ones(53), differing(52);
   for (const double one : u) {
     const auto bits = static_cast<std::uint64_t>(one * 0x1p53);
