@@ -19,18 +19,21 @@ namespace mc {
 /// 1.1  The mean of `x`.
 /// requires: any number of values; NaN if there are none. Finite wherever the true mean is a
 ///   double, so also for {1e308, 1e308} and {-1e308, -1e308}, whose sums are not.
+/// source: the definition.
 double mean(std::span<const double> x);
 
 /// 1.2  The sample variance by the handy fact Var{X} = E{X^2} - E{X}^2, times n / (n - 1).
 /// In double and uncorrected: a check asks that it loses all digits where the mean is large.
 /// requires: any number of values; NaN for fewer than two.
+/// source: Chan, Golub, LeVeque 1983, "Algorithms for computing the sample variance", the textbook
+///   algorithm.
 double variance_textbook(std::span<const double> x);
 
 /// 1.3  The sample variance by the corrected two-pass algorithm: first the mean, then the squared
 /// deviations from it, then the correction for the rounding of the mean. Never negative, and at
 /// most (eps c)^2 for constant data c. Loses at most 10 n eps of the variance.
 /// requires: any number of values; NaN for fewer than two.
-/// source: Chan, Golub, LeVeque 1983, "Algorithms for computing the sample variance", eq. 1.7.
+/// source: Chan, Golub, LeVeque 1983, eq. 1.7.
 double variance_two_pass(std::span<const double> x);
 
 /// The first two moments of a stream of values.
@@ -50,6 +53,7 @@ void add(Moments& moments, double x);
 /// 1.4  The sample variance of all values that were added: m2 / (count - 1).
 /// requires: any count of 64 bits; NaN below two.
 /// cost: constant.
+/// source: as add.
 double variance(const Moments& moments);
 
 /// 1.5  The moments of two streams together, from their moments alone.

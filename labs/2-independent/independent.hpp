@@ -54,11 +54,13 @@ double sample_power(double u, double a);
 /// 2.3  The density that sample_exponential samples: rate exp(-rate x) for x >= 0, 0 below.
 /// requires: any x, rate > 0.
 /// throws: std::invalid_argument where rate is not positive, or NaN.
+/// source: as sample_exponential.
 double pdf_exponential(double x, double rate);
 
 /// 2.3  The density that sample_power samples: (a + 1) x^a on [0, 1] with both ends, 0 outside.
 /// requires: any x, a > -1.
 /// throws: std::invalid_argument where a is not above -1, or NaN.
+/// source: as sample_exponential.
 double pdf_power(double x, double a);
 
 /// 2.4  The integral of the one-dimensional `g` over the support of `p`, as the mean of g(x) / p(x)

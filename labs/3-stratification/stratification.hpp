@@ -36,6 +36,7 @@ void stratified_1d(std::span<double> x, Rng& rng);
 /// requires: n >= 1, up to 64 bits.
 /// throws: std::invalid_argument for n = 0.
 /// cost: about sqrt(n) divisions at worst.
+/// source: trial division, Knuth, "The art of computer programming", volume 2, section 4.5.4.
 Grid strata(std::size_t n);
 
 /// 3.3  A jittered grid: one point (x[k], y[k]) in each cell of `grid`, uniform in it and
