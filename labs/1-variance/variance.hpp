@@ -31,7 +31,7 @@ double variance_textbook(std::span<const double> x);
 
 /// 1.3  The sample variance by the corrected two-pass algorithm: first the mean, then the squared
 /// deviations from it, then the correction for the rounding of the mean. Never negative, and at
-/// most (eps c)^2 for constant data c. Loses at most 10 n eps of the variance.
+/// most (eps c)^2 for up to 100,000 equal values c. Loses at most 10 n eps of the variance.
 /// requires: any number of values; NaN for fewer than two.
 /// source: Chan, Golub, LeVeque 1983, eq. 1.7.
 double variance_two_pass(std::span<const double> x);
