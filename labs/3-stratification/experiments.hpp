@@ -49,7 +49,7 @@ Points multi_jittered_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid
 std::vector<double> stratified_1d_constant(std::uint64_t n, std::uint64_t word);
 Points stratified_2d_constant(Grid grid, std::uint64_t word);
 
-/// 3.4: x, shuffled `times` times, each time from the order given.
+/// 3.4: x, shuffled `times` times, each time from x as it is given.
 std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed);
 
 /// 3.4, 3.5, 3.6: `sets` sets of n points, each of them column by column.

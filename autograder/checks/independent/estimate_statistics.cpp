@@ -38,7 +38,7 @@ TEST_CASE("2.2 the points are uniform and independent", "[2.2][points:2][needs:2
   for (std::size_t i = 0; i < u.size(); i += 2) diagonal += u[i] == u[i + 1] ? 1 : 0;
   expect_that(diagonal < u.size() / 4,
               fmt::format("{}: x = y in {} of {} points", seen.call(), diagonal, u.size() / 2),
-              "x and y that have nothing to do with each other", "",
+              "x and y that are independent", "",
               "draw a number for each dimension: one number for both fills a line");
   // Of 120,000 numbers with 32 bits 1.7 came before, on average, and 34 never (1e-29); with the 24
   // bits of a float 429 do, and never less than 200 (1e-28).
@@ -51,10 +51,10 @@ TEST_CASE("2.2 the points are uniform and independent", "[2.2][points:2][needs:2
                 {"the two coordinates of a point are independent", alpha},
                 {{}, "draw a number for each dimension"});
   expect_counts(seen.call() + ", neighbours", pair_counts(u, 1, 2, 2), even_cells,
-                {"the x of a point knows nothing of the y before it", alpha},
+                {"the x of a point is independent of the y before it", alpha},
                 {{}, "no number is used twice"});
   expect_counts(seen.call() + ", pairs of points, x and x", pair_counts(u, 0, 2, 4), even_cells,
-                {"the x of a point knows nothing of the x before it", alpha},
+                {"the x of a point is independent of the x before it", alpha},
                 {{}, "each point is drawn afresh: neither a copy nor a mirror image of another"});
 }
 
