@@ -16,6 +16,12 @@ for folder in labs/[0-9]*-*; do
   done
 done
 
+# Lab 6 shows two pictures more, which ./lab render draws.
+for picture in motion stripes; do
+  ./lab render "$picture" solutions >/dev/null
+  cp "$build/render/$picture-samples.png" "labs/6-sampler/pictures/$picture.png"
+done
+
 # One failure as a student sees it: Welford with the old mean in both factors.
 cmake --build "$build" --target self_test >/dev/null
 "$build/bin/self_test" autograder/submissions/mistakes/variance/welford_old_mean.cpp |

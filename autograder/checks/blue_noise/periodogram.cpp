@@ -199,7 +199,7 @@ TEST_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
 TEST_CASE("4.4 misuse of periodogram is refused", "[4.4][edge][points:2]") {
   Rng rng = check_rng();
   const std::uint64_t n = 2 + rng() % 9;
-  const std::string because = "points have two coordinates, and there is one of them at least";
+  const std::string because = "each point has two coordinates, and there is at least one point";
   expect_refused(MEASURE_OUTCOME(periodogram_into, n, n + 1, 1, 9), because);
   expect_refused(MEASURE_OUTCOME(periodogram_into, n, n - 1, 1, 9), because);
   expect_refused(MEASURE_OUTCOME(periodogram_into, 0, 0, 1, 9), because);

@@ -204,18 +204,18 @@ TEST_CASE("5.6 no error exceeds variation times discrepancy", "[5.6][points:2]")
 
 TEST_CASE("5.6 what is no point of the unit square is refused", "[5.6][points:2][edge]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::string because = "a box from the origin knows only points of the unit square";
+  const std::string because = "points must lie in the unit square";
   for (const double outside : {-0.1, 1.1, nan}) {
     expect_refused(MEASURE_OUTCOME(star_discrepancy_1d, {0.5, outside}), because);
     expect_refused(MEASURE_OUTCOME(star_discrepancy_2d, {0.5, 0.1}, {0.2, outside}), because);
     expect_refused(MEASURE_OUTCOME(star_discrepancy_2d, {outside, 0.1}, {0.2, 0.3}), because);
   }
   expect_refused(MEASURE_OUTCOME(star_discrepancy_1d, {}),
-                 "of no points there is no fraction inside a box");
+                 "without points there is no fraction inside a box");
   expect_refused(MEASURE_OUTCOME(star_discrepancy_2d, {}, {}),
-                 "of no points there is no fraction inside a box");
+                 "without points there is no fraction inside a box");
   expect_refused(MEASURE_OUTCOME(star_discrepancy_2d, {0.1, 0.2}, {0.3}),
-                 "there are no points where the sizes differ");
+                 "each point has two coordinates");
 }
 
 }  // namespace
