@@ -47,6 +47,7 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
       {{"check", "variance", "--seed", "-1"}, "whole number"},
       {{"check", "variance", "--seed", "12x"}, "whole number"},
       {{"check", "variance", "--json", "/no/such/place/results.json"}, "no such directory"},
+      {{"check", "variance", "--watch", "--json", "x.json"}, "--watch writes no file"},
       {{"grade"}, "usage: ./lab grade DIR"},
       {{"grade", "/no/such/place"}, "no such directory"},
       {{"grade", empty.path().string()}, "no file of any lab"},
