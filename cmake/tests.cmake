@@ -54,6 +54,7 @@ test_of(grader 100 grader_tests)
 test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
 test_of(handout 90 gradebook_tests "[handout]")  # a build from nothing: not in --quick
+test_of(demo 60 grader_tests "[.demo]")
 test_of(copied 90 gradebook_tests "[copied]")
 test_of(gradescope 90 gradebook_tests "[gradescope]")
 set_tests_properties(grader gradebook repository PROPERTIES TIMEOUT 300)  # a minute, on an idle machine

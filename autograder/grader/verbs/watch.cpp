@@ -8,8 +8,8 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <system_error>
 #include <thread>
@@ -213,15 +213,15 @@ std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
   LabVerdict sorted = lab;
   const auto open = std::find_if(lab.checks.begin(), lab.checks.end(), is_open);
   if (open != lab.checks.end()) {
-    std::stable_partition(
-        sorted.checks.begin(), sorted.checks.end(),
-        [&](const CheckResult& one) { return one.check.task == open->check.task; });
+    std::stable_partition(sorted.checks.begin(), sorted.checks.end(), [&](const CheckResult& one) {
+      return one.check.task == open->check.task;
+    });
   }
   std::string all;
   if (lab.no_program.empty() && verdict.not_judged.empty()) {
-    all = fmt::format("{:g} of {:g} points; {}\n", lab.earned(), lab.points(),
-                      open == lab.checks.end() ? "nothing is open"
-                                               : "first open: " + open->check.task);
+    all = fmt::format(
+        "{:g} of {:g} points; {}\n", lab.earned(), lab.points(),
+        open == lab.checks.end() ? "nothing is open" : "first open: " + open->check.task);
   }
   return all + report_lab(sorted, verdict, terminal);
 }
