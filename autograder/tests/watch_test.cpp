@@ -162,7 +162,7 @@ TEST_CASE("an interrupt ends the watching and what is being judged") {
 
 TEST_CASE("a screen has the first rows, and says how many are left out") {
   CHECK(first_rows("a\nb\n", 2, 40) == "a\nb\n");
-  CHECK(first_rows("a\nb\nc\n", 2, 40) == "a\n… 2 more lines\n");
+  CHECK(first_rows("  a\nb\nc\n", 2, 40) == "  a\n… 2 more lines\n");
   const std::string wide(41, 'x');  // two rows of 40 columns
   CHECK(first_rows(wide + "\nb\nc\n", 3, 40) == wide + "\n… 2 more lines\n");
   CHECK(first_rows("\x1b[31m" + std::string(40, 'x') + "\x1b[0m\nb\n", 2, 40).ends_with("b\n"));

@@ -136,8 +136,9 @@ std::string picture_of(const DemoIntegrand& integrand) {
 std::string all_integrands() {
   std::vector<std::string> all;
   for (const DemoIntegrand& one : demo_integrands()) {
-    all.push_back(fmt::format(R"({{"name":"{}","formula":"{}","exact":{:.12g},"variance":{:.6g},"picture":"{}"}})",
-                              one.name, one.formula, one.exact, variance_of(one), picture_of(one)));
+    all.push_back(fmt::format(
+        R"({{"name":"{}","formula":"{}","exact":{:.12g},"variance":{:.6g},"picture":"{}"}})",
+        one.name, one.formula, one.exact, variance_of(one), picture_of(one)));
   }
   return list_of(all);
 }
@@ -154,8 +155,7 @@ std::span<const DemoIntegrand> demo_integrands() {
       // Where y < 0.65 - x/2: from 0.65 on the left to 0.15 on the right.
       {"edge", "1 where x + 2y < 1.3, else 0", 0.4,
        [](double x, double y) { return x + 2 * y < 1.3 ? 1.0 : 0.0; }},
-      {"wave", "1 + cos(40 x + 23 y)",
-       1 + (mean_of_wave(wave_x) * mean_of_wave(wave_y)).real(),
+      {"wave", "1 + cos(40 x + 23 y)", 1 + (mean_of_wave(wave_x) * mean_of_wave(wave_y)).real(),
        [](double x, double y) { return 1 + std::cos(wave_x * x + wave_y * y); }},
   }};
   return all;

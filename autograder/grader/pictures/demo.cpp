@@ -58,9 +58,9 @@ void measure(const Layout& layout, const Lab& lab, const Submission& submission,
     return;
   }
   fs::create_directories(data);
-  run_hidden_cases(layout, lab, CaseKind::figures, *built.program, tag,
-                   {.environment = {{protocol::plot_data_variable, data.string()}},
-                    .wall_seconds = 600});
+  run_hidden_cases(
+      layout, lab, CaseKind::figures, *built.program, tag,
+      {.environment = {{protocol::plot_data_variable, data.string()}}, .wall_seconds = 600});
   for (const auto& entry : fs::directory_iterator(data)) {
     if (entry.path().extension() != ".json") continue;
     std::string text = read_text(entry.path());

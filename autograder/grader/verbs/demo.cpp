@@ -24,8 +24,9 @@ int demo(const Context& context, const Arguments& arguments) {
   require_writable(out);
   const bool has_solutions = fs::exists(layout.solutions());
   const auto given = arguments.get("dir");
-  const fs::path directory =
-      given ? fs::path(*given) : has_solutions ? layout.solutions() : layout.starter();
+  const fs::path directory = given           ? fs::path(*given)
+                             : has_solutions ? layout.solutions()
+                                             : layout.starter();
   Submission submission = open_submission(context.labs, directory);
   if (!given) submission.label = has_solutions ? "the solutions" : "starter";
   const Demo made = [&] {
@@ -48,7 +49,8 @@ const RegisterVerb demo_verb{
      "demo [--out F.html] [--dir DIR]",
      {"out=", "dir="},
      "One page, with nothing from elsewhere: choose points and an integrand, move N, and see the\n"
-     "points, the estimate, its error, and the measured RMSE against N. Of the solutions, where the\n"
+     "points, the estimate, its error, and the measured RMSE against N. Of the solutions, where "
+     "the\n"
      "checkout has them, else of starter/.\n"
      "  --out F.html  the file (build/demo.html)\n"
      "  --dir DIR     measure this submission instead\n",

@@ -11,13 +11,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "grader/context/saves.hpp"
-#include "runner/text.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
@@ -227,10 +227,11 @@ std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
 }
 
 std::string first_rows(const std::string& text, std::size_t rows, std::size_t columns) {
-  std::vector<std::string_view> lines = text::split(text, '\n');
-  if (!lines.empty() && lines.back().empty()) lines.pop_back();
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
   std::size_t all_rows = 0;
-  for (const std::string_view line : lines) all_rows += rows_of(line, columns);
+  for (const std::string& line : lines) all_rows += rows_of(line, columns);
   if (all_rows <= rows) return text;
   std::string shown;
   std::size_t used = 0, count = 0;
@@ -238,7 +239,7 @@ std::string first_rows(const std::string& text, std::size_t rows, std::size_t co
     const std::size_t takes = rows_of(lines[count], columns);
     if (used + takes >= rows) break;
     used += takes;
-    shown += std::string(lines[count]) + '\n';
+    shown += lines[count] + '\n';
   }
   return shown + fmt::format("… {} more lines\n", lines.size() - count);
 }
