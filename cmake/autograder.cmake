@@ -54,7 +54,7 @@ file(GLOB sources CONFIGURE_DEPENDS autograder/grader/context/*.cpp autograder/g
   autograder/grader/judging/*.cpp autograder/grader/reports/*.cpp)
 list(FILTER sources EXCLUDE REGEX "(json|html|csv)[.]cpp$")
 list(FILTER sources EXCLUDE REGEX "/sanitized[.]cpp$")
-set(verbs check dispatch overview progress verb)
+set(verbs check dispatch overview progress verb watch)
 list(TRANSFORM verbs PREPEND autograder/grader/verbs/)
 list(TRANSFORM verbs APPEND .cpp)
 add_library(grading OBJECT ${sources} ${verbs})
@@ -76,7 +76,7 @@ target_link_libraries(working PUBLIC sandbox protocol)
 
 # A check waits for no JSON library.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/verbs/*.cpp autograder/grader/gradebook/*.cpp)
-list(FILTER sources EXCLUDE REGEX "/(check|dispatch|overview|progress|reset|run|setup|submit|test|verb|plot|render|report)[.]cpp$")
+list(FILTER sources EXCLUDE REGEX "/(check|demo|dispatch|overview|progress|reset|run|setup|submit|test|verb|watch|plot|render|report)[.]cpp$")
 add_library(recording OBJECT autograder/grader/reports/csv.cpp autograder/grader/reports/json.cpp
   autograder/grader/reports/verdict_json.cpp ${sources})
 own_target(recording)
@@ -88,8 +88,8 @@ own_target(pages)
 target_link_libraries(pages PUBLIC sandbox protocol)
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/pictures/*.cpp)
-add_library(drawing OBJECT ${sources} autograder/grader/verbs/plot.cpp autograder/grader/verbs/render.cpp
-  autograder/grader/verbs/report.cpp)
+add_library(drawing OBJECT ${sources} autograder/grader/verbs/demo.cpp autograder/grader/verbs/plot.cpp
+  autograder/grader/verbs/render.cpp autograder/grader/verbs/report.cpp)
 own_target(drawing)
 target_link_libraries(drawing PUBLIC sandbox protocol)
 

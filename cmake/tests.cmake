@@ -37,7 +37,8 @@ if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   endif()
   add_dependencies(gradebook_tests faulty_machine)
 endif()
-add_dependencies(gradebook_tests gradebook checks_variance experiments_variance runner)
+add_dependencies(gradebook_tests gradebook checks_variance checks_independent
+  experiments_variance experiments_independent runner)
 
 # test_of(<name> <cost> <command>...): those that take long begin first. How long one may take at most
 # hangs on the number of seeds: cmake/test.cmake says it.
@@ -55,6 +56,8 @@ test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
 # Not in --quick: what builds a checkout, and what takes as long as all others together.
 test_of(handout 90 gradebook_tests "[handout]")
+test_of(term 95 gradebook_tests "[term]")
+test_of(demo 60 grader_tests "[demo]")
 test_of(gradescope 90 gradebook_tests "[gradescope]")
 test_of(interrupted 90 gradebook_tests "[interrupted]")
 test_of(descriptors 90 grader_tests "[descriptors]")

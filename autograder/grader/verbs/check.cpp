@@ -15,11 +15,34 @@
 #include "grader/verbs/lab_and_task.hpp"
 #include "grader/verbs/progress.hpp"
 #include "grader/verbs/verb.hpp"
+#include "grader/verbs/watch.hpp"
 
 namespace mc::grader {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The same, without what the watching is for.
+std::vector<std::string> words_for_watched(const Arguments& arguments) {
+  std::vector<std::string> words{"check"};
+  for (const auto& [option, value] : arguments.options) {
+    if (option == "watch") continue;
+    words.push_back("--" + option + (value.empty() ? "" : '=' + value));
+  }
+  words.emplace_back("--");
+  words.insert(words.end(), arguments.words.begin(), arguments.words.end());
+  return words;
+}
+
+/// The files that a verdict on this lab hangs on.
+std::vector<fs::path> files_of(const Submission& submission, const Lab& lab) {
+  std::vector<fs::path> files{submission.files.at(lab.name)};
+  for (const std::string& name : lab.stands_on) {
+    const auto file = submission.files.find(name);
+    if (file != submission.files.end()) files.push_back(file->second);
+  }
+  return files;
+}
 
 int check(const Context& context, const Arguments& arguments) {
   const char* const usage =
@@ -38,6 +61,11 @@ int check(const Context& context, const Arguments& arguments) {
   if (!submission.files.contains(lab.name) && !json) {
     throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));
   }
+  if (arguments.has("watch")) {
+    if (json) throw UsageError("--watch writes no file: leave out --json");
+    if (!fs::is_directory(directory)) throw UsageError("--watch takes a directory");
+    return watch(context, words_for_watched(arguments), files_of(submission, lab));
+  }
   const bool is_first_time = !fs::exists(context.layout.build / "programs");
   SubmissionOptions options;
   options.judge.seed = seed_of(arguments);
@@ -53,10 +81,12 @@ int check(const Context& context, const Arguments& arguments) {
     return judge_submission(context, submission, {lab}, options);
   }();
   LabVerdict& judged = verdict.labs[0];
-  fmt::print("{}", report_lab(judged, verdict, this_terminal()));
+  const auto watched = watching_terminal();
+  fmt::print("{}", watched ? report_open_first(judged, verdict, *watched)
+                           : report_lab(judged, verdict, this_terminal()));
   // No grade, and no file that could be taken for one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
-  if (judged.no_program.empty()) {
+  if (judged.no_program.empty() && !watched) {  // who watches waits for the next verdict
     {
       const ProgressLine line("timing " + lab.name);
       add_speed(context, submission, judged);
@@ -72,12 +102,13 @@ int check(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb check_verb{
     {"check",
-     "check LAB [TASK] [DIR] [--first] [--seed S] [--json FILE]",
-     {"only=", "first", "seed=", "json="},
+     "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE]",
+     {"only=", "first", "watch", "seed=", "json="},
      "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, its checks "
      "alone:\n"
      "./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
      "  --first       stop at the first task that is not right\n"
+     "  --watch       judge again after each save; the first open task stands on top; Ctrl-C ends\n"
      "  --seed S      the run with that seed again; every report names its own\n"
      "  --json FILE   Gradescope's results.json as well\n"
      "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "

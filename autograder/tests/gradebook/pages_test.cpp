@@ -9,6 +9,7 @@
 #include "grader/gradebook/statistics.hpp"
 #include "grader/reports/html.hpp"
 #include "sandbox/process.hpp"
+#include "tests/browser.hpp"
 #include "tests/gradebook/course.hpp"
 #include "tests/text.hpp"
 
@@ -52,14 +53,6 @@ const GradedClass& graded_class() {
   return graded;
 }
 
-std::string chromium() {
-  for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
-    const auto found = sandbox::run_process({"sh", "-c", fmt::format("command -v {}", name)});
-    if (found.succeeded()) return name;
-  }
-  return {};
-}
-
 /// What the browser has to say of these pages in a window 390 pixels wide: its console, and how
 /// wide each page is in the end.
 struct Seen {
@@ -76,19 +69,8 @@ Seen look_at(const std::vector<fs::path>& pages, const Scratch& place) {
       .map(f => Math.max(f.contentWindow.innerWidth, f.contentDocument.documentElement.scrollWidth))
       .join(" ");
     document.body.innerHTML = ""; };</script>)";
-  const auto run = sandbox::run_process(
-      {chromium(), "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
-       "--user-data-dir=" + (place.path() / "profile").string(), "--dump-dom",
-       "file://" + place.write("look.html", text).string()},
-      {.wall_seconds = 60});
-  Seen seen;
-  const auto begin = run.output.find("<title>") + 7;
-  seen.widths = run.output.substr(begin, run.output.find("</title>") - begin);
-  for (auto at = run.errors.find("CONSOLE"); at != std::string::npos;
-       at = run.errors.find("CONSOLE", at + 1)) {
-    seen.console += run.errors.substr(at, run.errors.find('\n', at) - at) + '\n';
-  }
-  return seen;
+  const Opened opened = open_page(place.write("look.html", text));
+  return {opened.console, opened.title};
 }
 
 }  // namespace

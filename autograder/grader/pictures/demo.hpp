@@ -1,0 +1,20 @@
+#pragma once
+// The lecture's demo of convergence: points, an estimate, its error, as one page.
+
+#include <string>
+#include <vector>
+
+#include "grader/context/context.hpp"
+#include "grader/submission/submission.hpp"
+
+namespace mc::grader {
+
+struct Demo {
+  std::string page;                  ///< self-contained; empty where there is nothing to show
+  std::vector<std::string> remarks;  ///< what could not be measured, and why
+};
+
+/// Measures the point sets of every lab that has a hidden case tagged [.demo].
+Demo make_demo(const Context& context, const Submission& submission);
+
+}  // namespace mc::grader

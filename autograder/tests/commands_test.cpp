@@ -1,0 +1,241 @@
+// Every command in a document exists: its verb, its options, its lab and its task; those that cost
+// little are run.
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/errors.hpp"
+#include "grader/judging/judge.hpp"
+#include "grader/verbs/lab_and_task.hpp"
+#include "grader/verbs/list.hpp"
+#include "grader/verbs/verb.hpp"
+#include "runner/text.hpp"
+#include "tests/door.hpp"
+#include "tests/submissions.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::commands {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A command as a document has it.
+struct Command {
+  std::string document;
+  Words words;
+  std::string text() const { return fmt::format("{}: {}", document, fmt::join(words, " ")); }
+};
+
+/// Words as a shell splits them, up to a comment; a document may also set the comment apart by blanks.
+Words words_of(std::string_view line) {
+  Words words;
+  std::string word;
+  bool in_word = false;
+  char quote = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quote != 0) {
+      if (c == quote) {
+        quote = 0;
+      } else {
+        word += c;
+      }
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+      in_word = true;
+    } else if (c == ' ' || c == '\n') {
+      if (in_word) words.push_back(word);
+      word.clear();
+      in_word = false;
+      if (line.substr(i).starts_with("  ") || line.substr(i).starts_with(" #")) return words;
+    } else {
+      word += c;
+      in_word = true;
+    }
+  }
+  if (in_word) words.push_back(word);
+  return words;
+}
+
+bool is_command(std::string_view text) {
+  return text.starts_with("./lab") || text.starts_with(".ci/") || text.starts_with("build/bin/");
+}
+
+/// What stands in a document as code: whole lines of blocks, and spans in the text.
+struct Code {
+  Words lines, spans;
+};
+Code code_in(const std::string& document) {
+  Code code;
+  std::string prose;
+  bool fenced = false;
+  std::istringstream lines(document);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) {
+      fenced = !fenced;
+    } else if (fenced || line.starts_with("    ")) {
+      const auto begin = std::min(line.find_first_not_of(' '), line.size());
+      code.lines.emplace_back(line.substr(begin));
+    } else {
+      prose += line + (line.empty() ? "\n\n" : " ");  // a span may go over a line's end
+    }
+  }
+  for (const std::string_view paragraph : text::split(prose, '\n')) {
+    const auto parts = text::split(paragraph, '`');
+    for (std::size_t i = 1; i + 1 < parts.size(); i += 2) code.spans.emplace_back(parts[i]);
+  }
+  return code;
+}
+
+/// Where a reader is told what to type.
+std::vector<fs::path> documents(const Layout& layout) {
+  std::vector<fs::path> all{layout.root / "README.md", layout.root / "CONTRIBUTING.md",
+                            layout.root / "docs" / "handout" / "README.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(layout.root / "docs")) {
+    if (entry.path().extension() == ".md" && entry.path() != all[2]) all.push_back(entry.path());
+  }
+  for (const Lab& lab : find_labs(layout)) {
+    all.push_back(layout.labs() / lab.folder / "README.md");
+  }
+  return all;
+}
+
+std::vector<Command> commands(const Layout& layout) {
+  std::vector<Command> all;
+  for (const fs::path& file : documents(layout)) {
+    Code code = code_in(read_text(file));
+    code.lines.insert(code.lines.end(), code.spans.begin(), code.spans.end());
+    for (const std::string& line : code.lines) {
+      if (!is_command(line)) continue;
+      Words words = words_of(line);
+      // "…" stands for more of the same, and what is behind a pipe or an & is the shell's.
+      std::erase_if(words, [](auto& word) { return word == "…" || word == "..."; });
+      const auto end = std::find_if(words.begin(), words.end(), [](auto& word) {
+        return word == "|" || word == "&" || word == "&&" || word.starts_with(">");
+      });
+      words.erase(end, words.end());
+      all.push_back({fs::relative(file, layout.root).string(), words});
+    }
+  }
+  return all;
+}
+
+/// A word that stands for any: LAB, DIR…, F.zip
+bool is_placeholder(const std::string& word) {
+  return !word.empty() && word[0] >= 'A' && word[0] <= 'Z';
+}
+
+const Verb* verb_called(const std::string& name) {
+  const auto& verbs = registered_verbs();
+  const auto found =
+      std::find_if(verbs.begin(), verbs.end(), [&](const Verb& verb) { return verb.name == name; });
+  return found == verbs.end() ? nullptr : &*found;
+}
+
+bool takes_a_lab(const std::string& verb) {
+  const std::set<std::string> verbs{"check", "run",    "plot",       "report",
+                                    "reset", "submit", "gradescope"};
+  return verbs.contains(verb);
+}
+
+/// Why this cannot be typed; empty where it can.
+std::string objection(const Layout& layout, const std::vector<Lab>& labs, const Words& words) {
+  if (words.size() == 1 || words[1] == "VERB" || words[1].starts_with("--")) return {};
+  const Verb* const verb = verb_called(words[1]);
+  if (verb == nullptr) return "no such verb";
+  try {
+    const Words rest(words.begin() + 2, words.end());
+    if (!rest.empty() && rest[0] == "--help") return {};
+    const Arguments arguments = parse_arguments(rest, verb->options, verb->words_before_verbatim);
+    if (!takes_a_lab(verb->name) || arguments.words.empty()) return {};
+    if (is_placeholder(arguments.words[0])) return {};
+    const LabAndTask meant = lab_and_task(labs, arguments.words);
+    const std::string task = arguments.get("only").value_or(meant.task);
+    if (verb->name != "check" || task.empty()) return {};
+    const auto checks = expected_checks(layout, meant.lab);
+    const bool is_there = std::any_of(checks.begin(), checks.end(),
+                                      [&](const Check& check) { return check.task == task; });
+    return is_there ? "" : "no such task";
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every command in a document can be typed") {
+  const Layout layout = read_layout();
+  const auto labs = find_labs(layout);
+  std::set<std::string> verbs;
+  for (const Command& command : commands(layout)) {
+    CAPTURE(command.text());
+    if (command.words[0] == "./lab") {
+      CHECK(objection(layout, labs, command.words) == "");
+      if (command.words.size() > 1) verbs.insert(command.words[1]);
+    } else if (command.words[0].starts_with(".ci/")) {
+      CHECK(fs::exists(layout.root / command.words[0]));
+    } else {
+      const std::string target = fs::path(command.words[0]).filename();
+      CHECK(fs::exists(layout.build / "CMakeFiles" / (target + ".dir")));
+    }
+  }
+  // Each verb is told of somewhere; and what is wrong is seen.
+  for (const VerbEntry& verb : verb_list) {
+    if (verb.name.empty() || verb.name == "setup" || verb.name == "report") continue;
+    CAPTURE(verb.name);
+    CHECK(verbs.contains(std::string(verb.name)));
+  }
+  CHECK(objection(layout, labs, {"./lab", "chekc", "1"}) == "no such verb");
+  CHECK(contains(objection(layout, labs, {"./lab", "check", "1", "--onyl", "1.1"}), "--onyl"));
+  CHECK(objection(layout, labs, {"./lab", "check", "1", "--only", "1.99"}) == "no such task");
+  CHECK(contains(objection(layout, labs, {"./lab", "plot", "9"}), "no lab"));
+}
+
+TEST_CASE("every option that a document names belongs to a verb") {
+  const Layout layout = read_layout();
+  std::set<std::string> known{"--help", "--version", "--preset", "--build"};  // CMake's, the last two
+  for (const Verb& verb : registered_verbs()) {
+    for (const std::string& option : verb.options) {
+      known.insert("--" + option.substr(0, option.find('=')));
+    }
+  }
+  for (const fs::path& file : documents(layout)) {
+    const Code code = code_in(read_text(file));
+    for (const std::string& span : code.spans) {
+      if (!span.starts_with("--")) continue;
+      CAPTURE(file, span);
+      CHECK(known.contains(words_of(span)[0].substr(0, span.find('='))));
+    }
+  }
+}
+
+TEST_CASE("what a handout tells to run by hand runs, with the solutions") {
+  const Layout layout = read_layout();
+  const auto labs = find_labs(layout);
+  std::size_t count = 0;
+  for (const Command& command : commands(layout)) {
+    if (command.words.size() < 4 || command.words[1] != "run") continue;
+    if (is_placeholder(command.words[2])) continue;
+    Words words(command.words.begin() + 1, command.words.end());
+    words.insert(words.begin() + 1, {"--dir", layout.solutions().string()});
+    const auto run = lab(words);
+    CAPTURE(command.text(), run.errors);
+    CHECK(run.exit_code == 0);
+    CHECK(!run.output.empty());
+    ++count;
+  }
+  CHECK(count >= labs.size());
+}
+
+}  // namespace mc::tests::commands

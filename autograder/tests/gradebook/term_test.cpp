@@ -1,0 +1,268 @@
+// A term, played through: handed out, solved by thirty students, handed in in three ways, graded by
+// a judge that is killed in the middle, by two machines, shown, and graded again.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "grader/gradebook/table.hpp"
+#include "tests/gradebook/course.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::term {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+constexpr int students = 30;
+
+/// A file of the repository as one that stands alone: a student has no solutions to include.
+std::string standing_alone(const Layout& layout, const fs::path& file) {
+  std::string all;
+  std::istringstream text(read_whole_text(file));
+  for (std::string line; std::getline(text, line);) {
+    constexpr std::string_view include = "#include \"solutions/";
+    if (line.starts_with(include)) {
+      const std::string name = line.substr(include.size(), line.size() - include.size() - 1);
+      all += read_whole_text(layout.solutions() / name);
+    } else {
+      all += line + '\n';
+    }
+  }
+  return all;
+}
+
+/// Files of a folder, in the order of their names, every `step`-th.
+std::vector<fs::path> some_of(const fs::path& folder, std::size_t step = 1) {
+  std::vector<fs::path> all, some;
+  for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+  return some;
+}
+
+/// What a student hands in, and what must come of it: full marks, or less, and 0 for these checks.
+struct Work {
+  std::string variance, independent;  ///< empty: not handed in
+  bool variance_is_right = false, independent_is_right = false;
+  std::vector<std::string> caught_by = {};  ///< beginnings of the names of checks
+};
+
+std::vector<std::string> caught_by(const fs::path& mistake) {
+  std::vector<std::string> checks;
+  std::istringstream text(read_whole_text(mistake));
+  for (std::string line; std::getline(text, line);) {
+    constexpr std::string_view key = "// caught by: ";
+    if (line.starts_with(key)) checks.push_back(line.substr(key.size()));
+  }
+  return checks;
+}
+
+/// Thirty: right in the repository's way and in others, wrong in one thing, not begun, no C++.
+/// Eight of them have something of lab 2 as well.
+std::vector<Work> works(const Layout& layout) {
+  const std::string variance = read_whole_text(layout.solutions() / "variance.cpp");
+  const std::string independent = read_whole_text(layout.solutions() / "independent.cpp");
+  const std::string begun = read_whole_text(layout.starter() / "variance.cpp");
+  std::vector<Work> all{{variance, independent, true, true},
+                        {variance, "", true, false},
+                        {begun, ""},
+                        {"this is no C++\n", ""},
+                        {begun, independent}};
+  const fs::path place = layout.submissions();
+  for (const fs::path& file : some_of(place / "alternatives" / "variance", 2)) {
+    all.push_back({standing_alone(layout, file), "", true, false});
+  }
+  for (const fs::path& file : some_of(place / "alternatives" / "independent", 2)) {
+    all.push_back({variance, standing_alone(layout, file), true, true});
+  }
+  for (const fs::path& file : some_of(place / "mistakes" / "independent", 20)) {
+    all.push_back({variance, standing_alone(layout, file), true, false, caught_by(file)});
+  }
+  for (const fs::path& file : some_of(place / "mistakes" / "variance", 4)) {
+    if (all.size() == students) break;
+    all.push_back({standing_alone(layout, file), "", false, false, caught_by(file)});
+  }
+  REQUIRE(all.size() == students);
+  return all;
+}
+
+/// A course with a handout, and everybody's work in `class`.
+struct Term : Course {
+  std::vector<Work> handed = works(layout);
+  fs::path handout = path() / "handout";
+
+  Term() {
+    const auto written = run({"handout", handout.string(), "--labs", "1,2"});
+    INFO(written.errors);
+    REQUIRE(written.exit_code == 0);
+    for (std::size_t i = 0; i < handed.size(); ++i) {
+      ids.push_back(fmt::format("student {:02}", i + 1));
+      const fs::path place = path() / "class" / ids[i];
+      if (i % 3 == 0) hand_in_folder(place, handed[i]);
+      if (i % 3 == 1) hand_in_zip(place, handed[i]);
+      if (i % 3 == 2) hand_in_repository(place, handed[i]);
+    }
+  }
+
+  void hand_in_folder(const fs::path& place, const Work& work) const {
+    fs::create_directories(place);
+    write_text(place / "variance.cpp", work.variance);
+    if (!work.independent.empty()) write_text(place / "independent.cpp", work.independent);
+  }
+  /// As `./lab submit` makes it.
+  void hand_in_zip(const fs::path& place, const Work& work) const {
+    hand_in_folder(place, work);
+    std::vector<std::string> command{"cmake", "-E", "tar", "cf", place.string() + ".zip",
+                                     "--format=zip", "variance.cpp"};
+    if (!work.independent.empty()) command.emplace_back("independent.cpp");
+    must(command, place);
+    fs::remove_all(place);
+  }
+  /// A clone of the handout, with the work in it.
+  void hand_in_repository(const fs::path& place, const Work& work) const {
+    must({"git", "clone", "-q", handout.string(), place.string()}, path());
+    hand_in_folder(place / "starter", work);
+    must({"git", "-c", "user.name=s", "-c", "user.email=s@example.org", "commit", "-q", "-a",
+          "--allow-empty", "-m", "done"},
+         place);
+  }
+  static void must(const std::vector<std::string>& command, const fs::path& directory) {
+    const auto done = sandbox::run_process(command, {.directory = directory});
+    INFO(done.errors);
+    REQUIRE(done.succeeded());
+  }
+
+  std::vector<std::string> grading(const fs::path& table,
+                                   const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"grade", (path() / "class").string(), "--lab", "1,2", "--csv",
+                                   table.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  /// Grades, and is killed once a few rows are there.
+  void grade_and_kill(const fs::path& table, const std::string& seed) const {
+    const std::string program = (layout.build / "bin" / "gradebook").string();
+    std::vector<std::string> words = grading(table, {"--seed", seed});
+    words.insert(words.begin(), program);
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    const std::string log = (path() / "killed.log").string();
+    const pid_t judge = fork();
+    if (judge == 0) {
+      if (std::freopen(log.c_str(), "w", stdout) == nullptr) _exit(126);
+      execv(program.c_str(), pointers.data());
+      _exit(127);
+    }
+    for (int i = 0; i < 6000 && rows(table) < 5; ++i) {  // ten minutes: only against hanging
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    kill(judge, SIGKILL);
+    waitpid(judge, nullptr, 0);
+  }
+  static std::size_t rows(const fs::path& table) {
+    return fs::exists(table) ? read_table(table).rows.size() : 0;
+  }
+};
+
+/// A table without what differs from day to day: how long it took.
+std::string without_seconds(const fs::path& csv) {
+  Table table = read_table(csv);
+  for (Row& row : table.rows) row.erase("seconds");
+  return table_text(table);
+}
+
+std::map<std::string, Row> rows_by_id(const fs::path& csv) {
+  std::map<std::string, Row> rows;
+  for (const Row& row : read_table(csv).rows) rows[field(row, "id")] = row;
+  return rows;
+}
+
+/// The points of the check whose name begins so; "none" where there is no such check.
+std::string points_of(const Row& row, const std::string& beginning) {
+  const auto found = row.lower_bound(beginning);
+  return found != row.end() && found->first.starts_with(beginning) ? found->second : "none";
+}
+
+void check_grades(const Term& term, const fs::path& csv) {
+  const auto rows = rows_by_id(csv);
+  REQUIRE(rows.size() == students);
+  for (std::size_t i = 0; i < term.handed.size(); ++i) {
+    const Work& work = term.handed[i];
+    const Row& row = rows.at(term.ids[i]);
+    CAPTURE(term.ids[i]);
+    CHECK((field(row, "variance total") == "100") == work.variance_is_right);
+    CHECK((field(row, "independent total") == "100") == work.independent_is_right);
+    for (const std::string& check : work.caught_by) {
+      CAPTURE(check);
+      CHECK(points_of(row, check) == "0");
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a term, from the handout to the grades", "[.term]") {
+  const Term term;
+  for (const auto& entry : fs::recursive_directory_iterator(term.handout)) {
+    CHECK(!contains(entry.path().string(), "solutions"));
+  }
+
+  // Killed, and gone on with.
+  const fs::path grades = term.csv();
+  term.grade_and_kill(grades, "7");
+  const std::size_t before = Term::rows(grades);
+  CHECK(before >= 5);
+  CHECK(before < students);
+  const fs::path pages = term.path() / "pages";
+  const auto resumed = term.run(term.grading(grades, {"--resume", "--html", pages.string()}));
+  INFO(resumed.output << resumed.errors);
+  REQUIRE(resumed.exit_code == 0);
+  CHECK(contains(resumed.output, fmt::format("{} judged, {} were before; seed 7",
+                                             students - before, before)));
+  check_grades(term, grades);
+
+  // Everybody again, with the same seed, by two machines: the same grades.
+  std::vector<std::string> merging{"merge"};
+  for (const std::string shard : {"1/2", "2/2"}) {
+    const fs::path part = term.csv("part" + shard.substr(0, 1));
+    REQUIRE(term.run(term.grading(part, {"--seed", "7", "--shard", shard})).exit_code == 0);
+    merging.push_back(part.string());
+  }
+  const fs::path merged = term.csv("merged");
+  merging.insert(merging.end(), {"--out", merged.string()});
+  CHECK(term.run(merging).exit_code == 0);
+  CHECK(without_seconds(merged) == without_seconds(grades));
+
+  // What the class and the checks look like; everybody's page.
+  const auto stats = term.run({"stats", grades.string()});
+  CHECK(stats.exit_code == 0);
+  CHECK(contains(stats.output, fmt::format("Lab 1 · variance: {} with points", students)));
+  CHECK(contains(stats.output, "Hints, by the submissions"));
+  CHECK(fs::exists(pages / "index.html"));
+  for (const std::string& id : term.ids) {
+    CHECK(fs::exists(pages / "submissions" / (id + ".html")));
+  }
+
+  // Somebody hands in again: nobody else is judged.
+  term.hand_in_folder(term.path() / "class" / term.ids[3], term.handed[0]);
+  const auto late = term.run(term.grading(grades, {"--resume"}));
+  CHECK(contains(late.output, fmt::format("1 judged, {} were before", students - 1)));
+  CHECK(field(rows_by_id(grades).at(term.ids[3]), "variance total") == "100");
+}
+
+}  // namespace mc::tests::term

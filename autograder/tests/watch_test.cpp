@@ -1,0 +1,190 @@
+// ./lab check --watch: started as a person starts it, and a file saved as editors save.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/verbs/watch.hpp"
+#include "sandbox/descriptor.hpp"
+#include "tests/submissions.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::watching {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// Long enough for any machine: it ends what hangs, and says nothing of how fast anything is.
+constexpr auto patience = std::chrono::minutes(2);
+
+/// `check variance DIR --only 1.1 --watch`, running.
+class Watching {
+ public:
+  explicit Watching(const fs::path& directory) : output_(sandbox::make_pipe()) {
+    const std::string grader = (read_layout().build / "bin" / "grader").string();
+    const std::string place = directory.string();
+    pid_ = fork();
+    if (pid_ == 0) {
+      dup2(output_.write.get(), STDOUT_FILENO);
+      dup2(output_.write.get(), STDERR_FILENO);
+      execl(grader.c_str(), grader.c_str(), "check", "variance", place.c_str(), "--only", "1.1",
+            "--watch", "--seed", "1", nullptr);
+      _exit(127);
+    }
+    output_.write.reset();
+    sandbox::make_nonblocking(output_.read);
+  }
+  ~Watching() {
+    if (pid_ > 0) kill(pid_, SIGKILL);
+    if (pid_ > 0) waitpid(pid_, nullptr, 0);
+  }
+  Watching(const Watching&) = delete;
+
+  /// Reads on until `text` has come; what came before and with it. Fails where it never does.
+  std::string until(const std::string& text) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+      if (const auto at = unread_.find(text); at != std::string::npos) {
+        const std::string all = unread_.substr(0, at + text.size());
+        unread_.erase(0, at + text.size());
+        return all;
+      }
+      const bool is_open = sandbox::read_available(output_.read, unread_, std::size_t{1} << 22);
+      if (!is_open || std::chrono::steady_clock::now() > end) {
+        FAIL("no '" << text << "' in:\n" << unread_);
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  /// The exit status after an interrupt; -1 where a signal ended it.
+  int interrupt() {
+    kill(pid_, SIGINT);
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  /// The programs that it has started and that still run, as names in /proc.
+  std::vector<fs::path> children() const {
+    std::vector<fs::path> all;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      const std::string stat = read_text(entry.path() / "stat");  // "12 (name) S 11 …"
+      const auto behind = stat.rfind(") ");
+      if (behind == std::string::npos) continue;
+      if (std::atoi(stat.c_str() + behind + 4) == pid_) all.push_back(entry.path());
+    }
+    return all;
+  }
+
+ private:
+  sandbox::Pipe output_;
+  pid_t pid_ = -1;
+  std::string unread_;
+};
+
+/// The solution with another 1.1.
+std::string with_mean(const std::string& body) {
+  return "#include <span>\n#include \"variance.hpp\"\nnamespace mc {\n"
+         "double mean(std::span<const double> x) {" +
+         body + "}\n}\n#define mean right_mean\n" + text_of(read_layout().solutions());
+}
+
+constexpr const char* judged = "\njudged ";
+
+}  // namespace
+
+TEST_CASE("watching judges at once and after each save, however an editor saves") {
+  const Scratch scratch;
+  const fs::path file = scratch.write("variance.cpp", text_of(read_layout().starter()));
+  Watching watching(scratch.path());
+  CHECK(contains(watching.until(judged), "\n0 of 10 points; first open: 1.1"));
+
+  {  // into the file
+    std::ofstream(file) << text_of(read_layout().solutions());
+  }
+  CHECK(contains(watching.until(judged), "\n10 of 10 points; nothing is open"));
+
+  scratch.write("new.cpp", "not C++\n");  // beside it, and renamed over it
+  fs::rename(scratch.path() / "new.cpp", file);
+  CHECK(contains(watching.until(judged), "does not compile"));
+
+  fs::remove(file);  // away, and written anew
+  CHECK(contains(watching.until("waiting for it"), "variance.cpp is not there"));
+  scratch.write("variance.cpp", text_of(read_layout().solutions()));
+  CHECK(contains(watching.until(judged), "\n10 of 10 points"));
+
+  CHECK_FALSE(contains(watching.until(""), "\x1b["));
+  CHECK(watching.interrupt() == 0);
+}
+
+TEST_CASE("a save stops the run before it, whose verdict is never shown") {
+  const Scratch scratch;
+  scratch.write("variance.cpp", with_mean("for (volatile int i = 0;; i = i + 1) {}"));
+  Watching watching(scratch.path());
+  watching.until("judging variance.cpp");
+  scratch.write("variance.cpp", text_of(read_layout().solutions()));
+  const std::string shown = watching.until(judged);
+  CHECK(contains(shown, "what was being judged is stopped"));
+  CHECK(contains(shown, "\n10 of 10 points"));
+  CHECK_FALSE(contains(shown, "\n0 of 10 points"));
+  CHECK(watching.children().empty());
+  CHECK(watching.interrupt() == 0);
+}
+
+TEST_CASE("an interrupt ends the watching and what is being judged") {
+  const Scratch scratch;
+  scratch.write("variance.cpp", with_mean("for (volatile int i = 0;; i = i + 1) {}"));
+  Watching watching(scratch.path());
+  watching.until("judging variance.cpp");
+  const auto end = std::chrono::steady_clock::now() + patience;
+  std::vector<fs::path> judges;  // begun just behind that line
+  while (judges.empty() && std::chrono::steady_clock::now() < end) judges = watching.children();
+  REQUIRE_FALSE(judges.empty());
+  CHECK(watching.interrupt() == 0);
+  for (const fs::path& judge : judges) CHECK_FALSE(fs::exists(judge));
+}
+
+TEST_CASE("a screen has the first rows, and says how many are left out") {
+  CHECK(first_rows("a\nb\n", 2, 40) == "a\nb\n");
+  CHECK(first_rows("  a\nb\nc\n", 2, 40) == "  a\n… 2 more lines\n");
+  const std::string wide(41, 'x');  // two rows of 40 columns
+  CHECK(first_rows(wide + "\nb\nc\n", 3, 40) == wide + "\n… 2 more lines\n");
+  CHECK(first_rows("\x1b[31m" + std::string(40, 'x') + "\x1b[0m\nb\n", 2, 40).ends_with("b\n"));
+}
+
+TEST_CASE("of a report that is watched, the first open task stands on top") {
+  LabVerdict lab;
+  lab.lab = {1, "variance", "1-variance", {}};
+  const auto add = [&](const char* name, const char* task, Status status) {
+    CheckResult result;
+    result.check = {name, task, {}, 5, false};
+    result.status = status;
+    lab.checks.push_back(result);
+  };
+  add("1.1 a", "1.1", Status::passed);
+  add("1.2 b", "1.2", Status::failed);
+  add("1.3 c", "1.3", Status::passed);
+  add("1.2 d", "1.2", Status::passed);
+  const std::string report = report_open_first(lab, {}, {});
+  CHECK(report.starts_with("15 of 20 points; first open: 1.2\n"));
+  CHECK(report.find("1.2 b") < report.find("1.2 d"));
+  CHECK(report.find("1.2 d") < report.find("1.1 a"));
+}
+
+}  // namespace mc::tests::watching
