@@ -1,9 +1,11 @@
 // What the bench makes of its rows.
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bench/bench.hpp"
+#include "checks/support/bench_data.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/integrands.hpp"
 #include "grader/context/text_file.hpp"
@@ -97,6 +99,35 @@ TEST_CASE("a row that was cut short is left out") {
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].n == 64);
   CHECK(rows[0].value == 1.5);
+}
+
+TEST_CASE("a table has its rows and columns in the order in which they came") {
+  Bench bench;
+  const auto cell = [&](const char* row, const char* column, double value, double error) {
+    bench.rows.push_back(
+        {{"table of digits", row, column, 0, 0, value, error}, "lab", "solutions"});
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  cell("second", "b", 0.00012345, none);
+  cell("first", "a", 0.0999, 0.00999);  // rounded up into the next power of ten
+  cell("second", "a", 12.3, 0.123);
+  bench.rows.push_back({{"table of digits", "first", "a", 0, 0, 0.25, none}, "lab", "mine"});
+  bench.rows.push_back({{"error", "no", "table", 0, 0, 1, none}, "lab", "solutions"});
+  CHECK(bench_tables(bench) ==
+        "of digits (± 10 % at most)\n\n"
+        "| | b | a |\n|---|--:|--:|\n"
+        "| second | 1.2e-4 | 12 |\n"
+        "| first | | 1.0e-1 |\n"
+        "| first, mine | | 0.25 |\n");
+  CHECK(bench_tables({}).empty());
+}
+
+TEST_CASE("sums of errors know their RMSE, its standard error and their kurtosis") {
+  checks::ErrorSums errors;
+  for (const double error : {3.0, -1.0, 1.0, -1.0}) errors.add(error);
+  CHECK(errors.rmse() == Approx(std::sqrt(3)));      // of 12 / 4
+  CHECK(errors.kurtosis() == Approx(84.0 / 4 / 9));  // the mean of fourths over that squared
+  CHECK(errors.standard_error() == Approx(std::sqrt((21.0 - 9) / 4) / (2 * std::sqrt(3))));
 }
 
 /// Means and variances that the bench relies on, by a rule of midpoints in one and two dimensions.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "checks/halton/plot_points.hpp"
+#include "checks/halton/tails.hpp"
 #include "checks/support/catch.hpp"
 
 namespace mc::checks {
@@ -130,35 +131,15 @@ TEST_CASE("plot error of randomised points", "[.plot]") {
   }
 }
 
-/// The kurtosis of the error of exp(x): what the RMSE does not tell. Where it is 3, its standard
-/// error is sqrt(96 / sets).
-Number kurtosis_of_errors(std::size_t n, std::size_t sets) {
-  const Column column = column_of(TRY_MEASURE(sobol, 0, 0, n), n);
-  if (!column) return {};
-  double squares = 0, fourths = 0;
-  for (std::size_t done = 0; done < sets;) {
-    std::vector<std::uint64_t> seeds(std::min(sets - done, 1'500'000 / n));
-    std::iota(seeds.begin(), seeds.end(), 1'000'000 * n + done);
-    done += seeds.size();
-    const Column all = column_of(TRY_MEASURE(owen_scramble, *column, seeds), n * seeds.size());
-    if (!all) return {};
-    for (std::size_t set = 0; set < seeds.size(); ++set) {
-      double sum = 0;
-      for (std::size_t i = 0; i < n; ++i) sum += std::exp((*all)[set * n + i]) - e_1;
-      squares += sum * sum / static_cast<double>(sets);
-      fourths += sum * sum * sum * sum / static_cast<double>(sets);
-    }
-  }
-  return fourths / (squares * squares);
-}
-
+/// The kurtosis: what the RMSE does not tell.
 TEST_CASE("plot the tails of errors", "[.plot]") {
   auto file = plot_file("tails.tsv");
   for (std::size_t n = 16; n <= 4096; n *= 4) {
     const std::size_t sets = std::min<std::size_t>(20'000, 4'000'000 / n);
-    const Number kurtosis = kurtosis_of_errors(n, sets);
-    const Number error = kurtosis ? Number(std::sqrt(96 / static_cast<double>(sets))) : Number();
-    plot_row(file, std::array{Number(static_cast<double>(n)), kurtosis, error});
+    const auto errors = errors_of_exp(n, sets);
+    plot_row(file, std::array{Number(static_cast<double>(n)),
+                              errors ? Number(errors->kurtosis()) : Number(),
+                              errors ? Number(std::sqrt(24 / errors->count)) : Number()});
   }
 }
 
