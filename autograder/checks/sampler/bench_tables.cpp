@@ -51,11 +51,13 @@ class Worth {
 
   void write(const std::string& row) const {
     for (std::size_t k = 0; k < shown_uses.size(); ++k) {
-      const std::string column = fmt::format("{}{}", shown_uses[k], shown_uses[k] == 1 ? "st" : "th");
+      const std::string column =
+          fmt::format("{}{}", shown_uses[k], shown_uses[k] == 1 ? "st" : "th");
       cell("RMSE of the k-th next2() under a lamp, N = 1024", row, column, lamp_[k]);
       cell("RMSE of the k-th next2() at an edge, N = 1024", row, column, edge_[k]);
     }
-    const std::string together = "RMSE of many lamps, a next2() each, as a part of the value, N = 1024";
+    const std::string together =
+        "RMSE of many lamps, a next2() each, as a part of the value, N = 1024";
     cell(together, row, "mean of twelve", sum_);
     cell(together, row, "product of six", product_);
   }
@@ -79,9 +81,11 @@ constexpr std::size_t sets_at_once = 48;
 std::optional<Worth> worth_of(const std::string& kind, std::size_t sets) {
   Worth worth;
   for (std::size_t done = 0; done < sets; done += sets_at_once) {
-    const auto got = TRY_MEASURE_WITH(large, columns, kind, table_n, neighbours(1 + done, sets_at_once),
-                                      repeated(table_uses, {2}));
-    const Values* const values = got ? got->if_exactly(sets_at_once * 2 * table_uses * table_n, unit) : nullptr;
+    const auto got =
+        TRY_MEASURE_WITH(large, columns, kind, table_n, neighbours(1 + done, sets_at_once),
+                         repeated(table_uses, {2}));
+    const Values* const values =
+        got ? got->if_exactly(sets_at_once * 2 * table_uses * table_n, unit) : nullptr;
     if (!values) return {};
     const SetsOfPoints points(*values, table_n, 2 * table_uses);
     for (std::size_t set = 0; set < sets_at_once; ++set) {
@@ -134,9 +138,8 @@ TEST_CASE("bench table of times", "[.bench-table-time]") {
   constexpr std::uint64_t dims = 4;
   for (const std::string& kind : sampler_kinds) {
     for (const std::uint64_t samples : {16u, 64u, 1024u}) {
-      const auto round = seconds_once([&](std::uint64_t rounds) {
-        return seconds_of_samples(kind, dims, samples, rounds);
-      });
+      const auto round = seconds_once(
+          [&](std::uint64_t rounds) { return seconds_of_samples(kind, dims, samples, rounds); });
       if (!round) break;
       bench_table({"ns a number, four dimensions by next2(), generate() included", kind,
                    fmt::format("N = {}", samples), samples,
