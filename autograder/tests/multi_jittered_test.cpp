@@ -112,9 +112,10 @@ std::size_t differing(std::size_t count, std::size_t nx, std::size_t ny) {
   return sets;
 }
 
-TEST_CASE("rotations of a permutation deal strata to three points as permutations of their own do") {
-  for (const auto& [nx, ny] : {std::pair<std::size_t, std::size_t>{2, 2}, {2, 3}, {3, 2}, {3, 3},
-                               {2, 4}, {4, 2}}) {
+TEST_CASE(
+    "rotations of a permutation deal strata to three points as permutations of their own do") {
+  for (const auto& [nx, ny] :
+       {std::pair<std::size_t, std::size_t>{2, 2}, {2, 3}, {3, 2}, {3, 3}, {2, 4}, {4, 2}}) {
     CAPTURE(nx, ny);
     for (const std::size_t count : {1u, 2u, 3u}) CHECK(differing(count, nx, ny) == 0);
   }
@@ -165,7 +166,8 @@ TEST_CASE("the solution of 3.7 deals strata to pairs of points as its definition
       const auto outcomes = static_cast<double>(of_x * of_y), expected = sets / outcomes;
       CHECK(counts.size() == of_x * of_y);
       double squares = 0;
-      for (const auto& [outcome, count] : counts) squares += (count - expected) * (count - expected);
+      for (const auto& [outcome, count] : counts)
+        squares += (count - expected) * (count - expected);
       smallest = std::min(
           smallest, mc::checks::chi_squared_tails(squares / expected, outcomes - 1).two_sided());
     }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "checks/halton/integrals.hpp"
 #include "checks/halton/plot_points.hpp"
 #include "checks/halton/tails.hpp"
 #include "checks/support/catch.hpp"
@@ -12,40 +13,10 @@ namespace {
 /// An RMSE of so many is right to an eighth of itself: a third of a mark's height.
 constexpr std::size_t replicates = 32;
 
-/// What is integrated, and the exact integrals.
-struct Integral {
-  std::size_t dims;
-  double (*g)(std::span<const double>);
-  double exact;
-};
-double smooth(std::span<const double> x) {
-  return std::exp(std::accumulate(x.begin(), x.end(), 0.0));
-}
-double kink(std::span<const double> x) {
-  return std::abs(x[0] - 0.4) + std::abs(x[0] + x[1] - 1);
-}
-double edge(std::span<const double> x) {
-  return x[0] * x[0] + x[1] * x[1] < 0.7 ? 1 : 0;
-}
-const double e_1 = std::exp(1) - 1;
-const std::array<Integral, 5> integrals{
-    Integral{1, smooth, e_1}, Integral{2, smooth, std::pow(e_1, 2)},
-    Integral{4, smooth, std::pow(e_1, 4)},
-    Integral{2, kink, 0.26 + 1. / 3},      // (.4^2 + .6^2)/2, and E|x + y - 1|
-    Integral{2, edge, 0.7 * std::atan(1)}  // a quarter of a disk of radius sqrt(.7) < 1
-};
-
-/// Of points in as many dimensions, or more.
 Number error(const Points& points, const Integral& integral) {
   if (!points) return {};
-  const std::size_t n = (*points)[0].size();
-  double sum = 0;
-  std::array<double, 4> x{};
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t d = 0; d < integral.dims; ++d) x[d] = (*points)[d][i];
-    sum += integral.g({x.data(), integral.dims}) - integral.exact;
-  }
-  return std::abs(sum / static_cast<double>(n));
+  const auto n = static_cast<double>((*points)[0].size());
+  return std::abs(sums_over(*points, integral).errors / n);
 }
 
 /// The root of the mean square over sets.
