@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "checks/halton/integrals.hpp"
+#include "checks/halton/plot_integrals.hpp"
 #include "checks/halton/plot_points.hpp"
 #include "checks/halton/tails.hpp"
 #include "checks/support/catch.hpp"
@@ -43,8 +43,8 @@ void plot_size(std::size_t n, std::span<std::ofstream> files, Rng& rng) {
   const Points halton = halton_points(n, 4), hammersley = hammersley_points(n, 4);
   const Points sobol = sobol_plot_points(n, {0, 1, 2, 3});
   const auto scrambled = scrambled_sets_of(sobol, sets, n);
-  for (std::size_t i = 0; i < integrals.size(); ++i) {
-    const Integral& integral = integrals[i];
+  for (std::size_t i = 0; i < plot_integrals.size(); ++i) {
+    const Integral& integral = plot_integrals[i];
     const auto random = sets_of(sets, [&] { return random_points(rng, n, integral.dims); });
     const auto strata = sets_of(sets, [&] { return stratified_points(rng, n, integral.dims); });
     plot_row(files[i], std::array{Number(static_cast<double>(n)), rms_error(random, integral),
@@ -57,7 +57,7 @@ void plot_size(std::size_t n, std::span<std::ofstream> files, Rng& rng) {
 TEST_CASE("plot error against N", "[.plot]") {
   Rng rng(3);
   std::vector<std::ofstream> files;
-  for (std::size_t i = 1; i <= integrals.size(); ++i) {
+  for (std::size_t i = 1; i <= plot_integrals.size(); ++i) {
     files.push_back(plot_file("convergence-" + std::to_string(i) + ".tsv"));
   }
   for (std::size_t n = 16; n <= 65536; n *= 4) plot_size(n, files, rng);
@@ -131,7 +131,7 @@ Number nanoseconds(Run run) {
 TEST_CASE("plot error against time", "[.plot]") {
   auto file = plot_file("speed.tsv");
   constexpr std::size_t n = 4096;
-  const Integral& plane = integrals[1];
+  const Integral& plane = plot_integrals[1];
   const Points halton = halton_points(n, 2), sobol = sobol_plot_points(n, {0, 1});
   std::vector<std::uint64_t> seeds(replicates);
   std::iota(seeds.begin(), seeds.end(), std::uint64_t{1000});

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "checks/halton/integrals.hpp"
+#include "checks/halton/plot_integrals.hpp"
 #include "checks/halton/plot_points.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/distributions.hpp"
@@ -27,9 +27,9 @@ double t_quantile(double degrees) {
 
 /// What became of estimates that are means of R replicates each.
 struct Covered {
-  double by_t = 0, by_z = 0;          ///< parts of the intervals that hold the exact value
-  double reach = 0;                   ///< of an interval by Student's t, on average
-  double reach_if_independent = 0;    ///< had the points been independent of each other
+  double by_t = 0, by_z = 0;        ///< parts of the intervals that hold the exact value
+  double reach = 0;                 ///< of an interval by Student's t, on average
+  double reach_if_independent = 0;  ///< had the points been independent of each other
 };
 std::optional<Covered> covered(const std::vector<Points>& sets, std::size_t replicates,
                                const Integral& integral) {
@@ -75,7 +75,7 @@ TEST_CASE("plot intervals from replicates", "[.plot]") {
         scrambled_sets_of(sobol_plot_points(n, {0, 1}), estimates * replicates, replicates << 24);
     std::vector<Number> row{r, f_tails(z * z, 1, r - 1).lower};
     for (const std::size_t i : {1u, 3u, 4u}) {
-      const auto one = covered(sets, replicates, integrals[i]);
+      const auto one = covered(sets, replicates, plot_integrals[i]);
       row.push_back(one ? Number(one->by_t) : Number{});
       row.push_back(one ? Number(one->by_z) : Number{});
       row.push_back(one ? Number(one->reach) : Number{});
@@ -99,8 +99,8 @@ TEST_CASE("plot the first points of a sequence", "[.plot]") {
   std::vector<double> sums(sets, 0.0);
   std::size_t done = 0;
   for (std::size_t quarter = 0; quarter <= 40; ++quarter) {
-    const auto n = static_cast<std::size_t>(
-        std::lround(std::exp2(static_cast<double>(quarter) / 4)));
+    const auto n =
+        static_cast<std::size_t>(std::lround(std::exp2(static_cast<double>(quarter) / 4)));
     if (n == done) continue;
     const auto size = static_cast<double>(n);
     double squares = 0;

@@ -9,6 +9,7 @@
 #include "checks/sampler/images.hpp"
 #include "checks/sampler/point_by_point.hpp"
 #include "checks/sampler/samplers.hpp"
+#include "checks/support/anova.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
 #include "checks/support/plot_data.hpp"
@@ -132,6 +133,27 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
       plot_row(points, pair ? Row{(*pair)[i], (*pair)[n + i]} : Row{{}, {}});
     }
   }
+}
+
+/// Rows: of a scene, the fractions of its variance by order, 1 to 5, and what is within its uses.
+/// They are the scene's own, whoever's sampler it asks.
+TEST_CASE("plot the variance by order", "[.plot]") {
+  auto file = plot_file("anova.tsv");
+  Rng rng(7);
+  const auto write = [&](const auto& scene) {
+    // From 2^17 points: fractions within 1 %, less than a bar's edge.
+    Anova anova = anova_of(scene, 1 << 17, rng);
+    anova.by_order.resize(5, 0.0);
+    Row row(anova.by_order.begin(), anova.by_order.end());
+    row.push_back(anova.within_uses);
+    plot_row(file, row);
+  };
+  write(scenes::RectangleLight{});
+  write(scenes::SphereLight{});
+  write(scenes::DiskPenumbra{});
+  write(scenes::PixelEdge{});
+  write(scenes::MotionEdge{});
+  write(scenes::PixelTimeLens{});
 }
 
 /// Nanoseconds for one of the `dims` coordinates of one of n samples: a million of them, about.

@@ -28,7 +28,7 @@ inline double edge(std::span<const double> x) {
 }  // namespace integrands
 
 inline const double e_1 = std::expm1(1.0);
-inline const std::array<Integral, 5> integrals{
+inline const std::array<Integral, 5> plot_integrals{
     Integral{1, integrands::smooth, e_1}, Integral{2, integrands::smooth, std::pow(e_1, 2)},
     Integral{4, integrands::smooth, std::pow(e_1, 4)},
     Integral{2, integrands::kink, 0.26 + 1. / 3},      // (.4^2 + .6^2)/2, and E|x + y - 1|
