@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "bench/bench.hpp"
@@ -9,6 +11,8 @@
 #include "checks/support/catch.hpp"
 #include "checks/support/integrands.hpp"
 #include "grader/context/text_file.hpp"
+#include "tests/door.hpp"
+#include "tests/text.hpp"
 
 namespace mc::grader {
 namespace {
@@ -120,6 +124,23 @@ TEST_CASE("a table has its rows and columns in the order in which they came") {
         "| first | | 1.0e-1 |\n"
         "| first, mine | | 0.25 |\n");
   CHECK(bench_tables({}).empty());
+}
+
+TEST_CASE("bench --tables prints the tables of a lab and nothing else") {
+  const auto run = tests::lab({"bench", "halton", "--tables", "--rounds", "1"});
+  CHECK(run.exit_code == 0);
+  CHECK(tests::contains(run.output, "| | N = 16 | N = 64 | N = 256 | N = 1024 | N = 4096 |\n"));
+  CHECK_FALSE(tests::contains(run.output, "efficiency"));
+  const auto at = run.output.find("| owen_scramble |");
+  REQUIRE(at != std::string::npos);
+  std::istringstream row(run.output.substr(at + std::string("| owen_scramble |").size()));
+  for (int i = 0; i < 5; ++i) {  // nested scrambling: 3; always the same seeds
+    double kurtosis = 0;
+    std::string bar;
+    row >> kurtosis >> bar;
+    CHECK(kurtosis > 2.7);
+    CHECK(kurtosis < 3.3);
+  }
 }
 
 TEST_CASE("sums of errors know their RMSE, its standard error and their kurtosis") {
