@@ -14,6 +14,7 @@
 //   speed wrong  a speed task, what was wrong when it     0
 //                was timed
 //   speed error  a speed task, an integrand            RMSE of its points
+//   table TITLE  a row of a table, a column of it      whatever the title says
 
 #include <cstdint>
 #include <limits>

@@ -109,6 +109,10 @@ TEST_CASE("5.6 the star discrepancy of points of the plane", "[5.6][points:4]") 
                   fmt::format("{}, {} points: {} as an exact fraction", name, x.size(), exact),
                   [&x = x, &y = y] { return hints_for(x, y); });
   }
+  // Binary digits 10101…: there a sequence in base 2 is at its worst, far from the nets at 2^k.
+  for (const std::size_t n : {171u, 85u}) {
+    expect_discrepancy(sobol_points(0, 0, n), sobol_points(1, 0, n));
+  }
   for (const std::size_t n : {2u, 1u}) {
     expect_discrepancy(uniform_values(rng, n, 0, 1), uniform_values(rng, n, 0, 1));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -40,7 +41,9 @@ void expect_hard_variance(Rng& rng, const Algorithm& by) {
   for (const HardList& list : short_hard_lists(rng)) {
     expect_list(by, list, by.floor(list.exact), by.because, "a sum that starts far from the mean?");
   }
-  for (const HardList& list : one_outlier_lists(rng, by.outlier_lists)) {
+  std::vector<HardList> outliers = one_outlier_lists(rng, by.outlier_lists);
+  outliers.push_back(several_outliers(rng));
+  for (const HardList& list : outliers) {
     expect_list(by, list, std::min(by.floor(list.exact), repeating_floor(list.x.size())),
                 because_repeating,
                 "is everything measured from a value that may lie far from all others?");
