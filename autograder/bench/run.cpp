@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "bench/bench.hpp"
+#include "bench/calibrate.hpp"
 #include "bench/plots.hpp"
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
@@ -269,6 +270,10 @@ int run_bench(const Context& context, const Arguments& arguments) {
   bench.rounds = static_cast<unsigned>(
       std::clamp<std::uint64_t>(arguments.number("rounds").value_or(5), 1, 99));
   if (labs.empty()) labs = context.labs;
+  if (arguments.has("calibrate")) {
+    calibrate(context, labs, bench.rounds);
+    return 0;
+  }
 
   const auto start = Clock::now();
   const fs::path place = context.layout.build / "bench";
@@ -323,15 +328,17 @@ int run_bench(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb bench_verb{
     {"bench",
-     "bench [LAB...] [DIR...] [--rounds N] [--page FILE]",
-     {"rounds=", "page="},
+     "bench [LAB...] [DIR...] [--rounds N] [--page FILE] [--calibrate]",
+     {"rounds=", "page=", "calibrate"},
      "Every lab, unless some are named; the solutions and the libraries that are installed, and "
      "each\n"
      "DIR. Minutes, on an idle machine; what it has is kept if it is interrupted. Numbers and "
      "pictures\n"
      "go to build/bench/.\n"
      "  --rounds N    time everything so often, in turn (5)\n"
-     "  --page FILE   write the page as well: docs/speed-against-error.md\n",
+     "  --page FILE   write the page as well: docs/speed-against-error.md\n"
+     "  --calibrate   nothing but labs/*/speed.tsv: what the solutions take, by which a handout\n"
+     "                says how fast the reference is\n",
      run_bench}};
 
 }  // namespace
