@@ -106,7 +106,7 @@ foreach(lab ${LABS})
     string(REPLACE "_" "-" dashed ${lab})
     list(FILTER experiments INCLUDE REGEX "/[0-9]+-${dashed}/")
     add_executable(fuzz_${lab} EXCLUDE_FROM_ALL ${experiments} ${solution_files} labs/runner/main.cpp
-      labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
+      labs/runner/list.cpp labs/runner/table.cpp labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
     target_include_directories(fuzz_${lab} BEFORE PRIVATE autograder/tests/fuzz)
     target_include_directories(fuzz_${lab} PRIVATE labs ${LAB_INCLUDES})
     target_compile_options(fuzz_${lab} PRIVATE ${PROGRAM_FLAGS})

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "bench/bench.hpp"
+#include "bench/calibrate.hpp"
 #include "bench/plots.hpp"
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
@@ -288,6 +289,10 @@ int run_bench(const Context& context, const Arguments& arguments) {
   bench.rounds = static_cast<unsigned>(
       std::clamp<std::uint64_t>(arguments.number("rounds").value_or(5), 1, 99));
   if (labs.empty()) labs = context.labs;
+  if (arguments.has("calibrate")) {
+    calibrate(context, labs, bench.rounds);
+    return 0;
+  }
 
   const auto start = Clock::now();
   const bool tables_only = arguments.has("tables");
@@ -349,8 +354,8 @@ int run_bench(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb bench_verb{
     {"bench",
-     "bench [LAB...] [DIR...] [--tables] [--rounds N] [--page FILE]",
-     {"tables", "rounds=", "page="},
+     "bench [LAB...] [DIR...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
+     {"tables", "rounds=", "page=", "calibrate"},
      "Every lab, unless some are named; the solutions and the libraries that are installed, and "
      "each\n"
      "DIR. Minutes, on an idle machine; what it has is kept if it is interrupted. Numbers and "
@@ -360,7 +365,9 @@ const RegisterVerb bench_verb{
      "worth,\n"
      "                what a number costs where samples are few, the tails of scrambling\n"
      "  --rounds N    time everything so often, in turn (5)\n"
-     "  --page FILE   write the page as well: docs/speed-against-error.md\n",
+     "  --page FILE   write the page as well: docs/speed-against-error.md\n"
+     "  --calibrate   nothing but labs/*/speed.tsv: what the solutions take, by which a handout\n"
+     "                says how fast the reference is\n",
      run_bench}};
 
 }  // namespace
