@@ -19,6 +19,7 @@ do for [axis in "samples time"] {
   column_of = axis eq "samples" ? 1 : 2
   name = axis; width = 1180; height = 880
   load draw
+  array style[6] = [independent, jittered, multi_jittered, poisson_disk, halton, scrambled_sobol]
   set multiplot layout 2,3 margins 75./width, 1 - 15./width, 150./height, 1 - 36./height spacing 65./width, 90./height
   set logscale xy
   set format "10^{%L}"
@@ -34,10 +35,10 @@ do for [axis in "samples time"] {
       unset key
     }
     if (axis eq "samples") {
-      plot for [k=1:6] curves index block(i, k) using column_of:3:4 with yerrorlines ls k ps 0.8 title called[k]
+      plot for [k=1:6] curves index block(i, k) using column_of:3:4 with yerrorlines ls style[k] ps 0.8 title called[k]
     } else {
-      plot for [k=1:6] curves index block(i, k) using column_of:3 with linespoints ls k ps 0.8 title called[k], \
-           for [k=1:|peer|] curves index peer[k]."|".on[i] using column_of:3 with lines ls method(k) lw 2 dt 2+second(k) title peer[k][1:strstrt(peer[k], "|")-1].": ".peerwhat[k]
+      plot for [k=1:6] curves index block(i, k) using column_of:3 with linespoints ls style[k] ps 0.8 title called[k], \
+           for [k=1:|peer|] curves index peer[k]."|".on[i] using column_of:3 with lines ls style[method(k)] lw 2 dt 2+second(k) title peer[k][1:strstrt(peer[k], "|")-1].": ".peerwhat[k]
     }
   }
   unset multiplot

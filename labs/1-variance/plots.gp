@@ -28,27 +28,28 @@ do for [s=1:count] {
 }
 unset multiplot
 
-# Time against digits -----------------------------------------------------------------------------
+# Error against time ------------------------------------------------------------------------------
 # Every point carries its name; Welford's above it, merged parts' below, for they lie close together.
-name = "speed"; width = 80 + 430 * count; height = 420
+name = "speed"; width = 100 + 430 * count; height = 420
 load draw
-set multiplot layout 1,count title "Time against digits, 4096 values near 10^{9}, in cache" \
-  margins 70./width, 1 - 20./width, 0.14, 0.83 spacing 70./width, 0
-set logscale y
-set xrange [-3:19]
-set yrange [0.05:40]
-set ytics (0.1, 0.3, 1, 3, 10, 30)
-set xtics 0,4,16
-set xlabel "digits kept (more is better)"
-set ylabel "ns a value (less is better)"
+set multiplot layout 1,count title "Error of the variance against time, 4096 values near 10^{9}, in cache" \
+  margins 90./width, 1 - 20./width, 0.14, 0.83 spacing 90./width, 0
+set logscale xy
+set xrange [0.03:60]
+set yrange [1e-18:100]
+set xtics (0.1, 0.3, 1, 3, 10, 30)
+set ytics 1e-16,1e4,1
+set format y "10^{%L}"
+set xlabel "ns a value (less is better)"
+set ylabel "relative error (less is better)"
 unset key
 array above[5] = [1, 1, 1, -1, 1]
 array task[5] = [2, 3, 4, 5, 8]
 speed(s, i) = sprintf("%s/speed-%d.tsv", data[s], task[i])
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:5] speed(s, i) using 3:2 with points ls i ps 2, \
-       for [i=1:5] speed(s, i) using 3:2:(way[i]) with labels offset 0,1.1*above[i]
+  plot for [i=1:5] speed(s, i) using 2:(10**-$3) with points ls i ps 2, \
+       for [i=1:5] speed(s, i) using 2:(10**-$3):(way[i]) with labels offset 0,1.1*above[i]
   unset ylabel
 }
 unset multiplot

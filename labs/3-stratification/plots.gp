@@ -59,6 +59,8 @@ array second_way[4] = ["", "3.6 Latin hypercube", "3.6 Latin hypercube", "3.4 pa
 array third_way[4] = ["", "3.7 multi-jittered", "3.7 multi-jittered", "3.6 Latin hypercube"]
 name = "convergence"; width = 1120; height = 760 * count
 load draw
+array second[4] = [0, latin_hypercube, latin_hypercube, padded]
+array third[4] = [0, multi_jittered, multi_jittered, latin_hypercube]
 set multiplot layout 2*count,2 margins 75./width, 1 - 15./width, 50./height, 1 - 36./height spacing 75./width, 90./height
 set logscale xy
 set xlabel "N"
@@ -73,9 +75,10 @@ do for [s=1:count] {
     ways = i == 1 ? 1 : 3
     plot file using 1:2 with lines ls 9 lw 2 title "N^{-0.5}", \
          file using 1:3 with lines ls 9 lw 2 dt 3 title rate[i], \
-         file using 1:4 with points ls 1 title "independent", \
-         file using 1:5 with points ls 2 title first_way[i], \
-         for [k=2:ways] file using 1:(column(4+k)) with points ls k+1 title (k == 2 ? second_way[i] : third_way[i])
+         file using 1:4 with points ls independent title "independent", \
+         file using 1:5 with points ls jittered title first_way[i], \
+         for [k=2:ways] file using 1:(column(4+k)) with points ls (k == 2 ? second[i] : third[i]) \
+           title (k == 2 ? second_way[i] : third_way[i])
   }
 }
 unset multiplot
@@ -102,11 +105,10 @@ do for [s=1:count] {
 unset multiplot
 
 # Stopping early ----------------------------------------------------------------------------------
-array early[3] = ["independent points", "3.3 jittered, row by row", "3.4 jittered, shuffled"]
 name = "early"; width = 80 + 480 * count; height = 480
 load draw
 set multiplot layout 1,count title "The first n of 1024 points, for exp(-x² - y²) in the plane" \
-  margins 80./width, 1 - 20./width, 0.22, 0.85 spacing 80./width, 0
+  margins 80./width, 1 - 20./width, 0.25, 0.85 spacing 80./width, 0
 set logscale xy
 set format "10^{%L}"
 set xrange [0.8:1300]
@@ -116,33 +118,36 @@ set ylabel "RMSE"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:3] data[s]."/early.tsv" using 1:(column(i+1)) with linespoints ls i title early[i]
+  plot data[s]."/early.tsv" using 1:2 with linespoints ls independent title "independent points", \
+       data[s]."/early.tsv" using 1:3 with linespoints ls jittered pt 7 dt 3 title "3.3 jittered, row by row", \
+       data[s]."/early.tsv" using 1:4 with linespoints ls jittered title "3.4 jittered, shuffled"
   unset key
   unset ylabel
 }
 unset multiplot
 
-# Time against error ------------------------------------------------------------------------------
-array timed[7] = ["textbook loop with std::mt19937_64", "2.8 independent", "3.3 jittered", "3.4 jittered, shuffled", "3.5 one in each cell", "3.6 Latin hypercube", "3.7 multi-jittered"]
-array lift[7] = [0, 0, 0, 1.1, -1.1, 0, 0.7]  # of a name over its point, where points lie close
+# Error against time ------------------------------------------------------------------------------
+array timed[7] = ["loop, std::mt19937_64", "2.8 independent", "3.3 jittered", "3.4 jittered, shuffled", "3.5 one in each cell", "3.6 Latin hypercube", "3.7 multi-jittered"]
 name = "speed"; width = 80 + 560 * count; height = 440
 load draw
-set multiplot layout 1,count title "Time against error: 1024 points of the plane, for exp(-x² - y²)" \
+set multiplot layout 1,count title "Error against time: 1024 points of the plane, for exp(-x² - y²)" \
   margins 80./width, 1 - 20./width, 0.14, 0.83 spacing 80./width, 0
 set logscale xy
-set xrange [3e-5:5e-2]
-set yrange [1:100]
-set ytics (1, 2, 5, 10, 20, 50, 100)
-set format x "10^{%L}"
-set xlabel "RMSE (left is better)"
-set ylabel "ns a point (down is better)"
+set xrange [0.5:100]
+set yrange [1e-5:5e-2]
+set xtics (0.5, 1, 2, 5, 10, 20, 50, 100)
+set format y "10^{%L}"
+set xlabel "ns a point (less is better)"
+set ylabel "RMSE (less is better)"
 unset key
+array style[7] = [independent, independent, jittered, jittered, jittered, latin_hypercube, multi_jittered]
+array above[7] = [1, 1, 1, -1, 2.2, 1, -1]  # names, where points lie close
+array mark[7] = [5, 4, 6, 7, 15, 3, 12]  # filled, where a style comes twice
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:7] data[s]."/speed.tsv" every ::i-1::i-1 using 2:1 \
-         with points ls (i < 7 ? i : 2) pt (i < 7 ? 2*i : 1) ps 1.6, \
-       for [i=1:7] data[s]."/speed.tsv" every ::i-1::i-1 using 2:1:(timed[i]) \
-         with labels left offset 1.2,lift[i] noenhanced
+  plot for [i=1:7] data[s]."/speed.tsv" every ::i-1::i-1 using 1:2 with points ls style[i] pt mark[i] ps 1.6, \
+       for [i=1:7] data[s]."/speed.tsv" every ::i-1::i-1 using 1:2:(timed[i]) \
+         with labels offset 0,1.1*above[i] noenhanced
   unset ylabel
 }
 unset multiplot

@@ -53,9 +53,10 @@ set ytics 0,0.5
 set xlabel "frequency abs(k) / sqrt(N)"
 set ylabel "power (independent points: 1)"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 3 width 1
+array style[5] = [independent, jittered, few_candidates, best_candidate, poisson_disk]
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:5] data[s]."/radial.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 title called[i]
+  plot for [i=1:5] data[s]."/radial.tsv" using 1:(column(i+1)) with linespoints ls style[i] pi 4 title called[i]
   unset key
   unset ylabel
 }
@@ -65,7 +66,6 @@ unset multiplot
 array of[2] = ["bump", "edge"]
 array what[2] = ["exp(-x² - y²)", "a slanted edge"]
 array shown[4] = ["random", "jittered", "4.2, c = 1", "4.3 Poisson disk"]
-array style[4] = [1, 2, 4, 5]
 name = "convergence"; width = 1000; height = 40 + 440 * count
 load draw
 set multiplot layout count,2 title "Error of integration, root mean square of 100 patterns" \
@@ -77,6 +77,7 @@ set format y "10^{%L}"
 set xlabel "N"
 set ylabel "RMSE"
 set key left bottom Left reverse samplen 3
+array style[4] = [independent, jittered, best_candidate, poisson_disk]
 do for [s=1:count] {
   do for [f=1:2] {
     set title what[f].(count > 1 ? ", ".labels[s] : "") noenhanced
@@ -102,8 +103,8 @@ set ylabel "µs a point"
 set key left top Left reverse samplen 3
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot data[s]."/speed.tsv" using 1:2 with linespoints ls 4 title "4.2 best candidate, c = 1", \
-       data[s]."/speed.tsv" using 1:3 with linespoints ls 5 title "4.3 Poisson disk"
+  plot data[s]."/speed.tsv" using 1:2 with linespoints ls best_candidate title "4.2 best candidate, c = 1", \
+       data[s]."/speed.tsv" using 1:3 with linespoints ls poisson_disk title "4.3 Poisson disk"
   unset ylabel
 }
 unset multiplot

@@ -29,6 +29,7 @@ unset multiplot
 array way[6] = ["random", "stratified", "5.3 Halton", "5.4 Hammersley", "5.5 Sobol'", "5.8 scrambled Sobol'"]
 name = "discrepancy"; width = 220 + 500 * count; height = 600
 load draw
+array style[6] = [independent, jittered, halton, hammersley, sobol, scrambled_sobol]
 set multiplot layout 1,count title "Star discrepancy in the plane, at N = 2^k and between" \
   margins 80./width, 1 - 20./width, 0.29, 0.87 spacing 80./width, 0
 set logscale xy
@@ -44,7 +45,7 @@ do for [s=1:count] {
   plot 0.85/sqrt(x) with lines ls 9 lw 2 title "N^{-1/2}", \
        0.16*log(x)**2/x with lines ls 9 lw 2 dt 4 title "(log N)^2 / N", \
        0.65*log(x)/x with lines ls 9 lw 2 dt 3 title "log N / N", \
-       for [i=1:6] data[s]."/discrepancy-".i.".tsv" using 1:2 with linespoints ls i title way[i]
+       for [i=1:6] data[s]."/discrepancy-".i.".tsv" using 1:2 with linespoints ls style[i] title way[i]
   unset key
   unset ylabel
 }
@@ -55,6 +56,7 @@ array what[5] = ["exp(x)", "exp(x + y)", "exp(x + y + z + w)", "two kinks", "an 
 array rate[5] = [1.5, 1.5, 1.5, 1.5, 0.75]
 name = "convergence"; width = 1180; height = 60 + 760 * count
 load draw
+array style[6] = [independent, jittered, halton, hammersley, sobol, scrambled_sobol]
 set multiplot layout 2*count,3 margins 75./width, 1 - 15./width, 50./height, 1 - 36./height spacing 65./width, 90./height
 set logscale xy
 set format "10^{%L}"
@@ -68,7 +70,7 @@ do for [s=1:count] {
     if (i == 5) { set key at graph 1.25, 0.9 left top Left reverse samplen 3 } else { unset key }
     plot 0.5*x**-0.5 with lines ls 9 lw 2 title "N^{-1/2}", \
          0.5*x**-rate[i] with lines ls 9 lw 2 dt 3 title "N^{-3/2}; across an edge N^{-3/4}", \
-         for [k=1:6] data[s]."/convergence-".i.".tsv" using 1:(column(k+1)) with linespoints ls k ps 0.8 title way[k]
+         for [k=1:6] data[s]."/convergence-".i.".tsv" using 1:(column(k+1)) with linespoints ls style[k] ps 0.8 title way[k]
   }
   set multiplot next
 }
@@ -77,9 +79,9 @@ unset multiplot
 # The same points, made random in four ways -------------------------------------------------------
 array random[4] = ["random points", "5.7 Cranley-Patterson rotation", "5.9 digits permuted (base 2: a digital shift)", "5.8 nested scrambling"]
 array wave[2] = ["exp(x)", "cos(2 pi N x)"]
-array style[4] = [1, 3, 5, 6]
 name = "randomised"; width = 980; height = 90 + 380 * count
 load draw
+array style[4] = [independent, rotated, digits_permuted, scrambled_sobol]
 set multiplot layout count,2 margins 75./width, 1 - 15./width, 110./height, 1 - 46./height spacing 75./width, 90./height
 set logscale xy
 set format "10^{%L}"
@@ -113,8 +115,8 @@ unset key
 do for [s=1:count] {
   set title labels[s] noenhanced
   plot 3 with lines ls 9 lw 2, \
-       data[s]."/tails.tsv" using 1:2:3 with yerrorbars ls 6 dt 1, \
-       data[s]."/tails.tsv" using 1:2 with lines ls 6
+       data[s]."/tails.tsv" using 1:2:3 with yerrorbars ls scrambled_sobol dt 1, \
+       data[s]."/tails.tsv" using 1:2 with lines ls scrambled_sobol
   unset ylabel
 }
 unset multiplot
@@ -165,9 +167,9 @@ set ylabel "RMSE"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot data[s]."/early.tsv" using 1:2 with lines ls 1 title "independent", \
-       data[s]."/early.tsv" using 1:3 with lines ls 2 title "3.4 jittered, shuffled", \
-       data[s]."/early.tsv" using 1:4 with linespoints ls 6 title "5.8 scrambled Sobol'"
+  plot data[s]."/early.tsv" using 1:2 with lines ls independent title "independent", \
+       data[s]."/early.tsv" using 1:3 with lines ls jittered title "3.4 jittered, shuffled", \
+       data[s]."/early.tsv" using 1:4 with linespoints ls scrambled_sobol title "5.8 scrambled Sobol'"
   unset key
   unset ylabel
 }
@@ -207,9 +209,11 @@ set xlabel "ns a point (less is better)"
 set ylabel "error (less is better)"
 unset key
 array above[5] = [1, 1, 1, 1, -1]
+array style[5] = [halton, halton, sobol, scrambled_sobol, halton]
+array mark[5] = [9, 8, 2, 10, 9]  # filled: one by one, or scrambled
 do for [s=1:count] {
   set title labels[s] noenhanced
-  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3 with points ls i ps 2, \
+  plot for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3 with points ls style[i] pt mark[i] ps 2, \
        for [i=1:5] data[s]."/speed.tsv" every ::i-1::i-1 using 2:3:(task[i]) with labels offset 0,1.1*above[i]
   unset ylabel
 }

@@ -18,6 +18,7 @@ do for [against=1:2] {
   name = against == 1 ? "error" : "time"; width = 1180; height = 30 + 430 * count
   load draw
   set multiplot layout count,4 margins 70./width, 1 - 15./width, 105./height, 1 - 36./height spacing 45./width, 90./height
+  array style[5] = [independent, jittered, poisson_disk, halton, scrambled_sobol]
   set logscale xy
   set format y "10^{%L}"
   set yrange [1e-6:0.3]
@@ -37,7 +38,7 @@ do for [against=1:2] {
       file = data[s]."/error-".scenes[i].".tsv"
       if (i == 1 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width 2 } else { unset key }
       set label 1 (against == 1 ? rates[i] : "") at graph 0.95, graph 0.93 right textcolor rgb "#777777"
-      plot for [k=1:5] file using (column(against == 1 ? 1 : 2*k+1)):(column(2*k)) with linespoints ls k title shown[k], \
+      plot for [k=1:5] file using (column(against == 1 ? 1 : 2*k+1)):(column(2*k)) with linespoints ls style[k] title shown[k], \
            (against == 1 ? 0.4*x**-0.5 : NaN) with lines ls 9 lw 2 title (against == 1 ? "N^{-1/2}" : ""), \
            (against == 1 ? 0.4*x**-rate[i] : NaN) with lines ls 9 lw 2 dt 3 notitle
     }
@@ -57,8 +58,8 @@ do for [s=1:count] {
   unset key; unset xlabel; unset ylabel
   plot data[s]."/pair.tsv" using 1:2 with points pt 7 ps 0.3 lc rgb "#000000"
   set size noratio
-  set xrange [-0.7:19.7]
-  set xtics 0,4,16 format "%g"
+  set xrange [0.3:20.7]
+  set xtics (1, 4, 8, 12, 16, 20) format "%g"
   set logscale y
   set ytics autofreq format "10^{%L}"
   set xlabel "the k-th next2() of a sample"
@@ -68,9 +69,9 @@ do for [s=1:count] {
     set ylabel (i == 1 ? "RMSE" : "")
     set yrange [(i == 1 ? 2e-5 : 1e-3):3e-2]
     if (i == 1 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 1 Left reverse samplen 3 width 1 } else { unset key }
-    plot data[s]."/next2.tsv" using 1:(column(1+i)) with linespoints ls 5 title "blocks of eight (yours)", \
-         data[s]."/next2.tsv" using 1:(column(3+i)) with linespoints ls 6 title "one sequence", \
-         data[s]."/next2.tsv" using 1:(column(5+i)) with lines ls 1 title "independent"
+    plot data[s]."/next2.tsv" using ($1+1):(column(1+i)) with linespoints ls scrambled_sobol title "blocks of eight (yours)", \
+         data[s]."/next2.tsv" using ($1+1):(column(3+i)) with linespoints ls sobol title "one sequence", \
+         data[s]."/next2.tsv" using ($1+1):(column(5+i)) with lines ls independent title "independent"
   }
   unset logscale y
 }
@@ -122,10 +123,12 @@ do for [s=1:count] {
   set xtics norotate autofreq 2,2,8
   set xlabel "dimensions"
   unset ylabel
-  set title "256 samples".who(s)
+  set title "256 samples (thin: next())".who(s)
   set key right top Left reverse samplen 3
-  plot for [k in "1 2 4 5"] data[s]."/dimensions.tsv" using 1:(column(2*k+1)) with linespoints ls (k+0) title shown[k+0].", next2", \
-       for [k in "1 2 4 5"] data[s]."/dimensions.tsv" using 1:(column(2*k)) with lines ls (k+0) lw 1 title shown[k+0].", next"
+  set offsets 0, 0, graph 0.5, 0  # for the key
+  plot for [k in "1 2 4 5"] data[s]."/dimensions.tsv" using 1:(column(2*k+1)) with linespoints ls style[k+0] title shown[k+0], \
+       for [k in "1 2 4 5"] data[s]."/dimensions.tsv" using 1:(column(2*k)) with lines ls style[k+0] lw 1 notitle
+  unset offsets
 }
 unset multiplot
 
