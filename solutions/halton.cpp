@@ -94,9 +94,9 @@ double fill_table(std::span<double> table, const Digits& digits, std::size_t& po
     const double zero = digits(p, 0);
     const std::size_t end = std::min<std::size_t>(digits.base, (table.size() - 1) / filled + 1);
     for (std::size_t digit = 1; digit < end; ++digit) {
-      const double more = (digits(p, digit) - zero) * weight;
-      const auto to = table.subspan(digit * filled);
-      for (std::size_t k = 0; k < std::min(filled, to.size()); ++k) to[k] = table[k] + more;
+      const auto more = [by = (digits(p, digit) - zero) * weight](double x) { return x + by; };
+      const auto from = table.first(std::min(filled, table.size() - digit * filled));
+      std::transform(from.begin(), from.end(), &table[digit * filled], more);
     }
   }
   return size;
@@ -132,10 +132,9 @@ void fill(std::span<double> column, std::uint64_t first, const Digits& digits, s
   const double room = below_one - double(block - 1) * scale;  // above the largest in the table
   for (const double others : before) {
     const double offset = std::min(room, others * scale);
-    const auto part = column.first(std::min(block - skip, column.size()));
-    for (std::size_t i = 0; i < part.size(); ++i) part[i] = table[skip + i] + offset;
-    column = column.subspan(part.size());
-    skip = 0;
+    const auto part = std::span(table).subspan(skip, std::min(block - skip, column.size()));
+    std::transform(part.begin(), part.end(), column.begin(), [=](double x) { return x + offset; });
+    column = column.subspan(part.size()), skip = 0;
   }
 }
 }  // namespace
@@ -248,13 +247,13 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   if (dimension >= joe_kuo.size()) throw std::invalid_argument("dimension: there are only 32");
   require_indices(first, column.size(), 0xffffffffu);
   const SobolTable& table = sobol_tables[dimension];
-  std::uint64_t n = first / 64;
-  std::uint64_t above = bits(1) | wide(sobol_word(table.v, 64 * n));
+  std::uint64_t n = first / 64, above = bits(1) | wide(sobol_word(table.v, 64 * n));
   for (std::size_t skip = first % 64; !column.empty(); skip = 0) {
-    const auto value = [&](std::size_t i) { return number(table.words[skip + i] ^ above) - 1; };
+    const std::uint64_t* const words = table.words.data() + skip;
+    double* const x = column.data();  // an array's or a span's index may be checked, one by one
     const std::size_t count = std::min(64 - skip, column.size());
-    for (std::size_t i = 0; count == 64 && i < 64; ++i) column[i] = value(i);  // unrolled
-    for (std::size_t i = 0; count < 64 && i < count; ++i) column[i] = value(i);
+    for (std::size_t i = 0; count == 64 && i < 64; ++i) x[i] = number(words[i] ^ above) - 1;
+    for (std::size_t i = 0; count < 64 && i < count; ++i) x[i] = number(words[i] ^ above) - 1;
     column = column.subspan(count);
     above ^= table.steps[std::size_t(std::countr_zero(++n))];
   }
@@ -349,25 +348,26 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
   };
   const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };  // past 32 bits, rounded
   constexpr std::size_t block = 256;  // short loops fill a processor's registers better
-  std::array<std::uint32_t, block> words, flips;
+  std::uint32_t words[block], flips[block];
   for (; !column.empty(); column = column.subspan(std::min(block, column.size()))) {
-    const auto x = column.first(std::min(block, column.size()));
+    double* const x = column.data();
+    const std::size_t size = std::min(block, column.size());
     std::uint64_t longer = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t i = 0; i < size; ++i) {
       words[i] = std::uint32_t(bits(x[i] + 0x1p20));
       longer |= bits(rest(x[i]));
     }
-    const std::size_t rests = longer == 0 ? 0 : x.size();  // Sobol' points have none
+    const std::size_t rests = longer == 0 ? 0 : size;  // Sobol' points have none
     for (std::size_t i = 0; i < rests; ++i) words[i] -= rest(x[i]) < 0;
-    for (std::size_t i = 0; i < x.size(); ++i) words[i] = mirrored(words[i]);
-    for (std::size_t i = 0; i < x.size(); ++i) words[i] = scrambled(words[i]);
-    for (std::size_t i = 0; i < x.size(); ++i) flips[i] = behind(words[i]);
+    for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
+    for (std::size_t i = 0; i < size; ++i) words[i] = scrambled(words[i]);
+    for (std::size_t i = 0; i < size; ++i) flips[i] = behind(words[i]);
     for (std::size_t i = 0; i < rests; ++i) {  // nested too: zeros behind stay zeros
       const std::uint32_t last = std::uint32_t(bits(rest(x[i]) + 0.75)) << 11;
       flips[i] ^= mirrored(mirrored(last) * (behind(~words[i]) | 1));
     }
-    for (std::size_t i = 0; i < x.size(); ++i) words[i] = mirrored(words[i]);
-    for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
+    for (std::size_t i = 0; i < size; ++i) {
       x[i] = number(bits(1) | wide(words[i])) - 1.5 + number(bits(0.5) | flips[i] >> 11);
     }
   }

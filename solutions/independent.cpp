@@ -187,8 +187,9 @@ void uniforms(Rng& rng, std::span<double> out) {
       for (std::uint64_t& seed : *word) seed = rng();
     }
     for (; i + lanes <= out.size(); i += lanes) {
+      double* const next = out.data() + i;  // a span's index may be checked, one by one
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        out[i + lane] = to_unit_by_mantissa(a[lane] + d[lane]);
+        next[lane] = to_unit_by_mantissa(a[lane] + d[lane]);
         const std::uint64_t shifted = b[lane] << 17;
         c[lane] ^= a[lane];
         d[lane] ^= b[lane];
