@@ -57,6 +57,7 @@ test_of(repository 5 self_test repository)
 test_of(handout 90 gradebook_tests "[handout]")  # a build from nothing: not in --quick
 test_of(demo 60 grader_tests "[.demo]")
 test_of(term 95 gradebook_tests "[.term]")
+test_of(slurm 90 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})
 test_of(copied 90 gradebook_tests "[copied]")
 test_of(gradescope 90 gradebook_tests "[gradescope]")
 set_tests_properties(grader gradebook repository PROPERTIES TIMEOUT 300)  # a minute, on an idle machine

@@ -144,7 +144,7 @@ const Verb* verb_called(const std::string& name) {
 }
 
 bool takes_a_lab(const std::string& verb) {
-  const std::set<std::string> verbs{"check", "run",    "plot",       "report",
+  const std::set<std::string> verbs{"check", "run",    "plot",      "report",
                                     "reset", "submit", "gradescope"};
   return verbs.contains(verb);
 }
@@ -204,7 +204,8 @@ TEST_CASE("every command in a document can be typed") {
 
 TEST_CASE("every option that a document names belongs to a verb") {
   const Layout layout = read_layout();
-  std::set<std::string> known{"--help", "--version", "--preset", "--build"};  // CMake's, the last two
+  std::set<std::string> known{"--help", "--version", "--preset",
+                              "--build"};  // CMake's, the last two
   for (const Verb& verb : registered_verbs()) {
     for (const std::string& option : verb.options) {
       known.insert("--" + option.substr(0, option.find('=')));

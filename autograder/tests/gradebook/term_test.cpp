@@ -125,8 +125,8 @@ struct Term : Course {
   /// As `./lab submit` makes it.
   void hand_in_zip(const fs::path& place, const Work& work) const {
     hand_in_folder(place, work);
-    std::vector<std::string> command{"cmake", "-E", "tar", "cf", place.string() + ".zip",
-                                     "--format=zip", "variance.cpp"};
+    std::vector<std::string> command{
+        "cmake", "-E", "tar", "cf", place.string() + ".zip", "--format=zip", "variance.cpp"};
     if (!work.independent.empty()) command.emplace_back("independent.cpp");
     must(command, place);
     fs::remove_all(place);
@@ -147,8 +147,8 @@ struct Term : Course {
 
   std::vector<std::string> grading(const fs::path& table,
                                    const std::vector<std::string>& more) const {
-    std::vector<std::string> words{"grade", (path() / "class").string(), "--lab", "1,2", "--csv",
-                                   table.string()};
+    std::vector<std::string> words{
+        "grade", (path() / "class").string(), "--lab", "1,2", "--csv", table.string()};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -232,8 +232,8 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   const auto resumed = term.run(term.grading(grades, {"--resume", "--html", pages.string()}));
   INFO(resumed.output << resumed.errors);
   REQUIRE(resumed.exit_code == 0);
-  CHECK(contains(resumed.output, fmt::format("{} judged, {} were before; seed 7",
-                                             students - before, before)));
+  CHECK(contains(resumed.output,
+                 fmt::format("{} judged, {} were before; seed 7", students - before, before)));
   check_grades(term, grades);
 
   // Everybody again, with the same seed, by two machines: the same grades.
