@@ -53,10 +53,10 @@ std::string submit_tasks(const Context& context, const SlurmTasks& tasks) {
   if (!tasks.go_on) fs::remove_all(place);
   fs::create_directories(place);
   write_text(script, script_of(context, tasks, place));
-  const auto run = sandbox::run_process(
-      {"sbatch", "--parsable", fmt::format("--array=1-{}", tasks.count), "--requeue",
-       "--job-name=grade", "--open-mode=append", "--output=" + (place / "%a.log").string(),
-       script.string()});
+  const auto run =
+      sandbox::run_process({"sbatch", "--parsable", fmt::format("--array=1-{}", tasks.count),
+                            "--requeue", "--job-name=grade", "--open-mode=append",
+                            "--output=" + (place / "%a.log").string(), script.string()});
   if (run.exit_code == 127) throw MachineError("there is no sbatch here: is Slurm installed?");
   if (!run.succeeded()) {
     throw MachineError("sbatch: " + sandbox::printable_line(trimmed(run.errors)));
@@ -73,9 +73,10 @@ std::size_t gather_tasks(const fs::path& csv) {
   // A job that has ended is forgotten after a while: then this fails, and says nothing.
   const auto queue = sandbox::run_process({"squeue", "--noheader", "--jobs=" + job});
   if (queue.succeeded() && !trimmed(queue.output).empty()) {
-    throw UsageError(fmt::format("job {} is not at its end: wait for it (squeue), or end it "
-                                 "(scancel {}) and judge the rest here",
-                                 job, job));
+    throw UsageError(
+        fmt::format("job {} is not at its end: wait for it (squeue), or end it "
+                    "(scancel {}) and judge the rest here",
+                    job, job));
   }
   std::size_t count = 0;
   fs::create_directories(verdicts_beside(csv));

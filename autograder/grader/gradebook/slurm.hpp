@@ -12,10 +12,10 @@
 namespace mc::grader {
 
 struct SlurmTasks {
-  std::filesystem::path csv;                  ///< the table that is gathered in the end
-  std::vector<std::string> options = {};      ///< of ./lab grade, that every task has
-  std::vector<std::string> words = {};        ///< what was handed in
-  std::size_t count = 0;             ///< submissions: task k has the k-th
+  std::filesystem::path csv;              ///< the table that is gathered in the end
+  std::vector<std::string> options = {};  ///< of ./lab grade, that every task has
+  std::vector<std::string> words = {};    ///< what was handed in
+  std::size_t count = 0;                  ///< submissions: task k has the k-th
   std::uint64_t seed = 0;
   bool go_on = false;  ///< keeps what the tasks of an earlier job have written
 };
