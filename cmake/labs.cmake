@@ -12,7 +12,8 @@ if(CMAKE_SYSTEM_NAME STREQUAL Linux AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
   endif()
 endif()
 
-add_library(runner OBJECT labs/runner/main.cpp labs/runner/text.cpp)
+add_library(runner OBJECT labs/runner/main.cpp labs/runner/list.cpp labs/runner/table.cpp
+  labs/runner/text.cpp)
 target_include_directories(runner PUBLIC labs)
 target_compile_options(runner PRIVATE ${PROGRAM_FLAGS} -O1)  # nothing of it is hot
 with_warnings(runner)

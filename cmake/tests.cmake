@@ -54,12 +54,14 @@ endfunction()
 test_of(grader 100 grader_tests)
 test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
-test_of(handout 90 gradebook_tests "[handout]")  # a build from nothing: not in --quick
-test_of(demo 60 grader_tests "[.demo]")
-test_of(term 95 gradebook_tests "[.term]")
-test_of(slurm 90 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})
-test_of(copied 90 gradebook_tests "[copied]")
+# Not in --quick: what builds a checkout, and what takes as long as all others together.
+test_of(handout 90 gradebook_tests "[handout]")
+test_of(term 95 gradebook_tests "[term]")
+test_of(demo 60 grader_tests "[demo]")
+test_of(slurm 90 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})  # skipped without Slurm
 test_of(gradescope 90 gradebook_tests "[gradescope]")
+test_of(interrupted 90 gradebook_tests "[interrupted]")
+test_of(descriptors 90 grader_tests "[descriptors]")
 set_tests_properties(grader gradebook repository PROPERTIES TIMEOUT 300)  # a minute, on an idle machine
 if(MC_SANITIZE)
   set_tests_properties(grader gradebook repository PROPERTIES TIMEOUT 900)
@@ -105,7 +107,7 @@ foreach(lab ${LABS})
     string(REPLACE "_" "-" dashed ${lab})
     list(FILTER experiments INCLUDE REGEX "/[0-9]+-${dashed}/")
     add_executable(fuzz_${lab} EXCLUDE_FROM_ALL ${experiments} ${solution_files} labs/runner/main.cpp
-      labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
+      labs/runner/list.cpp labs/runner/table.cpp labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
     target_include_directories(fuzz_${lab} BEFORE PRIVATE autograder/tests/fuzz)
     target_include_directories(fuzz_${lab} PRIVATE labs ${LAB_INCLUDES})
     target_compile_options(fuzz_${lab} PRIVATE ${PROGRAM_FLAGS})

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Writes again what documents show of real runs: the failure in README.md, the pictures of the labs.
+# Writes again what documents show of real runs: the failure in README.md, the pictures of the labs,
+# the tables of lab 6's handout.
 # (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from anywhere;
 # look at what changed with git diff.
 set -eu
@@ -16,16 +17,34 @@ for folder in labs/[0-9]*-*; do
   done
 done
 
+# Lab 6 shows two pictures more, which ./lab render draws.
+for picture in motion stripes; do
+  ./lab render "$picture" solutions >/dev/null
+  cp "$build/render/$picture-samples.png" "labs/6-sampler/pictures/$picture.png"
+done
+
 # One failure as a student sees it: Welford with the old mean in both factors.
 cmake --build "$build" --target self_test >/dev/null
 "$build/bin/self_test" autograder/submissions/mistakes/variance/welford_old_mean.cpp |
   awk '/✗/ { if (seen++) exit } seen && /✓/ { exit } seen' |
   sed 's|autograder/submissions/mistakes/variance/welford_old_mean.cpp *||; s| --dir$||' >"$build/failure.txt"
 
-# Between the markers <!-- output: failure --> and <!-- end --> of README.md.
-awk -v from="$build/failure.txt" '
-  /<!-- output: failure -->/ { print; print "```"; while ((getline line < from) > 0) print line; print "```"; skip = 1 }
-  /<!-- end -->/ { skip = 0 }
-  !skip { if (!/<!-- output: failure -->/) print }
-' README.md >"$build/README.new"
-cp "$build/README.new" README.md
+# between FILE NAME TEXT: writes a file's text between the markers <!-- output: NAME --> and <!-- end -->
+# of a document.
+between() {
+  awk -v marker="<!-- output: $2 -->" -v from="$3" '
+    $0 == marker { print; while ((getline line < from) > 0) print line; skip = 1 }
+    /<!-- end -->/ { skip = 0 }
+    !skip { print }
+  ' "$1" >"$build/refreshed.md"
+  cp "$build/refreshed.md" "$1"
+}
+{ echo '```'; cat "$build/failure.txt"; echo '```'; } >"$build/fenced.txt"
+between README.md failure "$build/fenced.txt"
+
+# The tables of lab 6's handout: what each next2() is worth. (Times hang on the machine: the bench's
+# page has those.)
+./lab bench sampler --tables --rounds 1 >"$build/tables.txt"
+awk -v RS= -v ORS='\n\n' '/^RMSE/ { rest = 2; $0 = $0 ":" } rest-- > 0' \
+  "$build/tables.txt" >"$build/next2.txt"
+between labs/6-sampler/README.md next2 "$build/next2.txt"

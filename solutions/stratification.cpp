@@ -228,7 +228,7 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 // place. Then any two points lie as they would with permutations of their own (in one column: as
 // two entries of a random permutation; in two columns: independently), and the variance of an
 // estimate, which is made of pairs, is the same for every integrand, for the price of one number a
-// column.
+// column. docs/multi-jittered.md has the proof.
 
 namespace {
 

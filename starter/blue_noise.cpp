@@ -1,5 +1,5 @@
-// Lab 4 · blue noise. What each function promises stands in labs/4-blue-noise/blue_noise.hpp; the
-// story is in labs/4-blue-noise/README.md. Write the tasks in any order and try them with
+// Lab 4 · blue noise. What each function promises is in labs/4-blue-noise/blue_noise.hpp; the
+// handout is labs/4-blue-noise/README.md. Write the tasks in any order and try them with
 //
 //   ./lab check blue_noise              all of it
 //   ./lab check blue_noise --only 4.1   one task
@@ -11,31 +11,31 @@
 namespace mc {
 
 double toroidal_distance_squared(Point2 /*a*/, Point2 /*b*/) {
-  throw todo("4.1");  // TODO(4.1): along each axis, the shorter way round
+  throw todo("4.1");  // TODO(4.1): along each axis, the shorter of the two ways
 }
 
 void best_candidate(std::span<double> /*x*/, std::span<double> /*y*/, double /*c*/, Rng& /*rng*/) {
-  throw todo("4.2");  // TODO(4.2): more candidates for later points; keep the loneliest
+  throw todo("4.2");  // TODO(4.2): of ceil(c i) + 1 candidates, keep the farthest one
 }
 
 PointSet poisson_disk(double /*radius*/, Rng& /*rng*/) {
-  throw todo("4.3");  // TODO(4.3): no two closer than radius, and no room for another
+  throw todo("4.3");  // TODO(4.3): no two closer than radius, nearly maximal
 }
 
 void periodogram(std::span<const double> /*x*/, std::span<const double> /*y*/, int /*kmax*/,
                  std::span<double> /*power*/) {
-  throw todo("4.4");  // TODO(4.4): the squared size of a sum of waves, over N
+  throw todo("4.4");  // TODO(4.4): the squared absolute value of a sum of waves, over N
 }
 
 std::vector<double> radial_power(std::span<const double> /*power*/, int /*kmax*/) {
-  throw todo("4.5");  // TODO(4.5): the mean over each ring of frequencies
+  throw todo("4.5");  // TODO(4.5): the mean over each ring of frequencies; NaN for ring 0
 }
 
 PointSet tile(const PointSet& /*pattern*/, int /*copies*/) {
-  throw todo("4.6");  // TODO(4.6): shrink and repeat; mind what rounding does near 1
+  throw todo("4.6");  // TODO(4.6): copies side by side; every coordinate below 1
 }
 
-// TODO(4.7): the speed task. It has no function of its own: come back to 4.2 and 4.3 when they are
-// right, and lay a grid over the square, so that only near points are looked at.
+// TODO(4.7): the speed task. It has no function of its own: when 4.2 and 4.3 are right, lay a
+// grid over the square, so that only near points are looked at.
 
 }  // namespace mc

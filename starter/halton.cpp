@@ -1,5 +1,5 @@
-// Lab 5 · Halton and quasi-Monte Carlo. What each function promises stands in
-// labs/5-halton/halton.hpp; the story is in labs/5-halton/README.md. Write the tasks in any order
+// Lab 5 · Halton and quasi-Monte Carlo. What each function promises is in
+// labs/5-halton/halton.hpp; the handout is labs/5-halton/README.md. Write the tasks in any order
 // and try them with
 //
 //   ./lab check halton              all of it
@@ -16,7 +16,7 @@ double radical_inverse(unsigned /*base*/, std::uint64_t /*index*/) {
 }
 
 void radical_inverses(unsigned /*base*/, std::uint64_t /*first*/, std::span<double> /*column*/) {
-  throw todo("5.2");  // TODO(5.2): many in a row; a loop over 5.1 is right, how fast can you be?
+  throw todo("5.2");  // TODO(5.2): consecutive indices; a loop over 5.1 is right, but slow
 }
 
 std::vector<unsigned> primes(std::size_t /*count*/) {
@@ -24,36 +24,36 @@ std::vector<unsigned> primes(std::size_t /*count*/) {
 }
 
 void halton(PointSet& /*points*/, std::uint64_t /*first*/) {
-  throw todo("5.3");  // TODO(5.3): one prime an axis
+  throw todo("5.3");  // TODO(5.3): a radical inverse in one prime for each axis
 }
 
 void hammersley(PointSet& /*points*/) {
-  throw todo("5.4");  // TODO(5.4): i/N, then the primes from 2
+  throw todo("5.4");  // TODO(5.4): i/N, then radical inverses in 2, 3, 5, …
 }
 
 void sobol(unsigned /*dimension*/, std::uint64_t /*first*/, std::span<double> /*column*/) {
-  throw todo("5.5");  // TODO(5.5): direction numbers, and the bits of the index that choose them
+  throw todo("5.5");  // TODO(5.5): the XOR of the direction numbers of the index's bits
 }
 
 double star_discrepancy(std::span<const double> /*x*/) {
-  throw todo("5.6");  // TODO(5.6): sort; which intervals can be the worst?
+  throw todo("5.6");  // TODO(5.6): sort; the worst interval ends at a point: open or closed
 }
 
 double star_discrepancy(std::span<const double> /*x*/, std::span<const double> /*y*/) {
-  throw todo("5.6");  // TODO(5.6): which corners can be the worst? Open boxes, and closed ones
+  throw todo("5.6");  // TODO(5.6): boxes that end at points or at 1: open and closed
 }
 
 void random_shift(PointSet& /*points*/, Rng& /*rng*/) {
-  throw todo("5.7");  // TODO(5.7): one random number an axis; wrap around
+  throw todo("5.7");  // TODO(5.7): one random number for each axis; wrap around at 1
 }
 
 void owen_scramble(std::span<double> /*column*/, std::uint64_t /*seed*/) {
-  throw todo("5.8");  // TODO(5.8): flip each bit by a hash of the seed and the bits before it
+  throw todo("5.8");  // TODO(5.8): flip each bit by a hash of seed and bits before it
 }
 
 void radical_inverses_scrambled(unsigned /*base*/, std::uint64_t /*first*/,
                                 std::span<double> /*column*/, std::uint64_t /*seed*/) {
-  throw todo("5.9");  // TODO(5.9): a random permutation of the digits for each position
+  throw todo("5.9");  // TODO(5.9): a random permutation of the digits at each position
 }
 
 }  // namespace mc

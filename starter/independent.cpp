@@ -1,6 +1,6 @@
-// Lab 2 · independent sampling. What each function promises stands in
-// labs/2-independent/independent.hpp; the story is in labs/2-independent/README.md. Lab 1's
-// functions (your own) are there to be used. Write the tasks in any order and try them with
+// Lab 2 · independent sampling. labs/2-independent/independent.hpp says what each function
+// promises, and labs/2-independent/README.md is the handout. Use your own functions of lab 1. Write
+// the tasks in any order and try them with
 //
 //   ./lab check independent              all of it
 //   ./lab check independent --only 2.1   one task
@@ -28,7 +28,7 @@ double sample_power(double /*u*/, double /*a*/) {
 }
 
 double pdf_exponential(double /*x*/, double /*rate*/) {
-  throw todo("2.3");  // TODO(2.3): the derivative of P, and 0 where nothing is
+  throw todo("2.3");  // TODO(2.3): the derivative of P, and 0 outside the support
 }
 
 double pdf_power(double /*x*/, double /*a*/) {
@@ -41,20 +41,19 @@ Estimate estimate_importance(const Integrand& /*g*/, const Density& /*p*/, std::
 }
 
 Interval confidence_interval(const Estimate& /*estimate*/, double /*level*/) {
-  throw todo("2.5");  // TODO(2.5): half of what the interval leaves out lies on either side
+  throw todo("2.5");  // TODO(2.5): the value, and z standard errors to either side
 }
 
 std::uint64_t samples_for(const Estimate& /*pilot*/, double /*target_error*/) {
-  throw todo("2.6");  // TODO(2.6): half the error costs four times the samples
+  throw todo("2.6");  // TODO(2.6): n (standard error / target)^2, rounded up
 }
 
 Estimate irradiance_area(const RectLight& /*light*/, std::uint64_t /*n*/, Rng& /*rng*/) {
-  throw todo(
-      "2.7");  // TODO(2.7): a point on the light, two cosines, the distance squared, the area
+  throw todo("2.7");  // TODO(2.7): area * radiance * cos * cos / distance^2 at a point of the light
 }
 
 Estimate irradiance_hemisphere(const RectLight& /*light*/, std::uint64_t /*n*/, Rng& /*rng*/) {
-  throw todo("2.7");  // TODO(2.7): a direction, and whether it meets the light
+  throw todo("2.7");  // TODO(2.7): pi * radiance where a direction meets the light
 }
 
 void uniforms(Rng& /*rng*/, std::span<double> /*out*/) {

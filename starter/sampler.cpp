@@ -1,5 +1,5 @@
-// Lab 6 · the sampler. What each function promises stands in labs/6-sampler/sampler.hpp; the story
-// is in labs/6-sampler/README.md. Write the tasks in any order and try them with
+// Lab 6 · the sampler. What each function promises is in labs/6-sampler/sampler.hpp; the handout
+// is labs/6-sampler/README.md. Write the tasks in any order and try them with
 //
 //   ./lab check sampler              all of it
 //   ./lab check sampler --only 6.2   one task
@@ -12,14 +12,14 @@ namespace mc {
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   if (kind == "independent") throw todo("6.1");  // TODO(6.1): a class that derives from Sampler
-  if (kind == "stratified") throw todo("6.2");   // TODO(6.2): what are its columns filled with?
-  if (kind == "halton") throw todo("6.3");       // TODO(6.3): what, where no dimensions are left?
+  if (kind == "stratified") throw todo("6.2");   // TODO(6.2): how are its columns filled?
+  if (kind == "halton") throw todo("6.3");       // TODO(6.3): dimensions in blocks of eight
   if (kind == "sobol") throw todo("6.3");
   if (kind == "blue_noise") throw todo("6.7");  // TODO(6.7): its first next2() is special
-  throw todo("6.1");                            // a kind that there is not
+  throw todo("6.1");                            // any other kind is refused
 }
 
-// TODO(6.4): the contract has no function of its own: it holds for each of these kinds.
+// TODO(6.4): the contract has no function of its own: it holds for every kind.
 
 double integrate(const Scene& /*scene*/, Sampler& /*sampler*/, std::size_t /*samples*/,
                  std::uint64_t /*seed*/) {
@@ -28,10 +28,10 @@ double integrate(const Scene& /*scene*/, Sampler& /*sampler*/, std::size_t /*sam
 
 Image render(const PixelScene& /*scene*/, Sampler& /*sampler*/, std::size_t /*spp*/,
              std::uint64_t /*seed*/) {
-  throw todo("6.6");  // TODO(6.6): each pixel an integration, with a seed of its own
+  throw todo("6.6");  // TODO(6.6): one integration for each pixel, with a seed of its own
 }
 
-// TODO(6.8): the speed task has no function of its own either: where does the time go when a sample
-// asks for few coordinates, and where when it asks for many?
+// TODO(6.8): the speed task has no function of its own either. Measure where the time goes when a
+// picture has few samples per pixel, and when it has many.
 
 }  // namespace mc

@@ -1,6 +1,6 @@
-// Lab 3 · stratification. What each function promises stands in
-// labs/3-stratification/stratification.hpp; the story is in labs/3-stratification/README.md. Write
-// the tasks in any order and try them with
+// Lab 3 · stratification. labs/3-stratification/stratification.hpp says what each function
+// promises, and labs/3-stratification/README.md is the handout. Write the tasks in any order and
+// try them with
 //
 //   ./lab check stratification              all of it
 //   ./lab check stratification --only 3.1   one task
@@ -12,7 +12,7 @@
 namespace mc {
 
 void stratified_1d(std::span<double> /*x*/, Rng& /*rng*/) {
-  throw todo("3.1");  // TODO(3.1): one point in each stratum, in order; mind the upper edge
+  throw todo("3.1");  // TODO(3.1): (i + u) / N, in order; rounding must not reach the upper edge
 }
 
 Grid strata(std::size_t /*n*/) {
@@ -28,24 +28,24 @@ void shuffle(std::span<double> /*x*/, Rng& /*rng*/) {
 }
 
 void stratified(PointSet& /*points*/, Rng& /*rng*/) {
-  throw todo("3.4");  // TODO(3.4): a 2D pattern for each pair of dimensions, in an order of its own
+  throw todo("3.4");  // TODO(3.4): a jittered grid for each two dimensions, shuffled by itself
 }
 
 void stratified_nd(PointSet& /*points*/, std::size_t /*per_axis*/, Rng& /*rng*/) {
-  throw todo("3.5");  // TODO(3.5): point k in cell k, whose number is d digits in base per_axis
+  throw todo("3.5");  // TODO(3.5): the strata of cell k are the digits of k in base per_axis
 }
 
 void latin_hypercube(PointSet& /*points*/, Rng& /*rng*/) {
-  throw todo("3.6");  // TODO(3.6): every axis stratified, in an order of its own
+  throw todo("3.6");  // TODO(3.6): every axis stratified, and shuffled by itself
 }
 
 void multi_jittered(std::span<double> /*x*/, std::span<double> /*y*/, Grid /*grid*/, Rng& /*rng*/) {
-  throw todo("3.7");  // TODO(3.7): which of the ny strata within its cell's column does x take?
+  throw todo("3.7");  // TODO(3.7): one point in each cell, in each stratum of x and of y
 }
 
 Estimate estimate_replicated(const Integrand& /*g*/, const Generator& /*generator*/,
                              std::uint64_t /*n*/, std::uint64_t /*replicates*/, Rng& /*rng*/) {
-  throw todo("3.8");  // TODO(3.8): a mean of means, and the standard error of those
+  throw todo("3.8");  // TODO(3.8): the mean of the replicates' means, and its standard error
 }
 
 // TODO(3.9): the speed task. It has no function of its own: come back to 3.1 and 3.3 when they are

@@ -1,5 +1,5 @@
-// Lab 1 · variance. What each function promises stands in labs/1-variance/variance.hpp; the story
-// is in labs/1-variance/README.md. Write the tasks in any order and try them with
+// Lab 1 · variance. labs/1-variance/variance.hpp says what each function promises, and
+// labs/1-variance/README.md is the handout. Write the tasks in any order and try them with
 //
 //   ./lab check variance              all of it
 //   ./lab check variance --only 1.1   one task
@@ -15,11 +15,11 @@ double mean(std::span<const double> /*x*/) {
 }
 
 double variance_textbook(std::span<const double> /*x*/) {
-  throw todo("1.2");  // TODO(1.2): E{X^2} - E{X}^2, as the textbook has it
+  throw todo("1.2");  // TODO(1.2): E{X^2} - E{X}^2, times n / (n - 1)
 }
 
 double variance_two_pass(std::span<const double> /*x*/) {
-  throw todo("1.3");  // TODO(1.3): the mean first, then the deviations, then the correction
+  throw todo("1.3");  // TODO(1.3): the mean, then the squared deviations, then the correction
 }
 
 void add(Moments& /*moments*/, double /*x*/) {
@@ -31,15 +31,15 @@ double variance(const Moments& /*moments*/) {
 }
 
 Moments merge(const Moments& /*a*/, const Moments& /*b*/) {
-  throw todo("1.5");  // TODO(1.5): Chan's update: what do the two means add to m2?
+  throw todo("1.5");  // TODO(1.5): what does the distance of the two means add to m2?
 }
 
 double covariance(std::span<const double> /*x*/, std::span<const double> /*y*/) {
-  throw todo("1.6");  // TODO(1.6): the covariance of pairs
+  throw todo("1.6");  // TODO(1.6): the mean product of the deviations, over n - 1
 }
 
 double dependence(std::span<const double> /*joint*/, std::size_t /*columns*/) {
-  throw todo("1.7");  // TODO(1.7): normalise, take both marginals, compare p(x,y) with p(x) p(y)
+  throw todo("1.7");  // TODO(1.7): normalise, sum rows and columns, compare p(x,y) with p(x) p(y)
 }
 
 Moments moments(std::span<const double> /*x*/) {

@@ -106,7 +106,9 @@ std::string bench_json(const Bench& bench);
 /// The page: `outline` (autograder/bench/page.md) with its tables, its pictures in `pictures` (a
 /// path as it stands in the page).
 std::string bench_page(const Bench& bench, const std::string& outline, const std::string& pictures);
-/// The tables of the page's beginning, for a terminal.
+/// The tables that labs' cases have filled (rows of a kind "table TITLE"), each below its title.
+std::string bench_tables(const Bench& bench);
+/// The tables of the page's beginning, and those, for a terminal.
 std::string bench_summary(const Bench& bench);
 
 }  // namespace mc::grader

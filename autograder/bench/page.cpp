@@ -255,6 +255,7 @@ std::string bench_summary(const Bench& bench) {
   if (!lines_of(curves_of(bench)).empty()) all += one_minute(bench);
   if (!bench.of("digits").empty()) all += (all.empty() ? "" : "\n") + variances(bench);
   if (!bench.ratios.empty()) all += "\n" + ratios(bench);
+  if (const std::string tables = bench_tables(bench); !tables.empty()) all += "\n" + tables;
   return all;
 }
 
@@ -268,6 +269,7 @@ std::string bench_page(const Bench& bench, const std::string& outline,
                    bench.whole ? "" : " It was cut short: what is missing was not measured.")},
       {"one minute", one_minute(bench)},
       {"ratios", ratios(bench)},
+      {"tables", bench_tables(bench)},
       {"times", tables_of_times(bench)},
       {"variance", variances(bench)},
       {"libraries", libraries(bench)},

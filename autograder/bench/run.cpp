@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "bench/bench.hpp"
+#include "bench/calibrate.hpp"
 #include "bench/plots.hpp"
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
@@ -59,7 +60,7 @@ struct Entrant {
 /// One run of a lab's bench cases on an entrant's program.
 struct Job {
   const Entrant* entrant;
-  std::string kind;  ///< "error", "time", "growth"
+  std::string kind;  ///< "error", "time", "growth", "table", "table-time"
   fs::path rows;     ///< where they are written
 };
 
@@ -135,15 +136,21 @@ class BenchRun {
 
   /// Errors side by side; times one at a time, each round with all of them in turn; growth last, so
   /// that an early end leaves the tables whole.
-  void measure(unsigned rounds) {
+  void measure(unsigned rounds, bool tables_only) {
     std::vector<Job> errors, times, growth;
-    for (const Entrant& entrant : entrants_) errors.push_back(job(entrant, "error", 0));
+    const auto add = [&](std::vector<Job>& jobs, const char* kind, unsigned round) {
+      for (const Entrant& entrant : entrants_) {
+        if (kind == std::string("growth") && entrant.label != "solutions") continue;
+        if (has_cases(entrant.lab, kind)) jobs.push_back(job(entrant, kind, round));
+      }
+    };
+    if (!tables_only) add(errors, "error", 0);
+    add(errors, "table", 0);
     for (unsigned round = 0; round < rounds; ++round) {
-      for (const Entrant& entrant : entrants_) times.push_back(job(entrant, "time", round));
+      if (!tables_only) add(times, "time", round);
+      add(times, "table-time", round);
     }
-    for (const Entrant& entrant : entrants_) {
-      if (entrant.label == "solutions") growth.push_back(job(entrant, "growth", 0));
-    }
+    if (!tables_only) add(growth, "growth", 0);
     if (entrants_.empty()) return;
     constexpr double workers = 2;
     for (const Job& one : errors) progress_.expect(name_of(one), workers);
@@ -171,12 +178,15 @@ class BenchRun {
   }
 
   std::vector<BenchRow> rows() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(place_ / "rows")) files.push_back(entry);
+    std::sort(files.begin(), files.end());
     std::vector<BenchRow> all;
     for (const Entrant& entrant : entrants_) {
       std::vector<BenchRow> mine;
-      for (const auto& entry : fs::directory_iterator(place_ / "rows")) {
-        if (!entry.path().filename().string().starts_with(stem(entrant) + ".")) continue;
-        const auto some = read_bench_rows(entry.path(), entrant.lab.name, entrant.label);
+      for (const fs::path& file : files) {
+        if (!file.filename().string().starts_with(stem(entrant) + ".")) continue;
+        const auto some = read_bench_rows(file, entrant.lab.name, entrant.label);
         mine.insert(mine.end(), some.begin(), some.end());
       }
       std::stable_sort(mine.begin(), mine.end(),
@@ -197,12 +207,21 @@ class BenchRun {
             place_ / "rows" / fmt::format("{}.{}-{}.tsv", stem(entrant), kind, round)};
   }
 
+  bool has_cases(const Lab& lab, const std::string& kind) {
+    const auto [found, is_new] = has_cases_.try_emplace({lab.name, kind}, false);
+    if (is_new) {
+      found->second = !hidden_cases(context_.layout, lab, CaseKind::figures, tag_of(kind)).empty();
+    }
+    return found->second;
+  }
+  static std::string tag_of(const std::string& kind) { return fmt::format("[.bench-{}]", kind); }
+
   void run(const Job& one, double workers = 1) {
     if (stop) return;
     progress_.begin(name_of(one));
     const auto start = Clock::now();
     run_hidden_cases(context_.layout, one.entrant->lab, CaseKind::figures, one.entrant->program,
-                     fmt::format("[.bench-{}]", one.kind),
+                     tag_of(one.kind),
                      {.environment = {{protocol::rows_variable, one.rows.string()}},
                       .wall_seconds = 300,
                       .stop = &stop});
@@ -218,6 +237,7 @@ class BenchRun {
   const Context& context_;
   fs::path place_;
   std::vector<Entrant> entrants_;
+  std::map<std::pair<std::string, std::string>, bool> has_cases_;  // of a lab, of a kind
   Progress progress_;
 };
 
@@ -269,9 +289,14 @@ int run_bench(const Context& context, const Arguments& arguments) {
   bench.rounds = static_cast<unsigned>(
       std::clamp<std::uint64_t>(arguments.number("rounds").value_or(5), 1, 99));
   if (labs.empty()) labs = context.labs;
+  if (arguments.has("calibrate")) {
+    calibrate(context, labs, bench.rounds);
+    return 0;
+  }
 
   const auto start = Clock::now();
-  const fs::path place = context.layout.build / "bench";
+  const bool tables_only = arguments.has("tables");
+  const fs::path place = context.layout.build / (tables_only ? "bench-tables" : "bench");
   {
     const StopOnInterrupt interrupts;
     BenchRun run(context, place);
@@ -289,10 +314,16 @@ int run_bench(const Context& context, const Arguments& arguments) {
       }
     }
     describe_machine(context.layout, bench);
-    bench.ratios = run.ratios("bench_ratios");
-    bench.baseline = run.ratios("bench_ratios_baseline");
-    run.measure(bench.rounds);
+    if (!tables_only) {
+      bench.ratios = run.ratios("bench_ratios");
+      bench.baseline = run.ratios("bench_ratios_baseline");
+    }
+    run.measure(bench.rounds, tables_only);
     bench.rows = run.rows();
+  }
+  if (tables_only) {
+    fmt::print("\n{}", bench_tables(bench));
+    return 0;
   }
   bench.whole = bench.whole && !stop;
   bench.peers = peers_of(context.layout, context.labs);
@@ -323,15 +354,20 @@ int run_bench(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb bench_verb{
     {"bench",
-     "bench [LAB...] [DIR...] [--rounds N] [--page FILE]",
-     {"rounds=", "page="},
+     "bench [LAB...] [DIR...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
+     {"tables", "rounds=", "page=", "calibrate"},
      "Every lab, unless some are named; the solutions and the libraries that are installed, and "
      "each\n"
      "DIR. Minutes, on an idle machine; what it has is kept if it is interrupted. Numbers and "
      "pictures\n"
      "go to build/bench/.\n"
+     "  --tables      only the small tables, in a minute: what each next2() of a sampler is "
+     "worth,\n"
+     "                what a number costs where samples are few, the tails of scrambling\n"
      "  --rounds N    time everything so often, in turn (5)\n"
-     "  --page FILE   write the page as well: docs/speed-against-error.md\n",
+     "  --page FILE   write the page as well: docs/speed-against-error.md\n"
+     "  --calibrate   nothing but labs/*/speed.tsv: what the solutions take, by which a handout\n"
+     "                says how fast the reference is\n",
      run_bench}};
 
 }  // namespace

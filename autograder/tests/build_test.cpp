@@ -41,7 +41,7 @@ TEST_CASE("a byte order mark, carriage returns, blanks and umlauts are no mistak
   std::string text = "\xef\xbb\xbf";
   for (const char c : text_of(labs.layout.starter()))
     text += c == '\n' ? "\r\n" : std::string(1, c);
-  CHECK(labs.failure(text, "übung eins (Müller)") == "");
+  CHECK(labs.failure(text, "übung eins (Müller)").empty());
 }
 
 TEST_CASE("a file that does not compile is told where, under its own name") {

@@ -49,7 +49,7 @@ std::size_t count(const LabVerdict& verdict, Status status) {
 
 }  // namespace
 
-TEST_CASE("300 submissions under 64 descriptors") {
+TEST_CASE("300 submissions under 64 descriptors", "[.descriptors]") {
   const Labs labs;
   const Scratch place;
   JudgeOptions options;

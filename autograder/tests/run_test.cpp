@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
+#include "grader/context/labs.hpp"
 #include "grader/context/layout.hpp"
+#include "grader/context/text_file.hpp"
+#include "runner/text.hpp"
 #include "sandbox/process.hpp"
 #include "tests/door.hpp"
 #include "tests/submissions.hpp"
@@ -19,13 +22,98 @@ TEST_CASE("an experiment by hand") {
   const std::string solutions = read_layout().solutions().string();
   CHECK(lab({"run", "--dir", solutions, "variance", "mean", "1,2,6"}).output == "3\n");
   CHECK(lab({"run", "--dir", solutions, "variance", "mean", "-1,-2,-6"}).output == "-3\n");
-  CHECK(contains(lab({"run", "--dir", solutions, "variance"}).output, "welford x"));
+  CHECK(contains(lab({"run", "--dir", solutions, "variance"}).output,
+                 "welford                --x LIST\n"));
   CHECK(lab({"run", "--dir", solutions, "variance", "nothing"}).exit_code == 2);
   // As its help writes it, options behind the lab; behind the experiment, all is its own.
   CHECK(lab({"run", "variance", "--dir", solutions, "mean", "1,2,6"}).output == "3\n");
   CHECK(lab({"run", "variance", "--dir", solutions, "mean", "-1,-2,-6"}).output == "-3\n");
   CHECK(lab({"run", "variance", "mean", "--dir", solutions}).exit_code == 1);
   CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
+}
+
+TEST_CASE("a result by hand says which number is what") {
+  const std::string solutions = read_layout().solutions().string();
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"run", "--dir", solutions});
+    return lab(words).output;
+  };
+  CHECK(run({"variance", "merge", "--a", "1:1:0", "--b", "1:3:0"}) ==
+        "# count  mean  m2\n"
+        "2        2     2\n");
+  CHECK(run({"halton", "radical_inverse", "2", "1,2,9"}) ==
+        "# index  x\n"
+        "1        0.5\n"
+        "2        0.25\n"
+        "9        0.5625\n");
+  CHECK(run({"halton", "halton", "--n", "2", "--dims", "2", "--first", "0"}) ==
+        "# index  x    y\n"
+        "0        0    0\n"
+        "1        0.5  0.3333333333333333\n");
+  CHECK(run({"halton", "sobol", "0", "2", "2"}) ==
+        "# index  x\n"
+        "2        0.25\n"
+        "3        0.75\n");
+  CHECK(run({"blue_noise", "periodogram", "0", "0", "1", "1"})
+            .starts_with("# kx  ky  power\n"
+                         "-1    -1  1\n"
+                         "0     -1  1\n"));
+  CHECK(run({"stratification", "shuffle", "7", "2", "1"}) ==
+        "# set  x\n"
+        "0      7\n"
+        "1      7\n");
+  CHECK(run({"sampler", "integrate_recorded", "1,3", "2", "7"}) ==
+        "# values  samples  seeds\n"
+        "2         2        7\n"
+        "# positions\n"
+        "0\n"
+        "1\n"
+        "# generates  evaluations  advances\n"
+        "1            2            2\n");
+  // A dash is typed for an underscore; a name that is wrong is told with the right ones.
+  const auto named = [&](const std::string& last) {
+    return run({"stratification", "stratified_nd", "--n", "1", "--dims", "1", last, "1", "--sets",
+                "1", "--seed", "1"});
+  };
+  CHECK(named("--per-axis").starts_with("# x\n0."));
+  CHECK(named("--per_axis").starts_with("# x\n0."));
+  CHECK(contains(named("--peraxis"), "--per_axis is missing"));
+  CHECK(contains(named("--peraxis"), "stratified_nd --n N --dims N --per_axis N"));
+}
+
+TEST_CASE("the list of experiments has the names of the declarations") {
+  const Layout layout = read_layout();
+  for (const Lab& one : find_labs(layout)) {
+    const std::string list = lab({"run", one.name, "--dir", layout.solutions().string()}).output;
+    const std::string header = read_text(layout.labs() / one.folder / "experiments.hpp");
+    std::size_t found = 0;
+    for (const std::string_view line : mc::text::split(list, '\n')) {
+      const auto words = mc::text::split(line, ' ');
+      const std::string name(words[0]);
+      auto at = header.find(' ' + name + '(');
+      while (at != std::string::npos && header[at + name.size() + 2] == ')') {  // of a comment
+        at = header.find(' ' + name + '(', at + 1);
+      }
+      if (name.empty() || line.find("  --") == std::string_view::npos || at == std::string::npos)
+        continue;
+      ++found;
+      const std::string declared = header.substr(at, header.find(')', at) - at + 1);
+      for (const std::string_view word : words) {
+        if (!word.starts_with("--")) continue;
+        CAPTURE(one.name, name, word);
+        const std::string parameter(word.substr(2));
+        CHECK((contains(declared, ' ' + parameter + ',') ||
+               contains(declared, ' ' + parameter + ')')));
+      }
+    }
+    CHECK(found > 8);
+  }
+  const std::string sampler = lab({"run", "sampler", "--dir", layout.solutions().string()}).output;
+  for (const char* words :
+       {"--kind is one of\n    independent stratified blue_noise halton sobol\n",
+        "\n    rect_light: x0 x1 y0 y1 height radiance\n"}) {
+    CHECK(contains(sampler, words));
+  }
 }
 
 TEST_CASE("an experiment under the sanitizers") {

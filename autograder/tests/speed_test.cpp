@@ -1,10 +1,19 @@
 // Speed in a report: told, never graded.
 
+#include <set>
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
 #include "checks/support/speed_data.hpp"
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/judging/judge.hpp"
+#include "grader/judging/speed.hpp"
 #include "grader/reports/report.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/submission/submission.hpp"
 
 namespace mc::grader {
 namespace {
@@ -47,6 +56,41 @@ TEST_CASE("without a reference nothing is compared") {
   CHECK_FALSE(lab.times_the_reference());
   CHECK_FALSE(results_of(lab).contains("leaderboard"));
   CHECK(report_speed(lab).find("1 ns") != std::string::npos);
+}
+
+TEST_CASE("what the reference takes where it is not at hand is told as an estimate") {
+  LabVerdict lab = passed_lab();
+  lab.speed = {task(1, 4.0)};
+  lab.speed[0].is_estimate = true;
+  lab.speed[0].addition = 0.5;
+  const std::string told = report_speed(lab);
+  CHECK(told.find("1 ns   (the reference: about 4 ns)") != std::string::npos);
+  CHECK(told.find("a running sum, to compare") != std::string::npos);
+  CHECK(told.find("0.5 ns\n") != std::string::npos);
+  CHECK(told.find("about 4.0 times as fast as the reference") != std::string::npos);
+}
+
+TEST_CASE("each speed task has a ratio, kept with its lab") {
+  const Layout layout = read_layout();
+  const auto labs = find_labs(layout);
+  const Submission solutions = open_submission(labs, layout.solutions());
+  for (const Lab& lab : labs) {
+    CAPTURE(lab.name);
+    const Built built = build_program(layout, lab, solutions);
+    REQUIRE(built.program);
+    std::set<std::string> tasks, measured;
+    for (const Check& check : expected_checks(layout, lab)) tasks.insert(check.task);
+    for (const protocol::Row& row : speed_rows(layout, lab, *built.program, tasks)) {
+      if (row.kind == "speed") measured.insert(row.what);
+    }
+    std::set<std::string> kept;
+    for (const auto& [name, ratio] : kept_ratios(ratios_file(layout, lab))) {
+      kept.insert(name);
+      CHECK(ratio > 0);
+    }
+    CHECK(kept == measured);
+    CHECK_FALSE(kept.empty());
+  }
 }
 
 TEST_CASE("speed is in the results and not in the score") {

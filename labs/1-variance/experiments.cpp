@@ -149,12 +149,12 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(variance_textbook, "x", "1.2  variance of x by E{X^2} - E{X}^2"),
       MC_EXPERIMENT(variance_two_pass, "x", "1.3  variance of x in two passes"),
       MC_EXPERIMENT(two_pass_of_constants, "constants n",
-                    "1.3  variance of n equal values, for each constant"),
+                    "1.3  variance of n equal values, for each constant", {.beside = "constants"}),
       MC_EXPERIMENT(welford, "x", "1.4  moments after add() of each value of x"),
-      MC_EXPERIMENT(variance_of, "moments", "1.4  variance() of moments, given as count:mean:m2"),
+      MC_EXPERIMENT(variance_of, "moments", "1.4  variance() of given moments"),
       MC_EXPERIMENT(stream, "moments x count",
-                    "1.4  add() of count values (x over and over) to moments count:mean:m2"),
-      MC_EXPERIMENT(merge, "a b", "1.5  merge() of moments, each given as count:mean:m2"),
+                    "1.4  add() of count values (x over and over) to moments"),
+      MC_EXPERIMENT(merge, "a b", "1.5  merge() of two moments"),
       MC_EXPERIMENT(merge_parts, "x sizes",
                     "1.5  add() of x in parts of these sizes, each merged into the whole"),
       MC_EXPERIMENT(covariance, "x y", "1.6  covariance of the pairs (x[i], y[i])"),
@@ -162,11 +162,16 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "1.7  dependence of a joint table of weights, row by row"),
       MC_EXPERIMENT(moments, "x", "1.8  moments of x, all at once"),
       MC_EXPERIMENT(variances, "task x size",
-                    "variance by task 1.task of each part of x, size values long (plots)"),
+                    "variance by task 1.task of each part of x, size values long (plots)",
+                    {.columns = "variance", .index = "part"}),
       MC_EXPERIMENT(repeat, "task x rounds seed",
                     "mean of rounds variances by task 1.task, x changing (timing)"),
       MC_EXPERIMENT(repeat_made, "task n rounds seed",
                     "the same over n values near 1e9 that are made here (timing)"),
   };
   return all;
+}
+
+std::vector<mc::runner::Choice> mc::runner::choices() {
+  return {};
 }

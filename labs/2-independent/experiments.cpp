@@ -1,7 +1,5 @@
 #include "experiments.hpp"
 
-#include <array>
-#include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -15,68 +13,6 @@ namespace {
 
 /// What stands in a span that is to be filled.
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
-
-constexpr std::array<std::size_t, 9> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5};
-
-double value_of(const Function& function, std::span<const double> x) {
-  switch (function.g) {
-    case 0:
-      return 1;
-    case 1:
-      return std::exp(x[0]);
-    case 2:
-      return x[0] * x[1];
-    case 3:
-      return x[0] < function.parameter ? 1 : 0;
-    case 4:
-      return std::pow(x[0], function.parameter);
-    case 5: {
-      const double dx = x[0] - 0.3, dy = x[1] - 0.7;
-      return std::exp(-(dx * dx + dy * dy) / (2 * function.parameter * function.parameter));
-    }
-    case 6:
-      return normal_quantile(x[0]);
-    case 7:
-      return x[0] * std::exp(-x[0]);
-    default:
-      return x[0] * x[1] * x[2] * x[3] * x[4];
-  }
-}
-
-Integrand integrand(const Function& function) {
-  if (function.g >= dimensions.size()) throw std::out_of_range("g: 0 to 8");
-  const std::size_t dims = dimensions[function.g];
-  return {dims, [=](std::span<const double> x) {
-            if (x.size() != dims) {
-              throw std::logic_error("the integrand of " + std::to_string(dims) +
-                                     " dimensions was given a point of " +
-                                     std::to_string(x.size()));
-            }
-            return function.scale * value_of(function, x) + function.offset;
-          }};
-}
-
-Density density(const Sampling& sampling) {
-  const double parameter = sampling.parameter;
-  switch (sampling.p) {
-    case 0:
-      return {[](double u) { return u; }, [](double x) { return x >= 0 && x <= 1 ? 1.0 : 0.0; }};
-    case 1:
-      return {[=](double u) { return std::pow(u, 1 / (parameter + 1)); },
-              [=](double x) { return (parameter + 1) * std::pow(x, parameter); }};
-    case 2:
-      return {[=](double u) { return -std::log1p(-u) / parameter; },
-              [=](double x) { return parameter * std::exp(-parameter * x); }};
-    case 3:
-      return {[](double u) { return u; },
-              [=](double x) {
-                if (x < parameter / 2) return 0.0;
-                return x < parameter ? std::numeric_limits<double>::infinity() : 1.0;
-              }};
-    default:
-      throw std::out_of_range("p: 0 to 3");
-  }
-}
 
 template <class Make>
 auto replicate(std::uint64_t seed, std::uint64_t replicates, Make make) {
@@ -351,45 +287,62 @@ double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds) {
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
-      MC_EXPERIMENT(to_unit, "words", "2.1  a number in [0, 1) from each word"),
-      MC_EXPERIMENT(estimates, "g:parameter:scale:offset n seed replicates",
-                    "2.2  estimates from n samples each (g 1:0:1:0 is exp)"),
-      MC_EXPERIMENT(traces, "g:parameter:scale:offset n seed replicates",
+      MC_EXPERIMENT(to_unit, "words", "2.1  a number in [0, 1) from each word",
+                    {.beside = "words"}),
+      MC_EXPERIMENT(estimates, "g n seed replicates", "2.2  estimates from n samples each"),
+      MC_EXPERIMENT(traces, "g n seed replicates",
                     "2.2  the same, with the points and values that g saw"),
-      MC_EXPERIMENT(estimates_in_turn, "g:parameter:scale:offset n seeds",
-                    "2.2  an estimate of each g, each from a generator of its own"),
+      MC_EXPERIMENT(estimates_in_turn, "g n seeds",
+                    "2.2  an estimate of each g, each from a generator of its own",
+                    {.index = "seed", .beside = "seeds"}),
       MC_EXPERIMENT(by_lab_1, "values", "2.2  what lab 1's functions make of the values"),
-      MC_EXPERIMENT(sample_exponential, "u rate", "2.3  the x of each u"),
-      MC_EXPERIMENT(sample_power, "u a", "2.3  the x of each u"),
-      MC_EXPERIMENT(pdf_exponential, "x rate", "2.3  the density at each x"),
-      MC_EXPERIMENT(pdf_power, "x a", "2.3  the density at each x"),
-      MC_EXPERIMENT(importance_estimates, "g:parameter:scale:offset p:parameter n seed replicates",
+      MC_EXPERIMENT(sample_exponential, "u rate", "2.3  the x of each u", {.beside = "u"}),
+      MC_EXPERIMENT(sample_power, "u a", "2.3  the x of each u", {.beside = "u"}),
+      MC_EXPERIMENT(pdf_exponential, "x rate", "2.3  the density at each x", {.beside = "x"}),
+      MC_EXPERIMENT(pdf_power, "x a", "2.3  the density at each x", {.beside = "x"}),
+      MC_EXPERIMENT(importance_estimates, "g p n seed replicates",
                     "2.4  estimates from n samples of a density each"),
-      MC_EXPERIMENT(importance_traces, "g:parameter:scale:offset p:parameter n seed replicates",
+      MC_EXPERIMENT(importance_traces, "g p n seed replicates",
                     "2.4  the same, with each u and what g and the density are at its x"),
-      MC_EXPERIMENT(confidence_interval, "value:standard_error:n level",
-                    "2.5  the interval around one estimate"),
-      MC_EXPERIMENT(confidence_intervals, "g:parameter:scale:offset n level seed replicates",
+      MC_EXPERIMENT(confidence_interval, "estimate level", "2.5  the interval around one estimate"),
+      MC_EXPERIMENT(confidence_intervals, "g n level seed replicates",
                     "2.5  the intervals around estimates from n samples each"),
-      MC_EXPERIMENT(interval_traces, "g:parameter:scale:offset n level seed replicates",
+      MC_EXPERIMENT(interval_traces, "g n level seed replicates",
                     "2.5  the same, with the values that g gave"),
-      MC_EXPERIMENT(samples_for, "value:standard_error:n target_error",
+      MC_EXPERIMENT(samples_for, "pilot target_error",
                     "2.6  how many samples reach the target error"),
-      MC_EXPERIMENT(irradiance_area, "x0:x1:y0:y1:height:radiance n seed replicates",
+      MC_EXPERIMENT(irradiance_area, "light n seed replicates",
                     "2.7  estimates from n points on the light each"),
-      MC_EXPERIMENT(irradiance_hemisphere, "x0:x1:y0:y1:height:radiance n seed replicates",
+      MC_EXPERIMENT(irradiance_hemisphere, "light n seed replicates",
                     "2.7  estimates from n directions each"),
       MC_EXPERIMENT(uniforms, "seed sizes before",
-                    "2.8  calls for so many numbers, in a span that held `before`"),
+                    "2.8  calls for so many numbers, in a span that held `before`",
+                    {.columns = "u", .index = "i"}),
       MC_EXPERIMENT(uniforms_in_turn, "seeds size",
-                    "2.8  a call for so many numbers from the generator of each seed"),
-      MC_EXPERIMENT(uniforms_constant, "word size", "2.8  from a generator of one word"),
+                    "2.8  a call for so many numbers from the generator of each seed",
+                    {.columns = "u", .sets = "seeds"}),
+      MC_EXPERIMENT(uniforms_constant, "word size", "2.8  from a generator of one word",
+                    {.columns = "u"}),
       MC_EXPERIMENT(means_of, "source size seed replicates",
-                    "2.8  means of numbers by mt19937_64 (0), to_unit (1), uniforms (2)"),
+                    "2.8  means of numbers by mt19937_64 (0), to_unit (1), uniforms (2)",
+                    {.columns = "mean"}),
       MC_EXPERIMENT(repeat_source, "source size rounds seed shown",
-                    "2.8  numbers, rounds times; those of the rounds shown (timing)"),
+                    "2.8  numbers, rounds times; those of the rounds shown (timing)",
+                    {.columns = "u", .points = "size"}),
       MC_EXPERIMENT(repeat_irradiance, "way n rounds",
                     "2.7  by area (0) or hemisphere (1), rounds times (timing)"),
   };
   return all;
+}
+
+std::vector<mc::runner::Choice> mc::runner::choices() {
+  const auto numbered = [](const auto& names) {
+    std::vector<std::string> all;
+    for (const std::string_view name : names) {
+      all.push_back(std::to_string(all.size()) + "  " + text::filled(name, "parameter"));
+    }
+    return all;
+  };
+  return {{"g", "is scale * g + offset, where g is", numbered(experiments::function_names)},
+          {"p", "is a density, where p is", numbered(experiments::sampling_names)}};
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "functions.hpp"
 #include "independent.hpp"
 #include "runner/wire.hpp"
 
@@ -15,30 +16,6 @@ MC_FIELDS(RectLight, x0, x1, y0, y1, height, radiance)
 }  // namespace mc
 
 namespace mc::experiments {
-
-/// scale · g + offset, g of one to five dimensions:
-///
-///   0  1                     3  1 if x < parameter, else 0     6  a normal variable, by inversion
-///   1  exp(x)                4  x^parameter                    7  x exp(-x)
-///   2  x y                   5  a Gaussian peak of width       8  v w x y z
-///                               `parameter` at (0.3, 0.7)
-struct Function {
-  unsigned g = 0;
-  double parameter = 0, scale = 1, offset = 0;
-};
-MC_FIELDS(Function, g, parameter, scale, offset)
-
-/// A density to sample by, written here and not by the submission:
-///
-///   0  uniform on [0, 1]     2  parameter exp(-parameter x) for x >= 0
-///   1  (parameter + 1) x^parameter on [0, 1]
-///   3  uniform on [0, 1], but its pdf says 0 below parameter / 2 and infinity from there to
-///      parameter: points that must not count
-struct Sampling {
-  unsigned p = 0;
-  double parameter = 0;
-};
-MC_FIELDS(Sampling, p, parameter)
 
 /// An estimate, and how often the integrand was evaluated for it.
 struct Counted {

@@ -2,9 +2,13 @@
 // Lab 2 · independent sampling: what you implement, in starter/independent.cpp. The handout is
 // README.md here.
 //
-// G_N = 1/N sum g(x_i), the x_i independent: right on average, wrong by sigma / sqrt(N), and able
-// to say so itself. Lab 1's means and variances are at hand. What is undefined is a quiet NaN;
-// misuse throws std::invalid_argument naming the argument; every n below must be at least 1.
+// G_N = 1/N sum g(x_i), with independent x_i: unbiased, of variance sigma^2 / N, and able to
+// estimate that variance itself. Lab 1's functions are at hand. Throughout:
+//
+// * What is undefined is a quiet NaN. Misuse throws std::invalid_argument, whose text names the
+//   argument. A function without a line `throws:` has no misuse.
+// * Random numbers come from the generator that is passed in, in any order, and from nowhere else.
+// * A function without a line `cost:` takes constant time for a number, or time linear in n.
 
 #include <cstdint>
 #include <span>
@@ -17,56 +21,91 @@
 
 namespace mc {
 
-/// 2.1  A uniform number in [0, 1) from the upper 53 bits of a word: floor(bits / 2^11) 2^-53,
+/// 2.1  The number in [0, 1) that the upper 53 bits of a word make: floor(bits / 2^11) 2^-53,
 /// exactly. Never 1.
+/// requires: any word.
+/// source: Goualard 2020, "Generating random floating-point numbers by dividing integers".
 double to_unit(std::uint64_t bits);
 
-/// 2.2  The integral of `g` over the unit cube, as the mean of g at `n` independent uniform points,
-/// with exactly n evaluations. standard_error is s / sqrt(n), s^2 the sample variance of the values
-/// of g; NaN at n = 1. Its random numbers come from `rng` alone.
+/// 2.2  The integral of `g` over the unit cube, as the mean of g at `n` independent uniform points.
+/// Evaluates g exactly n times. standard_error is s / sqrt(n), s^2 the sample variance of the
+/// values; NaN at n = 1. Estimate::n is n.
+/// requires: n >= 1; g.f takes points of g.dims coordinates.
+/// throws: std::invalid_argument for n = 0.
+/// source: Pharr, Jakob, Humphreys 2023, "Physically based rendering", section 2.1.3; for the
+///   error, Owen, "Monte Carlo theory, methods and examples", chapter 2.
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng);
 
-/// 2.3  Sampling by inversion: the x below which the distribution has the share `u`, so
-/// non-decreasing in u, for every u in [0, 1). Finite, and inside the support with its ends.
-///
-/// Exponential, p(x) = rate exp(-rate x) for x >= 0: within 4 ulp of -log1p(-u) / rate, also for
-/// the smallest u. Throws where `rate` is not positive.
+/// 2.3  The quantile function (inverse CDF) at `u` of the exponential distribution, whose density
+/// is rate exp(-rate x) for x >= 0. Finite, non-decreasing in u, and within 4 ulp of -log1p(-u) /
+/// rate, also for the smallest u.
+/// requires: u in [0, 1), rate > 0.
+/// throws: std::invalid_argument where rate is not positive, or NaN.
+/// source: Pharr, Jakob, Humphreys 2023, section 2.3; Owen, chapter 4.
 double sample_exponential(double u, double rate);
 
-/// Power, p(x) = (a + 1) x^a on [0, 1]. Throws where `a` is not above -1.
+/// 2.3  The quantile function at `u` of the density (a + 1) x^a on [0, 1]. In [0, 1],
+/// non-decreasing in u, and within 4 ulp and the rounding of the exponent 1 / (a + 1).
+/// requires: u in [0, 1), a > -1.
+/// throws: std::invalid_argument where a is not above -1, or NaN.
+/// source: as sample_exponential.
 double sample_power(double u, double a);
 
-/// 2.3  The densities of the two at any x, 0 outside the support. They throw for the same
-/// parameters.
+/// 2.3  The density that sample_exponential samples: rate exp(-rate x) for x >= 0, 0 below.
+/// requires: any x, rate > 0.
+/// throws: std::invalid_argument where rate is not positive, or NaN.
+/// source: as sample_exponential.
 double pdf_exponential(double x, double rate);
+
+/// 2.3  The density that sample_power samples: (a + 1) x^a on [0, 1] with both ends, 0 outside.
+/// requires: any x, a > -1.
+/// throws: std::invalid_argument where a is not above -1, or NaN.
+/// source: as sample_exponential.
 double pdf_power(double x, double a);
 
 /// 2.4  The integral of the one-dimensional `g` over the support of `p`, as the mean of g(x) / p(x)
-/// at `n` points x distributed as p; standard_error as in 2.2. A point at which the pdf is 0 or
-/// infinite adds 0, and is counted.
+/// at `n` independent points x = p.sample(u). standard_error and Estimate::n are as in 2.2. A point
+/// at which the pdf is 0 or infinite adds 0 and is counted.
+/// requires: n >= 1; g.dims = 1; p.pdf is the density of what p.sample makes of a uniform u.
+/// throws: std::invalid_argument for n = 0.
+/// source: Pharr, Jakob, Humphreys 2023, section 2.2.2; Owen, chapter 9.
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng);
 
-/// 2.5  The interval around `estimate` that covers the true value with probability `level`, in the
-/// limit of many samples: normal_quantile() of the right share, times the standard error, to either
-/// side. Throws where `level` is not inside (0, 1).
+/// 2.5  The interval around `estimate` that contains the true value with probability `level`, in
+/// the limit of many samples: normal_quantile((1 + level) / 2) standard errors to either side.
+/// requires: a standard error that is not NaN; level in (0, 1).
+/// throws: std::invalid_argument where level is not inside (0, 1).
+/// source: Owen, chapter 2.
 Interval confidence_interval(const Estimate& estimate, double level);
 
-/// 2.6  How many samples bring the standard error down to `target_error`, judging by a pilot run:
-/// rounded up, and at least 1. Throws where `target_error` is not positive, where the pilot has no
-/// samples or no standard error (NaN), and where the answer does not fit into 64 bits.
+/// 2.6  How many samples bring the standard error down to `target_error`, judging by a pilot run: n
+/// (standard error / target)^2, rounded up, and at least 1. One sample too many is accepted.
+/// requires: a pilot with samples and a standard error; target_error > 0.
+/// throws: std::invalid_argument where target_error is not positive, or NaN; where the pilot has no
+///   samples, or its standard error is NaN; and where the answer does not fit into 64 bits.
+/// source: Owen, chapter 2.
 std::uint64_t samples_for(const Estimate& pilot, double target_error);
 
-/// 2.7  The irradiance at the origin (W/m^2), from `n` points chosen uniformly on the light:
-/// area · radiance · cos(receiver) cos(light) / distance^2.
+/// 2.7  The irradiance at the origin (W/m^2), from `n` independent uniform points on the light: the
+/// mean of area · radiance · cos(receiver) cos(light) / distance^2. standard_error as in 2.2.
+/// requires: n >= 1; light.x0 < light.x1, light.y0 < light.y1, light.height > 0.
+/// throws: std::invalid_argument for n = 0.
+/// source: Pharr, Jakob, Humphreys 2023, section 4.2.
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng);
 
-/// 2.7  The same irradiance from `n` directions of the receiver's hemisphere with density cos / pi:
-/// pi · radiance where a direction meets the light, 0 elsewhere.
+/// 2.7  The same irradiance from `n` independent directions of the receiver's hemisphere, of
+/// density cos / pi: the mean of pi · radiance where a direction meets the light, and 0 elsewhere.
+/// requires: as irradiance_area.
+/// throws: std::invalid_argument for n = 0.
+/// source: Pharr, Jakob, Humphreys 2023, section 4.2, and appendix A.5.3 for Malley's method.
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng);
 
-/// 2.8  The speed task: fills `out` with uniform numbers in [0, 1) that carry at least 53
-/// independent bits each, as fast as you can, in any order. The generator moves on, so that two
-/// calls have nothing in common; the same generator gives the same numbers.
+/// 2.8  The speed task: fills `out` with independent uniform numbers in [0, 1), as fast as you can
+/// and in any order. Each has 53 random bits or more. The generator moves on, so two calls have
+/// nothing in common; equal generators give equal numbers.
+/// requires: a span of any size, also empty; any generator, also one that returns one word for ever
+///   (then the numbers need only lie in [0, 1)).
+/// source: Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators".
 void uniforms(Rng& rng, std::span<double> out);
 
 }  // namespace mc

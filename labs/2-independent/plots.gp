@@ -42,7 +42,7 @@ set yrange [0:1.09]
 set xtics 2,4
 set ytics 0,0.2
 set xlabel "samples N"
-set ylabel "share of intervals"
+set ylabel "fraction of intervals"
 set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3
 array column_of[4] = [6, 3, 4, 5]
 do for [s=1:count] {

@@ -334,39 +334,54 @@ double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds) {
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
       // a grid is typed nx:ny, a function kind:a:b:edge
-      MC_EXPERIMENT(stratified_1d, "points sets seed", "3.1  sets of stratified points, in order"),
-      MC_EXPERIMENT(stratified_1d_constant, "points word",
-                    "3.1  points from a generator that returns one word for ever"),
-      MC_EXPERIMENT(strata, "cells", "3.2  the most square grid of each number of cells"),
-      MC_EXPERIMENT(stratified_2d, "grid sets seed",
-                    "3.3  jittered grids nx:ny, all x, then all y"),
-      MC_EXPERIMENT(stratified_2d_into, "size-x size-y grid",
-                    "3.3  a jittered grid nx:ny into an x and a y of these sizes"),
+      MC_EXPERIMENT(stratified_1d, "n sets seed", "3.1  sets of stratified points, in order",
+                    {.columns = "x", .sets = "sets"}),
+      MC_EXPERIMENT(stratified_1d_constant, "n word",
+                    "3.1  points from a generator that returns one word for ever",
+                    {.columns = "x"}),
+      MC_EXPERIMENT(strata, "n", "3.2  the most square grid of each number of cells",
+                    {.beside = "n"}),
+      MC_EXPERIMENT(stratified_2d, "grid sets seed", "3.3  jittered grids of nx x ny cells",
+                    {.sets = "sets"}),
+      MC_EXPERIMENT(stratified_2d_into, "size_x size_y grid",
+                    "3.3  a jittered grid into an x and a y of these sizes"),
       MC_EXPERIMENT(stratified_2d_constant, "grid word",
-                    "3.3  a jittered grid nx:ny from a generator that returns one word for ever"),
-      MC_EXPERIMENT(shuffle, "x times seed", "3.4  the values x in random orders"),
-      MC_EXPERIMENT(stratified, "points dims sets seed",
-                    "3.4  padded patterns, set by set, column by column"),
-      MC_EXPERIMENT(stratified_nd, "points dims per-axis sets seed",
-                    "3.5  grids over all dimensions, set by set, column by column"),
-      MC_EXPERIMENT(latin_hypercube, "points dims sets seed",
-                    "3.6  Latin hypercubes, set by set, column by column"),
+                    "3.3  a jittered grid from a generator that returns one word for ever"),
+      MC_EXPERIMENT(shuffle, "x times seed", "3.4  the values x in random orders",
+                    {.columns = "x", .sets = "times"}),
+      MC_EXPERIMENT(stratified, "n dims sets seed", "3.4  padded patterns",
+                    {.dims = "dims", .sets = "sets"}),
+      MC_EXPERIMENT(stratified_nd, "n dims per_axis sets seed", "3.5  grids over all dimensions",
+                    {.dims = "dims", .sets = "sets"}),
+      MC_EXPERIMENT(latin_hypercube, "n dims sets seed", "3.6  Latin hypercubes",
+                    {.dims = "dims", .sets = "sets"}),
       MC_EXPERIMENT(multi_jittered, "grid sets seed",
-                    "3.7  multi-jittered points of grids nx:ny, all x, then all y"),
-      MC_EXPERIMENT(multi_jittered_into, "size-x size-y grid",
-                    "3.7  multi-jittered points of a grid nx:ny into an x and a y of these sizes"),
-      MC_EXPERIMENT(estimates, "task function dims points used sets seed",
-                    "means of kind:a:b:edge over the first points used, by task 3.task"),
-      MC_EXPERIMENT(estimate_replicated, "values points dims replicates",
+                    "3.7  multi-jittered points of grids of nx x ny cells", {.sets = "sets"}),
+      MC_EXPERIMENT(multi_jittered_into, "size_x size_y grid",
+                    "3.7  multi-jittered points of a grid into an x and a y of these sizes"),
+      MC_EXPERIMENT(estimates, "task g dims n used sets seed",
+                    "means of g over the first points used, by task 3.task",
+                    {.columns = "mean", .index = "set"}),
+      MC_EXPERIMENT(estimate_replicated, "values n dims replicates",
                     "3.8  replicated means of x0 + 2 x1 + …, coordinates dealt out in turn"),
-      MC_EXPERIMENT(estimates_replicated, "task function dims points replicates times seed",
-                    "3.8  replicated estimates of kind:a:b:edge by points of task 3.task"),
-      MC_EXPERIMENT(shadow, "task width points seed",
-                    "a soft shadow, pixels row by row, by points of task 3.task"),
-      MC_EXPERIMENT(repeat, "task points dims rounds seed shown",
-                    "for timing: points of task 3.task, again and again; of the rounds shown"),
-      MC_EXPERIMENT(repeat_textbook, "dims points rounds",
+      MC_EXPERIMENT(estimates_replicated, "task g dims n replicates times seed",
+                    "3.8  replicated estimates of g by points of task 3.task"),
+      MC_EXPERIMENT(shadow, "task width n seed", "a soft shadow by points of task 3.task",
+                    {.columns = "pixel", .width = "width"}),
+      MC_EXPERIMENT(repeat, "task n dims rounds seed shown",
+                    "for timing: points of task 3.task, again and again; of the rounds shown",
+                    {.dims = "dims", .sets = "shown"}),
+      MC_EXPERIMENT(repeat_textbook, "dims n rounds",
                     "for timing: jittered points by a textbook's loop and std::mt19937_64"),
   };
   return all;
+}
+
+std::vector<mc::runner::Choice> mc::runner::choices() {
+  std::vector<std::string> kinds;
+  for (std::size_t kind = 1; kind < std::size(experiments::function_names); ++kind) {
+    kinds.push_back(std::to_string(kind) + "  " +
+                    text::filled(experiments::function_names[kind], "edge"));
+  }
+  return {{"g", "is a * g + b, where g is, by its kind,", kinds}};
 }

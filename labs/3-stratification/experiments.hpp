@@ -4,8 +4,11 @@
 // be written holds NaN before.
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "runner/text.hpp"
 #include "runner/wire.hpp"
 #include "stratification.hpp"
 
@@ -21,17 +24,30 @@ struct Points {
 };
 MC_FIELDS(Points, x, y)
 
-/// a g + b, to be integrated over the unit cube of any number of dimensions (5: of two).
-///   kind 1  g = exp(x) + exp(y) + …             a sum of functions of one coordinate each
-///   kind 2  g = exp(x - 1/2) exp(y - 1/2) …     a product of them
-///   kind 3  g = exp(-x^2 - y^2 - …)             another
-///   kind 4  g = (x - 1/2)(y - 1/2) …            one that is nothing but interaction
-///   kind 5  g = 1 where cos(1)(x - 1/2) + sin(1)(y - 1/2) < edge, else 0
+/// a g + b, to be integrated over the unit cube of any number of dimensions (5: of two), g the one
+/// of these names; {} is the edge.
 struct Function {
   unsigned kind = 1;
   double a = 1, b = 0, edge = 0.1;
 };
 MC_FIELDS(Function, kind, a, b, edge)
+
+inline constexpr std::string_view function_names[] = {
+    "",
+    "(exp(x) + exp(y) + ...)",        // a sum of functions of one coordinate each
+    "exp(x - 1/2) exp(y - 1/2) ...",  // a product of them
+    "exp(-x^2 - y^2 - ...)",          // another
+    "(x - 1/2) (y - 1/2) ...",        // nothing but interaction
+    "(1 if cos(1) (x - 1/2) + sin(1) (y - 1/2) < {}, else 0)"};
+
+/// As a formula: "2 * exp(-x^2 - y^2 - ...) + 1".
+inline std::string spelled(const Function& function) {
+  std::string all = text::filled(function_names[function.kind < 6 ? function.kind : 0],
+                                 text::print(function.edge));
+  if (function.a != 1) all = text::print(function.a) + " * " + all;
+  if (function.b < 0) return all + " - " + text::print(-function.b);
+  return function.b == 0 ? all : all + " + " + text::print(function.b);
+}
 
 /// 3.1: `sets` sets of n points.
 std::vector<double> stratified_1d(std::uint64_t n, std::uint64_t sets, std::uint64_t seed);
@@ -49,7 +65,7 @@ Points multi_jittered_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid
 std::vector<double> stratified_1d_constant(std::uint64_t n, std::uint64_t word);
 Points stratified_2d_constant(Grid grid, std::uint64_t word);
 
-/// 3.4: x, shuffled `times` times, each time from the order given.
+/// 3.4: x, shuffled `times` times, each time from x as it is given.
 std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed);
 
 /// 3.4, 3.5, 3.6: `sets` sets of n points, each of them column by column.

@@ -83,7 +83,7 @@ unset multiplot
 # The variance within the strata ------------------------------------------------------------------
 name = "within"; width = 80 + 480 * count; height = 520
 load draw
-set multiplot layout 1,count title "What is left of the variance: its share within the strata" \
+set multiplot layout 1,count title "What is left of the variance: the fraction within the strata" \
   margins 80./width, 1 - 20./width, 0.25, 0.86 spacing 80./width, 0
 set logscale xy
 set format "10^{%L}"

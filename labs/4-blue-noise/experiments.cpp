@@ -134,18 +134,27 @@ Patterns repeat(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint6
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
       MC_EXPERIMENT(toroidal_distances_squared, "ax ay bx by",
-                    "4.1  squared distances from points a to points b on the torus"),
-      MC_EXPERIMENT(best_candidate, "points c sets seed", "4.2  sets of so many points each"),
+                    "4.1  squared distances from points a to points b on the torus",
+                    {.columns = "distance_squared", .index = "i"}),
+      MC_EXPERIMENT(best_candidate, "n c sets seed", "4.2  sets of n points each",
+                    {.sets = "sets"}),
       MC_EXPERIMENT(best_candidate_into, "size_x size_y c", "4.2  x and y of these sizes"),
       MC_EXPERIMENT(poisson_disk, "radius sets seed", "4.3  sets of points, and how many in each"),
-      MC_EXPERIMENT(periodogram, "x y sets kmax", "4.4  of each of the sets, all of one size"),
+      MC_EXPERIMENT(periodogram, "x y sets kmax", "4.4  power of each of the sets, all of one size",
+                    {.columns = "power", .sets = "sets", .kmax = "kmax"}),
       MC_EXPERIMENT(periodogram_into, "size_x size_y kmax size_power",
-                    "4.4  x, y and power of these sizes, all points at the origin"),
-      MC_EXPERIMENT(radial_power, "power kmax", "4.5  means over rings of a periodogram"),
+                    "4.4  x, y and power of these sizes, all points at the origin",
+                    {.columns = "power", .kmax = "kmax"}),
+      MC_EXPERIMENT(radial_power, "power kmax", "4.5  means over rings of a periodogram",
+                    {.columns = "power", .index = "ring"}),
       MC_EXPERIMENT(tile, "x y copies", "4.6  a pattern, copies times along each axis"),
-      MC_EXPERIMENT(tile_of, "points dims copies", "4.6  points at the origin, the same"),
-      MC_EXPERIMENT(repeat, "task points rounds seed shown",
+      MC_EXPERIMENT(tile_of, "size dims copies", "4.6  points at the origin, the same"),
+      MC_EXPERIMENT(repeat, "task n rounds seed shown",
                     "4.2 or 4.3, again and again; of the rounds shown (timing)"),
   };
   return all;
+}
+
+std::vector<mc::runner::Choice> mc::runner::choices() {
+  return {};
 }

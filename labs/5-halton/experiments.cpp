@@ -189,28 +189,41 @@ double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::ui
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
-      MC_EXPERIMENT(radical_inverse, "base indices", "5.1  radical inverses of indices"),
+      MC_EXPERIMENT(radical_inverse, "base indices", "5.1  radical inverses of indices",
+                    {.columns = "x", .index = "index", .beside = "indices"}),
       MC_EXPERIMENT(radical_inverses, "base first count",
-                    "5.2  radical inverses of first, first + 1, ..."),
-      MC_EXPERIMENT(primes, "count", "5.3  the first primes"),
-      MC_EXPERIMENT(halton, "n dims first",
-                    "5.3  Halton points first, first + 1, ..., column by column"),
-      MC_EXPERIMENT(hammersley, "n dims", "5.4  n Hammersley points, column by column"),
+                    "5.2  radical inverses of first, first + 1, ...",
+                    {.columns = "x", .index = "index", .from = "first"}),
+      MC_EXPERIMENT(primes, "count", "5.3  the first primes", {.columns = "prime", .index = "d"}),
+      MC_EXPERIMENT(halton, "n dims first", "5.3  Halton points first, first + 1, ...",
+                    {.dims = "dims", .index = "index", .from = "first"}),
+      MC_EXPERIMENT(hammersley, "n dims", "5.4  n Hammersley points",
+                    {.dims = "dims", .index = "index"}),
       MC_EXPERIMENT(sobol, "dimension first count",
-                    "5.5  one coordinate of Sobol' points first, first + 1, ..."),
+                    "5.5  one coordinate of Sobol' points first, first + 1, ...",
+                    {.columns = "x", .index = "index", .from = "first"}),
       MC_EXPERIMENT(star_discrepancy_1d, "x", "5.6  star discrepancy of points of the line"),
       MC_EXPERIMENT(star_discrepancy_2d, "x y", "5.6  star discrepancy of points of the plane"),
       MC_EXPERIMENT(random_shift, "points dims times seed",
-                    "5.7  points (column by column) shifted, from where they are each time"),
-      MC_EXPERIMENT(owen_scramble, "x seeds", "5.8  the column x scrambled by each seed"),
+                    "5.7  points (column by column) shifted, from where they are each time",
+                    {.dims = "dims", .sets = "times"}),
+      MC_EXPERIMENT(owen_scramble, "x seeds", "5.8  the column x scrambled by each seed",
+                    {.columns = "scrambled", .sets = "seeds", .beside = "x"}),
       MC_EXPERIMENT(radical_inverses_scrambled, "base first count seeds",
-                    "5.9  scrambled radical inverses of first, first + 1, ..., by each seed"),
+                    "5.9  scrambled radical inverses of first, first + 1, ..., by each seed",
+                    {.columns = "x", .sets = "seeds", .index = "index", .from = "first"}),
       MC_EXPERIMENT(scrambled_one_by_one, "base indices seed",
-                    "5.9  scrambled radical inverses of indices, a column for each"),
+                    "5.9  scrambled radical inverses of indices, each in a column of its own",
+                    {.columns = "x", .index = "index", .beside = "indices"}),
       MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed shown",
-                    "a column of task 5.task, rounds times; of the rounds shown (timing)"),
+                    "a column of task 5.task, rounds times; of the rounds shown (timing)",
+                    {.columns = "x", .sets = "shown"}),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",
                     "points of task 5.task, rounds times (timing)"),
   };
   return all;
+}
+
+std::vector<mc::runner::Choice> mc::runner::choices() {
+  return {};
 }

@@ -75,7 +75,7 @@ do for [s=1:count] {
 unset multiplot
 
 # The same points, made random in four ways -------------------------------------------------------
-array random[4] = ["random points", "5.7 random shift", "5.9 digits permuted (base 2: a digital shift)", "5.8 nested scrambling"]
+array random[4] = ["random points", "5.7 Cranley-Patterson rotation", "5.9 digits permuted (base 2: a digital shift)", "5.8 nested scrambling"]
 array wave[2] = ["exp(x)", "cos(2 pi N x)"]
 array style[4] = [1, 3, 5, 6]
 name = "randomised"; width = 980; height = 90 + 380 * count
@@ -119,8 +119,62 @@ do for [s=1:count] {
 }
 unset multiplot
 
+# Error bars from replicates ----------------------------------------------------------------------
+array held[3] = ["exp(x + y)", "two kinks", "an edge"]
+name = "replicates"; width = 980; height = 20 + 430 * count
+load draw
+set multiplot layout count,2 margins 75./width, 1 - 15./width, 55./height, 1 - 36./height spacing 85./width, 100./height
+set logscale x 2
+set xrange [1.6:80]
+set xtics (2, 4, 8, 16, 32, 64)
+set xlabel "replicates R, of 4096/R scrambled points each"
+do for [s=1:count] {
+  set title "How often a 95 % interval holds the truth".who(s) noenhanced
+  set ylabel "fraction of 400 intervals"
+  set yrange [0.6:1.02]
+  set key right bottom Left reverse samplen 3
+  plot 0.95 with lines ls 9 lw 2 notitle, \
+       for [i=1:3] data[s]."/replicates.tsv" using 1:(column(4*i-1)) with points ls i ps 1.2 title "Student's t, ".held[i], \
+       data[s]."/replicates.tsv" using 1:4 with points pt 5 ps 0.8 lc rgb "#888888" title "z of 2.5, ".held[1], \
+       data[s]."/replicates.tsv" using 1:2 with lines lt 1 lw 1 lc rgb "#000000" title "z, exactly, of normal means"
+  set title "Half of its length".who(s) noenhanced
+  set ylabel "mean over 400 intervals"
+  set logscale y
+  set format y "10^{%L}"
+  set yrange [5e-5:1]
+  set key right top Left reverse samplen 3
+  plot for [i=1:3] data[s]."/replicates.tsv" using 1:(column(4*i+1)) with linespoints ls i title "Student's t, ".held[i], \
+       for [i=1:3] data[s]."/replicates.tsv" using 1:(column(4*i+2)) with lines ls i lw 1 title (i == 1 ? "as if all points were independent" : "")
+  unset logscale y
+  set format y "%g"
+}
+unset multiplot
+
+# The first points of a sequence ------------------------------------------------------------------
+name = "early"; width = 80 + 560 * count; height = 460
+load draw
+set multiplot layout 1,count title "The first n of 1024 points, for exp(-x² - y²) in the plane" \
+  margins 80./width, 1 - 20./width, 0.22, 0.85 spacing 80./width, 0
+set logscale xy
+set format y "10^{%L}"
+set xrange [0.8:1300]
+set yrange [5e-6:1]
+set xtics (1, 4, 16, 64, 256, 1024)
+set xlabel "n"
+set ylabel "RMSE"
+set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
+do for [s=1:count] {
+  set title labels[s] noenhanced
+  plot data[s]."/early.tsv" using 1:2 with lines ls 1 title "independent", \
+       data[s]."/early.tsv" using 1:3 with lines ls 2 title "3.4 jittered, shuffled", \
+       data[s]."/early.tsv" using 1:4 with linespoints ls 6 title "5.8 scrambled Sobol'"
+  unset key
+  unset ylabel
+}
+unset multiplot
+
 # Bad pairs of axes -------------------------------------------------------------------------------
-array pair[5] = ["bases 29 and 31, 64 points", "5.7 shifted", "5.9 digits permuted", "Sobol' dimensions 14 and 15, 1024 points", "5.8 scrambled"]
+array pair[5] = ["bases 29 and 31, 64 points", "5.7 rotated", "5.9 digits permuted", "Sobol' dimensions 14 and 15, 1024 points", "5.8 scrambled"]
 name = "pair"; width = 1060; height = 20 + 730 * count
 load draw
 set multiplot layout 2*count,3 margins 0.015, 0.985, 10./height, 1 - 36./height spacing 0.02, 40./height

@@ -1,95 +1,17 @@
 #include "6-sampler/experiments.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
-#include "common/scenes/ao_sphere.hpp"
-#include "common/scenes/ao_wall.hpp"
-#include "common/scenes/defocus_edge.hpp"
-#include "common/scenes/disk_light.hpp"
-#include "common/scenes/motion_edge.hpp"
-#include "common/scenes/penumbra_disk.hpp"
-#include "common/scenes/penumbra_halfplane.hpp"
-#include "common/scenes/pixel_edge.hpp"
-#include "common/scenes/pixel_time_lens.hpp"
-#include "common/scenes/rect_light.hpp"
-#include "common/scenes/rect_light_horizon.hpp"
-#include "common/scenes/sphere_light.hpp"
-#include "common/scenes/stripes.hpp"
+#include "6-sampler/named_scenes.hpp"
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
 #include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
-
-/// A scene by its fields, all of them double.
-template <class S>
-Scene scene_with(std::span<const double> parameters) {
-  std::array<double, sizeof(S) / sizeof(double)> fields = std::bit_cast<decltype(fields)>(S{});
-  if (!parameters.empty() && parameters.size() != fields.size()) {
-    throw std::out_of_range("parameters: the scene has " + std::to_string(fields.size()));
-  }
-  std::copy(parameters.begin(), parameters.end(), fields.begin());
-  return {S::uses, std::bit_cast<S>(fields)};
-}
-
-struct NamedScene {
-  std::string_view name;
-  Scene (*with)(std::span<const double> parameters);
-};
-constexpr NamedScene scenes[] = {
-    {"pixel_edge", scene_with<scenes::PixelEdge>},
-    {"rect_light", scene_with<scenes::RectangleLight>},
-    {"rect_light_horizon", scene_with<scenes::HorizonLight>},
-    {"disk_light", scene_with<scenes::DiskLight>},
-    {"sphere_light", scene_with<scenes::SphereLight>},
-    {"penumbra_halfplane", scene_with<scenes::HalfplanePenumbra>},
-    {"penumbra_disk", scene_with<scenes::DiskPenumbra>},
-    {"ao_wall", scene_with<scenes::WallOcclusion>},
-    {"ao_sphere", scene_with<scenes::SphereOcclusion>},
-    {"ao_sphere_uniform", scene_with<scenes::SphereOcclusionUniform>},
-    {"defocus_edge", scene_with<scenes::DefocusEdge>},
-    {"motion_edge", scene_with<scenes::MotionEdge>},
-    {"pixel_time_lens", scene_with<scenes::PixelTimeLens>},
-    {"stripes", scene_with<scenes::Stripes>},
-};
-
-/// A picture whose pixels are a scene with other parameters each.
-template <auto at>
-PixelScene picture_of(std::size_t width, std::size_t height) {
-  using S = decltype(at(0, 0, 0, 0));
-  return {width, height, S::uses, [=](std::size_t column, std::size_t row, Sampler& sampler) {
-            return at(static_cast<double>(width), static_cast<double>(height),
-                      static_cast<double>(column), static_cast<double>(row))(sampler);
-          }};
-}
-
-struct NamedPicture {
-  std::string_view name;
-  PixelScene (*sized)(std::size_t width, std::size_t height);
-};
-constexpr NamedPicture pictures[] = {
-    {"edge", picture_of<scenes::edge_picture>},
-    {"penumbra", picture_of<scenes::penumbra_picture>},
-    {"defocus", picture_of<scenes::defocus_picture>},
-    {"motion", picture_of<scenes::motion_picture>},
-    {"stripes", picture_of<scenes::stripes_picture>},
-};
-
-template <class Named, std::size_t size>
-const Named& named(const Named (&all)[size], const std::string& name) {
-  std::string names;
-  for (const Named& one : all) {
-    if (one.name == name) return one;
-    names += ' ' + std::string(one.name);
-  }
-  throw std::out_of_range("no '" + name + "', only" + names);
-}
 
 /// Notes what it is asked for.
 class RecordingSampler final : public Sampler {
@@ -371,28 +293,47 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(play_two, "kind steps", "6.4  the same of two samplers alive at once"),
       MC_EXPERIMENT(
           columns, "kind samples seeds uses",
-          "6.1  all coordinates of a sampler, a column for each; uses: 1 is next, 2 next2"),
+          "6.1  all coordinates of a sampler, a column for each; uses: 1 is next, 2 next2",
+          {.points = "samples", .sets = "seeds"}),
       MC_EXPERIMENT(estimates, "kind scene parameters a b samples seeds",
-                    "6.5  integrate, of a times the scene plus b, with each seed"),
+                    "6.5  integrate, of a times the scene plus b, with each seed",
+                    {.columns = "integral", .index = "seed", .beside = "seeds"}),
       MC_EXPERIMENT(sobol_pair, "first samples seeds",
-                    "6.3  dimensions first and first + 1 of the Sobol' sequence, scrambled"),
+                    "6.3  dimensions first and first + 1 of the Sobol' sequence, scrambled",
+                    {.points = "samples", .sets = "seeds"}),
       MC_EXPERIMENT(integrate_recorded, "dealt samples seed",
                     "6.5  what integrate does with a scene of these values"),
-      MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture"),
+      MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture",
+                    {.width = "width"}),
       MC_EXPERIMENT(render_noise, "kind width height spp seed",
-                    "6.6  a picture of nothing but its samples"),
+                    "6.6  a picture of nothing but its samples", {.width = "width"}),
       MC_EXPERIMENT(render_recorded, "width height spp seed",
                     "6.6  what render does with a sampler that takes notes"),
       MC_EXPERIMENT(render_again, "width height spp seed other_width other_height",
                     "6.6  the same, after that picture and another one"),
-      MC_EXPERIMENT(uses_of, "scene parameters", "what a sample of a scene asks for"),
-      MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for"),
+      MC_EXPERIMENT(uses_of, "scene parameters",
+                    "what a sample of a scene asks for: 1 is next, 2 next2", {.columns = "use"}),
+      MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for",
+                    {.columns = "use"}),
       MC_EXPERIMENT(repeat, "kind by dims samples rounds seed shown",
-                    "6.8  for timing: by next (1), by next2 (2), or generation alone (0)"),
+                    "6.8  for timing: by next (1), by next2 (2), or generation alone (0)",
+                    {.columns = "sum", .index = "round", .beside = "shown"}),
       MC_EXPERIMENT(repeat_scene, "kind scene samples rounds seed shown",
-                    "6.8  for timing: integrate"),
+                    "6.8  for timing: integrate",
+                    {.columns = "integral", .index = "round", .beside = "shown"}),
       MC_EXPERIMENT(repeat_textbook, "dims samples rounds",
                     "6.8  for timing: numbers of std::mt19937_64"),
   };
   return all;
+}
+
+std::vector<mc::runner::Choice> mc::runner::choices() {
+  std::vector<std::string> scenes, pictures;
+  for (const auto& [scene, parameters] : experiments::scene_parameters) {
+    scenes.push_back(std::string(scene) + ": " + std::string(parameters));
+  }
+  for (const auto& picture : experiments::pictures) pictures.emplace_back(picture.name);
+  return {{"kind", "is one of", {"independent", "stratified", "blue_noise", "halton", "sobol"}},
+          {"picture", "is one of", pictures},
+          {"scene", "is one of these; --parameters are theirs, in this order, or \"\"", scenes}};
 }

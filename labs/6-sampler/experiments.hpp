@@ -109,3 +109,5 @@ std::vector<double> repeat_scene(std::string kind, std::string scene, std::uint6
 double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds);
 
 }  // namespace mc::experiments
+
+#include "6-sampler/calls.hpp"  // what a report makes of these

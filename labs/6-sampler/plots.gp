@@ -76,6 +76,25 @@ do for [s=1:count] {
 }
 unset multiplot
 
+# The variance by order ---------------------------------------------------------------------------
+array colours[5] = ["#0072B2", "#56B4E9", "#F0E442", "#E69F00", "#D55E00"]
+array orders[5] = ["one dimension at a time", "two together", "three", "four", "five"]
+name = "anova"; width = 900; height = 500
+load draw
+set title "The variance of a sample by how many dimensions make it together"
+set style data histograms
+set style histogram rowstacked
+set style fill solid 0.9 border rgb "#444444"
+set boxwidth 0.6
+set yrange [0:1]
+set xrange [-0.6:5.6]
+set ylabel "fraction of the variance"
+set xtics ("lamp\n2D" 0, "ball of light\n2D" 1, "penumbra\n2D" 2, "edge in a pixel\n2D" 3, "moving edge\n1D + 1D" 4, "pixel, time, lens\n2D + 1D + 2D" 5)
+set bmargin 7.5
+set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 2 width 1
+plot for [k=1:5] data[1]."/anova.tsv" using k lc rgb colours[k] title orders[k], \
+     data[1]."/anova.tsv" using 0:6 with points pt 9 ps 2 lc rgb "#000000" title "within one next() or next2()"
+
 # What a coordinate costs -------------------------------------------------------------------------
 array samples[3] = [16, 256, 4096]
 name = "speed"; width = 1180; height = 30 + 430 * count

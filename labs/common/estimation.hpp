@@ -7,27 +7,29 @@
 
 namespace mc {
 
-/// A function on the unit cube, to be integrated: f takes a point of `dims` coordinates in [0,1).
+/// A function on the unit cube, to be integrated. `f` takes one point: a span of `dims`
+/// coordinates, each in [0,1).
 struct Integrand {
   std::size_t dims = 1;
   std::function<double(std::span<const double>)> f;
 };
 
-/// What a Monte Carlo estimator gives back.
+/// What a Monte Carlo estimator returns.
 struct Estimate {
-  double value = 0;           ///< of the integral
-  double standard_error = 0;  ///< of `value`: its standard deviation, as estimated from the samples
-  std::uint64_t n = 0;        ///< evaluations of the integrand
+  double value = 0;           ///< the estimate of the integral
+  double standard_error = 0;  ///< of `value`: an estimate of its standard deviation
+  std::uint64_t n = 0;        ///< number of evaluations of the integrand
 };
 
+/// The numbers from `low` to `high`.
 struct Interval {
   double low = 0, high = 0;
 };
 
-/// A probability density on the line.
+/// A probability density on the line, and a way to sample it.
 struct Density {
-  std::function<double(double)> sample;  ///< from u in [0,1) to x, by inversion
-  std::function<double(double)> pdf;     ///< at x
+  std::function<double(double)> sample;  ///< from u in [0,1) to x: the quantile function
+  std::function<double(double)> pdf;     ///< the density at x
 };
 
 }  // namespace mc

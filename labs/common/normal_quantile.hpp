@@ -6,12 +6,13 @@
 
 namespace mc {
 
-/// The quantile function of the standard normal distribution: the x below which it lies with
-/// probability `p`, 1.96 for 0.975. Within 1e-14 |x| + 1e-16 of it for every p, subnormal ones too;
-/// -inf at 0, inf at 1, NaN outside [0, 1].
+/// The quantile function (inverse CDF) of the standard normal distribution at `p`: 1.96 for 0.975.
+/// Within 1e-14 |x| + 1e-16 of the exact x for every p, subnormal ones too; -inf at 0, inf at 1,
+/// NaN outside [0,1].
 ///
-/// A first guess from Abramowitz and Stegun 26.2.23, good to 4.5e-4, and two steps of Halley's
-/// method, which triples the digits: 3, 10, all.
+/// A first guess, good to 4.5e-4, and two steps of Halley's method, which triples the digits: 3,
+/// 10, all.
+/// source:   Abramowitz, Stegun 1964, "Handbook of mathematical functions", 26.2.23.
 inline double normal_quantile(double p) {
   if (!(p >= 0 && p <= 1)) return std::numeric_limits<double>::quiet_NaN();
   if (p > 0.5) return -normal_quantile(1 - p);

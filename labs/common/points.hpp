@@ -10,27 +10,31 @@
 
 namespace mc {
 
-/// A point of the unit square.
+/// A point of the plane; as a rule, of the unit square [0,1)^2.
 struct Point2 {
   double x = 0, y = 0;
 };
 
-/// Cells along x and along y.
+/// A grid of nx * ny equal cells over the unit square: `nx` along x and `ny` along y.
 struct Grid {
   std::size_t nx = 1, ny = 1;
 };
 
-/// N points of [0,1)^dims, stored by coordinate: column d holds coordinate d of all of them. So a
-/// generator fills a column at a time, and nobody pays for a dimension that is not asked for.
+/// N points of [0,1)^dims, stored by coordinate: column d holds coordinate d of all of them, so
+/// that a generator fills one column at a time.
 class PointSet {
  public:
   PointSet() = default;
+  /// `size` points at the origin.
   PointSet(std::size_t size, std::size_t dims) : size_(size), dims_(dims), values_(size * dims) {}
 
+  /// The number of points, N.
   std::size_t size() const { return size_; }
+  /// The number of coordinates of each point.
   std::size_t dims() const { return dims_; }
 
-  /// Coordinate `d` of every point. Throws std::out_of_range where there is no such dimension.
+  /// Coordinate `d` of every point, d from 0: a span of size() values.
+  /// throws:   std::out_of_range where d >= dims().
   std::span<double> column(std::size_t d) {
     require(d);
     return {values_.data() + d * size_, size_};
@@ -49,7 +53,7 @@ class PointSet {
   std::vector<double> values_;
 };
 
-/// Fills a point set, every value of it.
+/// Something that fills a point set: it writes every value, and takes its randomness from the Rng.
 using Generator = std::function<void(PointSet&, Rng&)>;
 
 }  // namespace mc

@@ -5,28 +5,30 @@
 
 namespace mc {
 
-/// Mixes all bits of `z` into all bits of the result; a bijection of 64-bit words.
-/// SplitMix64's finaliser (Steele, Lea, Flood 2014, with Stafford's variant 13 of its constants).
+/// Mixes all bits of `z` into all bits of the result: a bijection of 64-bit words.
+/// source:   Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the
+///           finaliser of SplitMix64, with variant 13 of Stafford's constants.
 constexpr std::uint64_t mix_bits(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);
 }
 
-/// A uniform random bit generator: 64 independent-looking bits a call, for <random> and for you.
+/// A uniform random bit generator, as <random> asks for one: each call returns 64 random bits.
 ///
-/// It is a counter that is mixed on the way out, so its whole state is one word and any number of
-/// generators can stand side by side. Seeds are hashed twice before they become a counter: 1, 2, 3
-/// and any multiples of the increment give streams that have nothing to do with each other.
+/// It is a counter whose value is mixed before it is returned, so its state is one word. Seeds are
+/// hashed twice before they become a counter: the streams of seeds 1, 2, 3, and of seeds that
+/// differ by multiples of the increment, are unrelated.
 class Rng {
  public:
   using result_type = std::uint64_t;
 
+  /// A generator that starts from `seed`, all 64 bits of it: equal seeds give equal numbers.
   explicit constexpr Rng(std::uint64_t seed)
       : counter_(mix_bits(mix_bits(seed + increment) ^ 0x6a09e667f3bcc909u)) {}
 
-  /// A generator that returns `word` for ever: for the corner cases (all bits zero, all bits one).
-  /// An honest rejection loop or shuffle may never end on it.
+  /// A generator that returns `word` at every call, for corner cases: all bits 0, all bits 1. A
+  /// correct rejection loop may never end with it, nor may a correct shuffle.
   static constexpr Rng constant(std::uint64_t word) {
     Rng rng(0);
     rng.random_bits_ = 0;
@@ -37,6 +39,7 @@ class Rng {
   static constexpr result_type min() { return 0; }
   static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 
+  /// The next 64 random bits.
   constexpr result_type operator()() {
     counter_ += increment;
     return (mix_bits(counter_) & random_bits_) | fixed_bits_;

@@ -9,21 +9,21 @@ namespace mc {
 
 class Sampler;  // labs/6-sampler/sampler.hpp
 
-/// An integral over a unit cube, as a renderer sees it: something that turns random numbers into a
-/// sample. It asks a sampler for exactly the numbers it needs, and for nothing more.
+/// An integral over a unit cube, as a renderer sees it: a function that asks a sampler for exactly
+/// the coordinates it needs and returns the value of one sample.
 struct Scene {
-  std::string_view uses;  ///< what one sample asks for, in order: "next2 next next2"
+  std::string_view uses;  ///< what a sample asks for, in order: "next2 next next2"
   std::function<double(Sampler&)> sample;
 };
 
-/// A picture: a scene of its own for each of width x height pixels, row by row from the top.
+/// A picture: a scene for each of width x height pixels. Rows count from the top, from 0.
 struct PixelScene {
   std::size_t width = 0, height = 0;
   std::string_view uses;
   std::function<double(std::size_t column, std::size_t row, Sampler&)> sample;
 };
 
-/// What comes of it: pixels row by row, from the top.
+/// A rendered picture: one value for each pixel, row by row from the top.
 struct Image {
   std::size_t width = 0, height = 0;
   std::vector<double> pixels;

@@ -3,13 +3,17 @@
 // and a person by hand. A lab defines its experiments in experiments.cpp and lists them there, in
 // experiments().
 
+#include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "runner/table.hpp"
 #include "runner/text.hpp"
 #include "runner/wire.hpp"
 
@@ -17,18 +21,52 @@ namespace mc::runner {
 
 struct Experiment {
   std::string_view name;
-  std::string_view parameters;   ///< their names, as one types them: "x rounds"
+  std::string_view parameters;   ///< their names, as experiments.hpp declares them: "x rounds"
   std::string_view description;  ///< one line
   std::string (*from_wire)(wire::Reader& arguments);
-  std::string (*by_hand)(std::span<const std::string> arguments);
+  std::string (*by_hand)(const Experiment&, std::span<const std::string> arguments);
+  std::vector<std::string> (*forms)();  ///< how each argument is written: "NUMBER", "LIST"
+  Layout layout = {};                   ///< how the result is printed by hand
 };
 
 /// The experiments of the lab that this program was built for.
 std::span<const Experiment> experiments();
 
-/// For a list of experiments: MC_EXPERIMENT(mean, "x", "the mean of x")
-#define MC_EXPERIMENT(name, parameters, description) \
-  ::mc::runner::make_experiment<&mc::experiments::name>(#name, parameters, description)
+/// What one may write for a parameter that is a word, or a number that stands for something.
+struct Choice {
+  std::string parameter;
+  std::string meaning;  ///< may be empty
+  std::vector<std::string> values;
+};
+
+/// Of this lab's parameters.
+std::vector<Choice> choices();
+
+/// For a list of experiments: MC_EXPERIMENT(mean, "x", "the mean of x"), and how its list is read,
+/// where it returns one: MC_EXPERIMENT(halton, "n dims", "…", {.dims = "dims"})
+#define MC_EXPERIMENT(name, parameters, description, ...)                  \
+  ::mc::runner::make_experiment<&mc::experiments::name>(#name, parameters, \
+                                                        description __VA_OPT__(, ) __VA_ARGS__)
+
+/// How a person writes a value of a type.
+template <class T>
+std::string form_of() {
+  if constexpr (wire::Listed<T>) {
+    std::string all;
+    for (const std::string_view name : text::split(field_names(T{}), ',')) {
+      if (!all.empty()) all += ':';
+      all += name;
+    }
+    return all;
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return "NAME";
+  } else if constexpr (is_list<T>) {
+    using Value = typename T::value_type;
+    return wire::Listed<Value> ? form_of<Value>() + ",..." : "LIST";
+  } else {
+    return std::is_floating_point_v<T> ? "NUMBER" : "N";
+  }
+}
 
 template <auto function>
 struct Adapter;
@@ -36,6 +74,7 @@ struct Adapter;
 template <class Result, class... Parameters, Result (*function)(Parameters...)>
 struct Adapter<function> {
   using Arguments = std::tuple<std::remove_cvref_t<Parameters>...>;
+  static constexpr std::size_t parameters = sizeof...(Parameters);
 
   static std::string from_wire(wire::Reader& from) {
     Arguments arguments;
@@ -46,21 +85,35 @@ struct Adapter<function> {
     return std::move(to.bytes);
   }
 
-  static std::string by_hand(std::span<const std::string> texts) {
+  static std::vector<std::string> forms() {
+    return {form_of<std::remove_cvref_t<Parameters>>()...};
+  }
+
+  static std::string by_hand(const Experiment& experiment, std::span<const std::string> texts) {
     if (texts.size() != sizeof...(Parameters)) {
       throw std::invalid_argument("wrong number of arguments");
     }
     Arguments arguments;
     std::size_t i = 0;
     std::apply([&](auto&... argument) { (text::parse(texts[i++], argument), ...); }, arguments);
-    return text::print(std::apply(function, std::move(arguments)));
+    constexpr bool are_lists[] = {is_list<std::remove_cvref_t<Parameters>>..., false};
+    const auto names = text::split(experiment.parameters, ' ');
+    Given given;
+    for (i = 0; i < texts.size(); ++i) given.push_back({names[i], texts[i], are_lists[i]});
+    return printed(std::apply(function, std::move(arguments)), experiment.name, experiment.layout,
+                   given);
   }
 };
 
 template <auto function>
 constexpr Experiment make_experiment(std::string_view name, std::string_view parameters,
-                                     std::string_view description) {
-  return {name, parameters, description, Adapter<function>::from_wire, Adapter<function>::by_hand};
+                                     std::string_view description, Layout layout = {}) {
+  using Adapted = Adapter<function>;
+  std::size_t names = parameters.empty() ? 0 : 1;
+  for (const char c : parameters) names += c == ' ';
+  if (names != Adapted::parameters) throw "not as many names as parameters";  // while compiling
+  return {name,           parameters, description, Adapted::from_wire, Adapted::by_hand,
+          Adapted::forms, layout};
 }
 
 }  // namespace mc::runner

@@ -2,12 +2,14 @@
 // 0, one response on descriptor 3. With arguments it is run by hand:
 //
 //   program                 (judged)
-//   program --list          the experiments of this lab
+//   program --list 80       the experiments of this lab, in lines of 80 columns
 //   program mean 1,2,4      one of them
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -16,6 +18,7 @@
 
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
+#include "runner/list.hpp"
 
 namespace {
 
@@ -23,6 +26,7 @@ using mc::wire::Status;
 
 constexpr int request_descriptor = 0;
 constexpr int response_descriptor = 3;
+constexpr std::size_t default_width = 100;
 
 const mc::runner::Experiment* find(std::string_view name) {
   for (const auto& experiment : mc::runner::experiments()) {
@@ -87,14 +91,6 @@ std::pair<Status, std::string> outcome_of(Work work) {
   _exit(0);  // what the submission registered to run at exit is not part of the measurement
 }
 
-void list() {
-  for (const auto& experiment : mc::runner::experiments()) {
-    const std::string call =
-        std::string(experiment.name) + ' ' + std::string(experiment.parameters);
-    std::printf("  %-34s %s\n", call.c_str(), std::string(experiment.description).c_str());
-  }
-}
-
 /// The file that "@file" names, its line ends as commas; any other text as it is.
 std::string contents_of(const std::string& argument) {
   if (!argument.starts_with('@')) return argument;
@@ -109,7 +105,15 @@ std::string contents_of(const std::string& argument) {
   return text;
 }
 
-/// Arguments in their order: as they are, or by their names: --points 12 --dims 2.
+/// Is "--per-axis" the parameter per_axis?
+bool is_named(std::string_view given, std::string_view name) {
+  if (!given.starts_with("--") || given.size() != name.size() + 2) return false;
+  given.remove_prefix(2);
+  return std::equal(given.begin(), given.end(), name.begin(),
+                    [](char a, char b) { return a == b || (a == '-' && b == '_'); });
+}
+
+/// Arguments in their order: as they are, or by their names: --n 12 --dims 2.
 std::vector<std::string> in_order(const mc::runner::Experiment& experiment,
                                   std::span<char* const> given) {
   std::vector<std::string> names;
@@ -124,25 +128,27 @@ std::vector<std::string> in_order(const mc::runner::Experiment& experiment,
   for (const std::string& name : names) {
     bool found = false;
     for (std::size_t i = 0; i + 1 < given.size() && !found; i += 2) {
-      if ("--" + name != given[i]) continue;
+      if (!is_named(given[i], name)) continue;
       all.push_back(contents_of(given[i + 1]));
       found = true;
     }
     if (!found) throw std::invalid_argument("--" + name + " is missing");
   }
-  if (given.size() != 2 * names.size()) throw std::invalid_argument("an argument has no such name");
+  if (given.size() != 2 * names.size()) {
+    throw std::invalid_argument("a name too many, or one without its value");
+  }
   return all;
 }
 
 int run_by_hand(std::string_view name, std::span<char* const> arguments) {
   const auto* experiment = find(name);
   if (experiment == nullptr) {
-    std::fprintf(stderr, "no experiment '%s'; there are\n", std::string(name).c_str());
-    list();
+    std::fprintf(stderr, "no experiment '%s'; there are\n\n", std::string(name).c_str());
+    std::fputs(mc::runner::list_of_experiments(default_width).c_str(), stderr);
     return 2;
   }
-  const auto [status, text] =
-      outcome_of([&] { return experiment->by_hand(in_order(*experiment, arguments)); });
+  const auto [status, text] = outcome_of(
+      [&] { return experiment->by_hand(*experiment, in_order(*experiment, arguments)); });
   switch (status) {
     case Status::value:
       std::printf("%s\n", text.c_str());
@@ -151,9 +157,8 @@ int run_by_hand(std::string_view name, std::span<char* const> arguments) {
       std::printf("not written yet: TODO(%s)\n", text.c_str());
       return 1;
     case Status::invalid_argument:
-      std::printf("std::invalid_argument: %s\n(%s takes: %s; numbers as 0.5, lists as 1,2,4)\n",
-                  text.c_str(), std::string(name).c_str(),
-                  std::string(experiment->parameters).c_str());
+      std::printf("std::invalid_argument: %s\n(%s; numbers as 0.5, lists as 1,2,4)\n", text.c_str(),
+                  mc::runner::call_of(*experiment).c_str());
       return 1;
     case Status::out_of_range:
       std::printf("std::out_of_range: %s\n", text.c_str());
@@ -170,7 +175,8 @@ int run_by_hand(std::string_view name, std::span<char* const> arguments) {
 int main(int argc, char** argv) {
   if (argc <= 1) be_judged();
   if (std::string_view(argv[1]) == "--list") {
-    list();
+    const std::size_t width = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : default_width;
+    std::fputs(mc::runner::list_of_experiments(width).c_str(), stdout);
     return 0;
   }
   return run_by_hand(argv[1], std::span(argv + 2, static_cast<std::size_t>(argc - 2)));

@@ -1,6 +1,7 @@
 #include "runner/text.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <system_error>
@@ -73,8 +74,17 @@ void wrong_number_of_fields(std::string_view names) {
   throw std::invalid_argument("expected the fields " + std::string(names) + ", separated by ':'");
 }
 
+std::string filled(std::string_view text, std::string_view with) {
+  std::string all(text);
+  for (auto at = all.find("{}"); at != std::string::npos; at = all.find("{}", at)) {
+    all.replace(at, 2, with);
+    at += with.size();
+  }
+  return all;
+}
+
 std::string print(double value) {
-  return shortest(value);
+  return std::isnan(value) ? "nan" : shortest(value);  // whose sign means nothing
 }
 std::string print(std::uint64_t value) {
   return shortest(value);

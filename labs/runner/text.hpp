@@ -49,6 +49,9 @@ std::string as_typed(const T& value);
 template <class T>
 std::string as_typed(const std::vector<T>& values);
 
+/// A text with this in place of each {}.
+std::string filled(std::string_view text, std::string_view with);
+
 /// The fewest digits that give back the same number.
 std::string print(double value);
 std::string print(std::uint64_t value);
@@ -56,29 +59,6 @@ std::string print(std::int64_t value);
 std::string print(unsigned value);
 std::string print(int value);
 std::string print(const std::string& value);
-template <wire::Listed T>
-std::string print(const T& value);
-
-template <class T>
-std::string print(const std::vector<T>& values) {
-  std::string all;
-  for (const T& value : values) all += print(value) + '\n';
-  if (!all.empty()) all.pop_back();
-  return all;
-}
-template <wire::Listed T>
-std::string print(const T& value) {
-  std::string all;
-  const auto names = split(field_names(value), ',');
-  std::apply(
-      [&](const auto&... field) {
-        std::size_t i = 0;
-        ((all += (all.empty() ? "" : "  "), all += names[i++], all += " = ", all += print(field)),
-         ...);
-      },
-      fields(const_cast<T&>(value)));
-  return all;
-}
 
 template <class T>
 std::string as_typed(const std::vector<T>& values) {

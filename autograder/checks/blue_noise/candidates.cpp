@@ -95,14 +95,14 @@ TEST_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
 
 TEST_CASE("4.2 misuse of best_candidate is refused", "[4.2][edge][points:2]") {
   Rng rng = check_rng();
-  const std::string size = "points have two coordinates, and there is one of them at least";
+  const std::string size = "each point has two coordinates, and there is at least one point";
   const std::uint64_t n = 2 + rng() % 9;
   expect_refused(MEASURE_OUTCOME(best_candidate_into, n, n + 1, 1), size);
   expect_refused(MEASURE_OUTCOME(best_candidate_into, n, n - 1, 1), size);
   expect_refused(MEASURE_OUTCOME(best_candidate_into, 0, 0, 1), size);
   for (const double c : {0.0, -uniform(rng, 0.5, 2), nan, infinity}) {
     expect_refused(MEASURE_OUTCOME(best_candidate_into, n, n, c),
-                   "c is candidates a point: positive and finite");
+                   "c, the candidates for each earlier point, is positive and finite");
   }
 }
 

@@ -73,7 +73,7 @@ TEST_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][
                 grid);
 }
 
-TEST_CASE("4.7 Poisson disks cost as much as they are many",
+TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
           "[4.7][points:7][needs:4.1][needs:4.3]") {
   Rng rng = check_rng();
   const std::string grid =

@@ -113,14 +113,16 @@ TEST_CASE("4.4 spectra that are known exactly", "[4.4][points:5]") {
   Rng rng = check_rng();
   const Points two = uniform_points(rng, 2);
   // Pairs anywhere; at a distance of exactly 1/2, where all odd waves cancel; of next to nothing;
-  // and at the ends of the square, with waves short enough for every digit of a coordinate to tell.
+  // and at the ends of the square, with waves short enough for every digit of a coordinate to tell,
+  // or so short that an angle is some hundred turns.
   const double x = uniform(rng, 0, 0.5), y = uniform(rng, 0, 0.5);
   const std::pair<Points, int> pairs[] = {{two, 6},
                                           {{{x, x + 0.5}, {y, y}}, 7},
                                           {{{x, x + 0.5}, {y + 0.5, y}}, 7},
                                           {{{x, std::nextafter(x, 1)}, {y, y}}, 5},
                                           {{{0, below_one}, {below_one, 0}}, 20},
-                                          {{{x, below_one}, {y, below_one}}, 60}};
+                                          {{{x, below_one}, {y, below_one}}, 60},
+                                          {{{1 - x, y}, {1 - y, x}}, 300}};
   for (const auto& [pair, kmax] : pairs) {
     const long double dx = static_cast<long double>(pair.x[1]) - pair.x[0];
     const long double dy = static_cast<long double>(pair.y[1]) - pair.y[0];
@@ -199,7 +201,7 @@ TEST_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
 TEST_CASE("4.4 misuse of periodogram is refused", "[4.4][edge][points:2]") {
   Rng rng = check_rng();
   const std::uint64_t n = 2 + rng() % 9;
-  const std::string because = "points have two coordinates, and there is one of them at least";
+  const std::string because = "each point has two coordinates, and there is at least one point";
   expect_refused(MEASURE_OUTCOME(periodogram_into, n, n + 1, 1, 9), because);
   expect_refused(MEASURE_OUTCOME(periodogram_into, n, n - 1, 1, 9), because);
   expect_refused(MEASURE_OUTCOME(periodogram_into, 0, 0, 1, 9), because);

@@ -77,7 +77,7 @@ TEST_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7]
   }
 }
 
-TEST_CASE("4.3 hardly any room is left", "[4.3][points:7][needs:4.1]") {
+TEST_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
   Rng rng = check_rng();
   // Means over so many patterns that their errors are small beside the distance of right and wrong
   // from 0.3 %. Bridson's algorithm with 30 tries leaves 0.9 to 1.1 % between radius 0.61 and 0.65,

@@ -18,7 +18,7 @@ std::string shared_hint(double a, double b, std::size_t k) {
   if (k >= 31 && is_whole(a * 0x1p32) && is_whole(b * 0x1p32)) {
     return "53 bits of a value are scrambled, not 32";
   }
-  return "bits that stand behind a bit must not decide about it";
+  return "the flip of a bit must not depend on the bits behind it";
 }
 
 TEST_CASE("5.8 scrambled values share the bits that the values share", "[5.8][points:2][main]") {
@@ -70,7 +70,7 @@ double bits_between(std::uint64_t bits, int first, int count) {
   return static_cast<double>(bits >> (53 - first - count) & all) * std::ldexp(1, -count);
 }
 
-TEST_CASE("5.8 each bit is flipped by chance for each string before it", "[5.8][points:3]") {
+TEST_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:3]") {
   Rng rng = check_rng();
   constexpr std::size_t count = 4000;
   // 0 and 1/2 differ in their first bit; the others share 19 bits and differ in the 20th.
@@ -160,7 +160,7 @@ TEST_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
                         ? "of 0, the next seed's number is twice this one's: seed + level is the "
                           "same for a seed and the next level, and for the next seed and this "
                           "level; hash the seed before the level is added"
-                        : "seeds that differ a little give flips that have to do with each other: "
+                        : "seeds that differ a little give flips that are not independent: "
                           "are all bits of the seed mixed before they meet the bits of a value?"};
   expect_even_pairs(measured.call + ", 0 scrambled by a seed and by the next", zeros,
                     {"neighbouring seeds give independent numbers", one_alpha}, hints);

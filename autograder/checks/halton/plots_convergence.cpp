@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "checks/halton/plot_integrals.hpp"
 #include "checks/halton/plot_points.hpp"
+#include "checks/halton/tails.hpp"
 #include "checks/support/catch.hpp"
 
 namespace mc::checks {
@@ -11,40 +13,10 @@ namespace {
 /// An RMSE of so many is right to an eighth of itself: a third of a mark's height.
 constexpr std::size_t replicates = 32;
 
-/// What is integrated, and the exact integrals.
-struct Integral {
-  std::size_t dims;
-  double (*g)(std::span<const double>);
-  double exact;
-};
-double smooth(std::span<const double> x) {
-  return std::exp(std::accumulate(x.begin(), x.end(), 0.0));
-}
-double kink(std::span<const double> x) {
-  return std::abs(x[0] - 0.4) + std::abs(x[0] + x[1] - 1);
-}
-double edge(std::span<const double> x) {
-  return x[0] * x[0] + x[1] * x[1] < 0.7 ? 1 : 0;
-}
-const double e_1 = std::exp(1) - 1;
-const std::array<Integral, 5> integrals{
-    Integral{1, smooth, e_1}, Integral{2, smooth, std::pow(e_1, 2)},
-    Integral{4, smooth, std::pow(e_1, 4)},
-    Integral{2, kink, 0.26 + 1. / 3},      // (.4^2 + .6^2)/2, and E|x + y - 1|
-    Integral{2, edge, 0.7 * std::atan(1)}  // a quarter of a disk of radius sqrt(.7) < 1
-};
-
-/// Of points in as many dimensions, or more.
 Number error(const Points& points, const Integral& integral) {
   if (!points) return {};
-  const std::size_t n = (*points)[0].size();
-  double sum = 0;
-  std::array<double, 4> x{};
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t d = 0; d < integral.dims; ++d) x[d] = (*points)[d][i];
-    sum += integral.g({x.data(), integral.dims}) - integral.exact;
-  }
-  return std::abs(sum / static_cast<double>(n));
+  const auto n = static_cast<double>((*points)[0].size());
+  return std::abs(sums_over(*points, integral).errors / n);
 }
 
 /// The root of the mean square over sets.
@@ -71,8 +43,8 @@ void plot_size(std::size_t n, std::span<std::ofstream> files, Rng& rng) {
   const Points halton = halton_points(n, 4), hammersley = hammersley_points(n, 4);
   const Points sobol = sobol_plot_points(n, {0, 1, 2, 3});
   const auto scrambled = scrambled_sets_of(sobol, sets, n);
-  for (std::size_t i = 0; i < integrals.size(); ++i) {
-    const Integral& integral = integrals[i];
+  for (std::size_t i = 0; i < plot_integrals.size(); ++i) {
+    const Integral& integral = plot_integrals[i];
     const auto random = sets_of(sets, [&] { return random_points(rng, n, integral.dims); });
     const auto strata = sets_of(sets, [&] { return stratified_points(rng, n, integral.dims); });
     plot_row(files[i], std::array{Number(static_cast<double>(n)), rms_error(random, integral),
@@ -85,7 +57,7 @@ void plot_size(std::size_t n, std::span<std::ofstream> files, Rng& rng) {
 TEST_CASE("plot error against N", "[.plot]") {
   Rng rng(3);
   std::vector<std::ofstream> files;
-  for (std::size_t i = 1; i <= integrals.size(); ++i) {
+  for (std::size_t i = 1; i <= plot_integrals.size(); ++i) {
     files.push_back(plot_file("convergence-" + std::to_string(i) + ".tsv"));
   }
   for (std::size_t n = 16; n <= 65536; n *= 4) plot_size(n, files, rng);
@@ -130,35 +102,15 @@ TEST_CASE("plot error of randomised points", "[.plot]") {
   }
 }
 
-/// The kurtosis of the error of exp(x): what the RMSE does not tell. Where it is 3, its standard
-/// error is sqrt(96 / sets).
-Number kurtosis_of_errors(std::size_t n, std::size_t sets) {
-  const Column column = column_of(TRY_MEASURE(sobol, 0, 0, n), n);
-  if (!column) return {};
-  double squares = 0, fourths = 0;
-  for (std::size_t done = 0; done < sets;) {
-    std::vector<std::uint64_t> seeds(std::min(sets - done, 1'500'000 / n));
-    std::iota(seeds.begin(), seeds.end(), 1'000'000 * n + done);
-    done += seeds.size();
-    const Column all = column_of(TRY_MEASURE(owen_scramble, *column, seeds), n * seeds.size());
-    if (!all) return {};
-    for (std::size_t set = 0; set < seeds.size(); ++set) {
-      double sum = 0;
-      for (std::size_t i = 0; i < n; ++i) sum += std::exp((*all)[set * n + i]) - e_1;
-      squares += sum * sum / static_cast<double>(sets);
-      fourths += sum * sum * sum * sum / static_cast<double>(sets);
-    }
-  }
-  return fourths / (squares * squares);
-}
-
+/// The kurtosis: what the RMSE does not tell.
 TEST_CASE("plot the tails of errors", "[.plot]") {
   auto file = plot_file("tails.tsv");
   for (std::size_t n = 16; n <= 4096; n *= 4) {
     const std::size_t sets = std::min<std::size_t>(20'000, 4'000'000 / n);
-    const Number kurtosis = kurtosis_of_errors(n, sets);
-    const Number error = kurtosis ? Number(std::sqrt(96 / static_cast<double>(sets))) : Number();
-    plot_row(file, std::array{Number(static_cast<double>(n)), kurtosis, error});
+    const auto errors = errors_of_exp(n, sets);
+    plot_row(file, std::array{Number(static_cast<double>(n)),
+                              errors ? Number(errors->kurtosis()) : Number(),
+                              errors ? Number(std::sqrt(24 / errors->count)) : Number()});
   }
 }
 
@@ -179,7 +131,7 @@ Number nanoseconds(Run run) {
 TEST_CASE("plot error against time", "[.plot]") {
   auto file = plot_file("speed.tsv");
   constexpr std::size_t n = 4096;
-  const Integral& plane = integrals[1];
+  const Integral& plane = plot_integrals[1];
   const Points halton = halton_points(n, 2), sobol = sobol_plot_points(n, {0, 1});
   std::vector<std::uint64_t> seeds(replicates);
   std::iota(seeds.begin(), seeds.end(), std::uint64_t{1000});

@@ -20,8 +20,8 @@ using Orders = std::array<std::uint64_t, 6>;
 /// Which shuffle that is not one gives them, if one does.
 std::string shuffle_hint(const Orders& orders, std::size_t count, const std::string& otherwise) {
   if (orders[0] + orders[3] + orders[4] == count && orders[0] > 0) {
-    return "these are rotations: a random number was added to each digit; 6 orders there are, not "
-           "3";
+    return "these are rotations: a random number was added to each digit, which gives 3 of the 6 "
+           "permutations";
   }
   if (orders[3] + orders[4] == count) {
     return "no digit ever stays in place: one that is drawn for a place may be the one that is "
@@ -35,7 +35,8 @@ std::string shuffle_hint(const Orders& orders, std::size_t count, const std::str
     const double p = (i < 3 ? 4. : 5.) / 27, n = static_cast<double>(count);
     naive = naive && std::abs(static_cast<double>(sorted[i]) - n * p) < 5 * std::sqrt(n * p);
   }
-  return naive ? "a biased shuffle: each digit was swapped with any, 27 ways for 6 orders; swap "
+  return naive ? "a biased shuffle: each digit was swapped with any, 27 ways for 6 permutations; "
+                 "swap "
                  "digit i with one that is not yet in place (Fisher-Yates)"
                : otherwise;
 }
@@ -75,7 +76,7 @@ TEST_CASE("5.9 permutations are random for every position and seed", "[5.9][poin
       : pairs_alike ? "one permutation for all positions: each has its own"
                     : "a random permutation for each position, from a hash of seed and position"};
   const double sixth = 1. / 6, ninth = 1. / 9;
-  expect_counts(call + ", how often each order of the three digits came", orders,
+  expect_counts(call + ", how often each permutation of the three digits came", orders,
                 std::span(&sixth, 1), {"all six permutations are equally likely", one_alpha},
                 {{}, shuffle_hint(orders, count, hints.otherwise)});
   expect_counts(call + ", the first digit of index 0 with its second", pairs, std::span(&ninth, 1),
@@ -91,13 +92,13 @@ TEST_CASE("5.9 permutations are random for every position and seed", "[5.9][poin
   std::vector<std::uint64_t> row(2 * pairs_of_seeds);
   std::iota(row.begin(), row.end(), rng() >> 1);
   const auto neighbours = MEASURE(radical_inverses_scrambled, 5, 7, 1, row);
-  expect_even_pairs(
-      neighbours.call + ", by a seed and by the next", neighbours.exactly(row.size(), unit),
-      {"neighbouring seeds give independent permutations", one_alpha},
-      {{},
-       "seeds that differ a little give permutations that have to do with each other: "
-       "seed + position is the same for a seed and the next position, and for the "
-       "next seed and this position"});
+  expect_even_pairs(neighbours.call + ", by a seed and by the next",
+                    neighbours.exactly(row.size(), unit),
+                    {"neighbouring seeds give independent permutations", one_alpha},
+                    {{},
+                     "seeds that differ a little give permutations that are not independent: "
+                     "seed + position is the same for a seed and the next position, and for the "
+                     "next seed and this position"});
 }
 
 TEST_CASE("5.9 permuted digits cure the bad pair 29 and 31", "[5.9][points:3]") {
@@ -126,7 +127,7 @@ TEST_CASE("5.9 permuted digits cure the bad pair 29 and 31", "[5.9][points:3]") 
                           along_x.call, empty),
               "about 20, and 33 at most",
               "64 points in the plane of bases 29 and 31 lie on a few lines, and leave 47 cells "
-              "empty; digits in random order do not",
+              "empty; randomly permuted digits do not",
               "a shift or a flip of bits moves the lines; permuting the digits breaks them");
 }
 

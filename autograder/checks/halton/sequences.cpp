@@ -52,7 +52,8 @@ std::size_t cell_of(double x, std::size_t grid, std::size_t cells) {
   return std::min(multiple, grid - 1) / (grid / cells);
 }
 
-TEST_CASE("5.3 every box of Halton points gets its share", "[5.3][points:1][needs:5.2][edge]") {
+TEST_CASE("5.3 each elementary interval holds one Halton point",
+          "[5.3][points:1][needs:5.2][edge]") {
   Rng rng = check_rng();
   // Of 2^4 3^3 consecutive points, one lies in each of the 16 x 27 boxes. To a whole multiple of
   // 2^-30 the first coordinate is exact; the second is rounded to multiples of 3^-19.
@@ -67,8 +68,8 @@ TEST_CASE("5.3 every box of Halton points gets its share", "[5.3][points:1][need
   }
   for (std::size_t cell = 0; cell < n; ++cell) {
     expect_that(points[cell] == 1,
-                fmt::format("{}: {} points in box ({}, {}) of 16 x 27", measured.call, points[cell],
-                            cell / ny, cell % ny),
+                fmt::format("{}: {} points in elementary interval ({}, {}) of 16 x 27",
+                            measured.call, points[cell], cell / ny, cell % ny),
                 "one point",
                 "432 consecutive indices go through all last four binary digits and all last three "
                 "ternary ones, in every combination",

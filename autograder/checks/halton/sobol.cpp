@@ -51,8 +51,8 @@ TEST_CASE("5.5 the first two dimensions are a net", "[5.5][points:2][edge]") {
     const auto odd =
         std::find_if(points.begin(), points.end(), [](int count) { return count != 1; });
     expect_that(odd == points.end(),
-                fmt::format("{} and dimension 1: {} points in one of {} x {} boxes", along_x.call,
-                            odd == points.end() ? 1 : *odd, nx, ny),
+                fmt::format("{} and dimension 1: {} points in one of {} x {} elementary intervals",
+                            along_x.call, odd == points.end() ? 1 : *odd, nx, ny),
                 "one point in each", "dimensions 0 and 1 are a (0,m,2)-net in base 2",
                 "dimension 0 is the van der Corput sequence; dimension 1 has m_k = 1, 3, 5, 15, …");
   }

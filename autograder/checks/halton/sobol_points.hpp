@@ -87,11 +87,10 @@ inline void expect_sobol(const std::string& call, std::span<const double> got, u
     const double exact = sobol_value(v, first + i);
     if (got[i] == exact) continue;
     const std::string hint = first == 0 ? direction_hint(i, dimension) : otherwise;
-    expect_that(
-        false, fmt::format("{}: value {} is {}", call, i, shown_number(got[i])),
-        fmt::format("{:.17g}, exactly", exact),
-        fmt::format("the exclusive or of the direction numbers of the bits of {}", first + i),
-        std::isnan(got[i]) ? never_written : other_sobol_hint(got, dimension, first, hint));
+    expect_that(false, fmt::format("{}: value {} is {}", call, i, shown_number(got[i])),
+                fmt::format("{:.17g}, exactly", exact),
+                fmt::format("the XOR of the direction numbers of the bits of {}", first + i),
+                std::isnan(got[i]) ? never_written : other_sobol_hint(got, dimension, first, hint));
   }
   pass();
 }

@@ -38,7 +38,7 @@ TEST_CASE("2.2 the points are uniform and independent", "[2.2][points:2][needs:2
   for (std::size_t i = 0; i < u.size(); i += 2) diagonal += u[i] == u[i + 1] ? 1 : 0;
   expect_that(diagonal < u.size() / 4,
               fmt::format("{}: x = y in {} of {} points", seen.call(), diagonal, u.size() / 2),
-              "x and y that have nothing to do with each other", "",
+              "x and y that are independent", "",
               "draw a number for each dimension: one number for both fills a line");
   // Of 120,000 numbers with 32 bits 1.7 came before, on average, and 34 never (1e-29); with the 24
   // bits of a float 429 do, and never less than 200 (1e-28).
@@ -51,16 +51,16 @@ TEST_CASE("2.2 the points are uniform and independent", "[2.2][points:2][needs:2
                 {"the two coordinates of a point are independent", alpha},
                 {{}, "draw a number for each dimension"});
   expect_counts(seen.call() + ", neighbours", pair_counts(u, 1, 2, 2), even_cells,
-                {"the x of a point knows nothing of the y before it", alpha},
+                {"the x of a point is independent of the y before it", alpha},
                 {{}, "no number is used twice"});
   expect_counts(seen.call() + ", pairs of points, x and x", pair_counts(u, 0, 2, 4), even_cells,
-                {"the x of a point knows nothing of the x before it", alpha},
+                {"the x of a point is independent of the x before it", alpha},
                 {{}, "each point is drawn afresh: neither a copy nor a mirror image of another"});
 }
 
 /// The values of estimates that are the means of what they saw.
 Values means_of(const Traced& seen) {
-  const Values values = values_of(seen.estimates());
+  Values values = values_of(seen.estimates());
   require_finite(seen.call(), values);
   for (std::size_t i = 0; i < values.size(); ++i) {
     expect_mean_of(fmt::format("{}, estimate {}", seen.call(), i), values[i], seen.values_of(i));
@@ -121,7 +121,7 @@ Values estimates_of(const Measured<std::vector<experiments::Counted>>& measured,
                 fmt::format("{}", n), "n is what the caller pays for",
                 "every sample is one evaluation");
   }
-  const Values values = values_of(estimates);
+  Values values = values_of(estimates);
   require_finite(measured.call, values);
   return values;
 }

@@ -33,9 +33,11 @@ TEST_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]")
                       "either side",
                       z, 1 - level),
           {{{value + sign * one_sided,
-             "what is left outside lies on both sides: the quantile of (1 + level) / 2"},
+             "what the interval leaves out lies on both sides: take the quantile of (1 + level) / "
+             "2"},
             {value - sign * one_sided,
-             "what is left outside lies on both sides: the quantile of (1 + level) / 2"},
+             "what the interval leaves out lies on both sides: take the quantile of (1 + level) / "
+             "2"},
             {value + sign * estimate.standard_error, "one standard error covers 68 %, always"},
             {value + sign * 1.96 * estimate.standard_error, "1.96 is for 95 % alone"},
             {value + sign * 2 * estimate.standard_error, "2 is for 95.45 % alone"},
@@ -86,7 +88,7 @@ void expect_intervals_of(const std::string& call, const experiments::IntervalTra
   }
 }
 
-TEST_CASE("2.5 intervals of normal samples cover as often as they can",
+TEST_CASE("2.5 intervals of normal samples cover as often as theory says",
           "[2.5][points:3][needs:2.1][needs:2.2]") {
   Rng rng = check_rng();
   const std::uint64_t replicates = 4000;
@@ -102,10 +104,10 @@ TEST_CASE("2.5 intervals of normal samples cover as often as they can",
     const double z = normal_quantile((1 + level) / 2);
     const double exact = f_tails(z * z, 1, static_cast<double>(n - 1)).lower;
     expect_proportion(
-        measured.call, "the interval held the true mean", covering(seen.intervals, g.offset),
+        measured.call, "the interval contained the true mean", covering(seen.intervals, g.offset),
         replicates, exact,
         {"intervals from " + sizes[i] + " normal samples cover as Student's t says", alpha},
-        {{{0, "the intervals hold nothing: are they around the estimate?"}},
+        {{{0, "the intervals never contain the mean: are they around the estimate?"}},
          fmt::format("level {:.4g} and {} samples cover with probability {:.4f}; is "
                      "the quantile that of (1 + level) / 2?",
                      level, n, exact)});
@@ -118,7 +120,7 @@ TEST_CASE("2.5 intervals of normal samples cover as often as they can",
   }
 }
 
-TEST_CASE("2.5 intervals of rare events cover as rarely as they must",
+TEST_CASE("2.5 intervals of rare events cover as rarely as theory says",
           "[2.5][points:3][needs:2.1][needs:2.2]") {
   Rng rng = check_rng();
   const std::uint64_t replicates = 4000;
@@ -140,7 +142,7 @@ TEST_CASE("2.5 intervals of rare events cover as rarely as they must",
       exact += here.lower + here.upper - 1;
     }
     expect_proportion(
-        measured.call, "the interval held the true mean",
+        measured.call, "the interval contained the true mean",
         covering(seen.intervals, g.scale * p + g.offset), replicates, exact,
         {"intervals of " + events + " cover as rarely as they must", alpha},
         {{},

@@ -91,7 +91,7 @@ void expect_inversion(const std::string& call, const Values& u, const Values& x,
         fmt::format("{}: {} at u = {}, but {} at u = {}", call, before, before_u, x[i], u[i]),
         "x that does not fall when u rises",
         "x is where the distribution reaches u: inversion keeps the order",
-        "1 - u is as uniform as u, but it turns the order round");
+        "1 - u is as uniform as u, but with it x falls when u rises");
     before = x[i], before_u = u[i];
   }
 }
@@ -150,7 +150,7 @@ TEST_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
          {[=](double at) { return a == 0 ? nan : std::pow(at, 1 / a); },
           "integrating x^a raises the exponent: 1 / (a + 1)"},
          {[=](double at) { return std::pow(1 - at, 1 / (a + 1)); },
-          "1 - u is as uniform as u, but it turns the order round"},
+          "1 - u is as uniform as u, but with it x falls when u rises"},
          {[=](double at) { return (a + 1) * std::pow(at, a); },
           "this is the density at u: inversion solves P(x) = u for x"},
          {[=](double at) { return std::pow((a + 1) * at, 1 / (a + 1)); },

@@ -75,7 +75,7 @@ TEST_CASE("2.6 pilots and targets that say nothing are refused", "[2.6][points:1
   expect_invalid_argument(MEASURE_OUTCOME(samples_for, {1, nan, 1}, 0.1), "",
                           "a pilot of one sample has no standard error");
   expect_invalid_argument(MEASURE_OUTCOME(samples_for, {0, 0.5, 0}, 0.1), "",
-                          "a pilot of no samples knows nothing");
+                          "a pilot without samples has no standard error");
   expect_invalid_argument(MEASURE_OUTCOME(samples_for, {1, 1e6, 1000}, 1e-6), "",
                           "1e27 does not fit into 64 bits");
 }

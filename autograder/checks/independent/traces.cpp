@@ -83,8 +83,8 @@ std::vector<Suspect> errors_by_lab_1(std::span<const double> values, double exac
   }
   if (by->variance_textbook >= 0) {
     suspects.push_back({std::sqrt(by->variance_textbook / n),
-                        "this comes from variance_textbook(), which is there to be seen failing: "
-                        "of values far from 0 it keeps no digit"});
+                        "this comes from variance_textbook(), which shows how the textbook formula "
+                        "fails: it keeps no digit of values far from 0"});
   }
   return suspects;
 }
@@ -153,12 +153,12 @@ void expect_mean_of(const std::string& call, double value, std::span<const doubl
       {unless_zero(values.front()), "this is g at the first point alone: add up all of them"},
       {(mean * n - values.back()) / n, "the last value is not in the sum"},
       {(mean * n - values.front()) / n, "the first value is not in the sum"}};
-  expect_within(call + ".value", value, mean, tolerance,
-                "n additions lose at most n eps of the sum of sizes, in any order; a digit is left "
-                "beyond that",
-                {joined(joined(means_by_lab_1(values, mean), suspects), of_mean),
-                 "the mean of the very values that g gave",
-                 "NaN comes of 0/0, or of a variable that nothing was written to"});
+  expect_within(
+      call + ".value", value, mean, tolerance,
+      "n additions lose at most n eps of the sum of sizes, in any order; one digit less is enough",
+      {joined(joined(means_by_lab_1(values, mean), suspects), of_mean),
+       "the mean of the very values that g gave",
+       "NaN comes of 0/0, or of a variable that nothing was written to"});
 }
 
 void expect_standard_error(const std::string& call, double standard_error,
@@ -170,7 +170,7 @@ void expect_standard_error(const std::string& call, double standard_error,
   const auto exact = exact_moments(values);
   const double n = exact.count, s = std::sqrt(exact.variance);
   const double mean = static_cast<double>(exact.mean);
-  // A one-pass variance loses (n + kappa) eps of s^2 (lab 1); a digit is left beyond that.
+  // A one-pass variance loses (n + kappa) eps of s^2 (lab 1); one digit less is enough.
   const double kappa = std::sqrt(1 + mean * mean / exact.variance);
   const double floor = std::min(16.0, -std::log10((n + kappa) * eps)) - 1;
   if (digits(standard_error, s / std::sqrt(n)) >= floor) return pass();
@@ -196,9 +196,9 @@ void expect_standard_error(const std::string& call, double standard_error,
 void expect_distinct(const std::string& call, const std::string& what, Values numbers, double most,
                      const std::string& hint) {
   const double count = repeated(numbers);
-  expect_that(
-      count <= most, fmt::format("{}: {} of {} {} came before", call, count, numbers.size(), what),
-      "new ones each time, but for a rare chance", "independent numbers of 53 bits differ", hint);
+  expect_that(count <= most,
+              fmt::format("{}: {} of {} {} came before", call, count, numbers.size(), what),
+              "new ones each time", "independent numbers of 53 bits are hardly ever equal", hint);
 }
 
 void expect_nothing_in_common(const std::string& call, const std::string& what, Values numbers,

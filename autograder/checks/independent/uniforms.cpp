@@ -143,7 +143,7 @@ TEST_CASE("2.8 the numbers are uniform in all of their bits", "[2.8][points:2][n
   expect_distribution(filled.call(), u, [](double at) { return at; },
                       {"numbers of 2.8 are uniform", alpha},
                       {{}, "each is to_unit() of 53 bits that were not used before"});
-  // Bit b of floor(2^53 u) is a fair coin, and so is the exclusive or of two different bits.
+  // Bit b of floor(2^53 u) is a fair coin, and so is the XOR of two different bits.
   Values ones(53), differing(52);
   for (const double one : u) {
     const auto bits = static_cast<std::uint64_t>(one * 0x1p53);
@@ -167,7 +167,7 @@ TEST_CASE("2.8 the numbers are uniform in all of their bits", "[2.8][points:2][n
       {{}, "no bit of a word is used twice in a number"});
 }
 
-TEST_CASE("2.8 the numbers know nothing of each other", "[2.8][points:2][needs:2.1]") {
+TEST_CASE("2.8 the numbers are independent", "[2.8][points:2][needs:2.1]") {
   Rng rng = check_rng();
   const std::size_t half = 50000;
   const Filled filled(rng(), {half, half});
@@ -227,7 +227,7 @@ TEST_CASE("2.8 the last bits do not repeat", "[2.8][points:1][needs:2.1]") {
        "becomes a number"});
 }
 
-TEST_CASE("2.8 a call has no beginning that one knows", "[2.8][points:1][needs:2.1]") {
+TEST_CASE("2.8 the first numbers of a call are independent", "[2.8][points:1][needs:2.1]") {
   Rng rng = check_rng();
   // The first numbers of many calls against each other: lanes whose states differ by little give
   // nearly the same at first. From one generator, and from a new one for each call.

@@ -1,6 +1,5 @@
 // Lab 6 in the bench: scenes, through the interface of a sampler.
 
-#include <cmath>
 #include <numeric>
 
 #include "6-sampler/experiments.hpp"
@@ -40,15 +39,10 @@ void bench_error(const Benched& kind, const std::string& scene, std::uint64_t n)
   const Values* const estimates = got ? got->if_exactly(replicates) : nullptr;
   if (!estimates) return;
   const double exact = known_scene(scene, {}).exact;
-  double squares = 0, fourths = 0;
-  for (const double value : *estimates) {
-    const double squared = (value / exact - 1) * (value / exact - 1);
-    squares += squared / replicates;
-    fourths += squared * squared / replicates;
-  }
-  const double rmse = std::sqrt(squares);
-  const double error = std::sqrt((fourths - squares * squares) / replicates) / (2 * rmse);
-  bench_row({"error", kind.name, scene, dims_of_scene(scene), n, rmse, error});
+  ErrorSums errors;
+  for (const double value : *estimates) errors.add(value / exact - 1);
+  bench_row(
+      {"error", kind.name, scene, dims_of_scene(scene), n, errors.rmse(), errors.standard_error()});
 }
 
 TEST_CASE("bench error", "[.bench-error]") {

@@ -92,7 +92,7 @@ TEST_CASE("6.7 all else of blue_noise is stratified", "[6.7][points:2][needs:6.2
     if (n != 509) continue;
     for (const std::size_t c : {2u, 3u, 4u, 5u}) {
       expect_unrelated(got.call, got[0], got[c], fmt::format("the blue x and coordinate {}", c),
-                       "each use wants an order of its own");
+                       "each sample dimension needs a permutation of its own");
     }
   }
 }

@@ -26,7 +26,7 @@ TEST_CASE("6.4 there are numbers for N samples and no others", "[6.4][edge][poin
                                : i < 19 ? "after a second generate()"
                                         : "after the last of its samples";
       expect_thrown(got, i, refused.contains(i) ? 1 : 0, when,
-                    "next() and next2() want a sample; advance() never throws");
+                    "next() and next2() need a sample; advance() never throws");
     }
   }
   pass();
@@ -52,7 +52,7 @@ TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][main][points:4]") {
   Rng rng = check_rng();
   const std::string left_over =
       "what is left over from the integration before? Counters, columns of that size or of "
-      "another, orders, generators";
+      "another, permutations, generators";
   for (const std::string& kind : sampler_kinds) {
     const std::size_t n = 9;
     const std::uint64_t seed = fresh_seed(rng);
@@ -132,9 +132,10 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]"
     const ByUse due = by_use(full);
     expect_different(full, due);
     const Played fewer = played(kind, walk(n, seed, some));
-    expect_same(fewer, due, by_use(fewer),
-                "what a sample is told does not depend on what others ask for",
-                "a sample that ends early must not hand its numbers to the next one");
+    expect_same(
+        fewer, due, by_use(fewer),
+        "sample i's value in a sample dimension does not depend on what other samples ask for",
+        "a sample that ends early must not hand its numbers to the next one");
     // The other way round, uses are first asked for in the same order, but by later samples.
     std::vector<Uses> growing;
     for (std::size_t i = 0; i < n; ++i) {
@@ -142,9 +143,10 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]"
       growing.back().resize(std::min(i / 2, all.size()));
     }
     const Played late = played(kind, walk(n, seed, growing));
-    expect_same(late, due, by_use(late),
-                "a use may be first asked for by a later sample: its number is the same",
-                "make a whole column, also for the samples before, and hand out this sample's");
+    expect_same(
+        late, due, by_use(late),
+        "a sample dimension may first be asked for by a later sample: its values are the same",
+        "make a whole column, also for the samples before, and hand out this sample's");
   }
 }
 
@@ -165,7 +167,7 @@ TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
     expect_different(plain, due);
     const Played other = played(kind, walk(n, seed, mixed));
     expect_same(other, due, by_use(other),
-                "the k-th next() of a sample is the same use wherever next2() stands between",
+                "the k-th next() of a sample is the same sample dimension, wherever next2() stands",
                 "count the calls of next() and those of next2() in counters of their own, and set "
                 "both to 0 in advance()");
   }

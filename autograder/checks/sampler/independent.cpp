@@ -25,7 +25,7 @@ TEST_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][need
       after.push_back(got[c][i + 1]);
     }
     expect_uniform_pairs(call + ", pairs of a sample and the next", before, after,
-                         "a sample has nothing to do with the one before it", hint);
+                         "samples are independent of each other", hint);
   }
   // Nor later: numbers that come again a few samples on are no new ones.
   Values all;
@@ -36,7 +36,7 @@ TEST_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][need
                        "the same numbers come again for another sample dimension");
   for (const auto& [a, b] : {std::pair{0u, 1u}, {1u, 2u}, {0u, 3u}}) {
     expect_uniform_pairs(fmt::format("{}, pairs of coordinates {} and {}", got.call, a, b), got[a],
-                         got[b], "different coordinates have nothing to do with each other",
+                         got[b], "different coordinates are independent of each other",
                          "the same numbers come again for another sample dimension");
   }
 }
@@ -53,7 +53,7 @@ TEST_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs
     const Replicates estimates{fmt::format("{}, {}", got.call, described(scene, parameters)),
                                got.exactly(seeds), n};
     const Hints hints{{{0, "far too exact for random numbers"}},
-                      "every sample and every coordinate of it wants a number of its own"};
+                      "every sample and every coordinate of it needs a number of its own"};
     expect_mean(estimates, known.exact, known.variance,
                 {"the estimates have the scene's exact mean", alpha}, hints);
     expect_variance(estimates, known.exact, known.variance, known.kurtosis,
@@ -75,7 +75,7 @@ TEST_CASE("6.1 a refusal names the kinds that there are", "[6.1][edge][points:1]
     expect_that(refused.outcome.bytes.find(known) != std::string::npos,
                 fmt::format("{}: threw \"{}\"", refused.text, refused.outcome.bytes),
                 fmt::format("words that also name the kind {}", known),
-                "whoever mistypes a name wants to know the names there are", "");
+                "a list of the kinds helps whoever mistypes one", "");
   }
 }
 

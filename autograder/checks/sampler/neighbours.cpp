@@ -17,9 +17,8 @@ struct HandedOut {
 
 std::string likely_of(const HandedOut& before, const HandedOut& here) {
   if (before.coordinate != here.coordinate || before.sample != here.sample) {
-    return "two pairs of a seed and a use (or a counter) meet in one number: their sum, say, is "
-           "the "
-           "same for (s, use + 1) and for (s + 1, use)";
+    return "two pairs of a seed and a sample dimension (or a counter) give one number: their sum, "
+           "say, is the same for (s, k + 1) and for (s + 1, k)";
   }
   return here.seed - before.seed >= std::uint64_t{1} << 32
              ? "was the seed cut to 32 bits?"

@@ -163,7 +163,7 @@ TEST_CASE("6.6 a refusal names the argument", "[6.6][edge][points:1]") {
                                [](const auto& misuse) { return is_refused(misuse.first); });
   for (const auto& [call, argument] : calls) {
     if (any && !is_refused(call)) continue;  // that is another point
-    expect_invalid_argument(call, argument, "whoever reads it wants to know what to change");
+    expect_invalid_argument(call, argument, "the text must say which argument to change");
   }
 }
 

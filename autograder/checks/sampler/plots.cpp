@@ -7,7 +7,9 @@
 
 #include "6-sampler/experiments.hpp"
 #include "checks/sampler/images.hpp"
+#include "checks/sampler/point_by_point.hpp"
 #include "checks/sampler/samplers.hpp"
+#include "checks/support/anova.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
 #include "checks/support/plot_data.hpp"
@@ -81,20 +83,6 @@ TEST_CASE("plot the error in five dimensions", "[.plot]") {
   plot_scene("pixel_time_lens");
 }
 
-/// Hands out one point after the other.
-class PointByPoint final : public Sampler {
- public:
-  PointByPoint(View x, View y) : x_(x), y_(y) {}
-  void generate(std::size_t, std::uint64_t) override { sample_ = 0; }
-  double next() override { return x_[sample_]; }
-  Point2 next2() override { return {x_[sample_], y_[sample_]}; }
-  void advance() override { ++sample_; }
-
- private:
-  View x_, y_;
-  std::size_t sample_ = 0;
-};
-
 /// The root of the mean square error of a scene over sets of points, as many as `points` has
 /// columns for: those of set s are points(s).
 template <class S, class Points>
@@ -102,10 +90,7 @@ double rmse_over(const S& scene, std::size_t sets, Points points) {
   double squares = 0;
   for (std::size_t set = 0; set < sets; ++set) {
     const auto [x, y] = points(set);
-    PointByPoint sampler(x, y);
-    double sum = 0;
-    for (std::size_t i = 0; i < x.size(); ++i, sampler.advance()) sum += scene(sampler);
-    const double error = sum / static_cast<double>(x.size()) - exact(scene);
+    const double error = mean_over(scene, x, y) - exact(scene);
     squares += error * error;
   }
   return std::sqrt(squares / static_cast<double>(sets));
@@ -148,6 +133,27 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
       plot_row(points, pair ? Row{(*pair)[i], (*pair)[n + i]} : Row{{}, {}});
     }
   }
+}
+
+/// Rows: of a scene, the fractions of its variance by order, 1 to 5, and what is within its uses.
+/// They are the scene's own, whoever's sampler it asks.
+TEST_CASE("plot the variance by order", "[.plot]") {
+  auto file = plot_file("anova.tsv");
+  Rng rng(7);
+  const auto write = [&](const auto& scene) {
+    // From 2^17 points: fractions within 1 %, less than a bar's edge.
+    Anova anova = anova_of(scene, 1 << 17, rng);
+    anova.by_order.resize(5, 0.0);
+    Row row(anova.by_order.begin(), anova.by_order.end());
+    row.push_back(anova.within_uses);
+    plot_row(file, row);
+  };
+  write(scenes::RectangleLight{});
+  write(scenes::SphereLight{});
+  write(scenes::DiskPenumbra{});
+  write(scenes::PixelEdge{});
+  write(scenes::MotionEdge{});
+  write(scenes::PixelTimeLens{});
 }
 
 /// Nanoseconds for one of the `dims` coordinates of one of n samples: a million of them, about.

@@ -49,11 +49,12 @@ inline void expect_unrelated(const std::string& call, View x, View y, const std:
   }
   const double correlation = xy / std::sqrt(xx * yy), most = 6.8 / std::sqrt(n - 1);
   if (std::abs(correlation) <= most) return;  // false for NaN: a column of equal numbers
-  expect_that(false, fmt::format("{}: {} have a correlation of {:.3f}", call, which, correlation),
-              fmt::format("between -{0:.3f} and {0:.3f}", most),
-              "columns in random orders of their own are uncorrelated, up to a standard deviation "
-              "of 1/sqrt(N - 1)",
-              hint);
+  expect_that(
+      false, fmt::format("{}: {} have a correlation of {:.3f}", call, which, correlation),
+      fmt::format("between -{0:.3f} and {0:.3f}", most),
+      "columns in independent random permutations are uncorrelated, up to a standard deviation "
+      "of 1/sqrt(N - 1)",
+      hint);
 }
 
 /// No number comes twice. Of n numbers of 53 random bits two are the same with probability

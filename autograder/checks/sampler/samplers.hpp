@@ -98,7 +98,8 @@ inline bool is_refused(const Call& call) {
 /// What to suspect where all seeds, or several, have the same numbers: every seed got a new
 /// sampler.
 inline const std::string same_for_seeds =
-    "does the seed of generate() decide about it? Anything static, or a column or an order kept "
+    "does the seed of generate() decide about it? Anything static, or a column or a permutation "
+    "kept "
     "from before, would not notice another seed";
 
 }  // namespace mc::checks

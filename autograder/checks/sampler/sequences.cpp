@@ -115,7 +115,7 @@ TEST_CASE("6.3 each seed and each dimension is randomised anew", "[6.3][points:3
                          ? "a sequence as it is has the origin for its first point: scramble it"
                          : same_for_seeds);
     }
-    const std::string own = "one seed for several dimensions: each wants its own";
+    const std::string own = "one seed for several dimensions: each needs its own";
     for (const std::size_t c : {std::size_t{0}, std::size_t{1}, got.dims - 2}) {
       expect_uniform_pairs(
           fmt::format("{}: pairs of coordinates {} and {} of the first sample", got.call, c, c + 1),
@@ -161,13 +161,13 @@ void expect_later_blocks(const std::string& kind, const Columns& got, const Uses
             "the first {} points of the sequence in eight dimensions, scrambled anew and in "
             "a random order",
             got.n),
-        "a block is a point set in eight dimensions that has nothing to do with other blocks",
-        in_own_order ? "every block but the first wants a shuffle, one for all its dimensions"
+        "a block is a point set in eight dimensions, independent of the other blocks",
+        in_own_order ? "every block but the first needs a shuffle, one for all its dimensions"
         : number == 1 && are_dimensions(kind, columns, block_dims)
             ? "these are dimensions 8 to 15: after dimension 7 follows dimension 0, scrambled anew "
               "and in a random order"
-            : "all dimensions of a block share one order; and where a next2() comes with one "
-              "dimension left, that is left over: both of its axes are of the next block");
+            : "all dimensions of a block share one permutation; and where a next2() comes with one "
+              "dimension left, that is left out: both of its axes are of the next block");
   }
 }
 
@@ -183,15 +183,15 @@ void expect_independent_blocks(const std::string& kind, std::size_t n, Rng& rng)
     if (places[c].block == 0) continue;
     expect_unrelated(got.call, index, got[c],
                      fmt::format("the numbers of the samples and coordinate {}", c),
-                     "every block but the first wants a shuffle");
+                     "every block but the first needs a shuffle");
     for (std::size_t other = 0; other < c; ++other) {
       if (places[other].block == places[c].block) continue;
       expect_unrelated(got.call, got[other], got[c], fmt::format("coordinates {} and {}", other, c),
-                       "each block wants a random order of its own");
+                       "each block needs a random permutation of its own");
     }
   }
   expect_all_different(got.call, all, "dimension 0 of three blocks",
-                       "each block wants to be scrambled by seeds of its own");
+                       "each block must be scrambled by seeds of its own");
 }
 
 TEST_CASE("6.3 sobol begins anew after eight dimensions", "[6.3][points:4][needs:5]") {

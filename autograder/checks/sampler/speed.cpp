@@ -18,12 +18,12 @@ TEST_CASE("6.8 many samples are right too",
     const Columns got = columns_of(kind, n, {fresh_seed(rng)}, {1, 2, 1});
     for (std::size_t c = 0; c < got.dims; ++c) {
       expect_one_in_each(got.call, fmt::format("coordinate {}", c).c_str(), got[c], n,
-                         "every use is stratified, of however many samples");
+                         "every sample dimension is stratified, for any number of samples");
     }
   }
 }
 
-TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][edge][points:2]") {
+TEST_CASE("6.8 a sample dimension that nobody asks for costs no memory", "[6.8][edge][points:2]") {
   // A column of so many samples is 512 MB, all that a program may have.
   const Step advance{advance_call};
   for (const std::string kind : {"independent", "stratified", "halton", "sobol"}) {
@@ -37,7 +37,7 @@ TEST_CASE("6.8 a use that nobody asks for costs no memory", "[6.8][edge][points:
       expect_thrown(got, i, 0,
                     i < 3 ? "with 2^26 samples, none of them asked for"
                           : "with 4 samples, after 2^26 of which none was asked for",
-                    i < 3 ? "numbers are made for uses, and there was none"
+                    i < 3 ? "columns are made when they are asked for, and none was"
                           : "a column has as many numbers as there are samples now");
     }
     const auto few = [&](std::size_t i) { return got.answers[i].x; };

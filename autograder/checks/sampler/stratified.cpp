@@ -36,7 +36,7 @@ TEST_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][point
   }
 }
 
-TEST_CASE("6.2 every use has a random order of its own", "[6.2][points:5][needs:3]") {
+TEST_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][points:5][needs:3]") {
   Rng rng = check_rng();
   const std::size_t n = 10007;
   const Columns got = columns_of("stratified", n, {fresh_seed(rng)}, repeated(6, {1, 2}));
@@ -46,16 +46,16 @@ TEST_CASE("6.2 every use has a random order of its own", "[6.2][points:5][needs:
   for (std::size_t c = 0; c < got.dims; ++c) {
     expect_unrelated(got.call, index, got[c],
                      fmt::format("the numbers of the samples and coordinate {}", c),
-                     "the strata come in order: the pattern wants to be shuffled");
+                     "the strata come in order: the pattern must be shuffled");
     for (std::size_t other = 0; other < c; ++other) {
       if (use_of(other) == use_of(c)) continue;
       expect_unrelated(
           got.call, got[other], got[c], fmt::format("coordinates {} and {}", other, c),
-          "one order for different sample dimensions: each wants a shuffle of its own");
+          "one permutation for different sample dimensions: each needs a shuffle of its own");
     }
   }
   pass();
-  // Where a point lies within its stratum: uniform, and of its own for every use.
+  // Where a point lies within its stratum: uniform, and of its own for every sample dimension.
   const auto jitter = [&](std::size_t c) {
     Values jitters;
     for (const double x : got[c]) {
@@ -70,7 +70,8 @@ TEST_CASE("6.2 every use has a random order of its own", "[6.2][points:5][needs:
                    jitter(c), "points are uniform in their strata", hint);
   }
   expect_uniform_pairs(got.call + ", pairs of places within the strata of coordinates 0 and 3",
-                       jitter(0), jitter(3), "the jitter of different uses is independent", hint);
+                       jitter(0), jitter(3),
+                       "the jitter of different sample dimensions is independent", hint);
   // Which stratum the first sample is in.
   const Columns firsts = columns_of("stratified", 5, neighbours(fresh_seed(rng), 600), {1, 2});
   for (std::size_t c = 0; c < 3; ++c) {

@@ -130,8 +130,9 @@ inline ByUse by_use(const Played& got, std::size_t first, std::size_t end,
   return values;
 }
 inline ByUse by_use(const Played& got) {
-  return by_use(got, 0, got.steps.size(),
-                "a use may be first asked for by a later sample: make its whole column then");
+  return by_use(
+      got, 0, got.steps.size(),
+      "a sample dimension may first be asked for by a later sample: make its whole column then");
 }
 
 /// Whatever both walks asked for, both were told.
@@ -164,9 +165,9 @@ inline void expect_different(const Played& got, const ByUse& values) {
   expect_that(
       different.size() == values.size(),
       fmt::format("{}: {} different numbers", got.until(got.steps.size() - 1), different.size()),
-      fmt::format("{}: one for each use of each sample", values.size()),
+      fmt::format("{}: one for each sample dimension of each sample", values.size()),
       "two numbers of 53 random bits are the same once in 1e16: here once in 1e12 runs",
-      "does advance() move on, and next() to another use?");
+      "does advance() move on, and next() to another sample dimension?");
 }
 
 }  // namespace mc::checks

@@ -168,7 +168,7 @@ Order strata_of_axis(const Sets& sets, std::size_t set, std::size_t d) {
 }
 
 const std::string own_shuffle =
-    "two axes always meet in the same way: each wants a shuffle of its own";
+    "two axes always meet in the same way: shuffle each of them by itself";
 
 TEST_CASE("3.6 every axis is stratified", "[3.6][main][points:4][needs:3.1]") {
   Rng rng = check_rng();
@@ -183,7 +183,8 @@ TEST_CASE("3.6 every axis is stratified", "[3.6][main][points:4][needs:3.1]") {
   }
 }
 
-TEST_CASE("3.6 the orders of the axes are independent", "[3.6][points:3][needs:3.1][needs:3.4]") {
+TEST_CASE("3.6 the permutations of the axes are independent",
+          "[3.6][points:3][needs:3.1][needs:3.4]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 4, dims = 3, sets = 5000;
   const Sets got = hypercubes(rng, n, dims, sets);
@@ -198,10 +199,10 @@ TEST_CASE("3.6 the orders of the axes are independent", "[3.6][points:3][needs:3
   for (std::size_t d = 0; d < dims; ++d) u[d] = jitters_of(got, d, n);
   for (const auto& [one, other] : pairs_of_three) {
     expect_all_orders(got.call, relative_orders(orders[one], orders[other], n), n,
-                      fmt::format("axes {} and {} come in independent orders", one, other),
+                      fmt::format("the permutations of axes {} and {} are independent", one, other),
                       own_shuffle, "shuffle every column by itself, with the shuffle of 3.4");
     expect_independent(got.call, u[one], u[other],
-                       fmt::format("axes {} and {} are jittered apart", one, other),
+                       fmt::format("the jitters of axes {} and {} are independent", one, other),
                        "one column is used for two axes: draw each afresh");
   }
   // Of 64 points no two axes ever have the same order: one chance in 64!.
@@ -210,10 +211,11 @@ TEST_CASE("3.6 the orders of the axes are independent", "[3.6][points:3][needs:3
   for (std::size_t d = 0; d < wide.dims; ++d) axes.push_back(strata_of_axis(wide, 0, d));
   for (std::size_t one = 0; one < axes.size(); ++one) {
     for (std::size_t other = one + 1; other < axes.size(); ++other) {
-      expect_that(axes[one] != axes[other],
-                  fmt::format("{}: axes {} and {} have the same order", wide.call, one, other),
-                  "orders of their own",
-                  "chance gives two orders of 64 in common once in 64! times", own_shuffle);
+      expect_that(
+          axes[one] != axes[other],
+          fmt::format("{}: axes {} and {} have the same permutation", wide.call, one, other),
+          "different permutations",
+          "two random permutations of 64 are equal with probability 1 / 64!", own_shuffle);
     }
   }
 }
@@ -221,7 +223,7 @@ TEST_CASE("3.6 the orders of the axes are independent", "[3.6][points:3][needs:3
 TEST_CASE("3.6 sums gain everything and products little", "[3.6][points:3][needs:3.1][needs:3.4]") {
   Rng rng = check_rng();
   const std::string otherwise =
-      "is each column uniform in its strata, in an order of its own, and drawn apart?";
+      "is each column uniform in its strata, shuffled by itself, and drawn independently?";
   const auto sum = [](std::size_t n) {
     auto expected = expected_of(strata_of(exponential, n));  // seven of these, independent
     expected.mean *= 7, expected.variance *= 7, expected.independent *= 7;

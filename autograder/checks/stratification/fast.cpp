@@ -79,7 +79,7 @@ TEST_CASE("3.9 fast numbers are as independent as slow ones",
                 {"long patterns of 3.1 are uniform in their strata", alpha}, {{}, jitter_hint(u)});
   expect_variance(
       {line.call + ", correlations of strata 1 to 40 apart", lag_correlations(u, u, 1, lags)}, 0, 1,
-      3, {"no stratum of 3.1 knows of another one near it", alpha}, {{}, streams});
+      3, {"strata of 3.1 near each other are independent", alpha}, {{}, streams});
   for (const auto& [grid, sets] : {std::pair{Grid{200, 160}, 1}, std::pair{timed, 31}}) {
     const auto [call, x, y] =
         jitters_of_cells(grid, static_cast<std::size_t>(sets), fresh_seed(rng));
@@ -90,7 +90,7 @@ TEST_CASE("3.9 fast numbers are as independent as slow ones",
       z.insert(z.end(), more.begin(), more.end());
     }
     expect_variance({call + ", correlations of cells up to 40 apart", z}, 0, 1, 3,
-                    {"no cell of 3.3 knows of another one near it", alpha}, {{}, streams});
+                    {"cells of 3.3 near each other are independent", alpha}, {{}, streams});
   }
 }
 

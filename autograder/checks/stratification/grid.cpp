@@ -134,7 +134,7 @@ TEST_CASE("3.3 the cells are independent of each other", "[3.3][points:3]") {
 
 const std::string cell_otherwise =
     "the variance within the cells is all that may be left: is each point uniform in its cell, x "
-    "and y drawn apart?";
+    "and y drawn independently?";
 
 TEST_CASE("3.3 the error falls as 1/N in the plane", "[3.3][points:2]") {
   Rng rng = check_rng();

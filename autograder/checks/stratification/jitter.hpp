@@ -48,8 +48,7 @@ inline std::string jitter_hint(Values jitters) {
   std::sort(jitters.begin(), jitters.end());
   const double low = jitters.front(), high = jitters.back();
   if (high - low < 1e-6) {
-    return fmt::format("every point lies at {:.3g} of its stratum: it wants a random place there",
-                       low);
+    return fmt::format("every point lies at {:.3g} of its stratum: place it there at random", low);
   }
   if (high - low < 0.98) {
     return fmt::format("jitter covers only [{:.2g}, {:.2g}] of the stratum: u is uniform in [0, 1)",

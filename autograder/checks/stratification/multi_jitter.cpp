@@ -64,15 +64,14 @@ void expect_uniform_in_cell(Rng& rng, Grid grid) {
        alpha},
       {{},
        x_stays && y_stays
-           ? "this is the canonical arrangement, which is biased: within each column "
-             "of cells shuffle who gets which stratum of x, within each row of y"
-       : y_stays ? "x is shuffled and y is not: within each row of cells shuffle who gets which "
+           ? "this is the canonical arrangement, which is biased: permute at random which cell of "
+             "a column takes which stratum of x, and which cell of a row takes which stratum of y"
+       : y_stays ? "x is shuffled and y is not: permute at random which cell of a row takes which "
                    "stratum of y"
-       : x_stays
-           ? "y is shuffled and x is not: within each column of cells shuffle who gets which "
-             "stratum of x"
-           : "who gets which stratum of x in a column of cells, and of y in a row, are orders "
-             "of their own, all of them equally likely"});
+       : x_stays ? "y is shuffled and x is not: permute at random which cell of a column takes "
+                   "which stratum of x"
+                 : "random permutations, all of them equally likely, give the strata of x to the "
+                   "cells of each column, and the strata of y to the cells of each row"});
 }
 
 TEST_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {

@@ -35,8 +35,8 @@ inline void expect_all_orders(const std::string& call, const Order& orders, std:
   }
   const double each = 1 / static_cast<double>(count);
   const bool only_one = *std::max_element(counts.begin(), counts.end()) * size == orders.size();
-  expect_counts(fmt::format("{}, orders of {}, of which there are {}", call, size, count), counts,
-                std::span(&each, 1), {words, alpha}, {{}, only_one ? always : otherwise});
+  expect_counts(fmt::format("{}, permutations of {}, of which there are {}", call, size, count),
+                counts, std::span(&each, 1), {words, alpha}, {{}, only_one ? always : otherwise});
 }
 
 /// For each set, the order of `to` where `from` is taken in order.

@@ -94,20 +94,21 @@ std::string shuffle_hint(const Order& orders) {
       chi_squared += off * off / due;
     }
     if (chi_squared_tails(chi_squared, 119).upper > 1e-4) {
-      return "each value changes places with any of the n, which favours some orders: with itself "
-             "or one of those not placed yet (j from i to n-1)";
+      return "each value changes places with any of the n, which favours some permutations: with "
+             "itself or one of those not placed yet (j from i to n-1)";
     }
   }
   return fair;
 }
 
-TEST_CASE("3.4 every order is as likely as any other", "[3.4][main][points:3]") {
+TEST_CASE("3.4 every permutation is equally likely", "[3.4][main][points:3]") {
   Rng rng = check_rng();
   std::string call;
   const Order few = orders_of(rng, 5, 12000, call);
-  expect_all_orders(call, few, 5, "the 120 orders of five values are equally likely",
-                    "the order is always the same: draw it from the generator that is passed in",
-                    shuffle_hint(few));
+  expect_all_orders(
+      call, few, 5, "the 120 permutations of five values are equally likely",
+      "the permutation is always the same: draw it from the generator that is passed in",
+      shuffle_hint(few));
 
   // Where the first and the last of 100 values go, in five parts: of 100 * 99 pairs of places.
   constexpr std::size_t n = 100;
@@ -136,7 +137,7 @@ void expect_no_trend(const std::string& call, std::span<const Trend> trends,
   expect_variance({call, z}, 0, 1, 3, {words, alpha}, {{}, hint});
 }
 
-TEST_CASE("3.4 orders of many values have no trend", "[3.4][points:2]") {
+TEST_CASE("3.4 permutations of many values have no trend", "[3.4][points:2]") {
   Rng rng = check_rng();
   // Numbers of 16 bits in a shuffle of 100,000 make a correlation of -45 standard errors, keys of
   // 16 bits that are sorted, with ties left as they come, 90 in ascents.
@@ -145,12 +146,12 @@ TEST_CASE("3.4 orders of many values have no trend", "[3.4][points:2]") {
   const Order one = orders_of(rng, n, 1, call), other = orders_of(rng, n, 1, call);
   const Trend trends[] = {trend_of(one), trend_of(other), trend_of(relative_orders(one, other, n))};
   expect_no_trend(call + ", rank correlation of place and value, and ascents", trends,
-                  "an order of 100,000 values has no trend, nor one beside another",
+                  "a permutation of 100,000 values has no trend, nor have two beside each other",
                   one == other
-                      ? "the same order for two seeds: draw it from the generator that is "
+                      ? "the same permutation for two seeds: draw it from the generator that is "
                         "passed in"
-                      : "each value may go anywhere: what chooses among n values wants more "
-                        "bits than n has, of which 16 are too few here");
+                      : "each value may go anywhere: choosing among n values takes more bits than "
+                        "n has, of which 16 are too few here");
 }
 
 TEST_CASE("3.4 shuffle keeps every value", "[3.4][points:1]") {
@@ -162,11 +163,13 @@ TEST_CASE("3.4 shuffle keeps every value", "[3.4][points:1]") {
     const Values& order = got.exactly(n);
     if (n == 1000) {
       expect_that(order != x, got.call + " = " + shown(order), "another order",
-                  "one order of n! is the one that was given", "nothing was moved");
+                  "one permutation of n! is the identity", "nothing was moved");
       const auto again = MEASURE(shuffle, x, 1, fresh_seed(rng));
-      expect_that(order != again.exactly(n), got.call + " and with another seed: the same order",
-                  "other orders for other seeds", "one order of n! is the same by chance",
-                  "draw the order from the generator that is passed in");
+      expect_that(order != again.exactly(n),
+                  got.call + " and with another seed: the same permutation",
+                  "other permutations for other seeds",
+                  "two random permutations are equal with probability 1 / n!",
+                  "draw the permutation from the generator that is passed in");
     }
     Values before = x, after = order;
     std::sort(before.begin(), before.end());
@@ -225,18 +228,18 @@ std::array<Order, 3> pattern_orders(const Sets& sets) {
 const char* const pattern_names[] = {"dimensions (0,1)", "dimensions (2,3)",
                                      "the odd last dimension"};
 
-TEST_CASE("3.4 patterns are put side by side in independent orders", "[3.4][points:4][needs:3.3]") {
+TEST_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.3]") {
   Rng rng = check_rng();
   const std::string together =
       "shuffle the points of each pattern, x and y together, once for each pattern";
   const std::string always =
-      "the patterns always meet in the same way: each wants a shuffle of its own";
+      "the patterns always meet in the same way: shuffle each of them by itself";
   const Sets got = padded(rng, 4, 5, 5000);
   const auto orders = pattern_orders(got);
   for (const auto& [one, other] : pairs_of_three) {
     expect_all_orders(got.call, relative_orders(orders[one], orders[other], 4), 4,
-                      fmt::format("{} and {} come in independent orders", pattern_names[one],
-                                  pattern_names[other]),
+                      fmt::format("the permutations of {} and {} are independent",
+                                  pattern_names[one], pattern_names[other]),
                       always, together);
   }
   Values u, v;
@@ -246,7 +249,7 @@ TEST_CASE("3.4 patterns are put side by side in independent orders", "[3.4][poin
       v.push_back(jitter_of(got.column(set, 2)[k], 2));
     }
   }
-  expect_independent(got.call, u, v, "dimensions 0 and 2 are jittered apart",
+  expect_independent(got.call, u, v, "the jitters of dimensions 0 and 2 are independent",
                      "one pattern is used for several pairs of dimensions: draw each afresh");
   // Of 64 points no two patterns ever meet in the same way: one chance in 64!.
   const Sets wide = padded(rng, 64, 13, 1);
@@ -257,8 +260,8 @@ TEST_CASE("3.4 patterns are put side by side in independent orders", "[3.4][poin
                   fmt::format("{}: the patterns of dimensions {} and {} visit their strata in the "
                               "same order",
                               wide.call, 2 * one, 2 * other),
-                  "orders of their own",
-                  "chance gives two orders of 64 in common once in 64! times", always);
+                  "different permutations",
+                  "two random permutations of 64 are equal with probability 1 / 64!", always);
     }
   }
 }
@@ -277,7 +280,7 @@ TEST_CASE("3.4 long patterns have no trend", "[3.4][points:1][needs:3.2][needs:3
   }
   expect_no_trend(
       got.call + ", rank correlations of place and stratum, and ascents", trends,
-      "long patterns come in any order, and so beside each other",
+      "the permutations of long patterns have no trend, nor have two beside each other",
       "every point of a pattern may come anywhere: shuffle all N of them, each pattern by itself");
 }
 
@@ -289,7 +292,8 @@ TEST_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.3]"
   const auto orders = pattern_orders(got);
   for (std::size_t pattern = 0; pattern < 3; ++pattern) {
     expect_all_orders(got.call, orders[pattern], 4,
-                      fmt::format("the cells of {} come in any order", pattern_names[pattern]),
+                      fmt::format("the permutations of the cells of {} are equally likely",
+                                  pattern_names[pattern]),
                       shuffled, "shuffle all the points of each pattern");
   }
   // Strata drawn without replacement: (N-n)/(N-1) of the variance between them is left.

@@ -118,7 +118,7 @@ Maybe error_of(unsigned task, const Case& of, std::size_t n, std::size_t used) {
   return root_of(mean_squared_error(task, of, n, used));
 }
 
-/// Errors against N, and the share of the variance that the first way leaves within the strata.
+/// Errors against N, and the fraction of the variance that the first way leaves within the strata.
 void plot_errors(const Case& one) {
   auto errors = plot_file(std::string("convergence-") + one.name + ".tsv");
   auto shares = plot_file(std::string("within-") + one.name + ".tsv");

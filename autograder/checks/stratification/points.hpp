@@ -97,7 +97,7 @@ inline void expect_in_order(const std::string& call, View x) {
                 only_order ? "every stratum has its point, but they do not come in order"
                 : n > 2 && sorted.back() < 1 / static_cast<double>(n)
                     ? "every point lies in the first stratum: i / N of two whole numbers is 0"
-                : x[i] == high ? "it was rounded up to the edge: hold the point below i + 1, over N"
+                : x[i] == high ? "it was rounded up to the edge: keep the point below (i + 1) / N"
                 : std::nextafter(x[i], 1.0) == low
                     ? "it was rounded down below the edge: 1 / N is rounded, and so is its product"
                     : "one point in each stratum: (i + u) / N for i = 0 … N-1");

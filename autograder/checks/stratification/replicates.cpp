@@ -105,13 +105,12 @@ TEST_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:2]"
            "this is s / sqrt(n) over all points, as if they were independent: only the replicates' "
            "means are"},
           {std::sqrt(among / (r - 1)),
-           "this is the spread of one mean: the mean of them all has "
-           "sqrt(replicates) less"},
+           "this is the standard deviation of one mean: divide it by sqrt(replicates)"},
           {std::sqrt(among) / r,
            "this divides by replicates; a sample variance divides by "
            "replicates - 1"},
           {exact / std::sqrt(size),
-           "this divides by sqrt(n * replicates): the means are as many as the replicates"},
+           "this divides by sqrt(n * replicates): divide by sqrt(replicates), the number of means"},
           {among / (r - 1) / r, "this is the variance of the estimate: take its root"}},
          "the replicates' means are independent of each other: lab 1 knows their variance"});
   }
@@ -152,7 +151,7 @@ void expect_of_its_points(const std::string& call, const Replicated& got,
   const double bar = std::sqrt(spread(means) / (r - 1) / r);
   expect_within(call + ".standard_error", got.standard_error, bar, 0.3 * bar,
                 "s / sqrt(replicates), within 30 %",
-                {{}, "the bar tells how the means of these replicates differ"});
+                {{}, "the error bar comes from the spread of the means of these replicates"});
 }
 
 TEST_CASE("3.8 the error bar is honest for stratified points", "[3.8][points:1][needs:3.1]") {

@@ -17,22 +17,6 @@ std::uint64_t replicates_for(std::uint64_t coordinates) {
   return std::clamp<std::uint64_t>((std::uint64_t{1} << 20) / coordinates, 32, 400);
 }
 
-/// Sums over replicates: of squared errors, and of their squares.
-struct Errors {
-  double count = 0, squares = 0, fourths = 0;
-  void add(double error) {
-    ++count;
-    squares += error * error;
-    fourths += error * error * error * error;
-  }
-  double rmse() const { return std::sqrt(squares / count); }
-  /// Of the RMSE: that of the mean square, by the delta method.
-  double standard_error() const {
-    const double mean = squares / count;
-    return std::sqrt(std::max(0.0, fourths / count - mean * mean) / count) / (2 * rmse());
-  }
-};
-
 std::vector<const BenchIntegrand*> integrands_of(std::uint64_t dims) {
   std::vector<const BenchIntegrand*> all;
   for (const BenchIntegrand& one : bench_integrands()) {
@@ -65,7 +49,7 @@ class ErrorsAt {
  private:
   std::uint64_t dims_;
   std::vector<const BenchIntegrand*> integrands_;
-  std::vector<Errors> errors_;
+  std::vector<ErrorSums> errors_;
   double points_ = 0;
 };
 

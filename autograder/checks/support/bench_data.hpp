@@ -1,14 +1,19 @@
 #pragma once
 // What the bench measures. Like the data of plots: hidden test cases, the same measurements in the
-// same jail as a check. Three kinds, which ./lab bench calls for by their tags:
+// same jail as a check. Five kinds, which ./lab bench calls for by their tags:
 //
 //   [.bench-error]   once: what chance does to a result
 //   [.bench-time]    several times, in turn with the other submissions: what a computer makes of it
 //   [.bench-growth]  once: large N and many dimensions
+//   [.bench-table]   once: figures that belong into a small table of their own (bench_table())
+//   [.bench-table-time]  the same of times: several times, in turn with the other submissions
 //
 // Each figure is a row that is written as soon as it is there (protocol/rows.hpp).
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,6 +28,25 @@ namespace mc::checks {
 /// this is about 25 ms. One such difference: ./lab bench comes back for more of them. Nothing where
 /// what came back was wrong.
 std::optional<double> seconds_once(const Rounds& run);
+
+/// Errors of independent replicates: sums of their squares, and of those squared.
+struct ErrorSums {
+  double count = 0, squares = 0, fourths = 0;
+  void add(double error) {
+    ++count;
+    squares += error * error;
+    fourths += error * error * error * error;
+  }
+  double rmse() const { return std::sqrt(squares / count); }
+  /// Of the RMSE: that of the mean square, by the delta method.
+  double standard_error() const {
+    const double mean = squares / count;
+    return std::sqrt(std::max(0.0, fourths / count - mean * mean) / count) / (2 * rmse());
+  }
+  /// About the exact value. Where the errors are normal it is 3, with a standard error of
+  /// sqrt(24 / count): by the delta method that of the mean of x^4 - 6 x^2.
+  double kurtosis() const { return fourths * count / (squares * squares); }
+};
 
 /// Columns of one point set after another; nothing where the task is not written.
 struct PointSets {
@@ -77,6 +101,16 @@ inline void bench_speed_error(const std::string& task, const std::string& name,
     if (!got) return {};
     return std::move(got->values);
   });
+}
+
+/// A figure of the table with this title, which ./lab bench prints as soon as there is a row of it.
+struct Cell {
+  std::string title, row, column;
+  std::uint64_t n = 0;  ///< samples: columns stand in this order, then in that of their first row
+  double value = 0, error = std::numeric_limits<double>::quiet_NaN();
+};
+inline void bench_table(const Cell& cell) {
+  bench_row({"table " + cell.title, cell.row, cell.column, 0, cell.n, cell.value, cell.error});
 }
 
 /// Rows of kind growth over 1, 2, 4, … 32 dimensions, 4,096 points each.

@@ -20,6 +20,7 @@
 #include "checks/support/gate.hpp"
 #include "common/rng.hpp"
 #include "protocol/records.hpp"
+#include "runner/spelling.hpp"
 #include "runner/text.hpp"
 #include "runner/wire.hpp"
 #include "sandbox/jail.hpp"
@@ -123,20 +124,14 @@ void require_value(const Call& call);
 /// Tells whoever runs this check (the grader).
 void record(protocol::RecordKind kind, const std::string& text);
 
-/// A value as it stands in a call: lists as {1, 2, 4, …}, with their length when cut; structs as
-/// {count = 3, mean = 0.5}.
+/// A value as it stands in a call: as its lab spells it, lists as {1, 2, 4, …}, with their length
+/// when cut; structs as {count = 3, mean = 0.5}.
 template <class T>
 std::string shown(const T& value) {
   return text::print(value);
 }
 template <wire::Listed T>
-std::string shown(const T& value) {
-  std::string all = '{' + text::print(value) + '}';
-  for (auto at = all.find("  "); at != std::string::npos; at = all.find("  ")) {
-    all.replace(at, 2, ", ");
-  }
-  return all;
-}
+std::string shown(const T& value);
 template <class T>
 std::string shown(const std::vector<T>& values) {
   constexpr std::size_t most = 5;
@@ -146,6 +141,36 @@ std::string shown(const std::vector<T>& values) {
   }
   if (values.size() > most) all += ", … (" + std::to_string(values.size()) + " values)";
   return all + "}";
+}
+template <wire::Listed T>
+std::string shown(const T& value) {
+  if constexpr (requires { spelled(value); }) {
+    return spelled(value);
+  } else {
+    const auto names = text::split(field_names(value), ',');
+    std::string all;
+    std::apply(
+        [&](const auto&... field) {
+          std::size_t i = 0;
+          ((all += (all.empty() ? "{" : ", "), all += names[i++], all += " = ",
+            all += shown(field)),
+           ...);
+        },
+        fields(const_cast<T&>(value)));
+    return all + '}';
+  }
+}
+
+/// A call as its lab spells it, else as "mean({1, 2, 4})".
+template <class... Arguments>
+std::string shown_call(std::string_view experiment, const Arguments&... arguments) {
+  if constexpr (requires { spelled_call(experiments::Spelling{}, experiment, arguments...); }) {
+    return spelled_call(experiments::Spelling{}, experiment, arguments...);
+  } else {
+    std::string all;
+    ((all += (all.empty() ? "" : ", ") + shown(arguments)), ...);
+    return std::string(experiment) + '(' + all + ')';
+  }
 }
 
 template <class Function>
@@ -158,11 +183,7 @@ struct Measure<Result(Parameters...)> {
     wire::Writer request;
     request.put(std::string(experiment));
     (request.put(arguments), ...);
-    std::string call(experiment);
-    call += '(';
-    ((call += shown(arguments), call += ", "), ...);
-    if constexpr (sizeof...(Parameters) > 0) call.resize(call.size() - 2);
-    call += ')';
+    std::string call = shown_call(experiment, arguments...);
     auto typed = [given = std::tuple(std::move(arguments)...)] {
       std::string lines;
       std::apply([&](const auto&... each) { ((lines += '\n' + text::as_typed(each)), ...); },

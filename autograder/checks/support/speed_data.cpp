@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <set>
@@ -30,6 +32,26 @@ Rng& judges_own() {
   return rng;
 }
 
+/// Nanoseconds a number of a running sum: what every machine does about as fast as its clock says.
+/// Beside it a time means the same on another machine, so what the reference takes is known where
+/// there is none. The shortest of several, for noise only adds.
+double nanoseconds_of_addition() {
+  static const std::vector<double> x(4096, 1 + 1e-9);  // 32 KB: in the first-level cache
+  constexpr int rounds = 64, attempts = 7;
+  double least = std::numeric_limits<double>::infinity();
+  volatile double sink = 0;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    const std::clock_t start = std::clock();
+    for (int round = 0; round < rounds; ++round) {
+      double sum = sink;
+      for (const double value : x) sum += value;
+      sink = sum;
+    }
+    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return least * 1e9 / (rounds * static_cast<double>(x.size()));
+}
+
 void time_speed(const std::string& what, std::uint64_t values, const Rounds& rounds) {
   auto count = rounds_of(rounds, 0.025);
   if (!count) return;
@@ -42,6 +64,7 @@ void time_speed(const std::string& what, std::uint64_t values, const Rounds& rou
     one = *round;
   }
   std::sort(seconds.begin(), seconds.end());
+  bench_row({"speed unit", what, "", 0, 1, nanoseconds_of_addition()});
   bench_row({"speed", what, "", 0, values, seconds[1] * 1e9 / static_cast<double>(values)});
 }
 

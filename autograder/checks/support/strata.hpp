@@ -89,7 +89,7 @@ inline std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
   }
   expect_inside(call, "x", x);
   expect_inside(call, "y", y);
-  const auto cells = cells_of(x, y, grid);
+  auto cells = cells_of(x, y, grid);
   if (!cells.empty()) {
     pass();
     return cells;

@@ -65,8 +65,7 @@ TEST_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {
     expect_within(
         got.call, got.value, exact.covariance,
         10 * exact.n * eps * exact.kappa_x * exact.kappa_y * exact.sigmas,
-        "n additions lose at most n eps of the sum of products; a digit is left beyond "
-        "that",
+        "n additions lose at most n eps of the sum of products; one digit less is enough",
         covariance_hints(got.value, exact, "sum (x - mean x)(y - mean y) and divide by n - 1"));
   }
 }
@@ -77,8 +76,8 @@ void expect_promised(const Pairs& pairs, const std::string& otherwise) {
   const auto got = MEASURE(covariance, pairs.x, pairs.y);
   expect_within(got.call, got.value, exact.covariance,
                 10 * exact.n * eps * (exact.kappa_x + exact.kappa_y) * exact.sigmas,
-                "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y, kappa "
-                "= sqrt(1 + mean^2 / variance); a digit is left beyond that",
+                "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y, kappa = "
+                "sqrt(1 + mean^2 / variance); one digit less is enough",
                 covariance_hints(got.value, exact, otherwise));
 }
 
@@ -101,8 +100,8 @@ TEST_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]")
     for (double& x : pairs.x) x *= of_x;
     for (double& y : pairs.y) y *= of_y;
     expect_promised(pairs,
-                    "small is not zero; and is it taken from Var{X + Y}? The larger variance's "
-                    "rounding is all that is left there of the smaller one");
+                    "small is not zero: use no threshold. Is it taken from Var{X + Y}? There the "
+                    "rounding of the larger variance is larger than the covariance");
   }
 }
 
@@ -110,8 +109,7 @@ TEST_CASE("1.6 there is no covariance of one pair or of NaN", "[1.6][edge][point
   Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, 1, 2)}, Values{}}) {
     const auto got = MEASURE(covariance, x, x);
-    expect_nan(got.call, got.value,
-               "there is no sample covariance of fewer than two pairs; " + because_undefined);
+    expect_nan(got.call, got.value, "a sample covariance needs two pairs; " + because_undefined);
   }
   for (const Values& x : without_finite_variance(rng)) {
     const Values y = uniform_values(rng, x.size(), 1, 2);

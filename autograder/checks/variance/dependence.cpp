@@ -52,7 +52,7 @@ void expect_dependence(const Values& joint, std::size_t columns, double exact, d
   const std::string one_side =
       is_in_empty_cell && of_filled_cells == *most
           ? "the largest difference is in an empty cell: that counts too, and is below 0, so abs()"
-          : "a cell may hold too little as well as too much: abs() is missing";
+          : "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
   const auto got = MEASURE(dependence, joint, columns);
   expect_within(
       got.call, got.value, exact, tolerance, because,
@@ -120,8 +120,9 @@ TEST_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][n
   // own: nothing is in the centre, where p(x) p(y) is a weight of its own, too.
   const double v = uniform(rng, 1, 9), w = uniform(rng, 1, 9);
   const double share = v / (v + w);
-  expect_dependence({0, v, 0, w, 0, w, 0, v, 0}, 3, share * (1 - share), 8 * eps,
-                    "at the centre p(x,y) = 0, while p(x) p(y) is the product of the axes' shares");
+  expect_dependence(
+      {0, v, 0, w, 0, w, 0, v, 0}, 3, share * (1 - share), 8 * eps,
+      "at the centre p(x,y) = 0, while p(x) p(y) is the product of the fractions on the two axes");
 }
 
 Call dependence_of(const Values& joint, std::size_t columns) {

@@ -44,12 +44,12 @@ inline double repeating_floor(std::size_t n) {
 }
 
 inline const std::string because_two_pass =
-    "n additions lose at most n eps of the sum, whatever their order; a digit is left beyond that";
+    "n additions lose at most n eps of the sum, in any order; one digit less is enough";
 inline const std::string because_one_pass =
-    "a running mean is rounded n times to eps |mean|, each of which costs the variance a part "
-    "eps |mean| / sigma; a digit is left beyond that";
+    "a running mean is rounded n times to eps |mean|, each of which costs the variance a fraction "
+    "eps |mean| / sigma; one digit less is enough";
 inline const std::string because_repeating =
-    "n equal roundings lose n/4 eps; 1.5 digits are left beyond that";
+    "n equal roundings lose n/4 eps; 1.5 digits less are enough";
 inline const std::string because_undefined = "what is undefined is NaN, as in numpy and R";
 
 }  // namespace mc::checks

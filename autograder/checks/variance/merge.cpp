@@ -16,13 +16,13 @@ namespace {
 
 Hints merged_mean_hints(double got, const Moments& a, const Moments& b, double mean) {
   const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
-  const std::string whole = "is the other part's share a division of whole numbers, which is 0?";
+  const std::string whole = "is the other part's weight, n_b / n, an integer division, which is 0?";
   return {nearest(got, mean,
                   {{(a.mean + b.mean) / 2, "the mean of two means is right only for equal counts"},
                    {n_a * a.mean + n_b * b.mean, "this is the sum of all values: divide by n"},
                    {a.mean, "this is the first part's mean alone: " + whole},
                    {b.mean, "this is the second part's mean alone: " + whole}}),
-          "means count by their shares: (n_a mean_a + n_b mean_b) / (n_a + n_b)", empty_part};
+          "weigh the means by the counts: (n_a mean_a + n_b mean_b) / (n_a + n_b)", empty_part};
 }
 
 Hints merged_m2_hints(double got, const Moments& a, const Moments& b, double mean, double m2) {
@@ -36,8 +36,8 @@ Hints merged_m2_hints(double got, const Moments& a, const Moments& b, double mea
       nearest(
           got, m2,
           {{within,
-            "two parts with different means vary between them too: (mean_b - mean_a)^2 "
-            "n_a n_b / n is missing"},
+            "two parts with different means vary between them too: add (mean_b - mean_a)^2 n_a n_b "
+            "/ n"},
            {a.m2 + n_a * (a.mean - mean) * (a.mean - mean) +  //
                 b.m2 + n_b * (b.mean - mean) * (b.mean - mean),
             "both parts were measured from the merged mean, which is rounded: (mean_b - "
@@ -47,7 +47,8 @@ Hints merged_m2_hints(double got, const Moments& a, const Moments& b, double mea
             "doubles"},
            {within + apart * apart * whole_quotient,
             "n_a n_b / n was divided as whole numbers, which cuts it off: divide doubles"},
-           {within + apart * apart, "the square of the distance wants its weight n_a n_b / n"},
+           {within + apart * apart,
+            "the squared distance of the means is not multiplied by its weight n_a n_b / n"},
            {within + std::abs(apart) * n_a * n_b / n, "the distance of the means is squared"},
            {within + apart * apart * n_a * n_b, "n_a n_b is still to be divided by n_a + n_b"}}),
       "a.m2 + b.m2 + (mean_b - mean_a)^2 n_a n_b / n; do the counts multiply beyond 64 bits?",
@@ -89,9 +90,9 @@ TEST_CASE("1.5 parts of real data merge to the whole", "[1.5][points:2][needs:1.
     const auto got = MEASURE(merge_parts, x, sizes);
     expect_moments(
         got.call, got.value, exact, two_pass_floor(1000), one_pass_floor(exact), because_one_pass,
-        {{}, "means count by their shares: (n_a mean_a + n_b mean_b) / (n_a + n_b)", empty_part},
+        {{}, "weigh the means by the counts: (n_a mean_a + n_b mean_b) / (n_a + n_b)", empty_part},
         {{},
-         "what the parts vary between them, (mean_b - mean_a)^2 n_a n_b / n, is in m2 too",
+         "add the variation between the parts, (mean_b - mean_a)^2 n_a n_b / n, to m2",
          empty_part});
   }
 }
@@ -102,7 +103,7 @@ TEST_CASE("1.5 merging with an empty part changes nothing", "[1.5][edge][points:
   expect_merge(some, {});
   expect_merge({}, some);
   const auto nothing = MEASURE(merge, {}, {});
-  expect_nothing(nothing.call, nothing.value, "nothing and nothing is nothing", empty_part);
+  expect_nothing(nothing.call, nothing.value, "two empty parts merge to an empty one", empty_part);
 }
 
 TEST_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:4]") {

@@ -31,8 +31,7 @@ std::pair<Hints, Hints> moments_hints(const Moments& got, const Values& x,
                {{mean * n, "this is the sum: divide it by the count"},
                 {about_first.mean, first_value}}),
        digits(got.mean, mean) < 1
-           ? "the mean is nowhere near: was the shift put back, does each part count by its "
-             "share?"
+           ? "the mean is far off: was the shift put back, are the parts weighted by their counts?"
            : otherwise},
       {nearest(got.m2, m2,
                {{exact.variance, "m2 is a sum: variance() divides it, once"},

@@ -73,8 +73,8 @@ Hints welford_hints(double got, std::span<const double> x, const ExactMoments& e
                    {sums.from_new_means / divided,
                     "m2 grows by (x - old mean)(x - new mean); this is the new one, twice"},
                    {sums.about_first / divided,
-                    "the mean never moves from the first value: is 1 / count a division of whole "
-                    "numbers, which is 0?"},
+                    "the mean never moves from the first value: is 1 / count an integer division, "
+                    "which is 0?"},
                    {m2 / (n - 1) / divided, "m2 is a sum: variance() divides it, once"},
                    {m2 * n / (n - 1) / divided,
                     "this is n times the sample variance: m2 is n - 1 times it"}}),

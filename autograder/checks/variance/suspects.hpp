@@ -20,7 +20,7 @@ inline const std::string running_mean =
 inline const std::string uncorrected =
     "the mean was rounded: take (sum of deviations)^2 / n off the sum of squares";
 inline const std::string stop_at_zero =
-    "what the correction takes away can be rounded up: stop at 0";
+    "the correction is rounded, and may be larger than the sum: return 0 then";
 
 /// Those suspects that the measured value is a hundred times nearer to than to the exact one. Where
 /// a mistake costs a few digits only, its value and the right one are near each other, and near

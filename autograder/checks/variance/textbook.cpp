@@ -27,8 +27,7 @@ TEST_CASE("1.2 fewer than two values have no variance by the textbook", "[1.2][e
   Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, -1, 1)}, Values{}}) {
     const auto got = MEASURE(variance_textbook, x);
-    expect_nan(got.call, got.value,
-               "there is no sample variance of fewer than two values; " + because_undefined);
+    expect_nan(got.call, got.value, "a sample variance needs two values; " + because_undefined);
   }
 }
 
@@ -47,10 +46,11 @@ TEST_CASE("1.2 the textbook formula loses everything under a large mean", "[1.2]
     // power of two that is far from 22.5 n/(n-1). Two digits would take an ulp below 0.4.
     expect_that(
         !(digits(got.value, exact.variance) >= 2),
-        fmt::format("{} = {}, which is right to {:.1f} digits", got.call, got.value,
+        fmt::format("{} = {}, which has {:.1f} correct digits", got.call, got.value,
                     digits(got.value, exact.variance)),
         "a number with no right digit, as E{X^2} - E{X}^2 gives here in double",
-        "this task is here to be seen failing: both terms are 1e18, known to the nearest 128",
+        "this task shows how the formula fails: both terms are about 1e18, where doubles are 128 "
+        "apart",
         "this is a better algorithm under the textbook's name, or a wider type; keep it for 1.3");
   }
 }

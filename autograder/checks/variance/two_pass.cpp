@@ -33,8 +33,7 @@ TEST_CASE("1.3 fewer than two values have no variance", "[1.3][edge][points:1]")
   Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, -1, 1)}, Values{}}) {
     const auto got = by_two_passes(x);
-    expect_nan(got.call, got.value,
-               "there is no sample variance of fewer than two values; " + because_undefined);
+    expect_nan(got.call, got.value, "a sample variance needs two values; " + because_undefined);
   }
 }
 
@@ -128,9 +127,11 @@ TEST_CASE("1.3 sigma of aX is the absolute value of a times sigma of X",
         fmt::format("sqrt({})", of_ax.call), std::sqrt(of_ax.value), sigma,
         two_pass_floor(x.size()),
         fmt::format("Var{{aX}} = a^2 Var{{X}} with a = {}, and {} = {}", a, of_x.call, of_x.value),
-        {{}, "the scale of the data is no matter: no constant of its own belongs in here"});
+        {{},
+         "the result depends on the scale of the data: use no threshold and no constant of your "
+         "own"});
     expect_digits(of_x.call, of_x.value, exact_moments(x).variance, 1,
-                  "any number would do here that is not made up",
+                  "the variance of x itself must be right, too",
                   {{}, "see the first check of this task"});
   }
 }

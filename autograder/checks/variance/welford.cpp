@@ -26,11 +26,11 @@ TEST_CASE("1.4 add keeps count and mean and m2", "[1.4][main][points:5]") {
     expect_moments(
         got.call, got.value, exact, two_pass_floor(n), n > 1 ? one_pass_floor(exact) : 0,
         because_one_pass,
-        {nearest(got.value.mean, mean,
-                 {{x[0],
-                   "the mean stays at the first value: is 1 / count a division of whole numbers, "
-                   "which is 0?"},
-                  {mean * exact.count, "this is the sum: the mean moves by (x - mean) / count"}}),
+        {nearest(
+             got.value.mean, mean,
+             {{x[0],
+               "the mean stays at the first value: is 1 / count an integer division, which is 0?"},
+              {mean * exact.count, "this is the sum: the mean moves by (x - mean) / count"}}),
          or_float(got.value.mean, mean,
                   "the mean moves by (x - mean)/count, with the count that includes x; is anything "
                   "here a float?")},
@@ -65,8 +65,7 @@ TEST_CASE("1.4 the variance of moments", "[1.4][points:2]") {
 TEST_CASE("1.4 the variance of fewer than two values is NaN", "[1.4][edge][points:1]") {
   for (const std::uint64_t count : {1u, 0u}) {
     const auto got = MEASURE(variance_of, {count, count == 0 ? 0 : 2.5, 0});
-    expect_nan(got.call, got.value,
-               "there is no sample variance of fewer than two values; " + because_undefined);
+    expect_nan(got.call, got.value, "a sample variance needs two values; " + because_undefined);
   }
 }
 
@@ -139,7 +138,7 @@ TEST_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
                   fmt::format("{}.count = {}", got.call, got.value.count),
                   fmt::format("{}", many.count + 1), "one value more was added", end.hint);
       // Six digits: a count that is one off changes the eighth, one that wrapped round all of them.
-      const std::string because = "a count that holds keeps all digits; six are asked for here";
+      const std::string because = "a right count keeps all digits; six are asked for here";
       expect_digits(got.call + ".mean", got.value.mean, static_cast<double>(exact.mean), 6, because,
                     {{}, end.hint});
       expect_digits(got.call + ".m2", got.value.m2, static_cast<double>(exact.m2), 6, because,

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -17,7 +19,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// Rows of the lab's [.speed] cases, of those `tasks`, by way of `file`.
+/// By way of `file`.
 std::vector<protocol::Row> measure(const Layout& layout, const Lab& lab,
                                    const sandbox::Program& program,
                                    const std::set<std::string>& tasks, const fs::path& file) {
@@ -62,6 +64,28 @@ const protocol::Row* find(const std::vector<protocol::Row>& rows, const std::str
 
 }  // namespace
 
+fs::path ratios_file(const Layout& layout, const Lab& lab) {
+  return layout.labs() / lab.folder / "speed.tsv";
+}
+
+std::map<std::string, double> kept_ratios(const fs::path& file) {
+  std::map<std::string, double> ratios;
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const auto tab = line.find('\t');
+    if (line.starts_with('#') || tab == std::string::npos) continue;
+    ratios[line.substr(0, tab)] = std::strtod(line.c_str() + tab + 1, nullptr);
+  }
+  return ratios;
+}
+
+std::vector<protocol::Row> speed_rows(const Layout& layout, const Lab& lab,
+                                      const sandbox::Program& program,
+                                      const std::set<std::string>& tasks) {
+  return measure(layout, lab, program, tasks,
+                 layout.build / "speed" / fmt::format("{}.{}.tsv", lab.name, getpid()));
+}
+
 std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,
                                  const sandbox::Program& program) {
   std::set<std::string> passed;
@@ -69,11 +93,10 @@ std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict
   for (const CheckResult& result : verdict.checks) {
     if (result.status != Status::passed) passed.erase(result.check.task);
   }
-  const auto own =
-      measure(layout, verdict.lab, program, passed,
-              layout.build / "speed" / fmt::format("{}.{}.tsv", verdict.lab.name, getpid()));
+  const auto own = speed_rows(layout, verdict.lab, program, passed);
   if (own.empty()) return {};
   const auto reference = rows_of_reference(layout, verdict.lab, passed, program, own);
+  const auto ratios = kept_ratios(ratios_file(layout, verdict.lab));
   std::vector<Speed> speed;
   for (const protocol::Row& row : own) {
     if (row.kind != "speed" && row.kind != "speed wrong") continue;
@@ -85,7 +108,13 @@ std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict
       continue;
     }
     one.nanoseconds = row.value;
-    if (const auto* other = find(reference, "speed", row.what)) one.reference = other->value;
+    if (const auto* unit = find(own, "speed unit", row.what)) one.addition = unit->value;
+    if (const auto* other = find(reference, "speed", row.what)) {
+      one.reference = other->value;
+    } else if (const auto kept = ratios.find(row.what); kept != ratios.end()) {
+      one.reference = kept->second * one.addition;
+      one.is_estimate = true;
+    }
     if (const auto* error = find(own, "speed error", row.what)) {
       one.error = error->value;
       one.points = error->n;

@@ -53,11 +53,13 @@ struct CheckResult {
 struct Speed {
   std::string name;                       ///< "2.8 uniforms"
   double nanoseconds = 0;                 ///< a number, a value, a point
-  std::optional<double> reference;        ///< of the solution, where the checkout has one
+  std::optional<double> reference;        ///< of the solution
+  bool is_estimate = false;               ///< by the ratio that is kept with the lab, without it
   std::optional<double> error;            ///< RMSE of its points on `integrand`
   std::optional<double> reference_error;  ///< of the solution's, as many points
   std::uint64_t points = 0;
   std::string integrand;
+  double addition = 0;     ///< nanoseconds of one addition of a running sum, measured beside it
   std::string wrong = {};  ///< what was wrong when it was timed: then there is no figure
 };
 

@@ -248,14 +248,24 @@ std::string report_speed(const LabVerdict& lab) {
       continue;
     }
     line(one.name, nanoseconds(one.nanoseconds),
-         one.reference ? nanoseconds(*one.reference) : std::string());
+         one.reference ? (one.is_estimate ? "about " : "") + nanoseconds(*one.reference)
+                       : std::string());
     if (!one.error) continue;
     line(fmt::format("    error of {} on {}", one.points, one.integrand),
          fmt::format("{:.2g}", *one.error),
          one.reference_error ? fmt::format("{:.2g}", *one.reference_error) : std::string());
   }
+  double addition = 0;
+  bool is_estimate = false;
+  for (const Speed& one : lab.speed) {
+    addition = std::max(addition, one.addition);
+    is_estimate = is_estimate || one.is_estimate;
+  }
+  if (addition > 0) line("a running sum, to compare", nanoseconds(addition), "");
   if (const auto times = lab.times_the_reference()) {
-    all += fmt::format("  {:.2f} times as fast as the reference; speed is not graded.\n", *times);
+    const std::string told =
+        is_estimate ? fmt::format("about {:.1f}", *times) : fmt::format("{:.2f}", *times);
+    all += fmt::format("  {} times as fast as the reference; speed is not graded.\n", told);
   }
   return all;
 }

@@ -103,20 +103,24 @@ Json json_of(const Speed& speed) {
   return {{"name", speed.name},
           {"nanoseconds", speed.nanoseconds},
           {"reference", maybe(speed.reference)},
+          {"is_estimate", speed.is_estimate},
           {"error", maybe(speed.error)},
           {"reference_error", maybe(speed.reference_error)},
           {"points", speed.points},
           {"integrand", speed.integrand},
+          {"addition", speed.addition},
           {"wrong", speed.wrong}};
 }
 Speed speed_in(const Json& json) {
   return {json.at("name"),
           json.at("nanoseconds"),
           maybe_in(json.at("reference")),
+          json.value("is_estimate", false),
           maybe_in(json.at("error")),
           maybe_in(json.at("reference_error")),
           json.at("points"),
           json.at("integrand"),
+          json.value("addition", 0.0),
           json.value("wrong", "")};
 }
 

@@ -93,11 +93,12 @@ SanitizedProgram build_sanitized(const Layout& layout, const Lab& lab,
                                  const Submission& submission) {
   const fs::path place = layout.build / "sanitize" / lab.name;
   const std::string label = name_of(layout, submission.path);
-  const fs::path runner = layout.labs() / "runner";
   std::vector<Source> sources{
-      {layout.labs() / lab.folder / "experiments.cpp", place / "experiments.o"},
-      {runner / "main.cpp", place / "main.o"},
-      {runner / "text.cpp", place / "text.o"}};
+      {layout.labs() / lab.folder / "experiments.cpp", place / "experiments.o"}};
+  for (const fs::directory_entry& file : fs::directory_iterator(layout.labs() / "runner")) {
+    if (file.path().extension() != ".cpp") continue;
+    sources.push_back({file.path(), place / file.path().stem().concat(".o")});
+  }
   std::vector<std::string> names = lab.stands_on;
   names.push_back(lab.name);
   for (const std::string& name : names) {

@@ -30,7 +30,7 @@ inline void require_writable(const std::optional<std::string>& file) {
 
 /// When Gradescope shows the checks to students; throws UsageError for what it does not know.
 inline std::optional<std::string> visibility_of(const Arguments& arguments) {
-  const auto given = arguments.get("visibility");
+  auto given = arguments.get("visibility");
   for (const char* known : {"visible", "hidden", "after_due_date", "after_published"}) {
     if (!given || *given == known) return given;
   }

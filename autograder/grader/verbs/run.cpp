@@ -2,12 +2,14 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "grader/context/errors.hpp"
 #include "grader/reports/progress_line.hpp"
+#include "grader/reports/report.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/intake.hpp"
 #include "grader/submission/sanitized.hpp"
@@ -47,9 +49,15 @@ int run(const Context& context, const Arguments& arguments) {
   const std::string program = program_of(context, lab, submission, arguments.has("sanitize"));
   if (program.empty()) return 1;
   if (arguments.words.size() == 1) {
-    fmt::print("The experiments of {}; run one with ./lab run {} NAME ARGUMENT...\n\n", lab.title(),
-               lab.name);
-    become({program, "--list"});
+    const std::size_t width = this_terminal().width;
+    fmt::print(
+        "The experiments of {}. Run one with\n\n  ./lab run {} EXPERIMENT --NAME VALUE "
+        "...\n\n{}\n\n",
+        lab.title(), lab.name,
+        wrapped("or with the values alone, in this order. Numbers are written 0.5, lists 1,2,4 "
+                "or @FILE, structs field:field.",
+                width, 0));
+    become({program, "--list", std::to_string(width)});
   }
   std::vector<std::string> command{program};
   command.insert(command.end(), arguments.words.begin() + 1, arguments.words.end());

@@ -35,7 +35,8 @@ const RegisterVerb test_verb{
      "alternatives, the attacks.\n"
      "  --quick   a minute: the grader's own tests, and one submission of every kind and lab\n"
      "  --full    right ones with 1,000 seeds (their checks that are not random with 2,000),\n"
-     "            mistakes with 200: a night, but it goes on where it was interrupted\n"
+     "            mistakes with 200 (the checks of their tasks): a night, but it goes on\n"
+     "            where it was interrupted\n"
      "  --power   the table of seeds and alphas that runs of --full have left\n",
      test}};
 

@@ -162,7 +162,8 @@ TEST_CASE(
         "\"'=x \",0,,0.0,\"not judged: the disk is full\",\"not judged\",,,\n");
 }
 
-TEST_CASE("a batch that is killed at any moment loses nothing and does nothing twice") {
+TEST_CASE("a batch that is killed at any moment loses nothing and does nothing twice",
+          "[.interrupted]") {
   Course course;
   course.hand_in_tiny(30);
   const std::string seed = std::to_string(700'000'000 + getpid());

@@ -88,7 +88,7 @@ bool is_no_grade(const Course& course, const Words& faults, const std::string& r
     CHECK(rows[i][4].find("not judged: ") == 0);
     CHECK(rows[i][4].find(reason) != std::string::npos);
     CHECK(rows[i][5] == "not judged");
-    for (std::size_t cell = 6; cell < rows[i].size(); ++cell) CHECK(rows[i][cell] == "");
+    for (std::size_t cell = 6; cell < rows[i].size(); ++cell) CHECK(rows[i][cell].empty());
   }
   // One alone, for Gradescope: no file that could be taken for a grade.
   const auto single =
@@ -137,7 +137,7 @@ TEST_CASE("a full disk is no grade, and four in a row are not tried") {
   CHECK(some.exit_code == 3);
   const auto rows = csv_rows(read_text(course.csv()));
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    CHECK((rows[i][6] == "100" || (rows[i][6] == "" && rows[i][4].find("not judged: ") == 0)));
+    CHECK((rows[i][6] == "100" || (rows[i][6].empty() && rows[i][4].find("not judged: ") == 0)));
   }
 }
 

@@ -13,7 +13,6 @@
 
 namespace mc::self_test {
 
-namespace fs = std::filesystem;
 using grader::CheckResult;
 using grader::LabVerdict;
 using protocol::PValue;

@@ -1,5 +1,5 @@
 #pragma once
-// From the unit square to what scenes sample.
+// From the unit square to what scenes sample. Each function takes coordinates in [0,1).
 
 #include <cmath>
 #include <numbers>
@@ -8,28 +8,34 @@
 
 namespace mc::scenes {
 
+/// A vector of space; z points away from the surface.
 struct Vector {
   double x = 0, y = 0, z = 0;
 };
 
-/// Uniform in the unit disk. The root makes the area inside r grow as r^2, as a disk's does.
+/// A uniform point of the unit disk. The root makes the area inside radius r grow as r^2, as a
+/// disk's does.
 inline Point2 in_unit_disk(Point2 u) {
   const double r = std::sqrt(u.x), phi = 2 * std::numbers::pi * u.y;
   return {r * std::cos(phi), r * std::sin(phi)};
 }
 
-/// A direction at the height `z` above the horizon, turned by u in [0,1).
+/// The unit vector whose z coordinate is `z`, turned around the z axis by `u` of a full turn.
+/// requires: z in [-1,1].
 inline Vector direction(double z, double u) {
   const double r = std::sqrt(1 - z * z), phi = 2 * std::numbers::pi * u;
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-/// Uniform on the hemisphere around z: by Archimedes, its height is uniform.
+/// A uniform direction of the hemisphere around z: its height is uniform (Archimedes).
 inline Vector uniform_direction(Point2 u) {
   return direction(u.x, u.y);
 }
 
-/// With density cos / pi: a uniform point of the disk, lifted onto the sphere (Malley's method).
+/// A direction of the hemisphere around z, with density cos / pi: a uniform point of the disk,
+/// lifted onto the sphere.
+/// source:   Malley's method: Pharr, Jakob, Humphreys 2023, "Physically based rendering", appendix
+///           A.5.3.
 inline Vector cosine_direction(Point2 u) {
   return direction(std::sqrt(1 - u.x), u.y);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A pixel that a moving edge crosses while the shutter is open. Two dimensions that have nothing to
-// do with each other, so two next(): where in the pixel, across the edge; and when.
+// A pixel that a moving edge crosses while the shutter is open. Two dimensions that do not belong
+// together, so two next(): where in the pixel, across the edge; and when.
 
 #include "6-sampler/sampler.hpp"
 

@@ -1,5 +1,5 @@
 // mistake: compares each dart with all points
-// caught by: 4.7 Poisson disks cost as much as they are many
+// caught by: 4.7 the cost of Poisson disks is linear in their number
 // hint: each new point is compared with all others
 // limit: time
 #include "blue_noise.hpp"

@@ -1,5 +1,5 @@
 // mistake: throws the more darts a point the more points there are
-// caught by: 4.7 Poisson disks cost as much as they are many
+// caught by: 4.7 the cost of Poisson disks is linear in their number
 // hint: hit its last gaps rarely
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk

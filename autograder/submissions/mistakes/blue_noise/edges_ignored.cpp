@@ -1,6 +1,6 @@
 // mistake: keeps the distance within the square, and not across its edges
 // caught by: 4.3 no two points are closer
-// caught by: 4.3 hardly any room
+// caught by: 4.3 the pattern is nearly maximal
 // caught by: 4.3 Poisson disks are blue
 // caught by: 4.3 a radius too large
 // hint: close only across an edge

@@ -1,6 +1,6 @@
 // mistake: draws from a copy of the generator, so every pattern is the same one
 // caught by: 4.3 no two points are closer
-// caught by: 4.3 hardly any room is left
+// caught by: 4.3 the pattern is nearly maximal
 // caught by: 4.3 Poisson disks are blue
 // caught by: 4.3 a radius too large
 // hint: draw from the generator that is handed in

@@ -1,5 +1,5 @@
 // mistake: throws darts until ten in a row have missed
-// caught by: 4.3 hardly any room is left
+// caught by: 4.3 the pattern is nearly maximal
 // caught by: 4.3 Poisson disks are blue
 // hint: some misses in a row are no proof
 #include "blue_noise.hpp"

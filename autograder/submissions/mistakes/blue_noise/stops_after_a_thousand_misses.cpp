@@ -1,5 +1,5 @@
 // mistake: throws darts until 1,000 in a row have missed: right for some hundred points
-// caught by: 4.7 Poisson disks cost as much as they are many
+// caught by: 4.7 the cost of Poisson disks is linear in their number
 // hint: a limit on tries must grow with the number of points
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk

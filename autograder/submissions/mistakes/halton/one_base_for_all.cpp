@@ -1,7 +1,7 @@
 // mistake: every axis is in base 2
 // caught by: 5.3 Halton points
 // caught by: 5.3 integrals
-// caught by: 5.3 every box
+// caught by: 5.3 each elementary interval
 // hint: this axis is in base 2
 #include "halton.hpp"
 

@@ -3,9 +3,9 @@
 // caught by: 2.8 a call depends
 // caught by: 2.8 a generator of one word
 // caught by: 2.8 the numbers are uniform
-// caught by: 2.8 the numbers know nothing
+// caught by: 2.8 the numbers are independent
 // caught by: 2.8 the last bits
-// caught by: 2.8 a call has no beginning
+// caught by: 2.8 the first numbers of a call are independent
 // hint: = in place of +=
 #include "independent.hpp"
 

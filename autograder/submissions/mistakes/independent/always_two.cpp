@@ -1,7 +1,7 @@
 // mistake: the quantile of 95 %, whatever the level
 // caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal
-// caught by: 2.5 intervals of rare
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
 // hint: 1.96 is for 95 % alone
 #include "independent.hpp"
 

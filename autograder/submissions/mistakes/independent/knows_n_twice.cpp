@@ -1,7 +1,7 @@
 // mistake: divides the standard error of the mean by the root of n once more
 // caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal
-// caught by: 2.5 intervals of rare
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
 // hint: standard_error belongs to the mean: it knows n already
 #include "independent.hpp"
 

@@ -1,7 +1,7 @@
 // mistake: sixteen lanes with neighbouring states of a linear generator: they run in step
-// caught by: 2.8 the numbers know nothing
+// caught by: 2.8 the numbers are independent
 // caught by: 2.8 the last bits
-// caught by: 2.8 a call has no beginning
+// caught by: 2.8 the first numbers of a call are independent
 // hint: do lanes run in step?
 #include "independent.hpp"
 

@@ -1,5 +1,5 @@
 // mistake: the states of four lanes differ in a few bits: calls begin with four similar numbers
-// caught by: 2.8 a call has no beginning
+// caught by: 2.8 the first numbers of a call are independent
 // hint: lanes want states that have nothing in common
 #include "independent.hpp"
 

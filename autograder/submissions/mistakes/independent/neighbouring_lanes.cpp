@@ -1,6 +1,6 @@
 // mistake: four lanes are seeded s, s + 1, s + 2, s + 3: each call begins with four equal numbers
 // caught by: 2.8 a span of any size
-// caught by: 2.8 a call has no beginning
+// caught by: 2.8 the first numbers of a call are independent
 // hint: lanes begin with equal numbers
 // hint: lanes want states that have nothing in common
 #include "independent.hpp"

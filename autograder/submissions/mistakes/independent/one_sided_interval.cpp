@@ -1,8 +1,8 @@
 // mistake: takes the quantile of the level itself, as if nothing could be too high
 // caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal
-// caught by: 2.5 intervals of rare
-// hint: what is left outside lies on both sides
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
+// hint: what the interval leaves out lies on both sides
 #include "independent.hpp"
 
 #define confidence_interval right_confidence_interval

@@ -1,7 +1,7 @@
 // mistake: the quantile that leaves half outside is negative: low and high change places
 // caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal
-// caught by: 2.5 intervals of rare
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
 // hint: low and high are the wrong way round
 #include "independent.hpp"
 

@@ -1,7 +1,7 @@
 // mistake: the generator does not move on: the next call begins with the same numbers
 // caught by: 2.8 a span of any size
-// caught by: 2.8 the numbers know nothing
-// caught by: 2.8 a call has no beginning
+// caught by: 2.8 the numbers are independent
+// caught by: 2.8 the first numbers of a call are independent
 // hint: do two calls, or two lanes, begin in the same place?
 #include "independent.hpp"
 

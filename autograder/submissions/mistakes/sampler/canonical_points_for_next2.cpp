@@ -1,6 +1,6 @@
 // mistake: shuffles next(), and leaves the points of next2() in the order of their cells
-// caught by: 6.2 every use has a random order of its own
-// hint: the pattern wants to be shuffled
+// caught by: 6.2 each sample dimension has a permutation of its own
+// hint: the pattern must be shuffled
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

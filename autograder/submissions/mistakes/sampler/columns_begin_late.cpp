@@ -1,4 +1,4 @@
-// mistake: a use that a later sample is the first to ask for begins with its first number then
+// mistake: a sample dimension that a later sample asks for first begins with its first number then
 // caught by: 6.4 a sample may ask for less than the one before
 // hint: make a whole column, also for the samples before
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"

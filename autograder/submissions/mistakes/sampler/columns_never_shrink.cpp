@@ -1,6 +1,6 @@
 // mistake: fewer samples than before get the first numbers of columns of the old size
 // caught by: 6.4 the same seed gives the same numbers
-// caught by: 6.8 a use that nobody asks for costs no memory
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: columns of that size or of another
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 

@@ -5,7 +5,7 @@
 // caught by: 6.3 the first dimensions of halton are
 // caught by: 6.3 sobol begins anew after eight dimensions
 // caught by: 6.3 halton begins anew after eight dimensions
-// caught by: 6.2 every use has a random order
+// caught by: 6.2 each sample dimension has a permutation of its own
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.7 the first next2 is blue noise
 // hint: a sample that ends early must not hand its numbers

@@ -1,6 +1,6 @@
 // mistake: generate() makes sixteen columns, wanted or not
-// caught by: 6.8 a use that nobody asks for costs no memory
-// hint: numbers are made for uses, and there was none
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
+// hint: columns are made when they are asked for, and none was
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

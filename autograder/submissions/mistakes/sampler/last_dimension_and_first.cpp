@@ -1,6 +1,6 @@
 // mistake: where one dimension of a block is left, a next2() takes that and the first of the next
 // caught by: 6.3 sobol begins anew after eight dimensions
-// hint: that is left over
+// hint: that is left out
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

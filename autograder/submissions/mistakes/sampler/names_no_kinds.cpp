@@ -1,6 +1,6 @@
 // mistake: refuses an unknown kind without a word about the known ones
 // caught by: 6.1 a refusal names the kinds
-// hint: whoever mistypes a name wants to know the names there are
+// hint: a list of the kinds helps whoever mistypes one
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

@@ -1,13 +1,13 @@
-// mistake: begins with the same generator for every use
+// mistake: begins with the same generator for every sample dimension
 // caught by: 6.1 numbers are uniform and independent
-// caught by: 6.2 every use has a random order
+// caught by: 6.2 each sample dimension has a permutation of its own
 // caught by: 6.3 each seed and each dimension
 // caught by: 6.3 sobol begins anew after eight dimensions
 // caught by: 6.3 halton begins anew after eight dimensions
 // caught by: 6.4 the same seed gives the same numbers
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.4 next and next2 are counted apart
-// caught by: 6.8 a use that nobody asks for costs no memory
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: the same numbers come again for another
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 

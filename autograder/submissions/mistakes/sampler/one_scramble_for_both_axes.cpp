@@ -1,6 +1,6 @@
 // mistake: both axes of a next2() are scrambled with the same seed
 // caught by: 6.3 each seed and each dimension is randomised anew
-// hint: one seed for several dimensions: each wants its own
+// hint: one seed for several dimensions: each needs its own
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

@@ -1,8 +1,8 @@
-// mistake: shuffles every use into the same order
-// caught by: 6.2 every use has a random order of its own
+// mistake: shuffles every sample dimension by the same permutation
+// caught by: 6.2 each sample dimension has a permutation of its own
 // caught by: 6.3 sobol begins anew after eight dimensions
 // caught by: 6.3 halton begins anew after eight dimensions
-// hint: each wants a shuffle of its own
+// hint: each needs a shuffle of its own
 #include "sampler.hpp"
 
 namespace mc {

@@ -1,6 +1,6 @@
 // mistake: begins with the first sample again after the last one
 // caught by: 6.4 there are numbers for N samples and no others
-// hint: next() and next2() want a sample
+// hint: next() and next2() need a sample
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

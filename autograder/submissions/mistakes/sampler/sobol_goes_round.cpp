@@ -1,6 +1,6 @@
 // mistake: begins with the first dimension again after the eighth, in the same order
 // caught by: 6.3 sobol begins anew after eight dimensions
-// hint: every block but the first wants a shuffle
+// hint: every block but the first needs a shuffle
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

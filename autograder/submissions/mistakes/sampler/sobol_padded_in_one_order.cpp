@@ -1,6 +1,6 @@
 // mistake: all blocks but the first have the same order
 // caught by: 6.3 sobol begins anew after eight dimensions
-// hint: each block wants a random order of its own
+// hint: each block needs a random permutation of its own
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

@@ -1,7 +1,7 @@
 // mistake: beyond the first eight dimensions each column has an order of its own
 // caught by: 6.3 sobol begins anew after eight dimensions
 // caught by: 6.3 each of the first twenty next2 gains
-// hint: all dimensions of a block share one order
+// hint: all dimensions of a block share one permutation
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

@@ -2,8 +2,8 @@
 // caught by: 6.4 the same seed gives the same numbers
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.4 next and next2 are counted apart
-// caught by: 6.8 a use that nobody asks for costs no memory
-// hint: next() to another use?
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
+// hint: next() to another sample dimension?
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

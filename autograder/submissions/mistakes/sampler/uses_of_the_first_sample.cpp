@@ -1,6 +1,6 @@
 // mistake: makes columns for what the first sample asks for; the others may not ask for more
 // caught by: 6.4 a sample may ask for less than the one before
-// hint: a use may be first asked for by a later sample
+// hint: a sample dimension may first be asked for by a later sample
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

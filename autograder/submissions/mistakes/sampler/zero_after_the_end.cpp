@@ -1,6 +1,6 @@
 // mistake: hands out 0 where there is no sample
 // caught by: 6.4 there are numbers for N samples and no others
-// hint: next() and next2() want a sample
+// hint: next() and next2() need a sample
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {

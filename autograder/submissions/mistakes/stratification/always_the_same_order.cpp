@@ -1,6 +1,6 @@
 // mistake: shuffles by a generator of its own, always with the same seed
-// caught by: 3.4 every order is as likely as any other
-// caught by: 3.4 orders of many values have no trend
+// caught by: 3.4 every permutation is equally likely
+// caught by: 3.4 permutations of many values have no trend
 // caught by: 3.4 shuffle keeps every value
 // hint: draw it from the generator that is passed in
 #include "stratification.hpp"

@@ -1,7 +1,7 @@
 // mistake: gives the spread of one replicate as the error of the mean of all
 // caught by: 3.8 the error bar is the spread of the replicates
 // caught by: 3.8 the error bar is honest for stratified points
-// hint: this is the spread of one mean
+// hint: this is the standard deviation of one mean
 #include "stratification.hpp"
 
 #include <cmath>

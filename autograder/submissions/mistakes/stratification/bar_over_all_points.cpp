@@ -1,7 +1,7 @@
 // mistake: divides the spread of the means by sqrt(n replicates)
 // caught by: 3.8 the error bar is the spread of the replicates
 // caught by: 3.8 the error bar is honest for stratified points
-// hint: the means are as many as the replicates
+// hint: divide by sqrt(replicates), the number of means
 #include "stratification.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // mistake: copies random values over each other in place of swapping them
-// caught by: 3.4 every order is as likely as any other
-// caught by: 3.4 orders of many values have no trend
+// caught by: 3.4 every permutation is equally likely
+// caught by: 3.4 permutations of many values have no trend
 // caught by: 3.4 shuffle keeps every value
 // hint: it does not copy one over another
 #include "stratification.hpp"

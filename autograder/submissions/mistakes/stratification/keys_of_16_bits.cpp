@@ -1,5 +1,5 @@
 // mistake: sorts by keys of 16 bits and leaves equal ones in their order
-// caught by: 3.4 orders of many values have no trend
+// caught by: 3.4 permutations of many values have no trend
 // hint: of which 16 are too few here
 #include "stratification.hpp"
 

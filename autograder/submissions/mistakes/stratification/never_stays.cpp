@@ -1,5 +1,5 @@
 // mistake: each value changes places with a later one, never with itself
-// caught by: 3.4 every order is as likely as any other
+// caught by: 3.4 every permutation is equally likely
 // hint: let it change places with itself too
 #include "stratification.hpp"
 

@@ -1,5 +1,5 @@
 // mistake: shuffles the same jittered column for every axis
-// caught by: 3.6 the orders of the axes are independent
+// caught by: 3.6 the permutations of the axes are independent
 // caught by: 3.6 sums gain everything and products little
 // hint: have their exact variance
 #include "stratification.hpp"

@@ -1,7 +1,7 @@
 // mistake: axes share one order: the points lie along the diagonal
-// caught by: 3.6 the orders of the axes are independent
+// caught by: 3.6 the permutations of the axes are independent
 // caught by: 3.6 sums gain everything and products little
-// hint: each wants a shuffle of its own
+// hint: shuffle each of them by itself
 #include "stratification.hpp"
 #define latin_hypercube right_latin_hypercube
 #include "solutions/stratification.cpp"

@@ -1,5 +1,5 @@
 // mistake: draws one 2D pattern and shuffles it anew for each pair of dimensions
-// caught by: 3.4 patterns are put side by side in independent orders
+// caught by: 3.4 patterns are shuffled independently
 // hint: draw each afresh
 #include "stratification.hpp"
 #define stratified right_stratified

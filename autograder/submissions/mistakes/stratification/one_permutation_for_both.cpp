@@ -1,6 +1,6 @@
 // mistake: columns and rows of a square grid share one permutation
 // caught by: 3.7 each point is uniform in its cell
-// hint: are orders of their own
+// hint: random permutations, all of them equally likely
 #include "stratification.hpp"
 #define multi_jittered right_multi_jittered
 #include "solutions/stratification.cpp"

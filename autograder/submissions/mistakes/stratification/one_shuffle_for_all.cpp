@@ -1,7 +1,7 @@
 // mistake: shuffles every pattern into the same order
-// caught by: 3.4 patterns are put side by side in independent orders
+// caught by: 3.4 patterns are shuffled independently
 // caught by: 3.4 long patterns have no trend
-// hint: each wants a shuffle of its own
+// hint: shuffle each of them by itself
 #include "stratification.hpp"
 #define stratified right_stratified
 #include "solutions/stratification.cpp"

@@ -1,5 +1,5 @@
 // mistake: a shuffle that chooses by 16 random bits, of which 100,000 values want more
-// caught by: 3.4 orders of many values have no trend
+// caught by: 3.4 permutations of many values have no trend
 // hint: of which 16 are too few here
 #include "stratification.hpp"
 #define shuffle right_shuffle

@@ -1,5 +1,5 @@
 // mistake: shuffles blocks of 128 values, each by itself
-// caught by: 3.4 orders of many values have no trend
+// caught by: 3.4 permutations of many values have no trend
 // hint: each value may go anywhere
 #include "stratification.hpp"
 #define shuffle right_shuffle

@@ -1,6 +1,6 @@
 // mistake: draws a random stratum for every point and axis
 // caught by: 3.6 every axis is stratified
-// caught by: 3.6 the orders of the axes are independent
+// caught by: 3.6 the permutations of the axes are independent
 // caught by: 3.6 sums gain everything and products little
 // hint: each column is a pattern of 3.1
 #include "stratification.hpp"

@@ -1,6 +1,6 @@
 // mistake: each value changes places with any of the n, which favours some orders
-// caught by: 3.4 every order is as likely as any other
-// caught by: 3.4 orders of many values have no trend
+// caught by: 3.4 every permutation is equally likely
+// caught by: 3.4 permutations of many values have no trend
 // hint: each value changes places with any of the n
 #include "stratification.hpp"
 

@@ -1,5 +1,5 @@
 // mistake: a loop that ends one too early: the last value never moves
-// caught by: 3.4 every order is as likely as any other
+// caught by: 3.4 every permutation is equally likely
 // hint: never moves
 #include "stratification.hpp"
 #define shuffle right_shuffle

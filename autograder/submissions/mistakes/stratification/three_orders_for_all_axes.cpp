@@ -1,6 +1,6 @@
 // mistake: axis 3 comes in the order of axis 0, axis 4 in that of 1, …
-// caught by: 3.6 the orders of the axes are independent
-// hint: each wants a shuffle of its own
+// caught by: 3.6 the permutations of the axes are independent
+// hint: shuffle each of them by itself
 #include "stratification.hpp"
 #define latin_hypercube right_latin_hypercube
 #include "solutions/stratification.cpp"

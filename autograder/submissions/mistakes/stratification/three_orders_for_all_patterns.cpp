@@ -1,6 +1,6 @@
 // mistake: pattern 4 comes in the order of pattern 1, pattern 5 in that of 2, …
-// caught by: 3.4 patterns are put side by side in independent orders
-// hint: each wants a shuffle of its own
+// caught by: 3.4 patterns are shuffled independently
+// hint: shuffle each of them by itself
 #include "stratification.hpp"
 #define stratified right_stratified
 #include "solutions/stratification.cpp"

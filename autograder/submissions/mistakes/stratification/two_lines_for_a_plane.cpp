@@ -1,6 +1,6 @@
 // mistake: pads 1D patterns, two of them where a 2D pattern is due
 // caught by: 3.4 every pair of dimensions is a jittered grid
-// caught by: 3.4 patterns are put side by side in independent orders
+// caught by: 3.4 patterns are shuffled independently
 // caught by: 3.4 long patterns have no trend
 // caught by: 3.4 the first n of N are a fair sample
 // hint: two 1D patterns are not a 2D pattern

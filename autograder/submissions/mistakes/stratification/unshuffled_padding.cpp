@@ -1,8 +1,8 @@
 // mistake: puts the patterns side by side as they come
-// caught by: 3.4 patterns are put side by side in independent orders
+// caught by: 3.4 patterns are shuffled independently
 // caught by: 3.4 long patterns have no trend
 // caught by: 3.4 the first n of N are a fair sample
-// hint: each wants a shuffle of its own
+// hint: shuffle each of them by itself
 #include "stratification.hpp"
 #define stratified right_stratified
 #include "solutions/stratification.cpp"

@@ -1,6 +1,6 @@
 // mistake: shuffles x and y of a pattern each into an order of its own
 // caught by: 3.4 every pair of dimensions is a jittered grid
-// caught by: 3.4 patterns are put side by side in independent orders
+// caught by: 3.4 patterns are shuffled independently
 // caught by: 3.4 long patterns have no trend
 // caught by: 3.4 the first n of N are a fair sample
 // hint: x and y of a point belong together

@@ -1,6 +1,6 @@
 // mistake: takes the covariance from Var{X + Y}, in which the larger variance drowns the smaller
 // caught by: 1.6 the covariance keeps its digits at any scale
-// hint: is it taken from Var{X + Y}?
+// hint: Is it taken from Var{X + Y}?
 #include "variance.hpp"
 #define covariance right_covariance
 #include "solutions/variance.cpp"

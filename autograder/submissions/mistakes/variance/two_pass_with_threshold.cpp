@@ -2,7 +2,7 @@
 // caught by: 1.3 two passes on hard cases
 // caught by: 1.3 sigma of aX
 // hint: small is not zero
-// hint: the scale of the data is no matter
+// hint: the result depends on the scale of the data
 #include "variance.hpp"
 #define variance_two_pass right_variance_two_pass
 #include "solutions/variance.cpp"

@@ -4,7 +4,7 @@
 // caught by: 1.4 Welford on constant
 // caught by: 1.4 Welford survives
 // caught by: 1.4 one more value
-// hint: a division of whole numbers, which is 0
+// hint: an integer division, which is 0
 #include "variance.hpp"
 #define add right_add
 #include "solutions/variance.cpp"

@@ -1,0 +1,66 @@
+// bench --calibrate: what the reference takes, kept with each lab for whoever has no reference.
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bench/calibrate.hpp"
+#include "grader/context/errors.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/judging/speed.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/submission/submission.hpp"
+
+namespace mc::grader {
+namespace {
+
+/// Every task that a lab could have.
+std::set<std::string> tasks_of(const Lab& lab) {
+  std::set<std::string> tasks;
+  for (int task = 1; task < 100; ++task) tasks.insert(fmt::format("{}.{}", lab.number, task));
+  return tasks;
+}
+
+/// Of each speed task the median over `rounds` of its time, in additions of a running sum.
+std::map<std::string, double> ratios_of(const Layout& layout, const Lab& lab,
+                                        const sandbox::Program& program, unsigned rounds) {
+  std::map<std::string, std::vector<double>> ratios;
+  for (unsigned round = 0; round < rounds; ++round) {
+    std::map<std::string, double> additions;
+    for (const protocol::Row& row : speed_rows(layout, lab, program, tasks_of(lab))) {
+      if (row.kind == "speed wrong") throw MachineError(row.what + ": " + row.on);
+      if (row.kind == "speed unit") additions[row.what] = row.value;
+      if (row.kind == "speed") ratios[row.what].push_back(row.value / additions.at(row.what));
+    }
+  }
+  std::map<std::string, double> medians;
+  for (auto& [name, all] : ratios) {
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
+                     all.end());
+    medians[name] = all[all.size() / 2];
+  }
+  return medians;
+}
+
+}  // namespace
+
+void calibrate(const Context& context, const std::vector<Lab>& labs, unsigned rounds) {
+  const Submission solutions = open_submission(context.labs, context.layout.solutions());
+  for (const Lab& lab : labs) {
+    const Built built = build_program(context.layout, lab, solutions);
+    if (!built.program) throw MachineError(built.failure);
+    std::string text =
+        "# What the reference takes, in additions of a running sum: ./lab bench --calibrate\n";
+    for (const auto& [name, ratio] : ratios_of(context.layout, lab, *built.program, rounds)) {
+      text += fmt::format("{}\t{:.3g}\n", name, ratio);
+    }
+    write_text(ratios_file(context.layout, lab), text);
+    fmt::print("{}\n{}", ratios_file(context.layout, lab).string(), text);
+  }
+}
+
+}  // namespace mc::grader

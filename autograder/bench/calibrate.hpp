@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "grader/context/context.hpp"
+#include "grader/context/labs.hpp"
+
+namespace mc::grader {
+
+/// Writes labs/N-name/speed.tsv of each lab: what the solutions take for its speed tasks.
+void calibrate(const Context& context, const std::vector<Lab>& labs, unsigned rounds);
+
+}  // namespace mc::grader

@@ -1,0 +1,99 @@
+#pragma once
+// The variance of a scene by order: how much of it is due to one dimension at a time, to two
+// together, and so on (the ANOVA decomposition; Hoeffding 1948, "A class of statistics with
+// asymptotically normal distribution"; Sobol' 1993, "Sensitivity estimates for nonlinear
+// mathematical models").
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "checks/support/data.hpp"
+#include "runner/text.hpp"
+#include "sampler.hpp"
+
+namespace mc::checks {
+
+struct Anova {
+  std::vector<double> by_order;  ///< fractions of the variance: [0] of one dimension, [1] of two, …
+  double within_uses = 0;        ///< the fraction that no two uses (next(), next2()) have together
+};
+
+namespace detail {
+
+/// Hands out the coordinates of one point in turn.
+class CoordinateByCoordinate final : public Sampler {
+ public:
+  std::vector<double> point{};
+  void generate(std::size_t, std::uint64_t) override { next_ = 0; }
+  double next() override { return point[next_++]; }
+  Point2 next2() override {
+    next_ += 2;
+    return {point[next_ - 2], point[next_ - 1]};
+  }
+  void advance() override { next_ = 0; }
+
+ private:
+  std::size_t next_ = 0;
+};
+
+}  // namespace detail
+
+/// From `samples` pairs of independent points. Of a set u of dimensions, the part of the variance
+/// that u alone makes is the covariance of f(x) and f of the point that shares x's coordinates in u
+/// and has the other point's elsewhere; it is estimated as by Janon et al. (2014, "Asymptotic
+/// normality and efficiency of two Sobol index estimators"). What u makes beyond its subsets
+/// follows by inclusion and exclusion.
+template <class S>
+Anova anova_of(const S& scene, std::size_t samples, Rng& rng) {
+  std::vector<std::uint32_t> uses;  // each a set of dimensions
+  std::size_t dims = 0;
+  for (const std::string_view use : text::split(S::uses, ' ')) {
+    const std::size_t count = use == "next2" ? 2 : 1;
+    uses.push_back(((1u << count) - 1) << dims);
+    dims += count;
+  }
+  const std::size_t sets = std::size_t{1} << dims;
+  std::vector<double> sums(sets, 0.0), squares(sets, 0.0), products(sets, 0.0);
+  detail::CoordinateByCoordinate sampler;
+  sampler.point.resize(dims);
+  std::vector<double> x(dims), z(dims);
+  for (std::size_t i = 0; i < samples; ++i) {
+    for (double& value : x) value = uniform(rng);
+    for (double& value : z) value = uniform(rng);
+    double f = 0;
+    for (std::size_t u = sets; u-- > 0;) {  // the whole of x comes first
+      for (std::size_t d = 0; d < dims; ++d) sampler.point[d] = (u >> d & 1u) != 0 ? x[d] : z[d];
+      sampler.advance();
+      const double value = scene(sampler);
+      if (u + 1 == sets) f = value;
+      sums[u] += (f + value) / 2;
+      squares[u] += (f * f + value * value) / 2;
+      products[u] += f * value;
+    }
+  }
+  const auto n = static_cast<double>(samples);
+  std::vector<double> alone(sets);  // of u and all its subsets, as a fraction of the variance
+  for (std::size_t u = 0; u < sets; ++u) {
+    const double mean = sums[u] / n;
+    alone[u] = (products[u] / n - mean * mean) / (squares[u] / n - mean * mean);
+  }
+  Anova anova{std::vector<double>(dims, 0.0)};
+  for (std::size_t u = 1; u < sets; ++u) {
+    double beyond = 0;
+    for (std::size_t v = u;; v = (v - 1) & u) {  // all subsets of u, the empty one last
+      const bool is_added = std::popcount(u ^ v) % 2 == 0;
+      if (v == 0) break;  // it makes nothing
+      beyond += is_added ? alone[v] : -alone[v];
+    }
+    anova.by_order[static_cast<std::size_t>(std::popcount(u)) - 1] += beyond;
+    for (const std::uint32_t use : uses) {
+      if ((u & ~std::size_t{use}) == 0) anova.within_uses += beyond;
+    }
+  }
+  return anova;
+}
+
+}  // namespace mc::checks

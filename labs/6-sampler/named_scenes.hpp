@@ -1,0 +1,93 @@
+#pragma once
+// The scenes and pictures of labs/common/scenes by their names.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "common/scenes/ao_sphere.hpp"
+#include "common/scenes/ao_wall.hpp"
+#include "common/scenes/defocus_edge.hpp"
+#include "common/scenes/disk_light.hpp"
+#include "common/scenes/motion_edge.hpp"
+#include "common/scenes/penumbra_disk.hpp"
+#include "common/scenes/penumbra_halfplane.hpp"
+#include "common/scenes/pixel_edge.hpp"
+#include "common/scenes/pixel_time_lens.hpp"
+#include "common/scenes/rect_light.hpp"
+#include "common/scenes/rect_light_horizon.hpp"
+#include "common/scenes/sphere_light.hpp"
+#include "common/scenes/stripes.hpp"
+
+namespace mc::experiments {
+
+/// A scene by its fields, all of them double.
+template <class S>
+Scene scene_with(std::span<const double> parameters) {
+  std::array<double, sizeof(S) / sizeof(double)> fields = std::bit_cast<decltype(fields)>(S{});
+  if (!parameters.empty() && parameters.size() != fields.size()) {
+    throw std::out_of_range("parameters: the scene has " + std::to_string(fields.size()));
+  }
+  std::copy(parameters.begin(), parameters.end(), fields.begin());
+  return {S::uses, std::bit_cast<S>(fields)};
+}
+
+struct NamedScene {
+  std::string_view name;
+  Scene (*with)(std::span<const double> parameters);
+};
+inline constexpr NamedScene scenes[] = {
+    {"pixel_edge", scene_with<scenes::PixelEdge>},
+    {"rect_light", scene_with<scenes::RectangleLight>},
+    {"rect_light_horizon", scene_with<scenes::HorizonLight>},
+    {"disk_light", scene_with<scenes::DiskLight>},
+    {"sphere_light", scene_with<scenes::SphereLight>},
+    {"penumbra_halfplane", scene_with<scenes::HalfplanePenumbra>},
+    {"penumbra_disk", scene_with<scenes::DiskPenumbra>},
+    {"ao_wall", scene_with<scenes::WallOcclusion>},
+    {"ao_sphere", scene_with<scenes::SphereOcclusion>},
+    {"ao_sphere_uniform", scene_with<scenes::SphereOcclusionUniform>},
+    {"defocus_edge", scene_with<scenes::DefocusEdge>},
+    {"motion_edge", scene_with<scenes::MotionEdge>},
+    {"pixel_time_lens", scene_with<scenes::PixelTimeLens>},
+    {"stripes", scene_with<scenes::Stripes>},
+};
+
+/// A picture whose pixels are a scene with other parameters each.
+template <auto at>
+PixelScene picture_of(std::size_t width, std::size_t height) {
+  using S = decltype(at(0, 0, 0, 0));
+  return {width, height, S::uses, [=](std::size_t column, std::size_t row, Sampler& sampler) {
+            return at(static_cast<double>(width), static_cast<double>(height),
+                      static_cast<double>(column), static_cast<double>(row))(sampler);
+          }};
+}
+
+struct NamedPicture {
+  std::string_view name;
+  PixelScene (*sized)(std::size_t width, std::size_t height);
+};
+inline constexpr NamedPicture pictures[] = {
+    {"edge", picture_of<scenes::edge_picture>},
+    {"penumbra", picture_of<scenes::penumbra_picture>},
+    {"defocus", picture_of<scenes::defocus_picture>},
+    {"motion", picture_of<scenes::motion_picture>},
+    {"stripes", picture_of<scenes::stripes_picture>},
+};
+
+template <class Named, std::size_t size>
+const Named& named(const Named (&all)[size], const std::string& name) {
+  std::string names;
+  for (const Named& one : all) {
+    if (one.name == name) return one;
+    names += ' ' + std::string(one.name);
+  }
+  throw std::out_of_range("no '" + name + "', only" + names);
+}
+
+}  // namespace mc::experiments
