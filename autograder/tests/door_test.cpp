@@ -54,6 +54,8 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
       {{"grade", empty.path().string()}, "no file of any lab"},
       {{"grade", "a", "b", "--json", "x.json"}, "--json takes one DIR"},
       {{"grade", "a", "--leaderboard"}, "--leaderboard takes --json FILE"},
+      {{"grade", "a", "--slurm"}, "--slurm takes --csv FILE"},
+      {{"grade", "a", "--slurm", "--csv", "x.csv", "--html", "x"}, "--slurm takes no --html"},
       {{"merge"}, "usage: ./lab merge A.csv"},
       {{"stats"}, "usage: ./lab stats grades.csv"},
       {{"grade", "a", "--visibility", "hidden"}, "--visibility takes --json FILE"},

@@ -15,6 +15,7 @@
 #include "grader/gradebook/batch.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/class_page.hpp"
+#include "grader/gradebook/slurm.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
@@ -209,6 +210,36 @@ int grade_many(const Context& context, const std::vector<Handed>& handed, Record
   return 0;
 }
 
+/// One task of a cluster for each submission; the table is gathered by --resume.
+int grade_on_slurm(const Context& context, const Arguments& arguments, std::size_t count,
+                   Records& records, std::uint64_t seed) {
+  SlurmTasks tasks;
+  tasks.csv = *arguments.get("csv");
+  tasks.count = count;
+  tasks.seed = seed;
+  tasks.go_on = arguments.has("resume");
+  if (const auto labs = arguments.get("lab")) tasks.options = {"--lab", *labs};
+  if (arguments.has("speed")) tasks.options.emplace_back("--speed");
+  tasks.words = arguments.words;
+  if (!tasks.go_on) records.book()->begin();
+  const std::string job = submit_tasks(context, tasks);
+  fmt::print(
+      "job {}: {} tasks, seed {}; once squeue has none of them, the same with --resume and "
+      "without --slurm\ngathers what they judged, and judges here what they did not\n",
+      job, count, seed);
+  return 0;
+}
+
+void check_slurm(const Arguments& arguments) {
+  if (!arguments.has("slurm")) return;
+  if (!arguments.has("csv")) throw UsageError("--slurm takes --csv FILE, which --resume gathers");
+  for (const char* other : {"json", "html", "shard"}) {
+    if (arguments.has(other)) {
+      throw UsageError(fmt::format("--slurm takes no --{}: give it with --resume, later", other));
+    }
+  }
+}
+
 int grade(const Context& context, const Arguments& arguments) {
   if (arguments.words.empty())
     throw UsageError("usage: ./lab grade DIR|ZIP... (try: ./lab grade solutions)");
@@ -226,6 +257,7 @@ int grade(const Context& context, const Arguments& arguments) {
   }
   if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard takes --json FILE");
   if (visibility_of(arguments) && !json) throw UsageError("--visibility takes --json FILE");
+  check_slurm(arguments);
   BatchOptions options;
   options.asked_for = labs_asked_for(context, arguments);
   options.workers = static_cast<unsigned>(
@@ -235,11 +267,15 @@ int grade(const Context& context, const Arguments& arguments) {
   options.judging.judge.workers = options.workers;
   sweep_scratch(context.layout);
   Intake intake = take_in(context, arguments.words, json ? Meaning::one : Meaning::many);
+  if (arguments.has("resume")) gather_tasks(*csv);
   const bool single = intake.handed.size() == 1 && !arguments.has("shard");
   const std::vector<Handed> mine = shard_of(intake.handed, arguments.get("shard"));
   Records records(context, arguments, intake.handed, mine, options.asked_for,
                   options.judging.judge.seed);
   precompile_headers(context.layout);
+  if (arguments.has("slurm")) {
+    return grade_on_slurm(context, arguments, mine.size(), records, options.judging.judge.seed);
+  }
   if (single) {
     return grade_one(context, mine[0], records, arguments, options.asked_for, options.judging);
   }
@@ -249,8 +285,8 @@ int grade(const Context& context, const Arguments& arguments) {
 const RegisterVerb grade_verb{
     {"grade",
      "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--html DIR] [--json FILE] ...",
-     {"lab=,", "json=", "leaderboard", "visibility=", "csv=", "resume",
-      "html=", "shard=", "seed=", "jobs=j", "speed", "no-plots"},
+     {"lab=,", "json=", "leaderboard", "visibility=", "csv=", "resume", "html=", "shard=", "slurm",
+      "seed=", "jobs=j", "speed", "no-plots"},
      "Every lab that DIR has a file of: at its top, in starter/, or wherever it is below. A "
      "directory\n"
      "or zip of several people's work, as Gradescope, Canvas and Moodle export it, means each of "
@@ -275,6 +311,8 @@ const RegisterVerb grade_verb{
      "  --shard k/n   every n-th submission from the k-th on, for n machines; ./lab merge joins "
      "the "
      "tables\n"
+     "  --slurm       with --csv: submit a task for each submission to a cluster; --resume "
+     "gathers\n"
      "  --no-plots    no plots\n"
      "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some are not judged, and "
      "have\n"

@@ -1,11 +1,16 @@
 // handout: what students get, as a fresh git repository.
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "grader/context/errors.hpp"
+#include "grader/context/text_file.hpp"
+#include "grader/verbs/list.hpp"
 #include "grader/verbs/tree.hpp"
 #include "grader/verbs/verb.hpp"
 #include "sandbox/printable.hpp"
@@ -14,6 +19,44 @@ namespace mc::grader {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Puts `to` in the place of each `from`.
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+/// Does a line tell of a verb that is about something that is not handed out?
+bool names_what_is_absent(const std::string& line, const fs::path& handed_out) {
+  return std::any_of(std::begin(verb_list), std::end(verb_list), [&](const VerbEntry& verb) {
+    const bool is_named = line.find(fmt::format("`./lab {}`", verb.name)) != std::string::npos;
+    return is_named && !fs::exists(handed_out / verb.about);
+  });
+}
+
+/// The README of docs/handout speaks of lab 1, and of all that there is: here it is that of these
+/// labs.
+std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
+                       const fs::path& handed_out) {
+  std::string all, list;
+  std::istringstream lines(given);
+  for (std::string line; std::getline(lines, line);) {
+    if (!names_what_is_absent(line, handed_out)) all += line + '\n';
+  }
+  const Lab& first = labs.front();
+  if (first.number != 1) {
+    replace_all(all, "1-variance", first.folder);
+    replace_all(all, "variance", first.name);
+    replace_all(all, "check 1.", fmt::format("check {}.", first.number));
+  }
+  for (const Lab& lab : labs) {
+    list += fmt::format("{}- [{}](labs/{}/README.md)", list.empty() ? "" : "\n", lab.title(),
+                        lab.folder);
+  }
+  replace_all(all, "<!-- labs -->", list);
+  return all;
+}
 
 int handout(const Context& context, const Arguments& arguments) {
   if (arguments.words.size() != 1) throw UsageError("usage: ./lab handout DIR [--labs 1,2,…]");
@@ -32,6 +75,9 @@ int handout(const Context& context, const Arguments& arguments) {
   for (const auto& entry : fs::recursive_directory_iterator(extra)) {
     if (entry.is_regular_file()) copy(entry.path(), fs::relative(entry.path(), extra));
   }
+  std::vector<Lab> labs = context.labs;
+  std::erase_if(labs, [&](const Lab& lab) { return !chosen.contains(lab.name); });
+  write_text(to / "README.md", readme_for(read_whole_text(to / "README.md"), labs, to));
   git(to, {"init", "-q", "-b", "main"});
   git(to, {"add", "-A"});
   git(to, {"-c", "user.name=course", "-c", "user.email=course@localhost", "commit", "-q", "-m",

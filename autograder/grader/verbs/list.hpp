@@ -23,7 +23,7 @@ inline constexpr VerbEntry verb_list[] = {
     {"plot", "draw the lab's plots, several submissions side by side", "pictures"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", "pictures", false,
      "labs/6-sampler"},
-    {"demo", "points, an estimate and its error as N grows: the lecture's page", "pictures"},
+    {"demo", "points, an estimate and its error as N grows: the lecture's page", "pictures", true},
     {"report", "your work on a lab as a page", "pictures"},
     {"reset", "the starter of a lab again (your file is kept as a backup)", "desk"},
     {"submit", "write the zip to hand in", "desk"},

@@ -168,6 +168,24 @@ TEST_CASE("Gradescope grades what is handed in, and invents no score", "[.grades
                                    {"build/variance.cpp", starter}});
   CHECK(repository["score"] == 100);
 
+  // With a leaderboard: what such a zip has more, in the same container.
+  const Container compared({"--leaderboard"});
+  fs::copy(compared.source / "solutions", container.source / "solutions",
+           fs::copy_options::recursive);
+  fs::copy_file(compared.source / "run_autograder", container.source / "run_autograder",
+                fs::copy_options::overwrite_existing);
+  const auto told = container.grade({{"variance.cpp", solution}});
+  CAPTURE(told.output, told.errors);
+  REQUIRE(told.exit_code == 0);
+  const auto ranked = nlohmann::json::parse(read_text(container.results));
+  CHECK(ranked["score"] == 100);
+  CHECK(ranked["visibility"] == "visible");
+  REQUIRE(ranked["leaderboard"].size() == 1);
+  CHECK(ranked["leaderboard"][0]["name"] == "lab 1: speed, times the reference's");
+  CHECK(ranked["leaderboard"][0]["value"] > 0.1);  // of itself, on any machine: about 1
+  CHECK(container.grade({{"variance.cpp", starter}}).exit_code == 0);
+  CHECK_FALSE(nlohmann::json::parse(read_text(container.results)).contains("leaderboard"));
+
   // A grader that cannot be built is nobody's zero: no results.json, not even the last one.
   write_text(container.source / "autograder" / "grader" / "main.cpp", "no grader\n");
   const auto fails = container.grade({{"variance.cpp", solution}});

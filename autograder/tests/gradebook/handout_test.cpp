@@ -129,6 +129,30 @@ TEST_CASE("no answer is in a handout, nor in its history") {
   }
 }
 
+TEST_CASE("a handout's README speaks of what is handed out, and of nothing else") {
+  const auto readme = [](const Handout& handout) {
+    REQUIRE(handout.written.exit_code == 0);
+    const std::string text = read_text(handout.root / "README.md");
+    for (auto at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+      const std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
+      CAPTURE(link);
+      CHECK(fs::exists(handout.root / link));
+    }
+    CHECK(!contains(text, "<!--"));
+    return text;
+  };
+  const std::string all = readme(Handout()), one = readme(Handout({"--labs", "1"})),
+                    fourth = readme(Handout({"--labs", "blue_noise"}));
+  CHECK(contains(all, "`./lab render`"));
+  CHECK(contains(all, "- [Lab 6 · sampler](labs/6-sampler/README.md)"));
+  CHECK(!contains(one, "./lab render"));
+  CHECK(contains(one, "`./lab check 1.3`"));
+  CHECK(!contains(one, "Lab 2"));
+  CHECK(contains(fourth, "`./lab check 4.3`"));
+  CHECK(contains(fourth, "`starter/blue_noise.cpp`"));
+  CHECK(!contains(fourth, "variance"));
+}
+
 TEST_CASE("a handout's containers bring everything that ./lab looks for") {
   const fs::path root = Course().layout.root;
   const auto packages = sandbox::run_process(
