@@ -30,6 +30,9 @@ TEST_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]")
                   "the mean of what the scene had for each sample; n roundings of a sum below 2n",
                   {{{sum, "divide by the number of samples"},
                     {dealt[0], "advance() moves on to the next sample"},
+                    {1,
+                     "the values were added up in an int, which cuts off what is behind the "
+                     "point of each"},
                     {sum / (n - 1), "divide by N: this is over N - 1"},
                     {(sum - dealt[0]) / n, "the first sample is left out"},
                     {(sum - dealt.back()) / n, "the last sample is left out"}},
