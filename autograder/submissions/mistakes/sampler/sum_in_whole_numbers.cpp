@@ -1,6 +1,5 @@
 // mistake: adds up in an int, which cuts off what every sample has behind the point
 // caught by: 6.5 integrate is the mean over the samples
-// caught by: 6.5 the seed of integrate decides
 // caught by: 6.5 every kind is unbiased
 // hint: added up in an int
 #include "sampler.hpp"
