@@ -98,6 +98,10 @@ TEST_CASE("what is missing, in three linkers' words") {
             "experiments.cpp.o:experiments.cpp:function f(): error: undefined reference to "
             "'mc::covariance(std::span<double const, 18446744073709551615ul>)'\n",
             lab) == expected);
+  // A program has the files of the labs below, too.
+  const Lab above{4, "blue_noise", "4-blue-noise", {"variance"}};
+  CHECK(explain_link_errors("unit.o: undefined reference to `mc::covariance(int)'\n", above,
+                            {{"variance", "double covariance(int);"}}) == expected);
   CHECK(explain_link_errors("unit.o: undefined reference to `helper(int)'\n", lab) ==
         "Your variance.cpp uses `helper(int)`, which nothing defines.");
 }

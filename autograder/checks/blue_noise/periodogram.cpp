@@ -60,9 +60,14 @@ std::string power_hint(View got, const Points& points, int kmax, const Power& ex
       {sums(1, false, true), "this is the sum of sines alone: the sum of cosines is missing"},
       {sums(2 * std::numbers::pi, true, true), "2 pi is missing in the angle"},
       {sums(2, true, true), "the angle is 2 pi k x, not pi k x"}};
+  const std::string* found = nullptr;
+  bool is_only_one = true;  // points in one place, say, leave more than one way to the same power
   for (const auto& [power, hint] : suspects) {
-    if (agree(got, points.x.size(), kmax, power)) return hint;
+    if (!agree(got, points.x.size(), kmax, power)) continue;
+    is_only_one = found == nullptr;
+    found = &hint;
   }
+  if (found != nullptr && is_only_one) return *found;
   return "sum exp(-2 pi i (kx x + ky y)) over the points, in double; its squared absolute value "
          "over N";
 }
@@ -212,6 +217,8 @@ TEST_CASE("4.4 misuse of periodogram is refused", "[4.4][edge][points:2]") {
     expect_refused(MEASURE_OUTCOME(periodogram_into, n, n, 2, size),
                    "there are (2 kmax + 1)^2 = 25 values of k");
   }
+  expect_refused(MEASURE_OUTCOME(periodogram_into, n, n, 1 << 15, 131073),
+                 "there are 65537^2 = 2^32 + 131073 values of k: their number overflows 32 bits");
 }
 
 TEST_CASE("4.4 a refusal names the argument", "[4.4][edge][points:1]") {

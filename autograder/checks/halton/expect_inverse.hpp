@@ -43,9 +43,13 @@ inline std::string inverse_hint(double got, unsigned base, std::uint64_t index,
       {inverse_in_32_bits(base, index),
        "the mirrored digits do not fit in 32 bits: 64 are not enough for every index either"}};
   const double exact = inverse(base, index);
+  const char* found = nullptr;
   for (const auto& [value, hint] : suspects) {
-    if (std::abs(value - exact) > 1e-14 && std::abs(got - value) <= 1e-14) return hint;
+    if (std::abs(value - exact) <= 1e-14 || std::abs(got - value) > 1e-14) continue;
+    if (found != nullptr) return otherwise;  // two mistakes give this value
+    found = hint;
   }
+  if (found != nullptr) return found;
   if (got == 1) return "it was rounded up to 1: hold it below";
   const bool is_float = static_cast<double>(static_cast<float>(got)) == got;
   if (is_float && std::abs(got - exact) < 1e-5) return "this is a float: it has 24 bits, not 53";

@@ -50,6 +50,11 @@ std::vector<std::size_t> some_of(Rng& rng, const std::vector<Digit>& digits) {
   return chosen;
 }
 
+/// Of an index that is wrong where all before it are right.
+std::string beyond_32_bits(std::uint64_t index) {
+  return index <= 0xffffffffu ? "" : "; up to 2^32 all is right: are all 64 bits of an index kept?";
+}
+
 /// By how many units of its position each digit moves the value of index 0: a whole number, never
 /// 0.
 std::vector<double> expect_whole_moves(const std::string& call, std::span<const double> got,
@@ -67,10 +72,11 @@ std::vector<double> expect_whole_moves(const std::string& call, std::span<const 
         fmt::format("the indices differ at position {} only, counted from 0, and its permutation "
                     "makes two digits of them",
                     position),
-        got[0] == 0  ? "the zeros behind the last digit are digits too: permute them, to 2^-53"
-        : whole == 0 ? "this position has no permutation: indices that differ there get the same "
-                       "number"
-                     : "one permutation for each position, whatever the other digits are");
+        (got[0] == 0 ? "the zeros behind the last digit are digits too: permute them, to 2^-53"
+         : whole == 0
+             ? "this position has no permutation: indices that differ there get the same number"
+             : "one permutation for each position, whatever the other digits are") +
+            beyond_32_bits(index));
     moves.push_back(whole * counts);
   }
   return moves;

@@ -110,6 +110,7 @@ TEST_CASE("5.4 Hammersley points", "[5.4][points:5][needs:5.2][main]") {
                       {{{(index + 1) / size, "points count from 0: i / N, not (i + 1) / N"},
                         {(index + 0.5) / size, "this is the centred variant: i / N"},
                         {inverse(2, i), "this is Halton's first axis: Hammersley's is i / N"},
+                        {0, "i / N of two whole numbers is 0: make doubles of them first"},
                         {index / (size - 1), "N points, N strata: i / N, not i / (N - 1)"}},
                        "i / N in double division",
                        never_written});

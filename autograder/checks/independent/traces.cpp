@@ -141,12 +141,18 @@ void expect_mean_of(const std::string& call, double value, std::span<const doubl
   const auto n = static_cast<double>(values.size());
   const double mean = static_cast<double>(exact_mean(values));
   double sizes = 0;
-  for (const double one : values) sizes += std::abs(one) / n;
+  double in_whole_numbers = 0;
+  for (const double one : values) {
+    sizes += std::abs(one) / n;
+    in_whole_numbers = std::trunc(in_whole_numbers + one);
+  }
   const double tolerance = 10 * n * eps * sizes;
   if (std::abs(value - mean) <= tolerance) return pass();
   const auto unless_zero = [](double of_one) { return of_one == 0 ? nan : of_one; };
   const std::vector<Suspect> of_mean{
       {mean * n, "this is the sum: divide it by n"},
+      {unless_zero(in_whole_numbers / n),
+       "the values were added up in an int: std::accumulate(..., 0.0) begins with a double"},
       {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
       {mean * n / (n + 1), "this divides by n + 1"},
       {unless_zero(values.back()), "this is g at the last point alone: add up all of them"},

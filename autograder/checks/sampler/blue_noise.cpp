@@ -42,10 +42,12 @@ TEST_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]")
     call = got.call;
   }
   // One set has a standard deviation of 0.0075: 34 of them, for forty, between 0.089 and 0.13.
-  const std::string hint = radius <= 0.6 && radius_alone > 0.6
-                               ? "the first next2() is blue noise also where a next() comes before"
-                           : low > 0.25 ? "the first next2() is best_candidate of lab 4, with c = 1"
-                                        : "as blue as a fixed number of candidates";
+  const std::string hint =
+      radius <= 0.6 && radius_alone > 0.6
+          ? "the first next2() is blue noise also where a next() comes before"
+      : low > 0.25 ? "the first next2() is best_candidate of lab 4, with c = 1; x and y "
+                     "of a point stay together"
+                   : "as blue as a fixed number of candidates";
   expect_that(low < 0.13,
               fmt::format("{} and others: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets",
                           call, low, sets),

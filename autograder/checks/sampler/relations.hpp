@@ -23,7 +23,8 @@ inline void expect_uniform_pairs(const std::string& call, View u, View v, const 
     ++counts[*column * 8 + *row];
   }
   const double each = 1.0 / 64;
-  expect_counts(call, counts, std::span(&each, 1), {words, alpha}, {{}, hint});
+  expect_counts(call + ", pairs in 8 x 8 cells", counts, std::span(&each, 1), {words, alpha},
+                {{}, hint});
 }
 
 inline void expect_uniform(const std::string& call, View x, const std::string& words,

@@ -28,11 +28,7 @@ inline std::string told(const std::vector<Step>& steps, std::size_t count) {
       calls += fmt::format("… {} more …; ", count - most);
       i += count - most;
     }
-    const Step& step = steps[i];
-    calls += step.call == generate_call ? fmt::format("generate({}, {}); ", step.samples, step.seed)
-             : step.call == next_call   ? "next(); "
-             : step.call == next2_call  ? "next2(); "
-                                        : "advance(); ";
+    calls += experiments::spelled(steps[i]) + "; ";
   }
   if (!calls.empty()) calls.resize(calls.size() - 2);
   return calls;

@@ -9,15 +9,20 @@ namespace mc::checks {
 namespace {
 
 /// The measured value counts as a suspect's from nine digits on: few enough for additions in
-/// another order, too many for chance. One that would have met the expectation is no suspect.
+/// another order, too many for chance. One that would have met the expectation is no suspect; and
+/// where two mistakes give this very value, nobody knows which it was.
 template <class Meets>
 std::string hint_for(double got, const Hints& hints, Meets meets) {
+  const Suspect* found = nullptr;
   for (const Suspect& suspect : hints.suspects) {
     const double apart = std::abs(got - suspect.value);
     const bool equal = std::isfinite(suspect.value) ? apart <= 1e-9 * std::abs(suspect.value)
                                                     : got == suspect.value;
-    if (equal && !meets(suspect.value)) return suspect.hint;
+    if (!equal || meets(suspect.value)) continue;
+    if (found != nullptr && found->hint != suspect.hint) return hints.otherwise;
+    found = &suspect;
   }
+  if (found != nullptr) return found->hint;
   return std::isnan(got) && !hints.for_nan.empty() ? hints.for_nan : hints.otherwise;
 }
 
@@ -27,6 +32,16 @@ std::string hint_for(double got, const Hints& hints, Meets meets) {
   if (!because.empty()) story += "\nbecause   " + because;
   if (!hint.empty()) story += "\nlikely    " + hint;
   fail(story);
+}
+
+/// "x or y" of "x|y".
+std::string in_words(const std::string& argument) {
+  std::string all;
+  for (const std::string_view choice : text::split(argument, '|')) {
+    if (!all.empty()) all += " or ";
+    all += choice;
+  }
+  return all;
 }
 
 bool names_argument(const std::string& text, const std::string& argument) {
@@ -98,8 +113,8 @@ void expect_invalid_argument(const Call& call, const std::string& argument,
   const auto& outcome = call.outcome;
   if (outcome.answered && outcome.status == wire::Status::value) {
     tell(fmt::format("{} returned a value", call.text),
-         "std::invalid_argument" + (argument.empty() ? "" : " naming " + argument), because,
-         "misuse throws std::invalid_argument, before anything is computed");
+         "std::invalid_argument" + (argument.empty() ? "" : " naming " + in_words(argument)),
+         because, "misuse throws std::invalid_argument, before anything is computed");
   }
   if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
     require_value(call);  // ends the check with what happened instead
@@ -107,7 +122,7 @@ void expect_invalid_argument(const Call& call, const std::string& argument,
   if (argument.empty()) return pass();
   expect_that(names_argument(outcome.bytes, argument),
               fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, outcome.bytes),
-              fmt::format("a text that names the argument ({})", argument), because,
+              "a text that names the argument: " + in_words(argument), because,
               "say in the exception's text which argument is wrong");
 }
 

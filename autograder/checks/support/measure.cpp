@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
+#include "checks/support/plain_numbers.hpp"
 #include "protocol/environment.hpp"
 
 namespace mc::checks {
@@ -158,7 +159,7 @@ Rng check_rng() {
 
 void fail(const std::string& story) {
   if (last_call.typed) record(RecordKind::call, last_call.experiment + last_call.typed());
-  FAIL(story);
+  FAIL(without_empty_signs(story));
   std::abort();  // FAIL throws
 }
 

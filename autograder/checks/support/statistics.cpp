@@ -24,15 +24,18 @@ struct Outcome {
 };
 
 std::string hint_for(const Outcome& outcome, const Interval& accepted, const Hints& hints) {
+  const Suspect* found = nullptr;
   for (const Suspect& suspect : hints.suspects) {
     // As far from the suspect as a right value may be from the expected one: in parts of it where
     // the interval is one of ratios, that is, lies on one side of zero.
     const bool ratio = accepted.low > 0 && suspect.value > 0;
     const double at = ratio ? outcome.measured * outcome.expected / suspect.value
                             : outcome.measured - suspect.value + outcome.expected;
-    if (accepted.low <= at && at <= accepted.high) return suspect.hint;
+    if (!(accepted.low <= at && at <= accepted.high)) continue;
+    if (found != nullptr && found->hint != suspect.hint) return hints.otherwise;  // which of them?
+    found = &suspect;
   }
-  return hints.otherwise;
+  return found == nullptr ? hints.otherwise : found->hint;
 }
 
 /// Records the p-value and returns it; ends the check where it is below alpha.
@@ -231,7 +234,8 @@ double expect_counts(const std::string& call, std::span<const std::uint64_t> cou
     chi_squared += off * off / exact;
     if (off * off / exact > worst) {
       worst = off * off / exact;
-      worst_words = fmt::format("cell {} has {} where {:.6g} are due", i, counts[i], exact);
+      worst_words = fmt::format("cell {} of {} has {} where {:.6g} are due", i, counts.size(),
+                                counts[i], exact);
     }
   }
   const auto tails = [&](double ratio) { return chi_squared_tails(ratio * degrees, degrees); };
@@ -241,8 +245,8 @@ double expect_counts(const std::string& call, std::span<const std::uint64_t> cou
   outcome.accepted = [&] { return central_interval(tails, null.alpha, 0, 1000); };
   outcome.p = outcome.recorded = tails(outcome.measured).two_sided();
   outcome.measured_words =
-      fmt::format("{}: {} events in {} cells, chi-squared over its degrees of freedom {:.5g} ({})",
-                  call, n, counts.size(), outcome.measured, worst_words);
+      fmt::format("{}: {} of them, and {}; chi-squared over its degrees of freedom is {:.5g}", call,
+                  n, worst_words, outcome.measured);
   outcome.name = "a ratio";
   return judge(outcome, null, hints);
 }

@@ -64,7 +64,9 @@ void expect_dependence(const Values& joint, std::size_t columns, double exact, d
                  "columns"},
                 {*most, one_side},
                 {-*least, one_side},
-                {of_filled_cells, "every cell counts, also the empty ones"},
+                {of_filled_cells, is_in_empty_cell && of_filled_cells == *most
+                                      ? one_side
+                                      : "every cell counts, also the empty ones"},
                 {sum, "this is the sum of all cells' differences: the largest one is asked for"}}),
        "p(x) sums a row over its columns, p(y) a column over its rows, both of weights over their "
        "total; the largest |p(x,y) - p(x)p(y)|"});

@@ -113,7 +113,7 @@ TEST_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:4]
   expect_merge({billion, m, 5}, {trillion, 2 * m, 7});  // the counts multiply to 1e21 > 2^64
   expect_merge({billion, m, 0}, {1, 3 * m, 0});
   expect_merge({1, 3 * m, 0}, {billion, m, 0});
-  expect_merge({billion, 1e9, 100}, {1, 1e9 + 2, 0});
+  expect_merge({billion, 1e9, 100}, {3, 1e9 + 2, 0.5});  // the merged mean is rounded to 1e9
   expect_merge({trillion, m, 1e12}, {1000, m + 1e-7, 1000});
   expect_merge({billion / 2, 1e9, 1}, {billion / 2, 1e9 + 2, 1});
   expect_merge({trillion * 1000, 10, 2.25e16}, {7, 0, 0});

@@ -1,6 +1,8 @@
 #include "grader/submission/build.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <map>
 #include <thread>
 
 #include <fmt/format.h>
@@ -97,7 +99,13 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
     for (const fs::path& object : objects) {
       if (!fs::exists(object)) throw MachineError(object.string() + " was taken away");
     }
-    built.failure = explain_link_errors(linked.errors, lab);
+    std::map<std::string, std::string> headers_below;
+    for (const Lab& other : labs) {
+      const auto& below = lab.stands_on;
+      if (std::find(below.begin(), below.end(), other.name) == below.end()) continue;
+      headers_below[other.name] = read_text(layout.labs() / other.folder / other.header());
+    }
+    built.failure = explain_link_errors(linked.errors, lab, headers_below);
     return built;
   }
   const Segments segments = segments_of(aside);

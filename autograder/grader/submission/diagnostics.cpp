@@ -106,7 +106,16 @@ std::string first_errors(const std::string& diagnostics, const std::string& file
   return joined(kept);
 }
 
-std::string explain_link_errors(const std::string& diagnostics, const Lab& lab) {
+std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
+                                const std::map<std::string, std::string>& headers_below) {
+  // The lab whose header declares it: where the program stands on others, theirs may be missing.
+  const auto owner_of = [&](const std::string& plain) {
+    const std::string declared = ' ' + plain.substr(plain.rfind(':') + 1) + '(';
+    for (const auto& [name, header] : headers_below) {
+      if (header.find(declared) != std::string::npos) return name;
+    }
+    return lab.name;
+  };
   std::set<std::string> missing, doubled;
   for (const std::string& line : lines_of(diagnostics)) {
     for (const char* words : {"undefined reference to", "undefined symbol:"}) {  // bfd, lld
@@ -119,11 +128,12 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab) 
   std::vector<std::string> lines;
   for (const std::string& name : missing) {
     const std::string plain = name.substr(0, name.find('('));
+    const std::string owner = owner_of(plain);
     lines.push_back(
         plain.starts_with("mc::")
-            ? fmt::format("Your {} does not define `{}` with the parameters that {} "
+            ? fmt::format("Your {0}.cpp does not define `{1}` with the parameters that {0}.hpp "
                           "declares.",
-                          lab.file(), plain, lab.header())
+                          owner, plain)
             : fmt::format("Your {} uses `{}`, which nothing defines.", lab.file(), name));
   }
   for (const std::string& name : doubled) {

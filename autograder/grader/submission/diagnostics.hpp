@@ -1,6 +1,7 @@
 #pragma once
 // The compiler's and the linker's words, made fit for a student.
 
+#include <map>
 #include <string>
 
 #include "grader/context/labs.hpp"
@@ -13,6 +14,7 @@ std::string first_errors(const std::string& diagnostics, const std::string& file
                          const std::string& text);
 
 /// "your variance.cpp does not define `mc::covariance` (declared in variance.hpp)", and the like.
-std::string explain_link_errors(const std::string& diagnostics, const Lab& lab);
+std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
+                                const std::map<std::string, std::string>& headers_below = {});
 
 }  // namespace mc::grader

@@ -55,7 +55,7 @@ int run(const Context& context, const Arguments& arguments) {
         "...\n\n{}\n\n",
         lab.title(), lab.name,
         wrapped("or with the values alone, in this order. Numbers are written 0.5, lists 1,2,4 "
-                "or @FILE, structs field:field.",
+                "or @FILE, structs 3:0.5:2.",
                 width, 0));
     become({program, "--list", std::to_string(width)});
   }
