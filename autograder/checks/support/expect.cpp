@@ -76,8 +76,9 @@ void expect_within(const std::string& what, double got, double exact, double tol
   const auto meets = [=](double value) { return std::abs(value - exact) <= tolerance; };
   if (meets(got)) return pass();
   tell(fmt::format("{} = {}", what, got),
-       exact == 0 ? fmt::format("0, or at most {:.3g} away from it", tolerance)
-                  : fmt::format("{}, give or take {:.3g}", exact, tolerance),
+       tolerance == 0 ? fmt::format("{}, exactly", exact)
+       : exact == 0   ? fmt::format("0, or at most {:.3g} away from it", tolerance)
+                      : fmt::format("{}, give or take {:.3g}", exact, tolerance),
        because, hint_for(got, hints, meets));
 }
 
