@@ -116,13 +116,15 @@ std::vector<Command> commands(const Layout& layout) {
   for (const fs::path& file : documents(layout)) {
     Code code = code_in(read_text(file));
     code.lines.insert(code.lines.end(), code.spans.begin(), code.spans.end());
-    for (const std::string& line : code.lines) {
+    for (std::string line : code.lines) {
+      constexpr std::string_view by_many = "parallel ";
+      if (line.starts_with(by_many)) line.erase(0, by_many.size());
       if (!is_command(line)) continue;
       Words words = words_of(line);
-      // "…" stands for more of the same, and what is behind a pipe or an & is the shell's.
+      // "…" stands for more of the same, and what is behind a pipe, an & or ::: is not ours.
       std::erase_if(words, [](auto& word) { return word == "…" || word == "..."; });
       const auto end = std::find_if(words.begin(), words.end(), [](auto& word) {
-        return word == "|" || word == "&" || word == "&&" || word.starts_with(">");
+        return word == ":::" || word == "|" || word == "&" || word == "&&" || word.starts_with(">");
       });
       words.erase(end, words.end());
       all.push_back({fs::relative(file, layout.root).string(), words});
