@@ -31,17 +31,17 @@ struct Covered {
   double reach = 0;                 ///< of an interval by Student's t, on average
   double reach_if_independent = 0;  ///< had the points been independent of each other
 };
-std::optional<Covered> covered(const std::vector<Points>& sets, std::size_t replicates,
+std::optional<Covered> covered(const std::vector<Points>& sets, std::size_t count,
                                const Integral& integral) {
-  const std::size_t estimates = sets.size() / replicates;
-  const auto r = static_cast<double>(replicates), all = static_cast<double>(estimates);
+  const std::size_t estimates = sets.size() / count;
+  const auto r = static_cast<double>(count), all = static_cast<double>(estimates);
   const double t = t_quantile(r - 1), z = normal_quantile(0.975);
   Covered what;
   for (std::size_t k = 0; k < estimates; ++k) {
     std::vector<double> errors;
     double within = 0;
     std::size_t n = 0;
-    for (std::size_t i = k * replicates; i < (k + 1) * replicates; ++i) {
+    for (std::size_t i = k * count; i < (k + 1) * count; ++i) {
       if (!sets[i]) return {};
       const Sums one = sums_over(*sets[i], integral);
       n = (*sets[i])[0].size();
@@ -68,14 +68,14 @@ TEST_CASE("plot intervals from replicates", "[.plot]") {
   constexpr std::size_t evaluations = 4096, estimates = 400;
   const double z = normal_quantile(0.975);
   auto file = plot_file("replicates.tsv");
-  for (std::size_t replicates = 2; replicates <= 64; replicates *= 2) {
-    const std::size_t n = evaluations / replicates;
-    const auto r = static_cast<double>(replicates);
+  for (std::size_t count = 2; count <= 64; count *= 2) {
+    const std::size_t n = evaluations / count;
+    const auto r = static_cast<double>(count);
     const auto sets =
-        scrambled_sets_of(sobol_plot_points(n, {0, 1}), estimates * replicates, replicates << 24);
+        scrambled_sets_of(sobol_plot_points(n, {0, 1}), estimates * count, count << 24);
     std::vector<Number> row{r, f_tails(z * z, 1, r - 1).lower};
     for (const std::size_t i : {1u, 3u, 4u}) {
-      const auto one = covered(sets, replicates, plot_integrals[i]);
+      const auto one = covered(sets, count, plot_integrals[i]);
       row.push_back(one ? Number(one->by_t) : Number{});
       row.push_back(one ? Number(one->by_z) : Number{});
       row.push_back(one ? Number(one->reach) : Number{});

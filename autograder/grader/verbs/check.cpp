@@ -1,5 +1,6 @@
 // check: one lab of a submission, judged.
 
+#include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -84,6 +85,7 @@ int check(const Context& context, const Arguments& arguments) {
   const auto watched = watching_terminal();
   fmt::print("{}", watched ? report_open_first(judged, verdict, *watched)
                            : report_lab(judged, verdict, this_terminal()));
+  std::fflush(stdout);  // into a pipe, too: what follows takes a while
   // No grade, and no file that could be taken for one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
   if (judged.no_program.empty() && !watched) {  // who watches waits for the next verdict
