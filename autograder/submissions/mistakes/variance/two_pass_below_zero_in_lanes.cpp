@@ -1,6 +1,6 @@
 // mistake: lets the correction take the variance of constant data below zero, with sums in four lanes
 // caught by: 1.3 the variance of constant data is zero
-// hint: what the correction takes away can be rounded up: stop at 0
+// hint: the correction is rounded, and may be larger than the sum: return 0 then
 #include "variance.hpp"
 #define variance_two_pass right_variance_two_pass
 #include "solutions/variance.cpp"
