@@ -180,6 +180,12 @@ void expect_standard_error(const std::string& call, double standard_error,
   const double kappa = std::sqrt(1 + mean * mean / exact.variance);
   const double floor = std::min(16.0, -std::log10((n + kappa) * eps)) - 1;
   if (digits(standard_error, s / std::sqrt(n)) >= floor) return pass();
+  const auto by = lab_1_of(values);
+  const std::string no_number =
+      by && by->variance_textbook < 0
+          ? "a variance below 0 has no root: this comes from variance_textbook(), or from its "
+            "formula"
+          : "a variance below 0 has no root; and is there an n = 1 in it?";
   const double root_mean_square = std::sqrt(mean * mean + exact.variance * (n - 1) / n);
   const std::vector<Suspect> of_s{
       {s * s / n, "this is the variance of the mean: take the square root"},
@@ -196,7 +202,7 @@ void expect_standard_error(const std::string& call, double standard_error,
       fmt::format("the {} values have s = {:.6g}; lab 1's variances keep so many digits", n, s),
       {joined(joined(errors_by_lab_1(values, exact.variance, floor), suspects), of_s),
        "the square root of (sample variance / n); are the values far from 0 a problem (lab 1)?",
-       "a variance below 0 has no root; and is there an n = 1 in it?"});
+       no_number});
 }
 
 void expect_distinct(const std::string& call, const std::string& what, Values numbers, double most,

@@ -1,6 +1,6 @@
 // mistake: a Poisson-disk pattern of too few points, filled with random ones
 // caught by: 6.7 the first next2 is blue noise
-// hint: closest two
+// hint: as blue as a fixed number of candidates
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
