@@ -141,7 +141,7 @@ set xlabel "ns a point (less is better)"
 set ylabel "RMSE (less is better)"
 unset key
 array style[7] = [independent, independent, jittered, jittered, jittered, latin_hypercube, multi_jittered]
-array above[7] = [1, 1, 1, -1, 2.2, 1, -1]  # names, where points lie close
+array above[7] = [1, 1, 1, -1, 1.7, 1, -1]  # names, where points lie close
 array mark[7] = [5, 4, 6, 7, 15, 3, 12]  # filled, where a style comes twice
 do for [s=1:count] {
   set title labels[s] noenhanced
