@@ -18,7 +18,7 @@ set ytics 0,4
 set xtics 1,1000
 set xlabel "offset"
 set ylabel "digits kept"
-set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width -2
+set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 2 width -5
 do for [s=1:count] {
   set title labels[s] noenhanced
   plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 notitle, \

@@ -79,8 +79,9 @@ double covariance(std::span<const double> x, std::span<const double> y);
 /// source: the definition of independence, p(x,y) = p(x) p(y).
 double dependence(std::span<const double> joint, std::size_t columns);
 
-/// 1.8  The speed task: the moments of `x`, as fast as you can, with the digits of 1.3 (15 at
-/// most), less 1.5.
+/// 1.8  The speed task: the moments of `x`, as fast as you can. They keep the digits that 1.3 keeps
+/// for the same values, of which 15 count at most; one and a half of these may be lost. m2 is never
+/// negative, and at most n (eps c)^2 for up to 4096 equal values c.
 /// requires: any number of values; Moments{} for none.
 /// source: Chan, Golub, LeVeque 1983, on data that are shifted.
 Moments moments(std::span<const double> x);

@@ -29,9 +29,9 @@ unset multiplot
 # A picture ---------------------------------------------------------------------------------------
 array shaded[3] = ["16 independent points a pixel", "16 jittered", "16 multi-jittered"]
 array task[3] = ["0", "3", "7"]
-name = "shadow"; width = 1080; height = 386 * count
+name = "shadow"; width = 1080; height = 400 * count
 load draw
-set multiplot layout count,3 margins 0.01, 0.99, 0.02, 1 - 36./height spacing 0.015, 40./height
+set multiplot layout count,3 margins 0.01, 0.99, 0.02, 1 - 50./height spacing 0.015, 50./height
 set size square
 set palette gray
 set cbrange [0:1]
@@ -57,11 +57,11 @@ array rate[4] = ["N^{-1.5}", "N^{-1}", "N^{-0.75}", "N^{-0.75}"]
 array first_way[4] = ["3.1 stratified", "3.3 jittered", "3.3 jittered", "3.5 one in each 4D cell"]
 array second_way[4] = ["", "3.6 Latin hypercube", "3.6 Latin hypercube", "3.4 padded 2D patterns"]
 array third_way[4] = ["", "3.7 multi-jittered", "3.7 multi-jittered", "3.6 Latin hypercube"]
-name = "convergence"; width = 1120; height = 760 * count
+name = "convergence"; width = 1120; height = 800 * count
 load draw
 array second[4] = [0, latin_hypercube, latin_hypercube, padded]
 array third[4] = [0, multi_jittered, multi_jittered, latin_hypercube]
-set multiplot layout 2*count,2 margins 75./width, 1 - 15./width, 50./height, 1 - 36./height spacing 75./width, 90./height
+set multiplot layout 2*count,2 margins 75./width, 1 - 15./width, 65./height, 1 - 45./height spacing 90./width, 110./height
 set logscale xy
 set xlabel "N"
 set ylabel "RMSE"
@@ -84,10 +84,10 @@ do for [s=1:count] {
 unset multiplot
 
 # The variance within the strata ------------------------------------------------------------------
-name = "within"; width = 80 + 480 * count; height = 520
+name = "within"; width = 80 + 480 * count; height = 550
 load draw
 set multiplot layout 1,count title "What is left of the variance: the fraction within the strata" \
-  margins 80./width, 1 - 20./width, 0.25, 0.86 spacing 80./width, 0
+  margins 80./width, 1 - 20./width, 0.28, 0.86 spacing 80./width, 0
 set logscale xy
 set format "10^{%L}"
 set xrange [0.7:6000]
@@ -105,10 +105,10 @@ do for [s=1:count] {
 unset multiplot
 
 # Stopping early ----------------------------------------------------------------------------------
-name = "early"; width = 80 + 480 * count; height = 480
+name = "early"; width = 80 + 480 * count; height = 500
 load draw
 set multiplot layout 1,count title "The first n of 1024 points, for exp(-x² - y²) in the plane" \
-  margins 80./width, 1 - 20./width, 0.25, 0.85 spacing 80./width, 0
+  margins 80./width, 1 - 20./width, 0.28, 0.85 spacing 80./width, 0
 set logscale xy
 set format "10^{%L}"
 set xrange [0.8:1300]
@@ -133,7 +133,7 @@ load draw
 set multiplot layout 1,count title "Error against time: 1024 points of the plane, for exp(-x² - y²)" \
   margins 80./width, 1 - 20./width, 0.14, 0.83 spacing 80./width, 0
 set logscale xy
-set xrange [0.5:100]
+set xrange [0.3:100]
 set yrange [1e-5:5e-2]
 set xtics (0.5, 1, 2, 5, 10, 20, 50, 100)
 set format y "10^{%L}"
@@ -141,7 +141,7 @@ set xlabel "ns a point (less is better)"
 set ylabel "RMSE (less is better)"
 unset key
 array style[7] = [independent, independent, jittered, jittered, jittered, latin_hypercube, multi_jittered]
-array above[7] = [1, 1, 1, -1, 2.2, 1, -1]  # names, where points lie close
+array above[7] = [1, 1, 1, -1, 1.7, 1, -1]  # names, where points lie close
 array mark[7] = [5, 4, 6, 7, 15, 3, 12]  # filled, where a style comes twice
 do for [s=1:count] {
   set title labels[s] noenhanced
