@@ -86,9 +86,9 @@ void random_shift(PointSet& points, Rng& rng);
 /// equal values stay equal in any column, and a column can be made in parts. Each axis takes a seed
 /// of its own.
 ///
-/// How random the hash is: any two values are scrambled independently behind the bits that they
-/// share (then the variance is Owen's), and larger groups of values nearly so: the error of exp(x)
-/// with 1,024 points of the line is close to Gaussian, with a kurtosis near 3.
+/// How random the hash is: any two values are scrambled independently behind the first bit in which
+/// they differ (then the variance is Owen's), and larger groups of values nearly so: the error of
+/// exp(x) with 1,024 points of the line is close to Gaussian, with a kurtosis near 3.
 /// requires: values in [0,1), integer multiples of 2^-53.
 /// source:   Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences".
 void owen_scramble(std::span<double> column, std::uint64_t seed);
