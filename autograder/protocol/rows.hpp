@@ -3,7 +3,8 @@
 // row a line, its fields separated by tabs, written as soon as it is there.
 //
 //   kind         what, on what                         value
-//   error        a point set, an integrand             root mean square error of the mean of n points
+//   error        a point set, an integrand             root mean square error of the mean of n
+// points
 //   time         a point set or an algorithm           nanoseconds a point, or a value
 //   integrand    an integrand                          nanoseconds a value
 //   variance     an integrand                          of its value at a uniform point

@@ -1,4 +1,5 @@
-// The judge's distributions against Boost.Math's, where that is installed: two hands, one mathematics.
+// The judge's distributions against Boost.Math's, where that is installed: two hands, one
+// mathematics.
 
 #if __has_include(<boost/math/distributions/fisher_f.hpp>)
 

@@ -37,7 +37,8 @@ struct Command {
   std::string text() const { return fmt::format("{}: {}", document, fmt::join(words, " ")); }
 };
 
-/// Words as a shell splits them, up to a comment; a document may also set the comment apart by blanks.
+/// Words as a shell splits them, up to a comment; a document may also set the comment apart by
+/// blanks.
 Words words_of(std::string_view line) {
   Words words;
   std::string word;

@@ -128,8 +128,8 @@ TEST_CASE("to four points they do not, where a column has three cells or more") 
   CHECK(differing(4, 3, 3) > 0);
 }
 
-/// What the solution makes, cell by cell: the stratum of x among those of its column, and of y among
-/// those of its row.
+/// What the solution makes, cell by cell: the stratum of x among those of its column, and of y
+/// among those of its row.
 struct Dealt {
   std::vector<std::size_t> x, y;
 };

@@ -13,7 +13,8 @@
 
 namespace mc::checks {
 
-/// ErrorSums of the mean of exp(x) over the first n points of base 2, scrambled by 5.8 in so many ways.
+/// ErrorSums of the mean of exp(x) over the first n points of base 2, scrambled by 5.8 in so many
+/// ways.
 inline std::optional<ErrorSums> errors_of_exp(std::size_t n, std::size_t sets) {
   const double exact = std::expm1(1.0);
   const Column column = column_of(TRY_MEASURE(sobol, 0, 0, n), n);

@@ -99,8 +99,8 @@ std::optional<Worth> worth_of(const std::string& kind, std::size_t sets) {
   return worth;
 }
 
-/// The same of dimensions 0 and 1, 2 and 3, … of one Sobol' sequence; there are 16 pairs in all, and
-/// what is shown ends before them.
+/// The same of dimensions 0 and 1, 2 and 3, … of one Sobol' sequence; there are 16 pairs in all,
+/// and what is shown ends before them.
 std::optional<Worth> worth_of_one_sequence(std::size_t sets) {
   constexpr std::size_t pairs_used = 13;
   std::vector<Values> all;

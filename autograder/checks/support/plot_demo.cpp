@@ -31,8 +31,8 @@ double in_shadow(double u, double v) {
   return dx * dx + dy * dy < dark_radius * dark_radius ? 0 : under_lamp(u, v);
 }
 
-/// The irradiance under a disk parallel to the receiver, its centre off the axis (Howell, "A catalog
-/// of radiation heat transfer configuration factors", B-13).
+/// The irradiance under a disk parallel to the receiver, its centre off the axis (Howell, "A
+/// catalog of radiation heat transfer configuration factors", B-13).
 double irradiance_of_dark_disk() {
   const double h2 = lamp.height * lamp.height, d2 = dark_x * dark_x + dark_y * dark_y;
   const double r2 = dark_radius * dark_radius, sum = h2 + d2 + r2;
@@ -115,7 +115,8 @@ double variance_of(const DemoIntegrand& integrand) {
   return squares / (width * width) - integrand.exact * integrand.exact;
 }
 
-/// The shades of an integrand on a grid, row by row from y = 0, from its least value to its largest.
+/// The shades of an integrand on a grid, row by row from y = 0, from its least value to its
+/// largest.
 std::string picture_of(const DemoIntegrand& integrand) {
   constexpr std::size_t width = 96;
   std::vector<double> values;

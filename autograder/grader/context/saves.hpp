@@ -10,8 +10,8 @@
 namespace mc::grader {
 
 /// Some files, and how they were when one looked last. A save is a file with another time, size or
-/// inode: so it makes no difference whether an editor writes into a file, replaces it, or removes it
-/// and writes it anew.
+/// inode: so it makes no difference whether an editor writes into a file, replaces it, or removes
+/// it and writes it anew.
 class Saves {
  public:
   explicit Saves(std::vector<std::filesystem::path> files);

@@ -1,6 +1,7 @@
 #pragma once
-// A class on a cluster: one task of a Slurm job array for each submission. A task is a shard of one,
-// with a table of its own, so that it may be killed, requeued and begun again like any other run.
+// A class on a cluster: one task of a Slurm job array for each submission. A task is a shard of
+// one, with a table of its own, so that it may be killed, requeued and begun again like any other
+// run.
 
 #include <cstdint>
 #include <filesystem>

@@ -196,9 +196,9 @@ struct CopiedBuild {
   }
 };
 
-// Some forty seconds of CPU time: not in --quick. A build was copied along, as by `cp -r` of another
-// checkout: the door's own tests (moved_test.cpp) have a stub behind it, this is the whole. That it
-// builds from nothing is Gradescope's test.
+// Some forty seconds of CPU time: not in --quick. A build was copied along, as by `cp -r` of
+// another checkout: the door's own tests (moved_test.cpp) have a stub behind it, this is the whole.
+// That it builds from nothing is Gradescope's test.
 TEST_CASE("a handout works from the first call on", "[.handout]") {
   const Handout handout({"--labs", "variance"});
   REQUIRE(handout.written.exit_code == 0);

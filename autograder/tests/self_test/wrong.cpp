@@ -40,8 +40,13 @@ std::set<std::string> checks_named(const LabVerdict& verdict,
   return names;
 }
 
-/// Those checks failed, and no others; others may wait for them, or be unwritten, or fail `at times`.
-/// Gives the stories of what failed.
+bool begins_with_one_of(const std::string& name, const std::vector<std::string>& starts) {
+  return std::any_of(starts.begin(), starts.end(),
+                     [&](const std::string& start) { return name.starts_with(start); });
+}
+
+/// Those checks failed, and no others; others may wait for them, or be unwritten, or fail `at
+/// times`. Gives the stories of what failed.
 std::string compare_failures(const LabVerdict& verdict, const std::set<std::string>& expected,
                              bool may_be_unwritten, const std::vector<std::string>& at_times = {}) {
   std::string stories;
@@ -54,9 +59,7 @@ std::string compare_failures(const LabVerdict& verdict, const std::set<std::stri
       complain(fmt::format("'{}' is {}", result.check.name, describe(result, verdict)));
     }
     if (!excused) stories += result.story + '\n';
-    const bool may_fail =
-        std::any_of(at_times.begin(), at_times.end(),
-                    [&](const std::string& start) { return result.check.name.starts_with(start); });
+    const bool may_fail = begins_with_one_of(result.check.name, at_times);
     if (!excused && !is_expected && !may_fail) {
       complain(fmt::format("caught by a check it does not name: {}", result.check.name));
     }
@@ -97,17 +100,13 @@ void prove_mistake(const Proof& proof, const fs::path& file) {
   // asked in --full only, and once, for it does not depend on the seed. With more seeds: the tasks
   // at fault. To the others this is a right answer, and of those prove_right asks more.
   const auto named = said(file, "caught by");
+  std::vector<std::string> tasks;
+  for (const std::string& start : named) tasks.push_back(start.substr(0, start.find(' ') + 1));
   std::set<std::string> once, again;
   for (const grader::Check& check : grader::expected_checks(proof.layout, proof.lab)) {
-    const auto is_named = [&](const std::string& start) { return check.name.starts_with(start); };
-    const auto is_in_task = [&](const std::string& start) {
-      return check.name.starts_with(start.substr(0, start.find(' ') + 1));
-    };
-    const bool names_it = std::any_of(named.begin(), named.end(), is_named);
-    if (!check.is_slow || names_it || seeds > 1) once.insert(check.name);
-    if (!check.is_slow && std::any_of(named.begin(), named.end(), is_in_task)) {
-      again.insert(check.name);
-    }
+    const bool is_named = begins_with_one_of(check.name, named);
+    if (!check.is_slow || is_named || seeds > 1) once.insert(check.name);
+    if (!check.is_slow && begins_with_one_of(check.name, tasks)) again.insert(check.name);
   }
   const LabVerdict first = proof.judge(1, once);
   auto expected = checks_named(first, named);
