@@ -141,7 +141,9 @@ std::vector<std::string> shown_in(const std::filesystem::path& document, const s
   return lines;
 }
 
-TEST_CASE("bench --tables prints small tables, and the handout of lab 6 shows its figures") {
+// Not in --quick: it measures.
+TEST_CASE("bench --tables prints small tables, and the handout of lab 6 shows its figures",
+          "[.figures]") {
   const auto run = tests::lab({"bench", "sampler", "halton", "--tables", "--rounds", "1"});
   CHECK(run.exit_code == 0);
   CHECK_FALSE(tests::contains(run.output, "efficiency"));

@@ -25,7 +25,7 @@ struct Wrong {
 
 }  // namespace
 
-TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
+TEST_CASE("bad usage is one line that says what and how, and exit status 2", "[door]") {
   const Scratch empty;
   const Scratch full;
   full.write("variance.cpp", "\n");
@@ -80,7 +80,7 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2") {
   }
 }
 
-TEST_CASE("every verb has help") {
+TEST_CASE("every verb has help", "[door]") {
   for (const VerbEntry& verb : verb_list) {
     if (verb.name.empty()) continue;
     const std::string name(verb.name);
@@ -92,7 +92,7 @@ TEST_CASE("every verb has help") {
   CHECK(lab({"--help"}).exit_code == 0);
 }
 
-TEST_CASE("the same verdict in the terminal and in JSON and in CSV") {
+TEST_CASE("the same verdict in the terminal and in JSON and in CSV", "[door]") {
   const Layout layout = read_layout();
   const Scratch scratch;
   // The solution with one mistake, so that there are points of both kinds.
@@ -135,7 +135,7 @@ TEST_CASE("the same verdict in the terminal and in JSON and in CSV") {
   CHECK(contains(table, fmt::format(",judged,{:g},", told)));
 }
 
-TEST_CASE("results are complete when nothing compiles or nothing was handed in") {
+TEST_CASE("results are complete when nothing compiles or nothing was handed in", "[door]") {
   const Scratch scratch;
   const std::string json = (scratch.path() / "results.json").string();
   const Scratch empty;
@@ -160,7 +160,7 @@ TEST_CASE("a full disk leaves the old result whole") {
   CHECK(read_text(json) == "old");
 }
 
-TEST_CASE("several submissions are a line each") {
+TEST_CASE("several submissions are a line each", "[door]") {
   const Layout layout = read_layout();
   const Scratch empty;
   const auto run = lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"});
@@ -169,7 +169,7 @@ TEST_CASE("several submissions are a line each") {
   CHECK(contains(run.output, "no lab's file in it"));
 }
 
-TEST_CASE("the zip to hand in") {
+TEST_CASE("the zip to hand in", "[door]") {
   const Scratch scratch;
   const auto run = lab({"submit", "variance"}, {.directory = scratch.path()});
   CHECK(run.exit_code == 0);
@@ -198,7 +198,7 @@ TEST_CASE("a report fits a small terminal") {
   CHECK(widest <= 52);  // a word that does not fit stands alone
 }
 
-TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished") {
+TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished", "[door]") {
   const Layout layout = read_layout();
   const Scratch student;
   for (const auto& entry : fs::directory_iterator(layout.solutions())) {

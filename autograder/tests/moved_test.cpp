@@ -85,13 +85,13 @@ void stands_there(const Checkout& checkout) {
 
 }  // namespace
 
-TEST_CASE("a checkout that was moved is built again, once") {
+TEST_CASE("a checkout that was moved is built again, once", "[door]") {
   const Checkout checkout;
   fs::rename(checkout.first, checkout.other);
   stands_there(checkout);
 }
 
-TEST_CASE("a copied checkout is built again, and nothing is written into the original") {
+TEST_CASE("a copied checkout is built again, and nothing is written into the original", "[door]") {
   const Checkout checkout;
   fs::copy(checkout.first, checkout.other, fs::copy_options::recursive);
   const auto before = listing(checkout.first);
@@ -99,7 +99,7 @@ TEST_CASE("a copied checkout is built again, and nothing is written into the ori
   CHECK(listing(checkout.first) == before);
 }
 
-TEST_CASE("two calls at once in a moved checkout configure it once") {
+TEST_CASE("two calls at once in a moved checkout configure it once", "[door]") {
   const Checkout checkout;
   fs::rename(checkout.first, checkout.other);
   sandbox::ProcessResult runs[2];
@@ -113,7 +113,7 @@ TEST_CASE("two calls at once in a moved checkout configure it once") {
   CHECK(configured(checkout.other) == 2);
 }
 
-TEST_CASE("a checkout that is called through a link stands where it stood") {
+TEST_CASE("a checkout that is called through a link stands where it stood", "[door]") {
   const Checkout checkout;
   fs::create_directory_symlink(checkout.first, checkout.other);
   const auto run = door(checkout.other);

@@ -73,7 +73,7 @@ std::string begun(std::string text) {
 
 }  // namespace
 
-TEST_CASE("the starter again, and nothing that was written is lost") {
+TEST_CASE("the starter again, and nothing that was written is lost", "[door]") {
   const Checkout checkout;
   const std::string given = text_of(read_layout().starter());
   checkout.commit("// an older handout\n" + given);
@@ -104,7 +104,7 @@ TEST_CASE("the starter again, and nothing that was written is lost") {
   CHECK_FALSE(fs::exists(checkout.file().string() + ".3.bak"));
 }
 
-TEST_CASE("without a history there is no starter, and the file stays as it is") {
+TEST_CASE("without a history there is no starter, and the file stays as it is", "[door]") {
   const Checkout checkout;
   write_text(checkout.file(), "mine\n");
   const auto run = checkout.reset();

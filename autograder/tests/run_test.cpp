@@ -18,7 +18,7 @@ namespace mc::tests::run {
 namespace fs = std::filesystem;
 using namespace grader;
 
-TEST_CASE("an experiment by hand") {
+TEST_CASE("an experiment by hand", "[door]") {
   const std::string solutions = read_layout().solutions().string();
   CHECK(lab({"run", "--dir", solutions, "variance", "mean", "1,2,6"}).output == "3\n");
   CHECK(lab({"run", "--dir", solutions, "variance", "mean", "-1,-2,-6"}).output == "-3\n");
@@ -32,7 +32,7 @@ TEST_CASE("an experiment by hand") {
   CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
 }
 
-TEST_CASE("a result by hand says which number is what") {
+TEST_CASE("a result by hand says which number is what", "[door]") {
   const std::string solutions = read_layout().solutions().string();
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"run", "--dir", solutions});
@@ -81,7 +81,7 @@ TEST_CASE("a result by hand says which number is what") {
   CHECK(contains(named("--peraxis"), "stratified_nd --n N --dims N --per_axis N"));
 }
 
-TEST_CASE("the list of experiments has the names of the declarations") {
+TEST_CASE("the list of experiments has the names of the declarations", "[door]") {
   const Layout layout = read_layout();
   for (const Lab& one : find_labs(layout)) {
     const std::string list = lab({"run", one.name, "--dir", layout.solutions().string()}).output;
@@ -116,7 +116,8 @@ TEST_CASE("the list of experiments has the names of the declarations") {
   }
 }
 
-TEST_CASE("an experiment under the sanitizers") {
+// Not in --quick: every program is compiled with them.
+TEST_CASE("an experiment under the sanitizers", "[.sanitizers]") {
   const Layout layout = read_layout();
   const fs::path directory = layout.build / "tests" / "sanitize";
   fs::create_directories(directory);
@@ -153,7 +154,7 @@ TEST_CASE("an experiment under the sanitizers") {
   CHECK(contains(unfinished.errors, "nothing"));
 }
 
-TEST_CASE("a lab and its task") {
+TEST_CASE("a lab and its task", "[door]") {
   const std::string solutions = read_layout().solutions().string();
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"check", "1.3", solutions},
@@ -168,7 +169,7 @@ TEST_CASE("a lab and its task") {
   }
 }
 
-TEST_CASE("the door finds the lab among a verb's words") {
+TEST_CASE("the door finds the lab among a verb's words", "[door]") {
   const std::string root = read_layout().root.string();
   const auto found = [&](const std::string& words) {
     const auto run = sandbox::run_process(

@@ -70,7 +70,8 @@ TEST_CASE("what the reference takes where it is not at hand is told as an estima
   CHECK(told.find("about 4.0 times as fast as the reference") != std::string::npos);
 }
 
-TEST_CASE("each speed task has a ratio, kept with its lab") {
+// Not in --quick: it times every speed task.
+TEST_CASE("each speed task has a ratio, kept with its lab", "[.figures]") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const Submission solutions = open_submission(labs, layout.solutions());

@@ -31,12 +31,15 @@ namespace {
 /// Long enough for any machine: it ends what hangs, and says nothing of how fast anything is.
 constexpr auto patience = std::chrono::minutes(2);
 
-/// `check variance DIR --only 1.1 --watch`, running.
+constexpr const char* begun = "judging variance.cpp";
+
+/// A variance.cpp, and `check variance DIR --only 1.1 --watch` that runs and watches it.
 class Watching {
  public:
-  explicit Watching(const fs::path& directory) : output_(sandbox::make_pipe()) {
+  explicit Watching(const std::string& text) : output_(sandbox::make_pipe()) {
+    save(text);
     const std::string grader = (read_layout().build / "bin" / "grader").string();
-    const std::string place = directory.string();
+    const std::string place = place_.path().string();
     pid_ = fork();
     if (pid_ == 0) {
       dup2(output_.write.get(), STDOUT_FILENO);
@@ -54,6 +57,10 @@ class Watching {
   }
   Watching(const Watching&) = delete;
 
+  /// As most editors do: written beside it, and renamed over it.
+  void save(const std::string& text) const { place_.write("variance.cpp", text); }
+  fs::path file() const { return place_.path() / "variance.cpp"; }
+
   /// Reads on until `text` has come; what came before and with it. Fails where it never does.
   std::string until(const std::string& text) {
     const auto end = std::chrono::steady_clock::now() + patience;
@@ -70,6 +77,8 @@ class Watching {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }
+
+  std::string until_judged() { return until("\njudged "); }
 
   /// The exit status after an interrupt; -1 where a signal ended it.
   int interrupt() {
@@ -93,53 +102,50 @@ class Watching {
   }
 
  private:
+  Scratch place_;
   sandbox::Pipe output_;
   pid_t pid_ = -1;
   std::string unread_;
 };
 
-/// The solution with another 1.1.
-std::string with_mean(const std::string& body) {
+/// The solution, whose 1.1 goes on for ever.
+std::string endless() {
   return "#include <span>\n#include \"variance.hpp\"\nnamespace mc {\n"
-         "double mean(std::span<const double> x) {" +
-         body + "}\n}\n#define mean right_mean\n" + text_of(read_layout().solutions());
+         "double mean(std::span<const double>) { for (volatile int i = 0;; i = i + 1) {} }\n}\n"
+         "#define mean right_mean\n" +
+         text_of(read_layout().solutions());
 }
-
-constexpr const char* judged = "\njudged ";
 
 }  // namespace
 
-TEST_CASE("watching judges at once and after each save, however an editor saves") {
-  const Scratch scratch;
-  const fs::path file = scratch.write("variance.cpp", text_of(read_layout().starter()));
-  Watching watching(scratch.path());
-  CHECK(contains(watching.until(judged), "\n0 of 10 points; first open: 1.1"));
+TEST_CASE("watching judges at once and after each save, however an editor saves", "[door]") {
+  const std::string starter = text_of(read_layout().starter());
+  const std::string solution = text_of(read_layout().solutions());
+  Watching watching(starter);
+  CHECK(contains(watching.until_judged(), "\n0 of 10 points; first open: 1.1"));
 
   {  // into the file
-    std::ofstream(file) << text_of(read_layout().solutions());
+    std::ofstream(watching.file()) << solution;
   }
-  CHECK(contains(watching.until(judged), "\n10 of 10 points; nothing is open"));
+  CHECK(contains(watching.until_judged(), "\n10 of 10 points; nothing is open"));
 
-  scratch.write("new.cpp", "not C++\n");  // beside it, and renamed over it
-  fs::rename(scratch.path() / "new.cpp", file);
-  CHECK(contains(watching.until(judged), "does not compile"));
+  watching.save("not C++\n");
+  CHECK(contains(watching.until_judged(), "does not compile"));
 
-  fs::remove(file);  // away, and written anew
+  fs::remove(watching.file());  // away, and written anew
   CHECK(contains(watching.until("waiting for it"), "variance.cpp is not there"));
-  scratch.write("variance.cpp", text_of(read_layout().solutions()));
-  CHECK(contains(watching.until(judged), "\n10 of 10 points"));
+  watching.save(solution);
+  CHECK(contains(watching.until_judged(), "\n10 of 10 points"));
 
   CHECK_FALSE(contains(watching.until(""), "\x1b["));
   CHECK(watching.interrupt() == 0);
 }
 
-TEST_CASE("a save stops the run before it, whose verdict is never shown") {
-  const Scratch scratch;
-  scratch.write("variance.cpp", with_mean("for (volatile int i = 0;; i = i + 1) {}"));
-  Watching watching(scratch.path());
-  watching.until("judging variance.cpp");
-  scratch.write("variance.cpp", text_of(read_layout().solutions()));
-  const std::string shown = watching.until(judged);
+TEST_CASE("a save stops the run before it, whose verdict is never shown", "[door]") {
+  Watching watching(endless());
+  watching.until(begun);
+  watching.save(text_of(read_layout().solutions()));
+  const std::string shown = watching.until_judged();
   CHECK(contains(shown, "what was being judged is stopped"));
   CHECK(contains(shown, "\n10 of 10 points"));
   CHECK_FALSE(contains(shown, "\n0 of 10 points"));
@@ -147,11 +153,9 @@ TEST_CASE("a save stops the run before it, whose verdict is never shown") {
   CHECK(watching.interrupt() == 0);
 }
 
-TEST_CASE("an interrupt ends the watching and what is being judged") {
-  const Scratch scratch;
-  scratch.write("variance.cpp", with_mean("for (volatile int i = 0;; i = i + 1) {}"));
-  Watching watching(scratch.path());
-  watching.until("judging variance.cpp");
+TEST_CASE("an interrupt ends the watching and what is being judged", "[door]") {
+  Watching watching(endless());
+  watching.until(begun);
   const auto end = std::chrono::steady_clock::now() + patience;
   std::vector<fs::path> judges;  // begun just behind that line
   while (judges.empty() && std::chrono::steady_clock::now() < end) judges = watching.children();

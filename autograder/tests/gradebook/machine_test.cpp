@@ -1,5 +1,5 @@
 // Machines that fail: no disk, no processes, no descriptors, no jail. Nobody gets points from them,
-// and nobody a zero.
+// and nobody a zero. Not in --quick: right answers are judged dozens of times.
 #include <unistd.h>
 
 #include <algorithm>
@@ -116,7 +116,7 @@ void is_made_good(const Course& course) {
 
 }  // namespace
 
-TEST_CASE("a full disk is no grade, and four in a row are not tried") {
+TEST_CASE("a full disk is no grade, and four in a row are not tried", "[.machine]") {
   const Course course(4);
   fs::create_directories(course.path() / "disk");
   std::uintmax_t bytes = 0;
@@ -141,7 +141,8 @@ TEST_CASE("a full disk is no grade, and four in a row are not tried") {
   }
 }
 
-TEST_CASE("a table that cannot be written ends the batch with a line, and its old text stays") {
+TEST_CASE("a table that cannot be written ends the batch with a line, and its old text stays",
+          "[.machine]") {
   const Course course(2);
   fs::create_directories(course.path() / "empty");
   fs::create_directories(course.path() / "full");
@@ -154,7 +155,7 @@ TEST_CASE("a table that cannot be written ends the batch with a line, and its ol
   CHECK(run.errors.find("No space left on device") != std::string::npos);
 }
 
-TEST_CASE("where seccomp is refused nobody is judged") {
+TEST_CASE("where seccomp is refused nobody is judged", "[.machine]") {
   const Course course(1);
   if (is_no_grade(course, {"--refuse", "seccomp"}, "seccomp: Function not implemented",
                   course.build)) {
@@ -162,7 +163,7 @@ TEST_CASE("where seccomp is refused nobody is judged") {
   }
 }
 
-TEST_CASE("where execveat or setgroups is refused nobody is judged") {
+TEST_CASE("where execveat or setgroups is refused nobody is judged", "[.machine]") {
   const Course course(1);
   is_no_grade(course, {"--refuse", "execveat"}, "Operation not permitted", course.build);
   if (geteuid() == 0) {  // else the jail needs no other user
@@ -171,7 +172,7 @@ TEST_CASE("where execveat or setgroups is refused nobody is judged") {
   }
 }
 
-TEST_CASE("without processes or descriptors there is the whole grade or none") {
+TEST_CASE("without processes or descriptors there is the whole grade or none", "[.machine]") {
   const Course course(1);
   const std::string user = std::to_string(700'000 + getpid());
   const auto own = sandbox::run_process({"chown", "-R", "-h", user, course.path().string()});
