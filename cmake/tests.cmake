@@ -59,8 +59,7 @@ test_of(door 100 grader_tests "[door]~[.]")
 test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
 # Not in --quick: what builds a checkout, what measures, and what takes as long as all others together.
-test_of(gradescope 99 gradebook_tests "[gradescope]")
-test_of(handout 98 gradebook_tests "[handout]")
+test_of(checkout 99 gradebook_tests "[checkout]")
 test_of(slurm 97 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})  # skipped without Slurm
 test_of(term 96 gradebook_tests "[term]")
 test_of(interrupted 95 gradebook_tests "[interrupted]")

@@ -1,13 +1,12 @@
-// What students get works, and holds no answer.
+// What students get holds no answer. That it works: checkout_test.cpp.
 #include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/verbs/list.hpp"
 #include "runner/text.hpp"
-#include "tests/gradebook/course.hpp"
+#include "tests/gradebook/handout.hpp"
 #include "tests/text.hpp"
 
 namespace mc::tests::handout {
@@ -16,27 +15,6 @@ namespace fs = std::filesystem;
 using namespace grader;
 
 namespace {
-
-/// A handout, as somebody has it who has just cloned it.
-struct Handout : Course {
-  fs::path root = path() / "labs";
-  sandbox::ProcessResult written;
-
-  explicit Handout(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words{"handout", root.string()};
-    words.insert(words.end(), more.begin(), more.end());
-    written = run(words);
-  }
-  sandbox::ProcessResult git(std::vector<std::string> words) const {
-    words.insert(words.begin(), {"git", "-C", root.string()});
-    return sandbox::run_process(words, {.output = std::size_t{64} << 20});
-  }
-  sandbox::ProcessResult lab(std::vector<std::string> words) const {
-    words.insert(words.begin(), (root / "lab").string());
-    return sandbox::run_process(
-        words, {.directory = root, .environment = {{"MC_BUILD", ""}, {"CI", "true"}}});
-  }
-};
 
 /// Lines without their blanks and without git's sign of what was added.
 std::vector<std::string> lines_of(const std::string& text) {
@@ -100,16 +78,6 @@ Texts answers_in(const Layout& layout, const std::string& text,
   return found;
 }
 
-std::vector<std::string> listed_verbs(const std::string& help) {
-  std::vector<std::string> verbs;
-  for (const std::string& line : lines_of(help)) {
-    const std::string start = "./lab ";
-    if (!line.starts_with(start) || line[start.size()] == ' ') continue;
-    verbs.push_back(line.substr(start.size(), line.find(' ', start.size()) - start.size()));
-  }
-  return verbs;
-}
-
 }  // namespace
 
 TEST_CASE("no answer is in a handout, nor in its history") {
@@ -169,80 +137,6 @@ TEST_CASE("a handout's containers bring everything that ./lab looks for") {
       CHECK(contains(text, std::string(package)));
     }
   }
-}
-
-/// Files of a build that was copied with a checkout, and when they were written. That checkout must
-/// stay as it is.
-struct CopiedBuild {
-  fs::path original;
-  std::vector<fs::path> files;
-  std::vector<fs::file_time_type> times;
-
-  CopiedBuild(const fs::path& from, const fs::path& to) : original(from) {
-    fs::create_directories(to / "bin");
-    for (const char* file : {"CMakeCache.txt", "build.ninja", ".ninja_log", ".ninja_deps",
-                             "layout.txt", "bin/grader", "libsandbox.a"}) {
-      if (!fs::exists(from / file)) continue;  // another generator
-      fs::copy_file(from / file, to / file);
-      files.emplace_back(file);
-    }
-    times = written();
-    REQUIRE(times.size() > 3);
-  }
-  std::vector<fs::file_time_type> written() const {
-    std::vector<fs::file_time_type> now;
-    for (const fs::path& file : files) now.push_back(fs::last_write_time(original / file));
-    return now;
-  }
-};
-
-// Some forty seconds of CPU time: not in --quick. A build was copied along, as by `cp -r` of
-// another checkout: the door's own tests (moved_test.cpp) have a stub behind it, this is the whole.
-// That it builds from nothing is Gradescope's test.
-TEST_CASE("a handout works from the first call on", "[.handout]") {
-  const Handout handout({"--labs", "variance"});
-  REQUIRE(handout.written.exit_code == 0);
-  const CopiedBuild copied(handout.layout.build, handout.root / "build");
-  const fs::path file = handout.root / "starter" / "variance.cpp";
-  const std::string starter = read_text(file);
-
-  const auto begun = handout.lab({"check", "variance"});
-  CAPTURE(begun.output, begun.errors);
-  CHECK(begun.exit_code == 1);
-  CHECK(contains(begun.output, "0 of 100 points"));
-  CHECK(contains(begun.output, "not written yet"));
-  CHECK(contains(begun.errors, "was built for"));
-  CHECK(copied.written() == copied.times);
-
-  write_text(file, text_of(handout.layout.solutions()));
-  const auto done = handout.lab({"check", "variance"});
-  CAPTURE(done.output, done.errors);
-  CHECK(done.exit_code == 0);
-  CHECK(contains(done.output, "100 of 100 points"));
-
-  const auto help = handout.lab({"--help"});
-  const auto verbs = listed_verbs(help.output);
-  CHECK(verbs ==
-        std::vector<std::string>{"setup", "check", "run", "plot", "report", "reset", "submit"});
-  for (const std::string& verb : verbs) {
-    const auto run = handout.lab({verb, "--help"});
-    CAPTURE(verb, run.errors);
-    CHECK(run.exit_code == 0);
-    CHECK(contains(run.output, "usage: ./lab " + verb));
-  }
-  // What is not handed out is no verb there, and a line says so.
-  for (const char* verb : {"render", "bench", "test", "handout"}) {
-    const auto run = handout.lab({verb});
-    CAPTURE(verb, run.errors);
-    CHECK(run.exit_code == 2);
-    CHECK(contains(last_line(run.errors), "is not here"));
-  }
-
-  CHECK(contains(handout.lab({"run", "variance", "mean", "1,2,6"}).output, "3"));
-  CHECK(handout.lab({"submit", "variance"}).exit_code == 0);
-  CHECK(fs::exists(handout.root / "submission.zip"));
-  CHECK(handout.lab({"reset", "variance"}).exit_code == 0);
-  CHECK(read_text(file) == starter);
 }
 
 }  // namespace mc::tests::handout

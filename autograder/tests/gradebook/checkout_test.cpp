@@ -1,0 +1,242 @@
+// What students get, and what Gradescope gets, works. They have the same labs, judge and starters,
+// byte by byte: one stands in the place of the other, and a minute's building is done once.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "checks/support/catch.hpp"
+#include "runner/text.hpp"
+#include "tests/gradebook/container.hpp"
+#include "tests/gradebook/handout.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::checkout {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// Files of a build that was copied with a checkout, and when they were written. That checkout must
+/// stay as it is.
+struct CopiedBuild {
+  fs::path original;
+  std::vector<fs::path> files;
+  std::vector<fs::file_time_type> times;
+
+  CopiedBuild(const fs::path& from, const fs::path& to) : original(from) {
+    fs::create_directories(to / "bin");
+    for (const char* file : {"CMakeCache.txt", "build.ninja", ".ninja_log", ".ninja_deps",
+                             "layout.txt", "bin/grader", "libsandbox.a"}) {
+      if (!fs::exists(from / file)) continue;  // another generator
+      fs::copy_file(from / file, to / file);
+      files.emplace_back(file);
+    }
+    times = written();
+    REQUIRE(times.size() > 3);
+  }
+  std::vector<fs::file_time_type> written() const {
+    std::vector<fs::file_time_type> now;
+    for (const fs::path& file : files) now.push_back(fs::last_write_time(original / file));
+    return now;
+  }
+};
+
+std::vector<std::string> listed_verbs(const std::string& help) {
+  std::vector<std::string> verbs;
+  for (std::string_view line : text::split(help, '\n')) {
+    constexpr std::string_view start = "./lab ";
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.starts_with(start) || line[start.size()] == ' ') continue;
+    line.remove_prefix(start.size());
+    verbs.emplace_back(line.substr(0, line.find(' ')));
+  }
+  return verbs;
+}
+
+/// A build was copied along, as by `cp -r` of another checkout: the door's own tests (moved_test.cpp)
+/// have a stub behind it, this is the whole. It is thrown away, so that all is built from nothing.
+void works_from_the_first_call_on(const Handout& handout) {
+  REQUIRE(handout.written.exit_code == 0);
+  const CopiedBuild copied(handout.layout.build, handout.root / "build");
+  const fs::path file = handout.root / "starter" / "variance.cpp";
+  const std::string starter = read_text(file);
+
+  const auto begun = handout.lab({"check", "variance"});
+  CAPTURE(begun.output, begun.errors);
+  CHECK(begun.exit_code == 1);
+  CHECK(contains(begun.output, "0 of 100 points"));
+  CHECK(contains(begun.output, "not written yet"));
+  CHECK(contains(begun.errors, "was built for"));
+  CHECK(copied.written() == copied.times);
+
+  write_text(file, text_of(handout.layout.solutions()));
+  const auto done = handout.lab({"check", "variance"});
+  CAPTURE(done.output, done.errors);
+  CHECK(done.exit_code == 0);
+  CHECK(contains(done.output, "100 of 100 points"));
+
+  const auto help = handout.lab({"--help"});
+  const auto verbs = listed_verbs(help.output);
+  CHECK(verbs ==
+        std::vector<std::string>{"setup", "check", "run", "plot", "report", "reset", "submit"});
+  for (const std::string& verb : verbs) {
+    const auto run = handout.lab({verb, "--help"});
+    CAPTURE(verb, run.errors);
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.output, "usage: ./lab " + verb));
+  }
+  // What is not handed out is no verb there, and a line says so.
+  for (const char* verb : {"render", "bench", "test", "handout"}) {
+    const auto run = handout.lab({verb});
+    CAPTURE(verb, run.errors);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(last_line(run.errors), "is not here"));
+  }
+
+  CHECK(contains(handout.lab({"run", "variance", "mean", "1,2,6"}).output, "3"));
+  CHECK(handout.lab({"submit", "variance"}).exit_code == 0);
+  CHECK(fs::exists(handout.root / "submission.zip"));
+  CHECK(handout.lab({"reset", "variance"}).exit_code == 0);
+  CHECK(read_text(file) == starter);
+}
+
+/// Makes the checkout what the tree is. What both have stays as it is, and with it what is built.
+void put_in_place_of(const fs::path& checkout, const fs::path& tree) {
+  for (auto file = fs::recursive_directory_iterator(checkout);
+       file != fs::recursive_directory_iterator(); ++file) {
+    const fs::path name = fs::relative(file->path(), checkout);
+    if (name == "build" || name == ".git") file.disable_recursion_pending();
+    if (file->is_regular_file() && !fs::exists(tree / name)) fs::remove(file->path());
+  }
+  fs::remove_all(checkout / ".git");
+  for (const auto& file : fs::recursive_directory_iterator(tree)) {
+    if (!file.is_regular_file()) continue;
+    const fs::path name = fs::relative(file.path(), tree);
+    CAPTURE(name);
+    if (fs::exists(checkout / name)) {
+      CHECK(read_text(checkout / name) == read_text(file.path()));
+    } else {
+      fs::create_directories((checkout / name).parent_path());
+      fs::copy_file(file.path(), checkout / name);
+    }
+  }
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+void grades_what_is_handed_in(const Container& container) {
+  const auto built = container.script("setup.sh");
+  CAPTURE(built.output, built.errors);
+  REQUIRE(built.exit_code == 0);
+  const std::string starter = text_of(container.layout.starter());
+  const std::string solution = text_of(container.layout.solutions());
+  const auto results = [&](const std::vector<std::pair<fs::path, std::string>>& files) {
+    const auto run = container.grade(files);
+    CAPTURE(run.output, run.errors);
+    CHECK(run.exit_code == 0);
+    const std::string text = read_text(container.results);
+    CHECK_FALSE(contains(text, container.path().string()));  // no path of the container
+    auto json = nlohmann::json::parse(text, nullptr, false);
+    REQUIRE_FALSE(json.is_discarded());
+    CHECK(json["visibility"] == "hidden");
+    CHECK(json["tests"].size() > 20);
+    CHECK(json["extra_data"]["version"] == container.layout.version);
+    return json;
+  };
+
+  const auto all = results({{"variance.cpp", solution}});
+  CHECK(all["score"] == 100);
+  CHECK_FALSE(all.contains("leaderboard"));
+
+  const auto none = results({{"variance.cpp", starter}});
+  CHECK(none["score"] == 0);
+  CHECK(count(none.dump(), "not written yet") > 20);
+
+  const auto empty = results({{"readme.txt", "I wrote nothing"}});
+  CHECK(empty["score"] == 0);
+  CHECK(contains(empty["output"], "variance.cpp"));
+
+  const auto broken = results({{"variance.cpp", "int 7 is no name;\n"}});
+  CHECK(broken["score"] == 0);
+  CHECK(contains(broken["output"], "variance.cpp:1:5: error"));
+  CHECK(count(broken.dump(), "does not compile") == 1);
+
+  const auto curious = results(
+      {{"variance.cpp", "#include \"../autograder/checks/support/exact.hpp\"\n" + starter}});
+  CHECK(curious["score"] == 0);
+
+  // For ever in one task: the others count. What failed, the student can repeat at home.
+  std::string loops = solution;
+  const std::string begin = "double mean(std::span<const double> x) {";
+  REQUIRE(contains(loops, begin));
+  loops.insert(loops.find(begin) + begin.size(), "\n  for (volatile bool on = true; on;) {\n  }\n");
+  const auto late = results({{"variance.cpp", loops}});
+  CHECK(late["score"] < 100);
+  std::size_t failed = 0;
+  for (const auto& test : late["tests"]) {
+    const std::string output = test["output"];
+    failed += contains(output, "again");
+    if (contains(output, "again")) CHECK(contains(output, "./lab check variance --only "));
+  }
+  CHECK(failed > 0);
+
+  const auto deeper = results({{"my lab/variance.cpp", solution}, {"my lab/notes.txt", ""}});
+  CHECK(deeper["score"] == 100);
+  CHECK(contains(deeper["output"], "found in my lab"));
+
+  const auto repository = results({{".git/HEAD", ""},
+                                   {"README.md", ""},
+                                   {"starter/variance.cpp", solution},
+                                   {"build/variance.cpp", starter}});
+  CHECK(repository["score"] == 100);
+
+  // With a leaderboard: what such a zip has more, in the same container.
+  const Container compared({"--leaderboard"});
+  fs::copy(compared.source / "solutions", container.source / "solutions",
+           fs::copy_options::recursive);
+  fs::copy_file(compared.source / "run_autograder", container.source / "run_autograder",
+                fs::copy_options::overwrite_existing);
+  const auto told = container.grade({{"variance.cpp", solution}});
+  CAPTURE(told.output, told.errors);
+  REQUIRE(told.exit_code == 0);
+  const auto ranked = nlohmann::json::parse(read_text(container.results));
+  CHECK(ranked["score"] == 100);
+  CHECK(ranked["visibility"] == "visible");
+  REQUIRE(ranked["leaderboard"].size() == 1);
+  CHECK(ranked["leaderboard"][0]["name"] == "lab 1: speed, times the reference's");
+  CHECK(ranked["leaderboard"][0]["value"] > 0.1);  // of itself, on any machine: about 1
+  CHECK(container.grade({{"variance.cpp", starter}}).exit_code == 0);
+  CHECK_FALSE(nlohmann::json::parse(read_text(container.results)).contains("leaderboard"));
+
+  // A grader that cannot be built is nobody's zero: no results.json, not even the last one.
+  write_text(container.source / "autograder" / "grader" / "main.cpp", "no grader\n");
+  const auto fails = container.grade({{"variance.cpp", solution}});
+  CHECK(fails.exit_code == 3);
+  CHECK_FALSE(fs::exists(container.results));
+}
+
+}  // namespace
+
+// Some ninety seconds of CPU time: not in --quick.
+TEST_CASE("a handout works from the first call on, and Gradescope's zip invents no score",
+          "[.checkout]") {
+  const Container container({"--visibility", "hidden"});
+  const fs::path unzipped = container.path() / "unzipped";
+  fs::rename(container.source, unzipped);
+  const Handout handout({"--labs", "variance"}, container.source);
+  works_from_the_first_call_on(handout);
+  put_in_place_of(container.source, unzipped);
+  grades_what_is_handed_in(container);
+}
+
+}  // namespace mc::tests::checkout
