@@ -15,7 +15,7 @@ struct Container : Course {
   using Path = std::filesystem::path;
   Path root = std::filesystem::canonical(path()) / "autograder", zip = path() / "autograder.zip";
   Path source = root / "source", handed = root / "submission",
-           results = root / "results" / "results.json";
+       results = root / "results" / "results.json";
   sandbox::ProcessResult written;
 
   explicit Container(const std::vector<std::string>& more) {

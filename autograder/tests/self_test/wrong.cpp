@@ -79,6 +79,37 @@ void judge_mistake(const fs::path& file, const LabVerdict& verdict,
   }
 }
 
+/// The checks whose outcome says nothing of a mistake that fails these: each of them needs a task
+/// that fails, so it passes or waits, and either is right. Not those of a task that a check which is
+/// judged needs in turn: whether that one waits is to be seen.
+std::set<std::string> checks_that_wait(const std::vector<grader::Check>& checks,
+                                       const std::vector<std::string>& named) {
+  std::set<std::string> at_fault, waiting;
+  for (const grader::Check& check : checks) {  // what is an edge case holds nobody up
+    if (!check.is_edge && begins_with_one_of(check.name, named)) at_fault.insert(check.task);
+  }
+  const auto need_one_of = [](const grader::Check& check, const std::set<std::string>& tasks) {
+    return std::any_of(check.needs.begin(), check.needs.end(),
+                       [&](const std::string& need) { return tasks.contains(need); });
+  };
+  for (const grader::Check& check : checks) {
+    const bool waits = need_one_of(check, at_fault) && !begins_with_one_of(check.name, named);
+    if (waits) waiting.insert(check.name);
+  }
+  for (bool changed = true; changed;) {
+    std::set<std::string> needed;
+    for (const grader::Check& check : checks) {
+      if (!waiting.contains(check.name)) needed.insert(check.needs.begin(), check.needs.end());
+    }
+    changed = false;
+    for (const grader::Check& check : checks) {
+      const bool is_needed = !check.is_edge && needed.contains(check.task);
+      if (is_needed && waiting.erase(check.name) > 0) changed = true;
+    }
+  }
+  return waiting;
+}
+
 }  // namespace
 
 void prove_starter(const Proof& proof) {
@@ -98,14 +129,20 @@ void prove_mistake(const Proof& proof, const fs::path& file) {
   const std::uint64_t seeds = number_from("MC_MISTAKE_SEEDS", 1);
   // A slow check takes longer than all others together: of those that a mistake does not name it is
   // asked in --full only, and once, for it does not depend on the seed. With more seeds: the tasks
-  // at fault. To the others this is a right answer, and of those prove_right asks more.
+  // at fault. To the others this is a right answer, and of those prove_right asks more. A check that
+  // waits for what fails is asked in --full only, too.
   const auto named = said(file, "caught by");
   std::vector<std::string> tasks;
   for (const std::string& start : named) tasks.push_back(start.substr(0, start.find(' ') + 1));
+  const auto checks = grader::expected_checks(proof.layout, proof.lab);
+  // A check that waits may be the one that meets the file's limit.
+  const bool has_limit = !said(file, "limit").empty();
+  const auto waiting = has_limit ? std::set<std::string>{} : checks_that_wait(checks, named);
   std::set<std::string> once, again;
-  for (const grader::Check& check : grader::expected_checks(proof.layout, proof.lab)) {
+  for (const grader::Check& check : checks) {
     const bool is_named = begins_with_one_of(check.name, named);
-    if (!check.is_slow || is_named || seeds > 1) once.insert(check.name);
+    const bool tells = !check.is_slow && !waiting.contains(check.name);
+    if (tells || is_named || seeds > 1) once.insert(check.name);
     if (!check.is_slow && begins_with_one_of(check.name, tasks)) again.insert(check.name);
   }
   const LabVerdict first = proof.judge(1, once);
