@@ -60,6 +60,7 @@ test_of(repository 5 self_test repository)
 test_of(handout 90 gradebook_tests "[handout]")
 test_of(term 95 gradebook_tests "[term]")
 test_of(demo 60 grader_tests "[demo]")
+test_of(figures 95 grader_tests "[figures]")
 test_of(slurm 90 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})  # skipped without Slurm
 test_of(gradescope 90 gradebook_tests "[gradescope]")
 test_of(interrupted 90 gradebook_tests "[interrupted]")

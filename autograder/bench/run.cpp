@@ -14,6 +14,7 @@
 #include "bench/bench.hpp"
 #include "bench/calibrate.hpp"
 #include "bench/plots.hpp"
+#include "grader/context/errors.hpp"
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/judging/judge.hpp"
@@ -266,6 +267,17 @@ std::string as_label(std::string name) {
   return name;
 }
 
+/// The lab of a file that the repository knows: autograder/submissions/<kind>/<lab>/<name>.cpp.
+Lab lab_of_file(const Context& context, const fs::path& file) {
+  const fs::path folder = fs::weakly_canonical(file).parent_path();
+  std::error_code missing;
+  if (!fs::equivalent(folder.parent_path().parent_path(), context.layout.submissions(), missing)) {
+    throw UsageError(
+        fmt::format("{} is not in autograder/submissions/<kind>/<lab>", file.string()));
+  }
+  return find_lab(context.labs, folder.filename().string());
+}
+
 int run_bench(const Context& context, const Arguments& arguments) {
   std::vector<Lab> labs;
   std::vector<Submission> submissions;
@@ -274,8 +286,14 @@ int run_bench(const Context& context, const Arguments& arguments) {
     submissions.push_back(open_submission(context.labs, context.layout.solutions()));
     submissions.back().label = "solutions";
   }
+  std::map<std::string, std::vector<Submission>> single;  // by lab
   for (const std::string& word : arguments.words) {
-    if (fs::is_directory(word)) {
+    if (fs::path(word).extension() == ".cpp") {
+      const Lab lab = lab_of_file(context, word);
+      single[lab.name].push_back(
+          single_file_submission(context.layout, context.labs, lab, word, true));
+      single[lab.name].back().label = fs::path(word).stem().string();
+    } else if (fs::is_directory(word)) {
       submissions.push_back(open_submission(context.labs, word));
       submissions.back().label = as_label(word);
       if (is_reference(context.layout, submissions.back()) && submissions.size() > 1)
@@ -302,6 +320,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
     BenchRun run(context, place);
     for (const Lab& lab : labs) {
       run.enter(lab, submissions);
+      run.enter(lab, single[lab.name]);
       for (const std::string& library : peer_libraries(context.layout)) {
         if (const auto peer = peer_submission(context.layout, context.labs, lab, library)) {
           run.enter(lab, {*peer});
@@ -354,13 +373,12 @@ int run_bench(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb bench_verb{
     {"bench",
-     "bench [LAB...] [DIR...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
+     "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
      {"tables", "rounds=", "page=", "calibrate"},
-     "Every lab, unless some are named; the solutions and the libraries that are installed, and "
-     "each\n"
-     "DIR. Minutes, on an idle machine; what it has is kept if it is interrupted. Numbers and "
-     "pictures\n"
-     "go to build/bench/.\n"
+     "Every lab, unless some are named; the solutions, the libraries that are installed, each DIR\n"
+     "and each FILE.cpp of autograder/submissions. Minutes, on an idle machine; what it has is "
+     "kept\n"
+     "if it is interrupted. Numbers and pictures go to build/bench/.\n"
      "  --tables      only the small tables, in a minute: what each next2() of a sampler is "
      "worth,\n"
      "                what a number costs where samples are few, the tails of scrambling\n"
