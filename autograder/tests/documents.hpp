@@ -50,8 +50,7 @@ inline Words words_of(std::string_view line) {
 
 /// Where a reader is told what to type.
 inline std::vector<std::filesystem::path> documents(const grader::Layout& layout) {
-  std::vector<std::filesystem::path> all{layout.root / "README.md",
-                                         layout.root / "CONTRIBUTING.md",
+  std::vector<std::filesystem::path> all{layout.root / "README.md", layout.root / "CONTRIBUTING.md",
                                          layout.root / "docs" / "handout" / "README.md"};
   for (const auto& entry : std::filesystem::recursive_directory_iterator(layout.root / "docs")) {
     if (entry.path().extension() == ".md" && entry.path() != all[2]) all.push_back(entry.path());

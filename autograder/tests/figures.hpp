@@ -1,16 +1,21 @@
 #pragma once
 // Figures in documents, and the commands that print them. A document says which command prints a
-// figure in one of three ways:
+// figure in one of these ways:
 //
 //   a block that shows it             $ ./lab run halton radical_inverse 2 6
 //     and what it prints, exactly     # index  x
 //                                     6        0.375
-//   a comment before the passage      <!-- ./lab run halton radical_inverse 2 6 = 3/8 -->
-//     in which the figure stands
-//   the same for a cell of a table    <!-- ./lab bench halton --tables: TITLE | ROW | COLUMN = 47 -->
+//   a comment before the passage      <!-- ./lab run halton radical_inverse 2 6 = 3/8
+//     in which they stand                  ./lab run halton radical_inverse 2 3 = 0.75 -->
+//   the same for cells of tables      <!-- ./lab bench halton --tables:
+//                                          TITLE | ROW | COLUMN = 47
+//                                          TITLE | ROW | COLUMN = 62 -->
+//
+//   tables that are written by a command: written_in() in figures_test.cpp
 //
 // A passage ends at an empty line. Several figures, separated by ", ", are printed in this order.
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -45,9 +50,9 @@ inline std::string replaced(std::string text, std::string_view what, std::string
 /// no number.
 inline std::optional<Figure> figure_of(std::string text) {
   constexpr std::pair<const char*, const char*> plain[] = {
-      {"−", "-"}, {",", ""},  {" ", ""},  {"·", "*"}, {"½", "1/2"}, {"¼", "1/4"}, {"¾", "3/4"},
-      {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"}, {"⁴", "4"},   {"⁵", "5"},   {"⁶", "6"},
-      {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}, {"⁻", "-"}};
+      {"−", "-"},   {",", ""},  {" ", ""},  {"·", "*"}, {"½", "1/2"}, {"¼", "1/4"},
+      {"¾", "3/4"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},   {"⁴", "4"},
+      {"⁵", "5"},   {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"},   {"⁻", "-"}};
   // Where raised digits begin is a power.
   std::string marked;
   bool raised = false;
@@ -128,7 +133,8 @@ inline bool stands_in(const std::string& text, const std::string& figure) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
   };
   const auto part = [&](std::size_t at) { return at < text.size() && text[at] == '.'; };
-  for (std::size_t at = text.find(figure); at != std::string::npos; at = text.find(figure, at + 1)) {
+  for (std::size_t at = text.find(figure); at != std::string::npos;
+       at = text.find(figure, at + 1)) {
     const std::size_t end = at + figure.size();
     const bool begins = at == 0 || !(digit(at - 1) || (part(at - 1) && digit(at)));
     if (begins && !digit(end) && !(part(end) && digit(end + 1))) return true;
@@ -146,27 +152,41 @@ struct Claim {
 
 inline std::vector<Claim> claims_in(const std::string& document) {
   std::vector<Claim> claims;
+  constexpr std::string_view opening = "<!-- ", closing = "-->";
   for (std::size_t at = document.find("<!-- ./lab "); at != std::string::npos;
        at = document.find("<!-- ./lab ", at + 1)) {
-    const auto end = document.find("-->", at);
-    std::string body = replaced(document.substr(at + 5, end - at - 5), "\n", " ");
-    Claim claim;
-    const auto equals = body.rfind(" = ");
-    std::string figures = equals == std::string::npos ? "" : body.substr(equals + 3);
-    while (figures.ends_with(' ')) figures.pop_back();
-    for (std::size_t from = 0, to; from < figures.size(); from = to + 2) {
-      to = std::min(figures.find(", ", from), figures.size());
-      claim.figures.push_back(figures.substr(from, to - from));
+    const auto end = document.find(closing, at);
+    // The passage, without other comments before it.
+    std::string passage;
+    for (auto from = std::min(end + closing.size(), document.size()); from < document.size();) {
+      const auto comment = document.find(opening, from), blank = document.find("\n\n", from);
+      const auto to = std::min({comment, blank, document.size()});
+      passage += replaced(document.substr(from, to - from), "\n", " ");
+      if (comment >= blank) break;
+      from = document.find(closing, comment) + closing.size();
     }
-    body.resize(std::min(equals, body.size()));
-    if (const auto colon = body.find(": "); colon != std::string::npos) {
-      claim.cell = body.substr(colon + 2);
-      body.resize(colon);
+    const auto first = at + opening.size();
+    std::istringstream lines(document.substr(first, end - first));
+    Words bench;
+    for (std::string line; std::getline(lines, line);) {
+      line.erase(0, line.find_first_not_of(' '));
+      while (line.ends_with(' ')) line.pop_back();
+      if (line.ends_with(':')) {  // cells follow
+        bench = words_of(line.substr(0, line.size() - 1));
+        continue;
+      }
+      Claim claim{bench, "", {}, passage};
+      const auto equals = std::min(line.rfind(" = "), line.size());
+      for (auto from = equals + 3; from < line.size();) {
+        const auto to = std::min(line.find(", ", from), line.size());
+        claim.figures.push_back(line.substr(from, to - from));
+        from = to + 2;
+      }
+      line.resize(equals);
+      if (bench.empty()) claim.words = words_of(line);
+      if (!bench.empty()) claim.cell = line;
+      claims.push_back(claim);
     }
-    claim.words = words_of(body);
-    const auto first = std::min(end + 4, document.size());
-    claim.passage = replaced(document.substr(first, document.find("\n\n", first) - first), "\n", " ");
-    claims.push_back(claim);
   }
   return claims;
 }

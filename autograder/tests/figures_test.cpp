@@ -41,17 +41,33 @@ std::string objection_in_tables(const std::string& tables, const Claim& claim) {
   return objection(claim, {found->second});
 }
 
-/// What documents have between <!-- output: NAME --> and <!-- end -->, line by line.
-std::vector<std::string> written_in(const std::string& document) {
+/// Tables that a command has written into a document (docs/refresh.sh), line by line:
+///
+///   <!-- output of ./lab bench sampler --tables: BEGINNING OF TITLES -->
+///   …
+///   <!-- end -->
+struct Written {
+  Words words;
   std::vector<std::string> lines;
-  bool is_written = false;
-  std::istringstream text(document);
-  for (std::string line; std::getline(text, line);) {
-    if (line == "<!-- end -->") is_written = false;
-    if (is_written && !line.empty()) lines.push_back(line);
-    if (line.starts_with("<!-- output: ")) is_written = true;
+};
+std::vector<Written> written_in(const std::string& document) {
+  constexpr std::string_view opening = "<!-- output of ";
+  std::vector<Written> all;
+  for (auto at = document.find(opening); at != std::string::npos;
+       at = document.find(opening, at + 1)) {
+    const auto colon = document.find(':', at), head = document.find("-->", at);
+    const auto end = document.find("<!-- end -->", at);
+    Written written{words_of(document.substr(at + opening.size(), colon - at - opening.size())),
+                    {}};
+    std::istringstream text(document.substr(head, end - head));
+    std::string line;
+    std::getline(text, line);  // of the marker
+    while (std::getline(text, line)) {
+      if (!line.empty()) written.lines.push_back(line);
+    }
+    all.push_back(written);
   }
-  return lines;
+  return all;
 }
 
 /// A table shows a part of what the bench prints; a title may end with a colon there.
@@ -95,7 +111,7 @@ TEST_CASE("a figure stands in a text by itself") {
 TEST_CASE("a wrong figure is seen") {
   const Layout layout = read_layout();
   const auto claim = [&](const std::string& figure, const std::string& passage) {
-    const auto claims = claims_in("text\n\n<!-- ./lab run halton radical_inverse\n2 6 = " + figure +
+    const auto claims = claims_in("text\n\n<!-- ./lab run halton radical_inverse 2 6 = " + figure +
                                   " -->\n" + passage + "\n\nbehind it: 3/8\n");
     REQUIRE(claims.size() == 1);
     return objection_by_hand(layout, claims[0]);
@@ -107,6 +123,18 @@ TEST_CASE("a wrong figure is seen") {
   CHECK(contains(claim("5/8", "The steps lead to 5/8."), "not printed"));
   CHECK(contains(claim("0.376", "about 0.376"), "not printed"));
   CHECK(contains(claim("3/8, 6", "point 6 is 3/8"), "not in this order"));
+
+  // A comment is no passage; several stand before one.
+  const auto three = claims_in(
+      "<!-- ./lab run a = 1\n     ./lab run b = 2, 3 -->\n<!-- ./lab run c = 2 -->\n1\nor 2, "
+      "3\n\n4");
+  REQUIRE(three.size() == 3);
+  CHECK(three[1].words == Words{"./lab", "run", "b"});
+  CHECK(three[2].passage == " 1 or 2, 3");
+  CHECK(objection(three[0], {"1"}) == "");
+  CHECK(objection(three[1], {"2", "3"}) == "");
+  CHECK(objection(claims_in("<!-- ./lab run a = 4 -->\n<!-- ./lab run b = 5 -->\n3\n").at(0),
+                  {"4"}) == "not in the passage: 4");
 
   const auto block = [&](const std::string& output) {
     const auto shown = shown_in("```console\n$ ./lab run halton radical_inverse 2 6\n" + output +
@@ -122,9 +150,12 @@ TEST_CASE("a wrong figure is seen") {
       "empty cells\n\n| | plain | 1,024 |\n|---|--:|--:|\n| of 64 | 47 | 3.3e-2 |\n\n"
       "errors (± 3 % at most)\n\n| | a |\n|---|--:|\n| b | 62 |\n| c | |\n";
   const auto cell = [&](const std::string& where, const std::string& figure) {
-    return objection_in_tables(tables, claims_in("<!-- ./lab bench halton --tables: " + where +
-                                                 " = " + figure + " -->\nIt is " + figure + ".\n")
-                                           .at(0));
+    const auto claims =
+        claims_in("<!-- ./lab bench halton --tables:\n     " + where + " = " + figure +
+                  "\n     and | the | next = 8 -->\nIt is " + figure + ".\n");
+    REQUIRE(claims.size() == 2);
+    CHECK(claims[0].words == Words{"./lab", "bench", "halton", "--tables"});
+    return objection_in_tables(tables, claims[0]);
   };
   CHECK(cell("empty cells | of 64 | plain", "47") == "");
   CHECK(cell("empty cells | of 64 | 1,024", "0.033") == "");
@@ -133,43 +164,54 @@ TEST_CASE("a wrong figure is seen") {
   CHECK(contains(cell("errors | b | b", "62"), "no such cell"));
   CHECK(contains(cell("errors | c | a", "62"), "not printed"));
 
-  const auto written = written_in("a\n<!-- output: b -->\nerrors (± 3 % at most):\n\n| b | 62 |\n"
-                                  "| b | 63 |\n\n<!-- end -->\nc\n");
-  REQUIRE(written.size() == 3);
-  CHECK(is_printed(tables, written[0]));
-  CHECK(is_printed(tables, written[1]));
-  CHECK(!is_printed(tables, written[2]));
+  const auto written = written_in(
+      "a\n<!-- output of ./lab bench halton --tables:\n errors -->\nerrors (± 3 % at most):\n\n"
+      "| b | 62 |\n| b | 63 |\n\n<!-- end -->\nc\n");
+  REQUIRE(written.size() == 1);
+  CHECK(written[0].words == Words{"./lab", "bench", "halton", "--tables"});
+  REQUIRE(written[0].lines.size() == 3);
+  CHECK(is_printed(tables, written[0].lines[0]));
+  CHECK(is_printed(tables, written[0].lines[1]));
+  CHECK(!is_printed(tables, written[0].lines[2]));
 }
 
-/// Half a minute: the bench measures all that handouts quote.
+/// A minute: the bench measures all that handouts quote. The tables of a lab are printed once, with
+/// all submissions that its figures are about.
 TEST_CASE("the figures of handouts are printed by their commands", "[.figures]") {
   const Layout layout = read_layout();
   for (const Lab& one : find_labs(layout)) {
     const std::string handout = read_text(layout.labs() / one.folder / "README.md");
-    for (const Shown& shown : shown_in(handout)) {
+    const auto all_shown = shown_in(handout);
+    for (const Shown& shown : all_shown) {
       CAPTURE(one.name, shown.words);
       CHECK(printed_by_hand(layout, shown.words) == shown.output);
     }
-    const auto claims = claims_in(handout);
-    const auto written = written_in(handout);
-    CHECK(shown_in(handout).size() + claims.size() + written.size() > 0);
     std::vector<Claim> of_tables;
-    // The tables of a lab are printed once, with all submissions that its claims are about.
-    std::set<std::string> submissions;
+    std::vector<Words> benches;
+    const auto claims = claims_in(handout);
     for (const Claim& claim : claims) {
       CAPTURE(one.name, claim.words, claim.figures);
       REQUIRE(claim.words.size() > 3);
       if (claim.words[1] == "run") {
         CHECK(objection_by_hand(layout, claim) == "");
-        continue;
+      } else {
+        of_tables.push_back(claim);
+        benches.push_back(claim.words);
       }
-      REQUIRE(claim.words[1] == "bench");
-      CHECK(claim.words[2] == one.name);
-      CHECK(claim.words.back() == "--tables");
-      submissions.insert(claim.words.begin() + 3, claim.words.end() - 1);
-      of_tables.push_back(claim);
     }
-    if (of_tables.empty() && written.empty()) continue;
+    const auto all_written = written_in(handout);
+    for (const Written& written : all_written) benches.push_back(written.words);
+    CHECK(all_shown.size() + claims.size() + all_written.size() > 0);
+    if (benches.empty()) continue;
+    std::set<std::string> submissions;
+    for (const Words& words : benches) {
+      CAPTURE(words);
+      REQUIRE(words.size() > 3);
+      CHECK(words[1] == "bench");
+      CHECK(words[2] == one.name);
+      CHECK(words.back() == "--tables");
+      submissions.insert(words.begin() + 3, words.end() - 1);
+    }
     Words words{"bench", one.name};
     words.insert(words.end(), submissions.begin(), submissions.end());
     words.insert(words.end(), {"--tables", "--rounds", "1"});
@@ -178,9 +220,11 @@ TEST_CASE("the figures of handouts are printed by their commands", "[.figures]")
     CHECK(run.exit_code == 0);
     CHECK_FALSE(contains(run.output, "efficiency"));  // nothing but the tables
     for (const Claim& claim : of_tables) CHECK(objection_in_tables(run.output, claim) == "");
-    for (const std::string& line : written) {
-      CAPTURE(line);
-      CHECK(is_printed(run.output, line));
+    for (const Written& written : all_written) {
+      for (const std::string& line : written.lines) {
+        CAPTURE(line);
+        CHECK(is_printed(run.output, line));
+      }
     }
   }
 }
