@@ -69,7 +69,7 @@ Code code_in(const std::string& document) {
 std::vector<Command> commands(const Layout& layout) {
   std::vector<Command> all;
   for (const fs::path& file : documents(layout)) {
-    Code code = code_in(read_text(file));
+    Code code = code_in(without_comments(read_text(file)));
     code.lines.insert(code.lines.end(), code.spans.begin(), code.spans.end());
     for (std::string line : code.lines) {
       for (const std::string_view before : {prompt, std::string_view("parallel ")}) {
@@ -170,7 +170,7 @@ TEST_CASE("every option that a document names belongs to a verb") {
     }
   }
   for (const fs::path& file : documents(layout)) {
-    const Code code = code_in(read_text(file));
+    const Code code = code_in(without_comments(read_text(file)));
     for (const std::string& span : code.spans) {
       if (!span.starts_with("--")) continue;
       CAPTURE(file, span);

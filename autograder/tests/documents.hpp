@@ -1,6 +1,7 @@
 #pragma once
 // The documents of the repository, and the commands in them.
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -46,6 +47,18 @@ inline Words words_of(std::string_view line) {
   }
   if (in_word) words.push_back(word);
   return words;
+}
+
+/// A document as its reader sees it: without <!-- comments -->, and the ends of their lines.
+inline std::string without_comments(std::string document) {
+  constexpr std::string_view opening = "<!--", closing = "-->";
+  for (auto at = document.find(opening); at != std::string::npos; at = document.find(opening, at)) {
+    auto end = std::min(document.find(closing, at), document.size() - closing.size());
+    end += closing.size();
+    if (end < document.size() && document[end] == '\n') ++end;
+    document.erase(at, end - at);
+  }
+  return document;
 }
 
 /// Where a reader is told what to type.

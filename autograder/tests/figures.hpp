@@ -156,15 +156,9 @@ inline std::vector<Claim> claims_in(const std::string& document) {
   for (std::size_t at = document.find("<!-- ./lab "); at != std::string::npos;
        at = document.find("<!-- ./lab ", at + 1)) {
     const auto end = document.find(closing, at);
-    // The passage, without other comments before it.
-    std::string passage;
-    for (auto from = std::min(end + closing.size(), document.size()); from < document.size();) {
-      const auto comment = document.find(opening, from), blank = document.find("\n\n", from);
-      const auto to = std::min({comment, blank, document.size()});
-      passage += replaced(document.substr(from, to - from), "\n", " ");
-      if (comment >= blank) break;
-      from = document.find(closing, comment) + closing.size();
-    }
+    const auto behind = std::min(end + closing.size() + 1, document.size());
+    const std::string rest = without_comments(document.substr(behind));
+    const std::string passage = replaced(rest.substr(0, rest.find("\n\n")), "\n", " ");
     const auto first = at + opening.size();
     std::istringstream lines(document.substr(first, end - first));
     Words bench;

@@ -130,7 +130,7 @@ TEST_CASE("a wrong figure is seen") {
       "3\n\n4");
   REQUIRE(three.size() == 3);
   CHECK(three[1].words == Words{"./lab", "run", "b"});
-  CHECK(three[2].passage == " 1 or 2, 3");
+  CHECK(three[2].passage == "1 or 2, 3");
   CHECK(objection(three[0], {"1"}) == "");
   CHECK(objection(three[1], {"2", "3"}) == "");
   CHECK(objection(claims_in("<!-- ./lab run a = 4 -->\n<!-- ./lab run b = 5 -->\n3\n").at(0),
@@ -219,7 +219,10 @@ TEST_CASE("the figures of handouts are printed by their commands", "[.figures]")
     CAPTURE(run.errors, run.output);
     CHECK(run.exit_code == 0);
     CHECK_FALSE(contains(run.output, "efficiency"));  // nothing but the tables
-    for (const Claim& claim : of_tables) CHECK(objection_in_tables(run.output, claim) == "");
+    for (const Claim& claim : of_tables) {
+      CAPTURE(claim.cell, claim.figures);
+      CHECK(objection_in_tables(run.output, claim) == "");
+    }
     for (const Written& written : all_written) {
       for (const std::string& line : written.lines) {
         CAPTURE(line);

@@ -57,20 +57,22 @@ Spectrum jittered_spectrum(int side) {
 TEST_CASE("bench table of low frequencies", "[.bench-table]") {
   write_power("independent, exact", 1);
   write_power("jittered, exact", low_band(jittered_spectrum(16), low_n));
-  write_power("Halton, exact", low_band(spectrum_of(inverses(2, 0, low_n), inverses(3, 0, low_n), low_kmax), low_n));
+  write_power("Halton, exact",
+              low_band(spectrum_of(inverses(2, 0, low_n), inverses(3, 0, low_n), low_kmax), low_n));
   Mean power, closest;
   const auto points = TRY_MEASURE_WITH(large, best_candidate, low_n, 1, low_sets, 1);
   const Points* const all = points ? points->if_exactly(low_n * low_sets, unit) : nullptr;
   for (std::size_t set = 0; set < low_sets && all != nullptr; ++set) {
-    const View x = View(all->x).subspan(set * low_n, low_n), y = View(all->y).subspan(set * low_n, low_n);
+    const View x = View(all->x).subspan(set * low_n, low_n),
+               y = View(all->y).subspan(set * low_n, low_n);
     power.add(low_band(spectrum_of(x, y, low_kmax), low_n));
     closest.add(least_distance(x, y) / lattice_distance(low_n));
   }
   if (all != nullptr) {
     write_power("best_candidate", power.value(), power.error());
     // In parts of the distance in the densest pattern.
-    bench_table({"closest two of 256", "best_candidate",
-                 "distance", 0, closest.value(), closest.error()});
+    bench_table(
+        {"closest two of 256", "best_candidate", "distance", 0, closest.value(), closest.error()});
   }
   Mean of_discs;
   const double radius = radius_for(low_n);
@@ -121,8 +123,8 @@ TEST_CASE("bench table of gains", "[.bench-table]") {
   }
   if (errors.count == 0) return;
   const double ratio = independent / errors.rmse();
-  bench_table({"gain over independent points",
-               "poisson_disk", "ratio", 0, ratio, ratio * errors.standard_error() / errors.rmse()});
+  bench_table({"gain over independent points", "poisson_disk", "ratio", 0, ratio,
+               ratio * errors.standard_error() / errors.rmse()});
 }
 
 }  // namespace
