@@ -2,8 +2,8 @@
 # Writes again what documents show of real runs: the failure in README.md, the pictures of the labs,
 # the tables of handouts. (Figures in a handout's text are written by hand; ./lab test compares them
 # with what commands print.)
-# (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from anywhere;
-# look at what changed with git diff.
+# (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from
+# anywhere; look at what changed with git diff.
 set -eu
 cd "$(dirname "$0")/.."
 build=${MC_BUILD:-build}
@@ -43,8 +43,8 @@ between() {
 { echo '```'; cat "$build/failure.txt"; echo '```'; } >"$build/fenced.txt"
 between README.md '<!-- output: failure -->' "$build/fenced.txt"
 
-# tables BEGINNING COMMAND...: those that the command prints whose titles begin so. (Times hang on the
-# machine: the bench's page has those.)
+# tables BEGINNING COMMAND...: those that the command prints whose titles begin so. (Times hang on
+# the machine: the bench's page has those.)
 tables() {
   beginning=$1
   shift

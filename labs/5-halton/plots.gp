@@ -39,7 +39,7 @@ set format y "10^{%L}"
 set xtics (16, 64, 256, 1024, 4096)
 set xlabel "N"
 set ylabel "D*"
-set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3 width -1
+set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3 width -3
 do for [s=1:count] {
   set title labels[s] noenhanced
   plot 0.85/sqrt(x) with lines ls 9 lw 2 title "N^{-1/2}", \

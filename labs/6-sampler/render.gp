@@ -1,4 +1,5 @@
-# Draws one sheet of ./lab render: a picture by each kind of sampler, and its error below. Called with
+# Draws one sheet of ./lab render: a picture by each kind of sampler, and its error below. Called
+# with
 #   count, labels[i]          how many submissions stand below each other, what they are called
 #   data[i]                   the folder of their data
 #   columns, kinds[k]         the samplers beside each other

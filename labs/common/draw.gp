@@ -1,6 +1,6 @@
-# The look of every plot. Set name, width and height, then load draw. Colours of Okabe and Ito, which
-# colour-blind eyes tell apart, and a point and a dash of its own for each line, for those who print
-# in grey. A white ground of its own, so that it reads on dark pages too.
+# The look of every plot. Set name, width and height, then load draw. Colours of Okabe and Ito,
+# which colour-blind eyes tell apart, and a point and a dash of its own for each line, for those who
+# print in grey. A white ground of its own, so that it reads on dark pages too.
 reset
 set datafile missing "NaN"  # what could not be measured; gnuplot 5.4 crashes on labels at NaN
 if (ext eq "svg") {
