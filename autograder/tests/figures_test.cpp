@@ -175,6 +175,12 @@ TEST_CASE("a wrong figure is seen") {
   CHECK(!is_printed(tables, written[0].lines[2]));
 }
 
+TEST_CASE("the bench takes a file of the repository's submissions, and no other") {
+  const auto run = lab({"bench", "variance", "solutions/variance.cpp", "--tables"});
+  CHECK(run.exit_code == 2);
+  CHECK(contains(run.errors, "solutions/variance.cpp is not in autograder/submissions"));
+}
+
 /// A minute: the bench measures all that handouts quote. The tables of a lab are printed once, with
 /// all submissions that its figures are about.
 TEST_CASE("the figures of handouts are printed by their commands", "[.figures]") {

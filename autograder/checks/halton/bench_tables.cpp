@@ -1,7 +1,7 @@
 // Lab 5 in the bench: figures of which there are few enough for a table, and those that the handout
 // quotes.
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
