@@ -3,6 +3,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -269,17 +270,17 @@ std::string as_label(std::string name) {
 
 /// The lab of a file that the repository knows: autograder/submissions/<kind>/<lab>/<name>.cpp.
 Lab lab_of_file(const Context& context, const fs::path& file) {
-  const fs::path folder = fs::weakly_canonical(file).parent_path();
+  if (!fs::is_regular_file(file)) throw UsageError("there is no file " + file.string());
+  const fs::path folder = fs::canonical(file).parent_path();
   std::error_code missing;
   if (!fs::equivalent(folder.parent_path().parent_path(), context.layout.submissions(), missing)) {
-    throw UsageError(
-        fmt::format("{} is not in autograder/submissions/<kind>/<lab>", file.string()));
+    throw UsageError(file.string() + " is not in autograder/submissions/<kind>/<lab>");
   }
   return find_lab(context.labs, folder.filename().string());
 }
 
 int run_bench(const Context& context, const Arguments& arguments) {
-  std::vector<Lab> labs;
+  std::vector<Lab> labs, named;
   std::vector<Submission> submissions;
   const bool has_solutions = fs::exists(context.layout.solutions());
   if (has_solutions) {
@@ -293,14 +294,19 @@ int run_bench(const Context& context, const Arguments& arguments) {
       single[lab.name].push_back(
           single_file_submission(context.layout, context.labs, lab, word, true));
       single[lab.name].back().label = fs::path(word).stem().string();
+      named.push_back(lab);
     } else if (fs::is_directory(word)) {
       submissions.push_back(open_submission(context.labs, word));
       submissions.back().label = as_label(word);
       if (is_reference(context.layout, submissions.back()) && submissions.size() > 1)
         submissions.pop_back();
     } else {
-      labs.push_back(find_lab(context.labs, word));
+      named.push_back(find_lab(context.labs, word));
     }
+  }
+  for (const Lab& lab : context.labs) {  // in their order, each once
+    const auto is_named = [&](const Lab& other) { return other.name == lab.name; };
+    if (std::any_of(named.begin(), named.end(), is_named)) labs.push_back(lab);
   }
   Bench bench;
   bench.whole = labs.empty();

@@ -179,6 +179,9 @@ TEST_CASE("the bench takes a file of the repository's submissions, and no other"
   const auto run = lab({"bench", "variance", "solutions/variance.cpp", "--tables"});
   CHECK(run.exit_code == 2);
   CHECK(contains(run.errors, "solutions/variance.cpp is not in autograder/submissions"));
+  const auto missing = lab({"bench", "variance", "nobody.cpp"});
+  CHECK(missing.exit_code == 2);
+  CHECK(contains(missing.errors, "there is no file nobody.cpp"));
 }
 
 /// A minute: the bench measures all that handouts quote. The tables of a lab are printed once, with
