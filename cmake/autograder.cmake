@@ -1,5 +1,5 @@
-# The judge: the sandbox, the protocol, the checks of each lab, the grader, the bench. Includes point
-# downwards only: bench -> grader -> protocol, sandbox <- checks.
+# The judge: the sandbox, the protocol, the checks of each lab, the grader, the bench. Includes
+# point downwards only: bench -> grader -> protocol, sandbox <- checks.
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/sandbox/*.cpp)
 add_library(sandbox STATIC ${sources})
@@ -48,8 +48,9 @@ foreach(lab ${LABS})
   target_link_libraries(figures_${lab} PRIVATE checking_figures)
 endforeach()
 
-# The grader: programs that share their verbs. What judges (a student waits for it), the gradebook, what
-# draws, what benches. Libraries of objects, since a verb registers itself: nothing asks for it by name.
+# The grader: programs that share their verbs. What judges (a student waits for it), the gradebook,
+# what draws, what benches. Libraries of objects, since a verb registers itself: nothing asks for it
+# by name.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/context/*.cpp autograder/grader/submission/*.cpp
   autograder/grader/judging/*.cpp autograder/grader/reports/*.cpp)
 list(FILTER sources EXCLUDE REGEX "(json|html|csv)[.]cpp$")

@@ -1,5 +1,5 @@
-# What a submission's program is linked from, compiled once: the runner and each lab's experiments. A
-# lab is found by its folder, labs/N-name.
+# What a submission's program is linked from, compiled once: the runner and each lab's experiments.
+# A lab is found by its folder, labs/N-name.
 
 set(PROGRAM_FLAGS -O3 -ffp-contract=off)
 if(CMAKE_SYSTEM_NAME STREQUAL Linux AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)

@@ -72,8 +72,9 @@ package_of() {  # thing manager
   esac
 }
 
-# Installs the things named. Says what it runs; at a terminal it asks first. What cannot be installed
-# is left to CMake, which fetches sources where there is a network and says what is missing where not.
+# Installs the things named. Says what it runs; at a terminal it asks first. What cannot be
+# installed is left to CMake, which fetches sources where there is a network and says what is
+# missing where not.
 install_things() {
   manager=
   for candidate in apt-get:apt dnf:dnf brew:brew; do

@@ -12,8 +12,8 @@ function(with_warnings target)
   endif()
 endfunction()
 
-# own_target(<target>): of grader and checks; assertions of the library on. Programs of submissions are
-# none of them: a sanitizer's run-time library needs system calls that the jail does not allow.
+# own_target(<target>): of grader and checks; assertions of the library on. Programs of submissions
+# are none of them: a sanitizer's run-time library needs system calls that the jail does not allow.
 function(own_target target)
   with_warnings(${target})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/autograder ${CMAKE_SOURCE_DIR}/labs)
@@ -28,8 +28,8 @@ function(own_target target)
   endif()
 endfunction()
 
-# in_parts(<target> <files>): so many files compiled together, not all: one compiler takes 500 MB at most
-# (autograder/bench/figures.sh).
+# in_parts(<target> <files>): so many files compiled together, not all: one compiler takes 500 MB at
+# most (autograder/bench/figures.sh).
 function(in_parts target files)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()

@@ -1,4 +1,5 @@
-# Runs every test of a build directory and closes with counts: cmake -D BUILD=build -P cmake/test.cmake
+# Runs every test of a build directory and closes with counts:
+# cmake -D BUILD=build -P cmake/test.cmake
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 # One more than there are cores: a proof waits now and then, and verdicts count CPU time.
 math(EXPR jobs "${cores} + 1")
@@ -7,7 +8,8 @@ set(which)
 if(QUICK)
   set(which -L quick)
 endif()
-# A submission is judged in seconds; with a thousand seeds (--full) it takes the better part of an hour.
+# A submission is judged in seconds; with a thousand seeds (--full) it takes the better part of an
+# hour.
 set(seconds 600)
 if(DEFINED ENV{MC_SEEDS} OR DEFINED ENV{MC_MISTAKE_SEEDS})
   set(seconds 36000)

@@ -42,8 +42,8 @@ endif()
 add_dependencies(gradebook_tests gradebook checks_variance checks_independent
   experiments_variance experiments_independent runner)
 
-# test_of(<name> <cost> <command>...): those that take long begin first. How long one may take at most
-# hangs on the number of seeds: cmake/test.cmake says it.
+# test_of(<name> <cost> <command>...): those that take long begin first. How long one may take at
+# most hangs on the number of seeds: cmake/test.cmake says it.
 function(test_of name cost)
   add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(${name} PROPERTIES COST ${cost} SKIP_RETURN_CODE 77)
@@ -104,8 +104,8 @@ foreach(file ${submissions})
   set(folder_before ${folder})
 endforeach()
 
-# Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The fuzzing
-# wire stands before the labs' own.
+# Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The
+# fuzzing wire stands before the labs' own.
 set(solution_files)
 foreach(lab ${LABS})
   list(APPEND solution_files ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)

@@ -1,8 +1,9 @@
 #!/bin/sh
 # Writes again what documents show of real runs: the failure in README.md, the pictures of the labs,
-# the tables of lab 6's handout.
-# (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from anywhere;
-# look at what changed with git diff.
+# the tables of handouts. (Figures in a handout's text are written by hand; ./lab test compares them
+# with what commands print.)
+# (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from
+# anywhere; look at what changed with git diff.
 set -eu
 cd "$(dirname "$0")/.."
 build=${MC_BUILD:-build}
@@ -29,22 +30,28 @@ cmake --build "$build" --target self_test >/dev/null
   awk '/✗/ { if (seen++) exit } seen && /✓/ { exit } seen' |
   sed 's|autograder/submissions/mistakes/variance/welford_old_mean.cpp *||; s| --dir$||' >"$build/failure.txt"
 
-# between FILE NAME TEXT: writes a file's text between the markers <!-- output: NAME --> and <!-- end -->
-# of a document.
+# between FILE MARKER TEXT: writes a file's text behind the marker, a comment, up to <!-- end -->.
 between() {
-  awk -v marker="<!-- output: $2 -->" -v from="$3" '
-    $0 == marker { print; while ((getline line < from) > 0) print line; skip = 1 }
+  awk -v marker="$2" -v from="$3" '
     /<!-- end -->/ { skip = 0 }
     !skip { print }
+    index($0, marker) == 1 { seen = 1 }
+    seen && /-->/ { while ((getline line < from) > 0) print line; seen = 0; skip = 1 }
   ' "$1" >"$build/refreshed.md"
   cp "$build/refreshed.md" "$1"
 }
 { echo '```'; cat "$build/failure.txt"; echo '```'; } >"$build/fenced.txt"
-between README.md failure "$build/fenced.txt"
+between README.md '<!-- output: failure -->' "$build/fenced.txt"
 
-# The tables of lab 6's handout: what each next2() is worth. (Times hang on the machine: the bench's
-# page has those.)
-./lab bench sampler --tables --rounds 1 >"$build/tables.txt"
-awk -v RS= -v ORS='\n\n' '/^RMSE/ { rest = 2; $0 = $0 ":" } rest-- > 0' \
-  "$build/tables.txt" >"$build/next2.txt"
-between labs/6-sampler/README.md next2 "$build/next2.txt"
+# tables BEGINNING COMMAND...: those that the command prints whose titles begin so. (Times hang on
+# the machine: the bench's page has those.)
+tables() {
+  beginning=$1
+  shift
+  "$@" --rounds 1 | awk -v RS= -v ORS='\n\n' -v beginning="$beginning" '
+    index($0, beginning) == 1 { rest = 2; $0 = $0 ":" } rest-- > 0' >"$build/tables.txt"
+}
+tables kurtosis ./lab bench halton autograder/submissions/mistakes/halton/pairs_only.cpp --tables
+between labs/5-halton/README.md '<!-- output of ./lab bench halton' "$build/tables.txt"
+tables RMSE ./lab bench sampler --tables
+between labs/6-sampler/README.md '<!-- output of ./lab bench sampler' "$build/tables.txt"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The judge's figures, measured on this machine (those of the labs are ./lab bench's), beside what is
-# promised. Takes about a quarter of an hour; leave the machine alone meanwhile. The packages must be
-# installed (./lab setup).
+# The judge's figures, measured on this machine (those of the labs are ./lab bench's), beside what
+# is promised. Takes about a quarter of an hour; leave the machine alone meanwhile. The packages
+# must be installed (./lab setup).
 set -euo pipefail
 root=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd -P)
 work=$(mktemp -d)

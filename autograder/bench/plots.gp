@@ -1,5 +1,5 @@
-# Draws the bench. Called by ./lab bench with `data`, the folder of its numbers, and what every plot is
-# given (labs/common/draw.gp).
+# Draws the bench. Called by ./lab bench with `data`, the folder of its numbers, and what every plot
+# is given (labs/common/draw.gp).
 
 array on[6] = ["smooth 1D", "smooth 2D", "smooth 4D", "kinks 2D", "edge 2D", "smooth 8D"]
 array formula[6] = ["exp(x)", "exp(x + y)", "exp(w + x + y + z)", "two kinks", "an edge: a quarter of a disk", "exp of a sum of eight"]
@@ -7,8 +7,8 @@ array sigma[6] = [0.286, 0.419, 0.625, 0.534, 0.905, 1.0]
 array what[6] = ["independent", "jittered", "multi-jittered", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 array called[6] = ["independent", "jittered", "multi-jittered; Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 array many[6] = ["independent", "jittered, padded", "Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
-# A library's line (peer[k] is its block, peerwhat[k] what it draws; both come from the bench) has the
-# colour of the method that it is to be compared with.
+# A library's line (peer[k] is its block, peerwhat[k] what it draws; both come from the bench) has
+# the colour of the method that it is to be compared with.
 method(k) = sum [j=1:|what|] (what[j][1:4] eq peerwhat[k][1:4] ? j : 0)
 second(k) = sum [j=1:k] (peerwhat[j] eq peerwhat[k] ? 1 : 0)
 curves = data."/curves.tsv"

@@ -3,6 +3,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -14,6 +15,7 @@
 #include "bench/bench.hpp"
 #include "bench/calibrate.hpp"
 #include "bench/plots.hpp"
+#include "grader/context/errors.hpp"
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/judging/judge.hpp"
@@ -266,23 +268,45 @@ std::string as_label(std::string name) {
   return name;
 }
 
+/// The lab of a file that the repository knows: autograder/submissions/<kind>/<lab>/<name>.cpp.
+Lab lab_of_file(const Context& context, const fs::path& file) {
+  if (!fs::is_regular_file(file)) throw UsageError("there is no file " + file.string());
+  const fs::path folder = fs::canonical(file).parent_path();
+  std::error_code missing;
+  if (!fs::equivalent(folder.parent_path().parent_path(), context.layout.submissions(), missing)) {
+    throw UsageError(file.string() + " is not in autograder/submissions/<kind>/<lab>");
+  }
+  return find_lab(context.labs, folder.filename().string());
+}
+
 int run_bench(const Context& context, const Arguments& arguments) {
-  std::vector<Lab> labs;
+  std::vector<Lab> labs, named;
   std::vector<Submission> submissions;
   const bool has_solutions = fs::exists(context.layout.solutions());
   if (has_solutions) {
     submissions.push_back(open_submission(context.labs, context.layout.solutions()));
     submissions.back().label = "solutions";
   }
+  std::map<std::string, std::vector<Submission>> single;  // by lab
   for (const std::string& word : arguments.words) {
-    if (fs::is_directory(word)) {
+    if (fs::path(word).extension() == ".cpp") {
+      const Lab lab = lab_of_file(context, word);
+      single[lab.name].push_back(
+          single_file_submission(context.layout, context.labs, lab, word, true));
+      single[lab.name].back().label = fs::path(word).stem().string();
+      named.push_back(lab);
+    } else if (fs::is_directory(word)) {
       submissions.push_back(open_submission(context.labs, word));
       submissions.back().label = as_label(word);
       if (is_reference(context.layout, submissions.back()) && submissions.size() > 1)
         submissions.pop_back();
     } else {
-      labs.push_back(find_lab(context.labs, word));
+      named.push_back(find_lab(context.labs, word));
     }
+  }
+  for (const Lab& lab : context.labs) {  // in their order, each once
+    const auto is_named = [&](const Lab& other) { return other.name == lab.name; };
+    if (std::any_of(named.begin(), named.end(), is_named)) labs.push_back(lab);
   }
   Bench bench;
   bench.whole = labs.empty();
@@ -302,6 +326,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
     BenchRun run(context, place);
     for (const Lab& lab : labs) {
       run.enter(lab, submissions);
+      run.enter(lab, single[lab.name]);
       for (const std::string& library : peer_libraries(context.layout)) {
         if (const auto peer = peer_submission(context.layout, context.labs, lab, library)) {
           run.enter(lab, {*peer});
@@ -354,16 +379,17 @@ int run_bench(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb bench_verb{
     {"bench",
-     "bench [LAB...] [DIR...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
+     "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
      {"tables", "rounds=", "page=", "calibrate"},
-     "Every lab, unless some are named; the solutions and the libraries that are installed, and "
-     "each\n"
-     "DIR. Minutes, on an idle machine; what it has is kept if it is interrupted. Numbers and "
-     "pictures\n"
-     "go to build/bench/.\n"
+     "Every lab, unless some are named; the solutions, the libraries that are installed, each DIR\n"
+     "and each FILE.cpp of autograder/submissions. Minutes, on an idle machine; what it has is "
+     "kept\n"
+     "if it is interrupted. Numbers and pictures go to build/bench/.\n"
      "  --tables      only the small tables, in a minute: what each next2() of a sampler is "
      "worth,\n"
-     "                what a number costs where samples are few, the tails of scrambling\n"
+     "                what a number costs where samples are few, the tails of scrambling, and "
+     "what\n"
+     "                handouts quote\n"
      "  --rounds N    time everything so often, in turn (5)\n"
      "  --page FILE   write the page as well: docs/speed-against-error.md\n"
      "  --calibrate   nothing but labs/*/speed.tsv: what the solutions take, by which a handout\n"

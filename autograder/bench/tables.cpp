@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::string_view prefix = "table ";
 
+/// A cell with a larger error, as a part of it, has that beside it.
+constexpr double uncertain = 0.15;
+
 /// Names in the order in which they came.
 void enlist(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -36,7 +39,7 @@ struct Table {
   std::string title;
   std::vector<std::string> rows{}, columns{};
   std::map<std::pair<std::string, std::string>, std::string> cells{};
-  double largest = 0;  ///< error of a cell, as a part of it
+  double largest = 0;  ///< error of a cell, as a part of it, of those that do not say their own
 
   std::string printed() const {
     std::string all = title;
@@ -66,13 +69,17 @@ std::string bench_tables(const Bench& bench) {
     auto table = std::find_if(tables.begin(), tables.end(),
                               [&](const Table& one) { return one.title == title; });
     if (table == tables.end()) table = tables.insert(tables.end(), {title});
-    const std::string row = cell.submission == "solutions"
-                                ? cell.what
-                                : fmt::format("{}, {}", cell.what, cell.submission);
+    // What is exact is nobody's.
+    const bool without_name = cell.submission == "solutions" || cell.what.ends_with(", exact");
+    const std::string row =
+        without_name ? cell.what : fmt::format("{}, {}", cell.what, cell.submission);
     enlist(table->rows, row);
     enlist(table->columns, cell.on);
-    table->cells[{row, cell.on}] = figure(cell.value);
-    if (!std::isnan(cell.error)) {
+    std::string& shown = table->cells[{row, cell.on}];
+    shown = figure(cell.value);
+    if (cell.error > uncertain * cell.value) {
+      shown += " ± " + figure(cell.error);
+    } else if (!std::isnan(cell.error)) {
       table->largest = std::max(table->largest, cell.error / cell.value);
     }
   }

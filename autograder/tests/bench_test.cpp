@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,10 +10,7 @@
 #include "checks/support/bench_data.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/integrands.hpp"
-#include "grader/context/layout.hpp"
 #include "grader/context/text_file.hpp"
-#include "tests/door.hpp"
-#include "tests/text.hpp"
 
 namespace mc::grader {
 namespace {
@@ -117,64 +113,29 @@ TEST_CASE("a table has its rows and columns in the order in which they came") {
   cell("second", "b", 0.00012345, none);
   cell("first", "a", 0.0999, 0.00999);  // rounded up into the next power of ten
   cell("second", "a", 12.3, 0.123);
+  cell("third", "a", 52, 20);  // so uncertain that it says so itself
   bench.rows.push_back({{"table of digits", "first", "a", 0, 0, 0.25, none}, "lab", "mine"});
+  bench.rows.push_back({{"table of digits", "law, exact", "b", 0, 0, 3, none}, "lab", "mine"});
   bench.rows.push_back({{"error", "no", "table", 0, 0, 1, none}, "lab", "solutions"});
   CHECK(bench_tables(bench) ==
         "of digits (± 10 % at most)\n\n"
         "| | b | a |\n|---|--:|--:|\n"
         "| second | 1.2e-4 | 12 |\n"
         "| first | | 1.0e-1 |\n"
-        "| first, mine | | 0.25 |\n");
+        "| third | | 52 ± 20 |\n"
+        "| first, mine | | 0.25 |\n"
+        "| law, exact | 3.0 | |\n");
   CHECK(bench_tables({}).empty());
 }
 
-/// What a document has between <!-- output: NAME --> and <!-- end -->, line by line.
-std::vector<std::string> shown_in(const std::filesystem::path& document, const std::string& name) {
-  std::istringstream text(read_text(document));
-  std::vector<std::string> lines;
-  bool is_shown = false;
-  for (std::string line; std::getline(text, line);) {
-    if (line == "<!-- end -->") is_shown = false;
-    if (is_shown && !line.empty()) lines.push_back(line);
-    if (line == "<!-- output: " + name + " -->") is_shown = true;
-  }
-  return lines;
-}
-
-// Not in --quick: it measures.
-TEST_CASE("bench --tables prints small tables, and the handout of lab 6 shows its figures",
-          "[.figures]") {
-  const auto run = tests::lab({"bench", "sampler", "halton", "--tables", "--rounds", "1"});
-  CHECK(run.exit_code == 0);
-  CHECK_FALSE(tests::contains(run.output, "efficiency"));
-
-  const auto at = run.output.find("| owen_scramble |");
-  REQUIRE(at != std::string::npos);
-  std::istringstream row(run.output.substr(at + std::string("| owen_scramble |").size()));
-  for (int i = 0; i < 5; ++i) {  // nested scrambling: 3; always the same seeds
-    double kurtosis = 0;
-    std::string bar;
-    row >> kurtosis >> bar;
-    CHECK(kurtosis > 2.7);
-    CHECK(kurtosis < 3.3);
-  }
-
-  // docs/refresh.sh writes them. Seeds are fixed, and nothing in there hangs on the machine.
-  const auto shown = shown_in(read_layout().labs() / "6-sampler" / "README.md", "next2");
-  CHECK(shown.size() == 3 * (1 + 2 + 6));  // a title, a head, a row for each kind and one sequence
-  for (std::string line : shown) {
-    if (line.ends_with(':')) line.pop_back();  // a title
-    CAPTURE(line);
-    CHECK(tests::contains(run.output, line + '\n'));
-  }
-}
-
-TEST_CASE("sums of errors know their RMSE, its standard error and their kurtosis") {
+TEST_CASE("sums of errors know their RMSE and their kurtosis, with standard errors") {
   checks::ErrorSums errors;
   for (const double error : {3.0, -1.0, 1.0, -1.0}) errors.add(error);
   CHECK(errors.rmse() == Approx(std::sqrt(3)));      // of 12 / 4
   CHECK(errors.kurtosis() == Approx(84.0 / 4 / 9));  // the mean of fourths over that squared
   CHECK(errors.standard_error() == Approx(std::sqrt((21.0 - 9) / 4) / (2 * std::sqrt(3))));
+  // The kurtosis is 7/3. The error 3 moves it by 9 - 14 + 7/3 = -8/3, each of the others by 8/9.
+  CHECK(errors.kurtosis_error() == Approx(std::sqrt((64. / 9 + 3 * 64. / 81) / 4 / 4)));
 }
 
 /// Means and variances that the bench relies on, by a rule of midpoints in one and two dimensions.

@@ -17,6 +17,7 @@
 #include "grader/verbs/list.hpp"
 #include "grader/verbs/verb.hpp"
 #include "runner/text.hpp"
+#include "tests/documents.hpp"
 #include "tests/door.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
@@ -28,46 +29,12 @@ using namespace grader;
 
 namespace {
 
-using Words = std::vector<std::string>;
-
 /// A command as a document has it.
 struct Command {
   std::string document;
   Words words;
   std::string text() const { return fmt::format("{}: {}", document, fmt::join(words, " ")); }
 };
-
-/// Words as a shell splits them, up to a comment; a document may also set the comment apart by
-/// blanks.
-Words words_of(std::string_view line) {
-  Words words;
-  std::string word;
-  bool in_word = false;
-  char quote = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quote != 0) {
-      if (c == quote) {
-        quote = 0;
-      } else {
-        word += c;
-      }
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-      in_word = true;
-    } else if (c == ' ' || c == '\n') {
-      if (in_word) words.push_back(word);
-      word.clear();
-      in_word = false;
-      if (line.substr(i).starts_with("  ") || line.substr(i).starts_with(" #")) return words;
-    } else {
-      word += c;
-      in_word = true;
-    }
-  }
-  if (in_word) words.push_back(word);
-  return words;
-}
 
 bool is_command(std::string_view text) {
   return text.starts_with("./lab") || text.starts_with(".ci/") || text.starts_with("build/bin/");
@@ -99,27 +66,15 @@ Code code_in(const std::string& document) {
   return code;
 }
 
-/// Where a reader is told what to type.
-std::vector<fs::path> documents(const Layout& layout) {
-  std::vector<fs::path> all{layout.root / "README.md", layout.root / "CONTRIBUTING.md",
-                            layout.root / "docs" / "handout" / "README.md"};
-  for (const auto& entry : fs::recursive_directory_iterator(layout.root / "docs")) {
-    if (entry.path().extension() == ".md" && entry.path() != all[2]) all.push_back(entry.path());
-  }
-  for (const Lab& lab : find_labs(layout)) {
-    all.push_back(layout.labs() / lab.folder / "README.md");
-  }
-  return all;
-}
-
 std::vector<Command> commands(const Layout& layout) {
   std::vector<Command> all;
   for (const fs::path& file : documents(layout)) {
-    Code code = code_in(read_text(file));
+    Code code = code_in(without_comments(read_text(file)));
     code.lines.insert(code.lines.end(), code.spans.begin(), code.spans.end());
     for (std::string line : code.lines) {
-      constexpr std::string_view by_many = "parallel ";
-      if (line.starts_with(by_many)) line.erase(0, by_many.size());
+      for (const std::string_view before : {prompt, std::string_view("parallel ")}) {
+        if (line.starts_with(before)) line.erase(0, before.size());
+      }
       if (!is_command(line)) continue;
       Words words = words_of(line);
       // "…" stands for more of the same, and what is behind a pipe, an & or ::: is not ours.
@@ -215,7 +170,7 @@ TEST_CASE("every option that a document names belongs to a verb") {
     }
   }
   for (const fs::path& file : documents(layout)) {
-    const Code code = code_in(read_text(file));
+    const Code code = code_in(without_comments(read_text(file)));
     for (const std::string& span : code.spans) {
       if (!span.starts_with("--")) continue;
       CAPTURE(file, span);

@@ -1,5 +1,5 @@
-// A checkout that was moved or copied with its build. What stands behind the door is a stub here: it
-// says where it was configured.
+// A checkout that was moved or copied with its build. What stands behind the door is a stub here:
+// it says where it was configured.
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #!/bin/sh
-# ./lab grade --slurm against a real Slurm: controller, one node and munge of this test's own, below a
-# directory that goes with it. One task is killed, one is requeued; --resume gathers the others and
-# judges the one that is missing. Exit status 77 where Slurm is not installed or does not start.
+# ./lab grade --slurm against a real Slurm: controller, one node and munge of this test's own, below
+# a directory that goes with it. One task is killed, one is requeued; --resume gathers the others
+# and judges the one that is missing. Exit status 77 where Slurm is not installed or does not start.
 #
 # usage: slurm.sh BUILD
 set -eu
@@ -87,7 +87,7 @@ started="$started $!"
 is_idle() { sinfo --noheader --format=%t | grep -q idle; }
 wait_until is_idle || { echo "Slurm does not start"; tail -n 5 "$place"/*.log; exit 77; }
 
-# A class: two that are judged at once, two that run out of time in four tasks -----------------------
+# A class: two that are judged at once, two that run out of time in four tasks ---------------------
 
 lab() { "$build/bin/gradebook" "$@"; }
 mkdir "$place/class"
@@ -121,7 +121,7 @@ wait_until is_over || fail "the job does not end"
 [ ! -e grades-slurm/3-verdicts/eve.json ] || fail "the killed task has a verdict"
 [ -e "grades-slurm/4-verdicts/zoe's.json" ] || fail "the requeued task has no verdict"
 
-# Gathered ------------------------------------------------------------------------------------------
+# Gathered -----------------------------------------------------------------------------------------
 
 grade --resume >gathered.log 2>&1 || fail "it does not gather: $(cat gathered.log)"
 grep -q '4 submissions: 1 judged, 3 were before; seed 7' gathered.log || fail "$(cat gathered.log)"

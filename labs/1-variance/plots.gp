@@ -29,14 +29,15 @@ do for [s=1:count] {
 unset multiplot
 
 # Error against time ------------------------------------------------------------------------------
-# Every point carries its name; Welford's above it, merged parts' below, for they lie close together.
+# Every point carries its name; Welford's above it, merged parts' below, for they lie close
+# together.
 name = "speed"; width = 100 + 430 * count; height = 420
 load draw
 set multiplot layout 1,count title "Error of the variance against time, 4096 values near 10^{9}, in cache" \
   margins 90./width, 1 - 20./width, 0.14, 0.83 spacing 90./width, 0
 set logscale xy
 set xrange [0.03:60]
-set yrange [1e-18:100]
+set yrange [1e-18:1e4]
 set xtics (0.1, 0.3, 1, 3, 10, 30)
 set ytics 1e-16,1e4,1
 set format y "10^{%L}"

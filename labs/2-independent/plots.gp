@@ -75,15 +75,15 @@ unset key
 array integrand_of[2] = ["exp(x)", "x^{−0.75}"]
 do for [s=1:count] {
   do for [k=0:1] {
-    if (k == 0) { set title labels[s] noenhanced } else { unset title }
+    if (k == 0) { set title labels[s] noenhanced } else { set title "" }
     set label 1 sprintf("%s: %.0f of 60 miss", integrand_of[k+1], misses[2 * (s - 1) + k + 1]) at graph 0.02,0.9
     if (k == 0) { set yrange [0.945:1.055]; set ytics 0.95,0.05; set format y "%.2f" }
     if (k == 1) { set yrange [0.35:1.95]; set ytics 0.5,0.5; set format y "%.1f"; set xlabel "estimates, sorted (orange squares: intervals that miss the truth)" }
-    if (s == 1) { set ylabel "value / truth" } else { unset ylabel }
+    if (s == 1) { set ylabel "value / truth" } else { set ylabel "" }
     plot 1 lt 1 lw 1 lc rgb "#666666" notitle, \
       data[s]."/intervals.tsv" index k using 1:($4 == 1 ? $2 : NaN):3 with yerrorbars lt 1 lw 1 pt 7 ps 0.4 lc rgb "#0072B2", \
       data[s]."/intervals.tsv" index k using 1:($4 == 0 ? $2 : NaN):3 with yerrorbars lt 1 lw 1.5 pt 5 ps 0.7 lc rgb "#D55E00"
-    unset xlabel
+    set xlabel ""
   }
 }
 unset multiplot

@@ -33,7 +33,7 @@ do for [s=1:count] {
     plot data[s]."/pattern-".way[i].".tsv" using 1:2 with points pt 7 ps 0.4 lc rgb "#0072B2"
     set bmargin at screen bottom + 10./height
     set tmargin at screen bottom + 216./height
-    unset title
+    set title ""
     set xrange [-0.5:96.5]
     set yrange [-0.5:96.5]
     plot data[s]."/spectrum-".way[i].".tsv" matrix with image
@@ -42,10 +42,10 @@ do for [s=1:count] {
 unset multiplot
 
 # Power over rings --------------------------------------------------------------------------------
-name = "radial"; width = 80 + 520 * count; height = 460
+name = "radial"; width = 80 + 520 * count; height = 480
 load draw
 set multiplot layout 1,count title "Mean power over rings, N = 256" \
-  margins 70./width, 1 - 20./width, 0.26, 0.84 spacing 70./width, 0
+  margins 70./width, 1 - 20./width, 0.29, 0.84 spacing 70./width, 0
 set xrange [0:3]
 set yrange [0:2]
 set xtics 0,0.5

@@ -55,7 +55,7 @@ do for [s=1:count] {
   set size ratio -1
   set xrange [0:1]; set yrange [0:1]
   set xtics 0.125 format "" ; set ytics 0.125 format ""
-  unset key; unset xlabel; unset ylabel
+  unset key; set xlabel ""; set ylabel ""
   plot data[s]."/pair.tsv" using 1:2 with points pt 7 ps 0.3 lc rgb "#000000"
   set size noratio
   set xrange [0.3:20.7]
@@ -82,7 +82,7 @@ array colours[5] = ["#0072B2", "#56B4E9", "#F0E442", "#E69F00", "#D55E00"]
 array orders[5] = ["one dimension at a time", "two together", "three", "four", "five"]
 name = "anova"; width = 900; height = 500
 load draw
-set title "The variance of a sample by how many dimensions make it together"
+set title "The variance of a sample by how many dimensions make it together" offset 0,0.4
 set style data histograms
 set style histogram rowstacked
 set style fill solid 0.9 border rgb "#444444"
@@ -108,7 +108,7 @@ do for [s=1:count] {
   set boxwidth 0.6
   set xrange [0.4:5.6]
   set xtics ("independent" 1, "stratified" 2, "blue noise" 3, "Halton" 4, "Sobol'" 5) rotate by 35 right
-  unset xlabel
+  set xlabel ""
   do for [i=1:3] {
     set title sprintf("%d samples", samples[i]).who(s)
     set ylabel (i == 1 ? "ns a coordinate, of 4 (less is better)" : "") offset 0.7,0

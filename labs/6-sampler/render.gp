@@ -1,4 +1,5 @@
-# Draws one sheet of ./lab render: a picture by each kind of sampler, and its error below. Called with
+# Draws one sheet of ./lab render: a picture by each kind of sampler, and its error below. Called
+# with
 #   count, labels[i]          how many submissions stand below each other, what they are called
 #   data[i]                   the folder of their data
 #   columns, kinds[k]         the samplers beside each other
@@ -43,7 +44,7 @@ do for [s=1:count] {
       y = row + h + gap
       @place
       @diverging
-      unset title
+      set title ""
       if (first) {  # below the exact image there is no error: there stands the scale of the others
         set colorbox user horizontal origin (left+35.)/width, 1-(y+0.55*h)/height size (w-70.)/width, 16./height
         set cbtics nomirror out (sprintf("%.2g", -range) -range, "0" 0, sprintf("+%.2g", range) range) textcolor rgb "black"

@@ -1,6 +1,6 @@
-# The look of every plot. Set name, width and height, then load draw. Colours of Okabe and Ito, which
-# colour-blind eyes tell apart, and a point and a dash of its own for each line, for those who print
-# in grey. A white ground of its own, so that it reads on dark pages too.
+# The look of every plot. Set name, width and height, then load draw. Colours of Okabe and Ito,
+# which colour-blind eyes tell apart, and a point and a dash of its own for each line, for those who
+# print in grey. A white ground of its own, so that it reads on dark pages too.
 reset
 set datafile missing "NaN"  # what could not be measured; gnuplot 5.4 crashes on labels at NaN
 if (ext eq "svg") {
@@ -9,6 +9,10 @@ if (ext eq "svg") {
   set terminal pngcairo size width,height background "white" font "sans,11"
 }
 set output out."-".name.".".ext
+# Near their axes: with margins in pixels they would be cut off, or lie on what is beside them.
+set title offset 0,-0.6
+set xlabel offset 0,0.5
+set ylabel offset 1.2,0
 # By number, or by the name of a method (common/methods.gp).
 set style line 1 lc rgb "#D55E00" lw 2 pt 4  dt 2
 set style line 2 lc rgb "#0072B2" lw 2 pt 6  dt 1

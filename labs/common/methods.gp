@@ -1,5 +1,5 @@
-# The style (common/draw.gp) of each method of making points: one colour and mark in every plot of the
-# course. Lines that are none (integrands, ways to a variance) take 1, 2, 3, ...
+# The style (common/draw.gp) of each method of making points: one colour and mark in every plot of
+# the course. Lines that are none (integrands, ways to a variance) take 1, 2, 3, ...
 independent = 1
 jittered = 2
 halton = 3

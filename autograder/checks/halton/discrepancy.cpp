@@ -169,7 +169,7 @@ TEST_CASE("5.6 no error exceeds variation times discrepancy", "[5.6][points:2]")
     Values x, y;
   };
   // Sizes that are no powers of two, where nothing is as even as it can be: N D* / ln N of Sobol'
-  // points is 0.66 at 4,096 and 1.19 at 2,731.
+  // points is 0.65 at 4,096 and 1.19 at 2,731.
   const std::size_t n = 300 + rng() % 40, m = 341;  // 101010101 in base 2
   const std::uint64_t first = rng() % 1000;
   const Set sets[] = {{"Halton", inverses(2, first, n), inverses(3, first, n)},

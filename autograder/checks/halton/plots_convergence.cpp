@@ -110,7 +110,7 @@ TEST_CASE("plot the tails of errors", "[.plot]") {
     const auto errors = errors_of_exp(n, sets);
     plot_row(file, std::array{Number(static_cast<double>(n)),
                               errors ? Number(errors->kurtosis()) : Number(),
-                              errors ? Number(std::sqrt(24 / errors->count)) : Number()});
+                              errors ? Number(errors->kurtosis_error()) : Number()});
   }
 }
 

@@ -128,10 +128,10 @@ Json json_of(const LabVerdict& lab) {
   auto checks = Json::array(), speed = Json::array();
   for (const CheckResult& result : lab.checks) checks.push_back(json_of(result));
   for (const Speed& one : lab.speed) speed.push_back(json_of(one));
-  return {
-      {"lab", json_of(lab.lab)}, {"earned", lab.earned()},  // for whoever reads the file; not read back
-      {"points", lab.points()},  {"no_program", lab.no_program}, {"unfinished", lab.unfinished},
-      {"seconds", lab.seconds},  {"checks", std::move(checks)},  {"speed", std::move(speed)}};
+  // "earned" is for whoever reads the file; it is not read back.
+  return {{"lab", json_of(lab.lab)},      {"earned", lab.earned()},       {"points", lab.points()},
+          {"no_program", lab.no_program}, {"unfinished", lab.unfinished}, {"seconds", lab.seconds},
+          {"checks", std::move(checks)},  {"speed", std::move(speed)}};
 }
 LabVerdict lab_verdict_in(const Json& json) {
   LabVerdict lab;

@@ -1,5 +1,6 @@
 #pragma once
-// A part of this repository that goes to somebody else: no answers, and only what is about some labs.
+// A part of this repository that goes to somebody else: no answers, and only what is about some
+// labs.
 
 #include <filesystem>
 #include <optional>
@@ -18,8 +19,8 @@ std::string git(const std::filesystem::path& directory, std::vector<std::string>
 std::set<std::string> labs_and_those_below(const Context& context,
                                            const std::optional<std::string>& list);
 
-/// The files that git lists, so no build and no file of one's own; nothing that holds answers or is of
-/// use to the repository only; of the labs, these.
+/// The files that git lists, so no build and no file of one's own; nothing that holds answers or is
+/// of use to the repository only; of the labs, these.
 std::vector<std::string> files_without_answers(const Context& context,
                                                const std::set<std::string>& labs);
 

@@ -57,8 +57,8 @@ Column random_order(std::size_t size, Rng& rng) {
   return order;
 }
 
-/// What differs from kind to kind: the columns of use `number`, which is one of a next() or two of a
-/// next2(), and the first dimension of a sequence for it.
+/// What differs from kind to kind: the columns of use `number`, which is one of a next() or two of
+/// a next2(), and the first dimension of a sequence for it.
 struct Request {
   std::size_t samples, axes, number, dimension;
   std::uint64_t seed;

@@ -1,0 +1,271 @@
+#pragma once
+// Figures in documents, and the commands that print them. A document says which command prints a
+// figure in one of these ways:
+//
+//   a block that shows it             $ ./lab run halton radical_inverse 2 6
+//     and what it prints, exactly     # index  x
+//                                     6        0.375
+//   a comment before the passage      <!-- ./lab run halton radical_inverse 2 6 = 3/8
+//     in which they stand                  ./lab run halton radical_inverse 2 3 = 0.75 -->
+//   the same for cells of tables      <!-- ./lab bench halton --tables:
+//                                          TITLE | ROW | COLUMN = 47
+//                                          TITLE | ROW | COLUMN = 62 -->
+//
+//   tables that are written by a command: written_in() in figures_test.cpp
+//
+// A passage ends at an empty line. Several figures, separated by ", ", are printed in this order.
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tests/documents.hpp"
+
+namespace mc::tests {
+
+/// A number as a document writes it, and half a unit of its last digit.
+struct Figure {
+  double value = 0, half_unit = 0;
+};
+
+inline std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
+
+/// "3/8", "−170.7", "36.5 %", "0.5", "1,024", "4.2 · 2⁻⁵³", "5.9e-5", "10³⁰⁸"; nothing where it is
+/// no number.
+inline std::optional<Figure> figure_of(std::string text) {
+  constexpr std::pair<const char*, const char*> plain[] = {
+      {"−", "-"},   {",", ""},  {" ", ""},  {"·", "*"}, {"½", "1/2"}, {"¼", "1/4"},
+      {"¾", "3/4"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},   {"⁴", "4"},
+      {"⁵", "5"},   {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"},   {"⁻", "-"}};
+  // Where raised digits begin is a power.
+  std::string marked;
+  bool raised = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto length = [&](const char* of) { return std::string_view(of).size(); };
+    std::string here(1, text[at]);
+    std::size_t used = 1;
+    bool is_raised = false;
+    for (std::size_t i = 0; i < std::size(plain); ++i) {
+      if (text.compare(at, length(plain[i].first), plain[i].first) != 0) continue;
+      here = plain[i].second;
+      used = length(plain[i].first);
+      is_raised = i >= 7;
+      break;
+    }
+    if (is_raised && !raised) marked += '^';
+    raised = is_raised;
+    marked += here;
+    at += used;
+  }
+  const char* at = marked.c_str();
+  const auto number = [&](double& value, double& half) {
+    char* end = nullptr;
+    const std::string_view written(at);
+    if (written.empty() || std::isspace(static_cast<unsigned char>(*at))) return false;
+    value = std::strtod(at, &end);
+    if (end == at) return false;
+    const std::string_view digits = written.substr(0, static_cast<std::size_t>(end - at));
+    const auto e = digits.find_first_of("eE");
+    const auto point = digits.find('.');
+    const double exponent = e == digits.npos ? 0 : std::strtod(at + e + 1, nullptr);
+    const auto decimals = point == digits.npos ? 0 : std::min(e, digits.size()) - point - 1;
+    half = 0.5 * std::pow(10, exponent - static_cast<double>(decimals));
+    at = end;
+    return true;
+  };
+  double value = 0, half = 0, other = 0, unused = 0;
+  if (!number(value, half)) return {};
+  if (*at == '/') {
+    ++at;
+    if (!number(other, unused)) return {};
+    value /= other;
+    half = 0;
+  }
+  double base = 1, power = 0;
+  if (*at == '*') {
+    ++at;
+    if (!number(base, unused) || *at != '^') return {};
+  } else if (*at == '^') {
+    base = value;
+    value = 1;
+    half = 0;
+  }
+  if (*at == '^') {
+    ++at;
+    if (!number(power, unused)) return {};
+    value *= std::pow(base, power);
+    half *= std::pow(base, power);
+  }
+  if (*at == '%') {
+    ++at;
+    value /= 100;
+    half /= 100;
+  }
+  if (*at != 0) return {};
+  return Figure{value, half};
+}
+
+/// Is this figure what was printed, as far as its digits go? It has no more of them.
+inline bool agree(const Figure& figure, const Figure& printed) {
+  const double rounding = 1e-15 * std::abs(printed.value);
+  return std::abs(figure.value - printed.value) <= figure.half_unit * (1 + 1e-9) + rounding;
+}
+
+/// Does this figure stand in the text, and not as a part of a longer number?
+inline bool stands_in(const std::string& text, const std::string& figure) {
+  const auto digit = [&](std::size_t at) {
+    return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
+  };
+  const auto part = [&](std::size_t at) { return at < text.size() && text[at] == '.'; };
+  for (std::size_t at = text.find(figure); at != std::string::npos;
+       at = text.find(figure, at + 1)) {
+    const std::size_t end = at + figure.size();
+    const bool begins = at == 0 || !(digit(at - 1) || (part(at - 1) && digit(at)));
+    if (begins && !digit(end) && !(part(end) && digit(end + 1))) return true;
+  }
+  return false;
+}
+
+/// A comment that says what prints the figures of the passage below it.
+struct Claim {
+  Words words;                       ///< ./lab run …
+  std::string cell;                  ///< of a table, "TITLE | ROW | COLUMN", or nothing
+  std::vector<std::string> figures;  ///< as the passage writes them
+  std::string passage;
+};
+
+inline std::vector<Claim> claims_in(const std::string& document) {
+  std::vector<Claim> claims;
+  constexpr std::string_view opening = "<!-- ", closing = "-->";
+  for (std::size_t at = document.find("<!-- ./lab "); at != std::string::npos;
+       at = document.find("<!-- ./lab ", at + 1)) {
+    const auto end = document.find(closing, at);
+    const auto behind = std::min(end + closing.size() + 1, document.size());
+    const std::string rest = without_comments(document.substr(behind));
+    const std::string passage = replaced(rest.substr(0, rest.find("\n\n")), "\n", " ");
+    const auto first = at + opening.size();
+    std::istringstream lines(document.substr(first, end - first));
+    Words bench;
+    for (std::string line; std::getline(lines, line);) {
+      line.erase(0, line.find_first_not_of(' '));
+      while (line.ends_with(' ')) line.pop_back();
+      if (line.ends_with(':')) {  // cells follow
+        bench = words_of(line.substr(0, line.size() - 1));
+        continue;
+      }
+      Claim claim{bench, "", {}, passage};
+      const auto equals = std::min(line.rfind(" = "), line.size());
+      for (auto from = equals + 3; from < line.size();) {
+        const auto to = std::min(line.find(", ", from), line.size());
+        claim.figures.push_back(line.substr(from, to - from));
+        from = to + 2;
+      }
+      line.resize(equals);
+      if (bench.empty()) claim.words = words_of(line);
+      if (!bench.empty()) claim.cell = line;
+      claims.push_back(claim);
+    }
+  }
+  return claims;
+}
+
+/// What is wrong with a claim about these numbers; empty where nothing is.
+inline std::string objection(const Claim& claim, const std::vector<std::string>& printed) {
+  if (claim.figures.empty()) return "no figure";
+  std::size_t next = 0;
+  for (const std::string& figure : claim.figures) {
+    const auto value = figure_of(figure);
+    if (!value) return "no number: " + figure;
+    if (!stands_in(claim.passage, figure)) return "not in the passage: " + figure;
+    for (;; ++next) {
+      if (next == printed.size()) return "not printed, or not in this order: " + figure;
+      const auto number = figure_of(printed[next]);
+      if (number && agree(*value, *number)) break;
+    }
+    ++next;
+  }
+  return {};
+}
+
+/// The numbers that a command prints, without the lines that say what they are.
+inline std::vector<std::string> numbers_in(const std::string& output) {
+  std::vector<std::string> numbers;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    std::istringstream words(line);
+    for (std::string word; words >> word;) numbers.push_back(word);
+  }
+  return numbers;
+}
+
+/// The cells of printed tables, by "TITLE | ROW | COLUMN".
+inline std::map<std::string, std::string> cells_in(const std::string& tables) {
+  std::map<std::string, std::string> cells;
+  const auto split = [](const std::string& line) {  // "| a | b |"
+    std::vector<std::string> parts;
+    for (std::size_t from = 2, to; from < line.size(); from = to + 3) {
+      to = std::min(line.find(" |", from == 2 ? 1 : from - 1), line.size());
+      parts.push_back(to > from ? line.substr(from, to - from) : "");
+    }
+    return parts;
+  };
+  std::string title;
+  std::vector<std::string> columns;
+  std::istringstream lines(tables);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("|---")) continue;
+    if (!line.starts_with("|")) {
+      if (!line.empty()) title = line.substr(0, line.find(" (±"));
+      columns.clear();
+    } else if (const auto parts = split(line); columns.empty()) {
+      columns = parts;
+    } else {
+      for (std::size_t i = 1; i < parts.size() && i < columns.size(); ++i) {
+        cells[fmt::format("{} | {} | {}", title, parts[0], columns[i])] = parts[i];
+      }
+    }
+  }
+  return cells;
+}
+
+/// A command and what it prints, as a block shows it.
+struct Shown {
+  Words words;
+  std::string output;
+};
+
+inline std::vector<Shown> shown_in(const std::string& document) {
+  std::vector<Shown> all;
+  bool inside = false;  // below a prompt, until the block ends
+  std::istringstream lines(document);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) {
+      inside = false;
+    } else if (line.starts_with(std::string(prompt) + "./lab ")) {
+      all.push_back({words_of(std::string_view(line).substr(prompt.size())), ""});
+      inside = true;
+    } else if (inside) {
+      all.back().output += line + '\n';
+    }
+  }
+  return all;
+}
+
+}  // namespace mc::tests

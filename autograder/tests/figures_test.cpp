@@ -1,0 +1,244 @@
+// The figures in handouts are those that commands print (tests/figures.hpp).
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/context/text_file.hpp"
+#include "tests/documents.hpp"
+#include "tests/door.hpp"
+#include "tests/figures.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::figures {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// What `./lab run` prints of the solutions.
+std::string printed_by_hand(const Layout& layout, const Words& command) {
+  Words words(command.begin() + 1, command.end());
+  words.insert(words.begin() + 1, {"--dir", layout.solutions().string()});
+  return lab(words).output;
+}
+
+std::string objection_by_hand(const Layout& layout, const Claim& claim) {
+  return objection(claim, numbers_in(printed_by_hand(layout, claim.words)));
+}
+
+std::string objection_in_tables(const std::string& tables, const Claim& claim) {
+  const auto cells = cells_in(tables);
+  const auto found = cells.find(claim.cell);
+  if (found == cells.end()) return "no such cell: " + claim.cell;
+  return objection(claim, {found->second});
+}
+
+/// Tables that a command has written into a document (docs/refresh.sh), line by line:
+///
+///   <!-- output of ./lab bench sampler --tables: BEGINNING OF TITLES -->
+///   …
+///   <!-- end -->
+struct Written {
+  Words words;
+  std::vector<std::string> lines;
+};
+std::vector<Written> written_in(const std::string& document) {
+  constexpr std::string_view opening = "<!-- output of ";
+  std::vector<Written> all;
+  for (auto at = document.find(opening); at != std::string::npos;
+       at = document.find(opening, at + 1)) {
+    const auto colon = document.find(':', at), head = document.find("-->", at);
+    const auto end = document.find("<!-- end -->", at);
+    Written written{words_of(document.substr(at + opening.size(), colon - at - opening.size())),
+                    {}};
+    std::istringstream text(document.substr(head, end - head));
+    std::string line;
+    std::getline(text, line);  // of the marker
+    while (std::getline(text, line)) {
+      if (!line.empty()) written.lines.push_back(line);
+    }
+    all.push_back(written);
+  }
+  return all;
+}
+
+/// A table shows a part of what the bench prints; a title may end with a colon there.
+bool is_printed(const std::string& tables, std::string line) {
+  if (line.ends_with(':')) line.pop_back();
+  return contains('\n' + tables, '\n' + line + '\n');
+}
+
+}  // namespace
+
+TEST_CASE("a figure is read as it is written") {
+  const auto is = [](const char* text, double value, double half_unit) {
+    CAPTURE(text);
+    const auto figure = figure_of(text);
+    REQUIRE(figure);
+    CHECK(figure->value == Approx(value).epsilon(1e-14));
+    CHECK(figure->half_unit == Approx(half_unit).epsilon(1e-14));
+  };
+  is("3/8", 0.375, 0);
+  is("¾", 0.75, 0);
+  is("−170.7", -170.7, 0.05);
+  is("36.5 %", 0.365, 0.0005);
+  is("1,024", 1024, 0.5);
+  is("5.9e-5", 5.9e-5, 0.05e-5);
+  is("3.6·10⁻²⁶", 3.6e-26, 0.05e-26);
+  is("4.2 · 2⁻⁵³", 4.2 * 0x1p-53, 0.05 * 0x1p-53);
+  is("10³⁰⁸", 1e308, 0);
+  for (const char* text : {"", "x", "three", "3 x", "3/", "2 · 3"}) CHECK(!figure_of(text));
+}
+
+TEST_CASE("a figure stands in a text by itself") {
+  CHECK(stands_in("which is 3/8.", "3/8"));
+  CHECK(stands_in("0.375, or so", "0.375"));
+  CHECK(!stands_in("which is 13/8", "3/8"));
+  CHECK(!stands_in("10.375", "0.375"));
+  CHECK(!stands_in("0.3751", "0.375"));
+  CHECK(!stands_in("47.5 of 64", "47"));
+}
+
+/// One wrong figure of each kind, and each kind as it should be.
+TEST_CASE("a wrong figure is seen") {
+  const Layout layout = read_layout();
+  const auto claim = [&](const std::string& figure, const std::string& passage) {
+    const auto claims = claims_in("text\n\n<!-- ./lab run halton radical_inverse 2 6 = " + figure +
+                                  " -->\n" + passage + "\n\nbehind it: 3/8\n");
+    REQUIRE(claims.size() == 1);
+    return objection_by_hand(layout, claims[0]);
+  };
+  CHECK(claim("3/8", "The steps lead\nto 3/8.") == "");
+  CHECK(claim("0.38", "about 0.38") == "");
+  CHECK(claim("6, 3/8", "point 6 is 3/8") == "");
+  CHECK(claim("3/8", "The steps lead to 5/8.") == "not in the passage: 3/8");
+  CHECK(contains(claim("5/8", "The steps lead to 5/8."), "not printed"));
+  CHECK(contains(claim("0.376", "about 0.376"), "not printed"));
+  CHECK(contains(claim("3/8, 6", "point 6 is 3/8"), "not in this order"));
+
+  // A comment is no passage; several stand before one.
+  const auto three = claims_in(
+      "<!-- ./lab run a = 1\n     ./lab run b = 2, 3 -->\n<!-- ./lab run c = 2 -->\n1\nor 2, "
+      "3\n\n4");
+  REQUIRE(three.size() == 3);
+  CHECK(three[1].words == Words{"./lab", "run", "b"});
+  CHECK(three[2].passage == "1 or 2, 3");
+  CHECK(objection(three[0], {"1"}) == "");
+  CHECK(objection(three[1], {"2", "3"}) == "");
+  CHECK(objection(claims_in("<!-- ./lab run a = 4 -->\n<!-- ./lab run b = 5 -->\n3\n").at(0),
+                  {"4"}) == "not in the passage: 4");
+
+  const auto block = [&](const std::string& output) {
+    const auto shown = shown_in("```console\n$ ./lab run halton radical_inverse 2 6\n" + output +
+                                "```\nbehind it\n");
+    REQUIRE(shown.size() == 1);
+    return printed_by_hand(layout, shown[0].words) == shown[0].output;
+  };
+  CHECK(block("# index  x\n6        0.375\n"));
+  CHECK(!block("# index  x\n6        0.625\n"));
+  CHECK(!block("# index  x\n"));
+
+  const std::string tables =
+      "empty cells\n\n| | plain | 1,024 |\n|---|--:|--:|\n| of 64 | 47 | 3.3e-2 |\n\n"
+      "errors (± 3 % at most)\n\n| | a |\n|---|--:|\n| b | 62 |\n| c | |\n";
+  const auto cell = [&](const std::string& where, const std::string& figure) {
+    const auto claims =
+        claims_in("<!-- ./lab bench halton --tables:\n     " + where + " = " + figure +
+                  "\n     and | the | next = 8 -->\nIt is " + figure + ".\n");
+    REQUIRE(claims.size() == 2);
+    CHECK(claims[0].words == Words{"./lab", "bench", "halton", "--tables"});
+    return objection_in_tables(tables, claims[0]);
+  };
+  CHECK(cell("empty cells | of 64 | plain", "47") == "");
+  CHECK(cell("empty cells | of 64 | 1,024", "0.033") == "");
+  CHECK(cell("errors | b | a", "62") == "");
+  CHECK(contains(cell("empty cells | of 64 | plain", "46"), "not printed"));
+  CHECK(contains(cell("errors | b | b", "62"), "no such cell"));
+  CHECK(contains(cell("errors | c | a", "62"), "not printed"));
+
+  const auto written = written_in(
+      "a\n<!-- output of ./lab bench halton --tables:\n errors -->\nerrors (± 3 % at most):\n\n"
+      "| b | 62 |\n| b | 63 |\n\n<!-- end -->\nc\n");
+  REQUIRE(written.size() == 1);
+  CHECK(written[0].words == Words{"./lab", "bench", "halton", "--tables"});
+  REQUIRE(written[0].lines.size() == 3);
+  CHECK(is_printed(tables, written[0].lines[0]));
+  CHECK(is_printed(tables, written[0].lines[1]));
+  CHECK(!is_printed(tables, written[0].lines[2]));
+}
+
+TEST_CASE("the bench takes a file of the repository's submissions, and no other") {
+  const auto run = lab({"bench", "variance", "solutions/variance.cpp", "--tables"});
+  CHECK(run.exit_code == 2);
+  CHECK(contains(run.errors, "solutions/variance.cpp is not in autograder/submissions"));
+  const auto missing = lab({"bench", "variance", "nobody.cpp"});
+  CHECK(missing.exit_code == 2);
+  CHECK(contains(missing.errors, "there is no file nobody.cpp"));
+}
+
+/// A minute: the bench measures all that handouts quote. The tables of a lab are printed once, with
+/// all submissions that its figures are about.
+TEST_CASE("the figures of handouts are printed by their commands", "[.figures]") {
+  const Layout layout = read_layout();
+  for (const Lab& one : find_labs(layout)) {
+    const std::string handout = read_text(layout.labs() / one.folder / "README.md");
+    const auto all_shown = shown_in(handout);
+    for (const Shown& shown : all_shown) {
+      CAPTURE(one.name, shown.words);
+      CHECK(printed_by_hand(layout, shown.words) == shown.output);
+    }
+    std::vector<Claim> of_tables;
+    std::vector<Words> benches;
+    const auto claims = claims_in(handout);
+    for (const Claim& claim : claims) {
+      CAPTURE(one.name, claim.words, claim.figures);
+      REQUIRE(claim.words.size() > 3);
+      if (claim.words[1] == "run") {
+        CHECK(objection_by_hand(layout, claim) == "");
+      } else {
+        of_tables.push_back(claim);
+        benches.push_back(claim.words);
+      }
+    }
+    const auto all_written = written_in(handout);
+    for (const Written& written : all_written) benches.push_back(written.words);
+    CHECK(all_shown.size() + claims.size() + all_written.size() > 0);
+    if (benches.empty()) continue;
+    std::set<std::string> submissions;
+    for (const Words& words : benches) {
+      CAPTURE(words);
+      REQUIRE(words.size() > 3);
+      CHECK(words[1] == "bench");
+      CHECK(words[2] == one.name);
+      CHECK(words.back() == "--tables");
+      submissions.insert(words.begin() + 3, words.end() - 1);
+    }
+    Words words{"bench", one.name};
+    words.insert(words.end(), submissions.begin(), submissions.end());
+    words.insert(words.end(), {"--tables", "--rounds", "1"});
+    const auto run = lab(words);
+    CAPTURE(run.errors, run.output);
+    CHECK(run.exit_code == 0);
+    CHECK_FALSE(contains(run.output, "efficiency"));  // nothing but the tables
+    for (const Claim& claim : of_tables) {
+      CAPTURE(claim.cell, claim.figures);
+      CHECK(objection_in_tables(run.output, claim) == "");
+    }
+    for (const Written& written : all_written) {
+      for (const std::string& line : written.lines) {
+        CAPTURE(line);
+        CHECK(is_printed(run.output, line));
+      }
+    }
+  }
+}
+
+}  // namespace mc::tests::figures
