@@ -93,7 +93,7 @@ std::string shuffle_hint(const Order& orders) {
       const double off = static_cast<double>(counts[i]) - due;
       chi_squared += off * off / due;
     }
-    if (chi_squared_tails(chi_squared, 119).upper > 1e-4) {
+    if (chi_squared_tails(chi_squared, 119).upper > alpha) {
       return "each value changes places with any of the n, which favours some permutations: with "
              "itself or one of those not placed yet (j from i to n-1)";
     }

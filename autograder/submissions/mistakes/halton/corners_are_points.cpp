@@ -1,7 +1,7 @@
 // mistake: looks at boxes that end at points, and at none that ends at 1
 // caught by: 5.6 the star discrepancy of points of the plane
 // caught by: 5.6 points that share
-// at times: 5.6 no error exceeds
+// caught by: 5.6 no error exceeds
 // hint: those that end at 1 count too
 #include "halton.hpp"
 

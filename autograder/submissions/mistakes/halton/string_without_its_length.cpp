@@ -1,7 +1,7 @@
 // mistake: flips are hashes of the bits before as a number: 0, 00 and 000 are the same
 // caught by: 5.8 each bit
 // caught by: 5.8 all 64 bits
-// at times: 5.8 a scrambled net
+// caught by: 5.8 a scrambled net
 // hint: 0, 00 and 000 before a bit are different strings
 #include "halton.hpp"
 

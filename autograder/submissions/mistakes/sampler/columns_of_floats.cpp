@@ -1,25 +1,33 @@
-// mistake: keeps its numbers as floats, to save memory
+// mistake: keeps stratified columns as floats, to save memory
 // caught by: 6.2 next has one number in each of N strata
+// caught by: 6.2 next2 has one point in each cell and stratum
 // hint: edges are i / n in double division
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 namespace mc {
 namespace {
 
-class Wrong : public ColumnSampler {
- public:
-  using ColumnSampler::ColumnSampler;
-  double next() override { return static_cast<float>(ColumnSampler::next()); }
-  Point2 next2() override {
-    const Point2 point = ColumnSampler::next2();
-    return {static_cast<float>(point.x), static_cast<float>(point.y)};
-  }
-};
+void keep_floats(std::span<double> x) {
+  for (double& value : x) value = std::min(static_cast<float>(value), 0x1.fffffep-1f);
+}
+
+void one_column(const Use& use, std::span<double> x, Rng& rng) {
+  stratified1(use, x, rng);
+  keep_floats(x);
+}
+
+void two_columns(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  stratified2(use, x, y, rng);
+  keep_floats(x);
+  keep_floats(y);
+}
+
+constexpr Kind wrong{"stratified", one_column, two_columns};
 
 }  // namespace
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
+  return make_other_kind(wrong, kind);
 }
 
 }  // namespace mc

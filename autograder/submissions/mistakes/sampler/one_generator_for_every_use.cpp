@@ -8,7 +8,6 @@
 // caught by: 6.4 a sample may ask for less than the one before
 // caught by: 6.4 next and next2 are counted apart
 // caught by: 6.8 a sample dimension that nobody asks for costs no memory
-// at times: 6.1 the error is that of independent samples
 // hint: the same numbers come again for another
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
