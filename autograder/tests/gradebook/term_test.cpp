@@ -1,4 +1,4 @@
-// A term, played through: handed out, solved by twelve students, handed in in three ways, graded by
+// A term, played through: handed out, solved by thirty students, handed in in three ways, graded by
 // a judge that is killed in the middle, by two machines, shown, and graded again.
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ using namespace grader;
 
 namespace {
 
-constexpr int students = 12;
+constexpr int students = 30;
 
 /// A file of the repository as one that stands alone: a student has no solutions to include.
 std::string standing_alone(const Layout& layout, const fs::path& file) {
@@ -44,12 +44,12 @@ std::string standing_alone(const Layout& layout, const fs::path& file) {
   return all;
 }
 
-/// So many files of a folder, spread over the order of their names.
-std::vector<fs::path> some_of(const fs::path& folder, std::size_t count) {
+/// Files of a folder, in the order of their names, every `step`-th.
+std::vector<fs::path> some_of(const fs::path& folder, std::size_t step = 1) {
   std::vector<fs::path> all, some;
   for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path());
   std::sort(all.begin(), all.end());
-  for (std::size_t i = 0; i < count; ++i) some.push_back(all.at(i * all.size() / count));
+  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
   return some;
 }
 
@@ -70,8 +70,8 @@ std::vector<std::string> caught_by(const fs::path& mistake) {
   return checks;
 }
 
-/// Twelve: right in the repository's way and in others, wrong in one thing, not begun, no C++. Five
-/// of them have something of lab 2 as well.
+/// Thirty: right in the repository's way and in others, wrong in one thing, not begun, no C++.
+/// Eight of them have something of lab 2 as well.
 std::vector<Work> works(const Layout& layout) {
   const std::string variance = read_whole_text(layout.solutions() / "variance.cpp");
   const std::string independent = read_whole_text(layout.solutions() / "independent.cpp");
@@ -82,16 +82,17 @@ std::vector<Work> works(const Layout& layout) {
                         {"this is no C++\n", ""},
                         {begun, independent}};
   const fs::path place = layout.submissions();
-  for (const fs::path& file : some_of(place / "alternatives" / "variance", 1)) {
+  for (const fs::path& file : some_of(place / "alternatives" / "variance", 2)) {
     all.push_back({standing_alone(layout, file), "", true, false});
   }
-  for (const fs::path& file : some_of(place / "alternatives" / "independent", 1)) {
+  for (const fs::path& file : some_of(place / "alternatives" / "independent", 2)) {
     all.push_back({variance, standing_alone(layout, file), true, true});
   }
-  for (const fs::path& file : some_of(place / "mistakes" / "independent", 2)) {
+  for (const fs::path& file : some_of(place / "mistakes" / "independent", 20)) {
     all.push_back({variance, standing_alone(layout, file), true, false, caught_by(file)});
   }
-  for (const fs::path& file : some_of(place / "mistakes" / "variance", 3)) {
+  for (const fs::path& file : some_of(place / "mistakes" / "variance", 4)) {
+    if (all.size() == students) break;
     all.push_back({standing_alone(layout, file), "", false, false, caught_by(file)});
   }
   REQUIRE(all.size() == students);
