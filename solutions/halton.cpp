@@ -345,6 +345,8 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   require_indices(first, column.size(), last_index);
   std::size_t used = 1;
   for (auto n = (first + column.size() - 1) / base; n > 0; n /= base) ++used;
+  const bool paired = base <= 5 && column.size() >= 4 * base * base;  // two digits in one step
+  if (paired) used += used % 2;
   std::vector<double> permutations(used * base);
   Rng rng(mix_bits(seed ^ mix_bits(base)));
   double zeros = double(rng() >> 11) * 0x1p-53;
@@ -355,7 +357,15 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     zeros -= unsigned(zeros);
     for (unsigned i = 1; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
   }
-  fill(column, first, base, permutations, zeros);
+  if (!paired) return fill(column, first, base, permutations, zeros);
+  std::vector<double> pairs(used / 2 * base * base);
+  auto pair = pairs.begin();
+  for (auto row = permutations.begin(); row != permutations.end(); row += 2 * base) {
+    for (unsigned high = 0; high < base; ++high) {
+      for (unsigned low = 0; low < base; ++low) *pair++ = row[low] * base + row[base + high];
+    }
+  }
+  fill(column, first, base * base, pairs, zeros);
 }
 
 }  // namespace mc
