@@ -83,51 +83,31 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
-
-/// side x side cells of the torus: left meets right, and top meets bottom.
-struct Cells {
-  long side;
-
-  long of(double x) const { return std::min(static_cast<long>(x * double(side)), side - 1); }
-  std::size_t at(long i, long j) const {
-    return static_cast<std::size_t>(wrapped(j) * side + wrapped(i));
-  }
-  std::size_t count() const { return static_cast<std::size_t>(side * side); }
-
- private:
-  long wrapped(long i) const {
-    while (i < 0) i += side;
-    while (i >= side) i -= side;
-    return i;
-  }
-};
-
-/// Points of the torus, found by where they are.
+/// Points of the torus, found by where they are: side x side cells, as many as points or up to four
+/// times as many.
 class Neighbours {
  public:
   void add(Point2 point) {
     points_.push_back(point);
-    const auto number = static_cast<std::uint32_t>(points_.size() - 1);
-    if (points_.size() <= cells_.count()) return link(number);
-    cells_.side *= 2;  // four times the cells: each point moves once, on average
-    first_.assign(cells_.count(), none);
+    if (points_.size() <= first_.size()) return link(points_.size() - 1);
+    side_ *= 2;  // four times the cells: each point moves once, on average
+    first_.assign(4 * first_.size(), none);
     next_.clear();
-    for (std::uint32_t p = 0; p <= number; ++p) link(p);
+    for (std::size_t p = 0; p < points_.size(); ++p) link(p);
   }
 
   /// Squared distance to the nearest point, or to any point that is nearer than sqrt(`enough`).
   double nearest(Point2 to, double enough) const {
-    const long column = cells_.of(to.x), row = cells_.of(to.y);
+    const long column = cell_of(to.x), row = cell_of(to.y);
     double least = std::numeric_limits<double>::infinity();
-    for (long ring = 0; 2 * (ring - 1) < cells_.side; ++ring) {
+    for (long ring = 0; 2 * (ring - 1) < side_; ++ring) {
       // Rings 0 … ring-1 hold everything within ring - 1 cells.
-      const double seen = double(ring - 1) / double(cells_.side);
+      const double seen = double(ring - 1) / double(side_);
       if (ring > 0 && least <= seen * seen) break;
       for (long j = -ring; j <= ring; ++j) {
         const long step = std::abs(j) == ring || ring == 0 ? 1 : 2 * ring;
         for (long i = -ring; i <= ring; i += step) {
-          for (auto p = first_[cells_.at(column + i, row + j)]; p != none; p = next_[p]) {
+          for (auto p = first_[at(column + i, row + j)]; p != none; p = next_[p]) {
             least = std::min(least, toroidal_distance_squared(to, points_[p]));
             if (least < enough) return least;
           }
@@ -137,14 +117,22 @@ class Neighbours {
     return least;
   }
 
+  const std::vector<Point2>& all() const { return points_; }
+
  private:
-  void link(std::uint32_t p) {
-    std::uint32_t& first = first_[cells_.at(cells_.of(points_[p].x), cells_.of(points_[p].y))];
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  long cell_of(double x) const { return static_cast<long>(x * double(side_)); }
+  std::size_t at(long i, long j) const {  // left meets right, and top meets bottom
+    return static_cast<std::size_t>((j & (side_ - 1)) * side_ + (i & (side_ - 1)));
+  }
+  void link(std::size_t p) {
+    std::uint32_t& first = first_[at(cell_of(points_[p].x), cell_of(points_[p].y))];
     next_.push_back(first);
-    first = p;
+    first = static_cast<std::uint32_t>(p);
   }
 
-  Cells cells_{1};
+  long side_ = 1;  // a power of 2
   std::vector<Point2> points_;
   std::vector<std::uint32_t> first_ = {none};  // of each cell: one of its points,
   std::vector<std::uint32_t> next_;            // and of each point: another one in its cell
@@ -204,95 +192,8 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // * The square is cut into cells so small that a cell holds one point at most. All are active.
 // * Darts fall on active cells, which cover every gap: the next point that is kept is uniform in
 //   the gaps, as with darts thrown at the whole square. The pattern is a dart thrower's, exactly.
-// * After one dart a cell, every active cell is quartered. A quarter that lies within one disc has
-//   no gap in it and is dropped. After ten quarterings, less than 1e-4 of the square is active.
-
-namespace {
-
-class DiskPattern {
- public:
-  explicit DiskPattern(double radius)
-      : radius_squared_(radius * radius),
-        cells_{static_cast<long>(std::ceil(std::numbers::sqrt2 / radius))},
-        point_in_(cells_.count(), none) {
-    const int reach = static_cast<int>(std::ceil(radius * double(cells_.side)));
-    for (int j = -reach; j <= reach; ++j) {
-      for (int i = -reach; i <= reach; ++i) around_.push_back({i, j});
-    }
-    const auto nearer = [](Cell a, Cell b) {
-      return a.i * a.i + a.j * a.j < b.i * b.i + b.j * b.j;
-    };
-    std::sort(around_.begin(), around_.end(), nearer);
-  }
-
-  std::vector<Point2> fill(Rng& rng) {
-    for (int j = 0; j < cells_.side; ++j) {
-      for (int i = 0; i < cells_.side; ++i) active_.push_back({i, j});
-    }
-    double width = 1 / double(cells_.side);
-    for (int level = 0; level <= 10 && !active_.empty(); ++level, width /= 2) {
-      throw_darts(width, rng);
-      quarter(width / 4);
-    }
-    return points_;
-  }
-
- private:
-  struct Cell {
-    int i, j;
-  };
-
-  void throw_darts(double width, Rng& rng) {
-    for (std::size_t darts = active_.size(); darts > 0 && !active_.empty(); --darts) {
-      Cell& cell = active_[static_cast<std::size_t>(uniform(rng) * double(active_.size()))];
-      const Point2 u = uniform_point(rng);
-      const Point2 dart{std::min((double(cell.i) + u.x) * width, below_one),
-                        std::min((double(cell.j) + u.y) * width, below_one)};
-      if (covered(dart, 0)) continue;
-      point_in_[cells_.at(cells_.of(dart.x), cells_.of(dart.y))] =
-          static_cast<std::uint32_t>(points_.size());
-      points_.push_back(dart);
-      cell = active_.back();
-      active_.pop_back();
-    }
-  }
-
-  /// Cuts the active cells into quarters of half-width `half`.
-  void quarter(double half) {
-    std::vector<Cell> quarters;
-    for (const Cell& cell : active_) {
-      for (int q = 0; q < 4; ++q) {
-        const Cell child{2 * cell.i + q % 2, 2 * cell.j + q / 2};
-        const Point2 centre{double(2 * child.i + 1) * half, double(2 * child.j + 1) * half};
-        if (!covered(centre, half)) quarters.push_back(child);
-      }
-    }
-    active_ = std::move(quarters);
-  }
-
-  /// Does the disc of some point hold the whole square of half-width `half` around `centre`?
-  bool covered(Point2 centre, double half) const {
-    const long i = cells_.of(centre.x), j = cells_.of(centre.y);
-    for (const Cell& step : around_) {
-      const std::uint32_t p = point_in_[cells_.at(i + step.i, j + step.j)];
-      if (p == none) continue;
-      double dx = std::abs(centre.x - points_[p].x), dy = std::abs(centre.y - points_[p].y);
-      dx = std::min(dx, 1 - dx) + half;  // to the farthest corner
-      dy = std::min(dy, 1 - dy) + half;
-      if (dx * dx + dy * dy < radius_squared_) return true;
-    }
-    return false;
-  }
-
-  double radius_squared_;
-  Cells cells_;               // a cell's diagonal is the radius at most
-  std::vector<Cell> around_;  // steps to what a radius spans, near ones first: they cover most
-  std::vector<Point2> points_;
-  std::vector<std::uint32_t> point_in_;  // of each cell
-  std::vector<Cell> active_;             // cells or parts of them: of a grid 2^level times as fine
-};
-
-}  // namespace
+// * After one dart a cell, every active cell is quartered. A quarter is dropped if it lies within
+//   one disc: it has no gap. After ten quarterings, less than 1e-4 of the square is active.
 
 PointSet poisson_disk(double radius, Rng& rng) {
   if (!(radius > 0)) throw std::invalid_argument("radius: not positive");
@@ -300,8 +201,41 @@ PointSet poisson_disk(double radius, Rng& rng) {
     throw std::invalid_argument("radius: too small for memory, about " +
                                 in_words(0.7 / radius / radius) + " points");
   }
-  // From sqrt(1/2) on, one disc covers everything.
-  return columns_of(DiskPattern(std::min(radius, 1.0)).fill(rng));
+  radius = std::min(radius, 1.0);  // from sqrt(1/2) on, one disc covers everything
+  Neighbours points;
+  const auto covered = [&](Point2 place, double by) {
+    return points.nearest(place, by * by) < by * by;
+  };
+  const double side = std::ceil(std::numbers::sqrt2 / radius);
+  double width = 1 / side;
+  std::vector<Point2> active, quarters;  // cells, by their lower left corners
+  for (double j = 0; j < side; ++j) {
+    for (double i = 0; i < side; ++i) active.push_back({i * width, j * width});
+  }
+  for (int level = 0; level <= 10 && !active.empty(); ++level) {
+    for (std::size_t darts = active.size(); darts > 0 && !active.empty(); --darts) {
+      Point2& cell = active[static_cast<std::size_t>(uniform(rng) * double(active.size()))];
+      const Point2 u = uniform_point(rng);
+      const Point2 dart{std::min(cell.x + u.x * width, below_one),
+                        std::min(cell.y + u.y * width, below_one)};
+      if (covered(dart, radius)) continue;
+      points.add(dart);
+      cell = active.back();
+      active.pop_back();
+    }
+    width /= 2;
+    const double half_diagonal = width / std::numbers::sqrt2;
+    quarters.clear();
+    for (const Point2 cell : active) {
+      for (const Point2 step : {Point2{0, 0}, {width, 0}, {0, width}, {width, width}}) {
+        const Point2 quarter{cell.x + step.x, cell.y + step.y};
+        const Point2 centre{quarter.x + width / 2, quarter.y + width / 2};
+        if (!covered(centre, radius - half_diagonal)) quarters.push_back(quarter);
+      }
+    }
+    active.swap(quarters);
+  }
+  return columns_of(points.all());
 }
 
 // 4.4 --------------------------------------------------------------------------------------------
@@ -323,36 +257,24 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace definition
 
 // That is a sine and a cosine for each of N (2 kmax + 1)^2 terms. But exp(a + b) = exp(a) exp(b):
-// the waves along x and along y are enough, N (2 kmax + 1) of each, and a term is a product. And
-// the power at -k is that at k, since the points are real: half of it is never computed.
+// the waves along x and along y are enough, N (2 kmax + 1) of each, and a term is a product.
 
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
   require_pairs(x.size(), y.size());
   const std::size_t side = require_square(power.size(), kmax);
-  const auto n = static_cast<double>(x.size());
-  const auto centre = static_cast<std::size_t>(kmax);
-  std::vector<double> cosine(side), sine(side);                   // of kx x
-  std::vector<double> real(side * side), imaginary(side * side);  // sums, for ky >= 0
+  const auto wave = [](double k, double at) {
+    return std::polar(1.0, -2 * std::numbers::pi * k * at);
+  };
+  std::vector<std::complex<double>> along_x(side), sum(side * side);
   for (std::size_t p = 0; p < x.size(); ++p) {
-    for (std::size_t i = 0; i < side; ++i) {
-      const double angle = 2 * std::numbers::pi * (static_cast<double>(i) - kmax) * x[p];
-      cosine[i] = std::cos(angle);
-      sine[i] = std::sin(angle);
-    }
-    for (std::size_t j = centre; j < side; ++j) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(j - centre) * y[p];
-      const double c = std::cos(angle), s = std::sin(angle);
-      for (std::size_t i = 0; i < side; ++i) {
-        real[j * side + i] += c * cosine[i] - s * sine[i];
-        imaginary[j * side + i] += s * cosine[i] + c * sine[i];
-      }
+    for (std::size_t i = 0; i < side; ++i) along_x[i] = wave(double(i) - kmax, x[p]);
+    for (std::size_t j = 0; j < side; ++j) {
+      const auto along_y = wave(double(j) - kmax, y[p]);
+      for (std::size_t i = 0; i < side; ++i) sum[j * side + i] += along_x[i] * along_y;
     }
   }
-  for (std::size_t k = centre * side; k < side * side; ++k) {
-    const double value = (real[k] * real[k] + imaginary[k] * imaginary[k]) / n;
-    power[k] = power[side * side - 1 - k] = value;  // k, and -k on the other side of the centre
-  }
+  for (std::size_t k = 0; k < power.size(); ++k) power[k] = std::norm(sum[k]) / double(x.size());
 }
 
 // 4.5 --------------------------------------------------------------------------------------------

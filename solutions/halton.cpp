@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -48,92 +49,24 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }
 }  // namespace definition
 
-// That divides for every digit. But in base 3, every block of 3^5 indices takes its last 5 digits
-// through the same 243 values. So their radical inverses are a table, made once; the digits before
-// add one number to the whole block, and these numbers are a column too, a shorter one. A load, an
-// addition and a store are left for a value. 5.9 is the same with other digits.
+// That divides for every digit. But k digits in base b are one digit in base b^k: 5.1 may take k of
+// them in one step, (digit + others) / b^k, where `digit` is k digits, mirrored. All b^k of these
+// are a table of whole numbers, exact. A block of b^k indices goes through the whole table with the
+// same `others`; and those of one block after the other are a column too, a shorter one.
 
 namespace {
-/// What stands at each position of a radical inverse where the index has a digit.
-struct Digits {
-  unsigned base;
-  std::vector<unsigned> permutations;  ///< of each position, `base` digits; none: the digit itself
-  double zeros = 0;                    ///< what the zeros at all positions behind come to
-
-  double operator()(std::size_t position, std::uint64_t digit) const {
-    return double(permutations.empty() ? digit : permutations[position * base + digit]);
-  }
-  /// As 5.1, of a number whose last digit stands at `position`.
-  double inverse(std::size_t position, std::uint64_t number) const {
-    if (number == 0 && position * base >= permutations.size()) return zeros;
-    const double others = inverse(position + 1, number / base);
-    return std::min(below_one, ((*this)(position, number % base) + others) / base);
-  }
-};
-
-unsigned digits_of(std::uint64_t number, unsigned base) {
-  return number == 0 ? 0 : 1 + digits_of(number / base, base);
-}
-
-/// One of the digits first … base - 1, by 48 random bits: 2^-32 from uniform at most.
-unsigned any_digit(unsigned first, unsigned base, Rng& rng) {
-  return first + unsigned((rng() >> 16) * (base - first) >> 48);
-}
-
-/// The radical inverses of 0, 1, … times a power of the base, which is returned: whole numbers, and
-/// exact. `position` is that of the last digit, and moves past the digits in the table.
-double fill_table(std::span<double> table, const Digits& digits, std::size_t& position) {
-  std::size_t p = position, filled = 1;
-  double size = 1;
-  table[0] = 0;  // then the zeros at all positions
-  for (; size < double(table.size()); size *= digits.base) {
-    table[0] = table[0] * digits.base + digits(position++, 0);
-  }
-  for (double weight = size; filled < table.size(); filled *= digits.base, ++p) {
-    weight /= digits.base;  // what is there so far is there again with each digit but 0
-    const double zero = digits(p, 0);
-    const std::size_t end = std::min<std::size_t>(digits.base, (table.size() - 1) / filled + 1);
-    for (std::size_t digit = 1; digit < end; ++digit) {
-      const auto more = [by = (digits(p, digit) - zero) * weight](double x) { return x + by; };
-      const auto from = table.first(std::min(filled, table.size() - digit * filled));
-      std::transform(from.begin(), from.end(), &table[digit * filled], more);
-    }
-  }
-  return size;
-}
-
-void fill(std::span<double> column, std::uint64_t first, const Digits& digits, std::size_t p = 0) {
-  constexpr std::size_t largest = 1024;  // values of a table: a quarter of the first-level cache
-  std::size_t block = 1;                 // at most half of the column
-  while (block * digits.base <= std::min(largest, column.size() / 2)) block *= digits.base;
-  if (block == 1) {  // too few for a table: keep what stands before the last digit
-    std::uint64_t digit = first % digits.base, number = first / digits.base;
-    double others = digits.inverse(p + 1, number);
-    for (double& x : column) {
-      if (digit == digits.base) digit = 0, others = digits.inverse(p + 1, ++number);
-      x = std::min(below_one, (digits(p, digit++) + others) / digits.base);
-    }
-    return;
-  }
-  if (first == 0 && column.size() <= largest) {  // the column is the table
-    const double size = fill_table(column, digits, p);
-    const double behind = digits.inverse(p, 0);
-    for (double& x : column) x = std::min(below_one, (x + behind) * (1 / size));
-    return;
-  }
-  std::array<double, largest> table;
-  const double scale = 1 / fill_table(std::span(table).first(block), digits, p);
-  for (double& x : std::span(table).first(block)) x *= scale;
-  std::size_t skip = first % block;
-  std::vector<double> before((skip + column.size() + block - 1) / block);  // one for each block
-  fill(before, first / block, digits, p);
-  // Table, sum and what is added are wrong by e <= 3/2 + 1/2 + (e + 3/2)/block times 2^-53. So
-  // e < 4, and in base 2, where scaling is exact, e <= 1.
-  const double room = below_one - double(block - 1) * scale;  // above the largest in the table
-  for (const double others : before) {
-    const double offset = std::min(room, others * scale);
-    const auto part = std::span(table).subspan(skip, std::min(block - skip, column.size()));
-    std::transform(part.begin(), part.end(), column.begin(), [=](double x) { return x + offset; });
+/// The step of 5.1 for a column that begins `skip` places behind the beginning of a block. `digits`
+/// are those of a block, mirrored. `others`, one for each block, may stand in the column's end: they
+/// are read before they are overwritten.
+void step(std::span<double> column, std::size_t skip, std::span<const double> digits,
+          std::span<const double> others) {
+  // A sum 2^-52 size below the size is not rounded up to 1. Staying there is wrong by 2 * 2^-53 at
+  // most; sum, scale and product are rounded by 2 * 2^-53 more.
+  const double size = double(digits.size()), most = 1 - 0x1p-52 * size, scale = 1 / size;
+  for (const double other : others) {
+    const auto part = digits.subspan(skip, std::min(digits.size() - skip, column.size()));
+    const auto sum = [=, rest = std::min(other, most)](double x) { return (x + rest) * scale; };
+    std::transform(part.begin(), part.end(), column.begin(), sum);
     column = column.subspan(part.size()), skip = 0;
   }
 }
@@ -142,7 +75,22 @@ void fill(std::span<double> column, std::uint64_t first, const Digits& digits, s
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
   require_base(base);
   require_indices(first, column.size(), last_index);
-  fill(column, first, {base, {}});
+  constexpr std::size_t largest = 1024;  // values of a table: a quarter of the first-level cache
+  if (column.size() <= 2 || base > largest) {
+    return definition::radical_inverses(base, first, column);
+  }
+  std::array<double, largest> table;
+  std::iota(&table[0], &table[base], 0);
+  std::size_t block = base;
+  for (; block * base <= std::min(largest, column.size()); block *= base) {
+    for (unsigned digit = base; digit-- > 0;) {  // 0 comes last: it overwrites what is appended to
+      const auto append = [=](double x) { return x * base + digit; };
+      std::transform(&table[0], &table[block], &table[digit * block], append);
+    }
+  }
+  const auto others = column.last((first % block + column.size() - 1) / block + 1);
+  radical_inverses(base, first / block, others);
+  step(column, first % block, std::span(table).first(block), others);
 }
 
 // 5.3 --------------------------------------------------------------------------------------------
@@ -165,13 +113,11 @@ void halton(PointSet& points, std::uint64_t first) {
 
 // 5.4 --------------------------------------------------------------------------------------------
 void hammersley(PointSet& points) {
-  const auto bases = primes(points.dims());
-  for (std::size_t d = 0; d < points.dims(); ++d) {
-    const auto column = points.column(d);
-    if (d > 0) radical_inverses(bases[d - 1], 0, column);
-    for (std::size_t i = 0; d == 0 && i < column.size(); ++i) {
-      column[i] = double(i) / double(column.size());
-    }
+  const auto x = points.column(0);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = double(i) / double(x.size());
+  const auto bases = primes(points.dims() - 1);
+  for (std::size_t d = 1; d < points.dims(); ++d) {
+    radical_inverses(bases[d - 1], 0, points.column(d));
   }
 }
 
@@ -180,13 +126,6 @@ namespace {
 constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
 constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
 constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
-
-constexpr std::uint32_t mirrored(std::uint32_t word) {
-  word = (word >> 1 & 0x55555555u) | (word & 0x55555555u) << 1;
-  word = (word >> 2 & 0x33333333u) | (word & 0x33333333u) << 2;
-  word = (word >> 4 & 0x0f0f0f0fu) | (word & 0x0f0f0f0fu) << 4;
-  return __builtin_bswap32(word);
-}
 
 using Directions = std::array<std::uint32_t, 32>;
 
@@ -208,24 +147,25 @@ constexpr Directions directions_of(const JoeKuo& given) {
 /// The coordinate that the bits of `index` choose.
 constexpr std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
   std::uint32_t word = 0;
-  for (unsigned k = 0; index >> k != 0; ++k) {
-    if (index >> k & 1) word ^= v[k];
-  }
+  for (unsigned k = 0; k < 32; ++k) word ^= v[k] & -(std::uint32_t(index) >> k & 1);
   return word;
 }
 
 struct SobolTable {
-  Directions v;
-  alignas(64) std::array<std::uint64_t, 64> words;  ///< of the first indices
-  std::array<std::uint64_t, 27> steps;              ///< v_6 ^ … ^ v_(6+t), and 0 behind the end
+  Directions v, steps;                   ///< steps: v_8 ^ … ^ v_(8+t), and 0 behind the end
+  std::array<std::uint64_t, 256> words;  ///< of the first indices, with the exponent of 1
 };
 
 constexpr auto sobol_tables = [] {
   std::array<SobolTable, joe_kuo.size()> all{};
   for (std::size_t d = 0; d < all.size(); ++d) {
-    const Directions v = all[d].v = directions_of(joe_kuo[d]);
-    for (std::uint64_t t = 0, sum = 0; t < 26; ++t) all[d].steps[t] = sum ^= wide(v[t + 6]);
-    for (std::size_t i = 0; i < 64; ++i) all[d].words[i] = wide(sobol_word(v, i));
+    auto& [v, steps, words] = all[d];
+    v = directions_of(joe_kuo[d]);
+    std::partial_sum(v.begin() + 8, v.end(), steps.begin(), std::bit_xor{});
+    words[0] = bits(1);
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      words[i] = words[i & (i - 1)] ^ wide(v[std::size_t(std::countr_zero(i))]);  // its lowest bit
+    }
   }
   return all;
 }();
@@ -238,24 +178,22 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 }
 }  // namespace definition
 
-// As in 5.2, the last 6 bits go through the same words in every block, and the bits above bring
-// one word to a whole block. From block n - 1 to n, which ends in t zeros, it changes by v_6 ^ … ^
-// v_(6+t). A double in [1, 2) *is* a word: 20 zero bits behind the 32 of the coordinate, before it
-// the exponent of 1. A load, an XOR, the subtraction of 1 and a store are left for a value.
+// As in 5.2, the last 8 bits go through one table in every block, and the bits above bring one word
+// to a whole block. From block n - 1 to n, which ends in t zeros, that word changes by v_8 ^ … ^
+// v_(8+t). A double in [1, 2) *is* a word: the exponent of 1, then the 32 bits of the coordinate,
+// then 20 zeros. A load, an XOR, the subtraction of 1 and a store are left for a value.
 
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   if (dimension >= joe_kuo.size()) throw std::invalid_argument("dimension: there are only 32");
   require_indices(first, column.size(), 0xffffffffu);
-  const SobolTable& table = sobol_tables[dimension];
-  std::uint64_t n = first / 64, above = bits(1) | wide(sobol_word(table.v, 64 * n));
-  for (std::size_t skip = first % 64; !column.empty(); skip = 0) {
-    const std::uint64_t* const words = table.words.data() + skip;
-    double* const x = column.data();  // an array's or a span's index may be checked, one by one
-    const std::size_t count = std::min(64 - skip, column.size());
-    for (std::size_t i = 0; count == 64 && i < 64; ++i) x[i] = number(words[i] ^ above) - 1;
-    for (std::size_t i = 0; count < 64 && i < count; ++i) x[i] = number(words[i] ^ above) - 1;
-    column = column.subspan(count);
-    above ^= table.steps[std::size_t(std::countr_zero(++n))];
+  const auto& [v, steps, words] = sobol_tables[dimension];
+  std::uint64_t n = first / 256, above = wide(sobol_word(v, 256 * n));
+  for (std::size_t skip = first % 256; !column.empty(); skip = 0) {
+    const auto part = std::span(words).subspan(skip, std::min(256 - skip, column.size()));
+    const auto value = [=](std::uint64_t word) { return number(word ^ above) - 1; };
+    std::transform(part.begin(), part.end(), column.begin(), value);
+    column = column.subspan(part.size());
+    above ^= wide(steps[std::size_t(std::countr_zero(++n))]);
   }
 }
 
@@ -331,6 +269,13 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // (Vegdahl 2021; the handout has the kurtosis). Vector registers multiply 32 bits at a time: a hash
 // of these flips the 21 behind, which Sobol' points do not have.
 
+static constexpr std::uint32_t mirrored(std::uint32_t word) {
+  word = (word >> 1 & 0x55555555u) | (word & 0x55555555u) << 1;
+  word = (word >> 2 & 0x33333333u) | (word & 0x33333333u) << 2;
+  word = (word >> 4 & 0x0f0f0f0fu) | (word & 0x0f0f0f0fu) << 4;
+  return __builtin_bswap32(word);
+}
+
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
   const std::uint64_t one = rng(), two = rng();
@@ -377,24 +322,50 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // A permutation for each position; at most of them, a column has zeros only. What zeros become are
 // digits of one uniform number, drawn first; what is left of it behind those in use is `zeros`.
 
+namespace {
+/// One of the digits first … base - 1, by 48 random bits: 2^-32 from uniform at most.
+unsigned any_digit(unsigned first, unsigned base, Rng& rng) {
+  return first + unsigned((rng() >> 16) * (base - first) >> 48);
+}
+
+/// As 5.2, one digit at a time: `rows` has the permutations of all positions, of base digits each.
+void fill(std::span<double> column, std::uint64_t first, unsigned base,
+          std::span<const double> rows, double zeros) {
+  if (rows.empty() || column.empty()) return std::fill(column.begin(), column.end(), zeros);
+  const auto others = column.last((first % base + column.size() - 1) / base + 1);
+  fill(others, first / base, base, rows.subspan(base), zeros);
+  step(column, first % base, rows.first(base), others);
+}
+}  // namespace
+
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
   require_base(base);
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
   require_indices(first, column.size(), last_index);
+  std::size_t used = 1;
+  for (auto n = (first + column.size() - 1) / base; n > 0; n /= base) ++used;
+  const bool paired = base <= 5 && column.size() >= 4 * base * base;  // two digits in one step
+  if (paired) used += used % 2;
+  std::vector<double> permutations(used * base);
   Rng rng(mix_bits(seed ^ mix_bits(base)));
-  const unsigned used = std::max(1u, digits_of(first + (column.size() - 1), base));
-  Digits digits{base, std::vector<unsigned>(std::size_t{used} * base)};
-  digits.zeros = double(rng() >> 11) * 0x1p-53;
-  for (auto row = digits.permutations.begin(); row != digits.permutations.end(); row += base) {
-    std::iota(row, row + base, 0u);
-    digits.zeros *= base;
-    const auto of_zero = unsigned(digits.zeros);
-    digits.zeros -= of_zero;
-    std::swap(row[0], row[of_zero]);
+  double zeros = double(rng() >> 11) * 0x1p-53;
+  for (auto row = permutations.begin(); row != permutations.end(); row += base) {
+    std::iota(row, row + base, 0);
+    zeros *= base;
+    std::swap(row[0], row[unsigned(zeros)]);
+    zeros -= unsigned(zeros);
     for (unsigned i = 1; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
   }
-  fill(column, first, digits);
+  if (!paired) return fill(column, first, base, permutations, zeros);
+  std::vector<double> pairs(used / 2 * base * base);
+  auto pair = pairs.begin();
+  for (auto row = permutations.begin(); row != permutations.end(); row += 2 * base) {
+    for (unsigned high = 0; high < base; ++high) {
+      for (unsigned low = 0; low < base; ++low) *pair++ = row[low] * base + row[base + high];
+    }
+  }
+  fill(column, first, base * base, pairs, zeros);
 }
 
 }  // namespace mc
