@@ -200,7 +200,13 @@ void uniforms(Rng& rng, std::span<double> out) {
       }
     }
   }
-  for (; i < out.size(); ++i) out[i] = to_unit(rng());
+  // Few, or the rest: all words first, then all doubles. Either loop fills vector registers, since
+  // the generator is a counter, whose values may be mixed side by side.
+  std::uint64_t words[8 * lanes];
+  double* const rest = out.data() + i;
+  const std::size_t count = out.size() - i;
+  for (std::size_t k = 0; k < count; ++k) words[k] = rng();
+  for (std::size_t k = 0; k < count; ++k) rest[k] = to_unit_by_mantissa(words[k]);
 }
 
 }  // namespace mc
