@@ -140,21 +140,30 @@ namespace {
 /// Whole numbers drawn at random, several from one word (Brackett-Rozinsky, Lemire 2024, "Batched
 /// ranged random integer generation"): word · n = number · 2^64 + rest, and the rest is a random
 /// word again, with log2(n) bits less. A word gives numbers as long as their n multiply to 2^24 at
-/// most: then 40 bits are left, and no probability is wrong by more than a factor of 1 ± 2^-40.
+/// most: 40 bits are left then, so no probability is wrong by a factor beyond 1 ± 2^-40.
 class Choices {
  public:
   explicit Choices(Rng& rng) : rng_(rng) {}
 
   /// One of 0 … n-1.
   std::size_t below(std::size_t n) {
+    if (n > most_used) return split(rng_(), n).number;
     used_ *= n;
     if (used_ > most_used) word_ = rng_(), used_ = n;
-    const auto product = static_cast<unsigned __int128>(word_) * n;
-    word_ = static_cast<std::uint64_t>(product);
-    return static_cast<std::size_t>(product >> 64);
+    const auto [number, rest] = split(word_, static_cast<std::uint32_t>(n));
+    word_ = rest;
+    return number;
   }
 
  private:
+  struct Product {
+    std::uint64_t number, rest;
+  };
+  static Product split(std::uint64_t word, std::uint64_t n) {
+    const auto product = static_cast<unsigned __int128>(word) * n;
+    return {static_cast<std::uint64_t>(product >> 64), static_cast<std::uint64_t>(product)};
+  }
+
   static constexpr std::uint64_t most_used = 1 << 24;
   Rng& rng_;
   std::uint64_t word_ = 0, used_ = most_used;  // no word yet
@@ -251,7 +260,7 @@ void permute_twice(std::span<double> order, Rng& rng) {
   const auto once = order.first(order.size() / 2);
   std::iota(once.begin(), once.end(), 0.0);
   shuffle(once, rng);
-  std::copy(once.begin(), once.end(), order.subspan(once.size()).begin());
+  for (std::size_t i = 0; i < once.size(); ++i) order[once.size() + i] = once[i];
 }
 
 }  // namespace
