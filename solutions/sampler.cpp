@@ -44,16 +44,24 @@ void independent2(const Use&, std::span<double> x, std::span<double> y, Rng& rng
 
 // 6.2 ---------------------------------------------------------------------------------------------
 
+constexpr std::size_t few = 4096;  // samples whose columns stay in a cache
+
 void stratified1(const Use&, std::span<double> x, Rng& rng) {
   stratified_1d(x, rng);
   shuffle(x, rng);
 }
 
-/// 6.8 Puts points into random order, x and y together, as shuffle() does with one column (3.4): a
-/// random word gives several choices, up to a product of 2^24.
+/// 6.8 Puts points into random order, x and y together. Of few points a random word chooses several
+/// (as in 3.4), which move both coordinates. Many points are swapped column by column.
 void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
+  if (x.size() > few) {
+    Rng again = rng;
+    shuffle(x, rng);
+    shuffle(y, again);  // the same numbers, so the same order: pairs stay together
+    return;
+  }
   double *const xs = x.data(), *const ys = y.data();
-  constexpr std::uint64_t most_used = 1 << 24;
+  constexpr std::uint64_t most_used = 1 << 24;  // of a word: what its choices multiply to
   std::uint64_t word = 0, used = most_used;
   for (std::size_t n = x.size(); n > 1; --n) {
     used *= n;
@@ -88,9 +96,8 @@ using Randomised = void(std::size_t dimension, std::span<double> x, std::uint64_
 // so short columns are kept as they are before they are scrambled.
 template <auto fill>
 void fill_or_copy(std::size_t dimension, std::span<double> x, Tables& tables) {
-  constexpr std::size_t most_kept = 4096;
   std::vector<double>& kept = tables[dimension];
-  if (x.size() > most_kept) return fill(dimension, x);
+  if (x.size() > few) return fill(dimension, x);
   if (kept.size() < x.size()) {
     kept.resize(x.size());
     fill(dimension, kept);

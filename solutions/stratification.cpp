@@ -170,8 +170,16 @@ class Choices {
 };
 
 /// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
-/// last, which of the others before it, and so on.
+/// last, which of the others before it, and so on. Where things are too many for a cache, choices
+/// are made ahead of the swaps, so that a processor fetches many things at a time.
 void shuffle_by(auto swap, std::size_t n, Rng& rng) {
+  constexpr std::size_t in_cache = 1 << 16;
+  std::array<std::size_t, 64> ahead;
+  while (n > in_cache) {
+    Choices any(rng);
+    for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] = any.below(n - k);
+    for (const std::size_t last : ahead) swap(--n, last);
+  }
   for (Choices any(rng); n > 1; --n) swap(n - 1, any.below(n));
 }
 
@@ -255,6 +263,20 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 namespace {
 
+/// Room for some values: on the stack where they are few, since few points cost no more than asking
+/// for a piece of memory does.
+template <class T>
+class Memory {
+ public:
+  explicit Memory(std::size_t size) : many_(size > few_.size() ? size : 0), size_(size) {}
+  std::span<T> values() { return many_.empty() ? std::span(few_).first(size_) : std::span(many_); }
+
+ private:
+  std::array<T, 128> few_;
+  std::vector<T> many_;
+  std::size_t size_;
+};
+
 /// A random permutation of 0 … n-1, twice, so that it may begin at any of its first n entries.
 void permute_twice(std::span<double> order, Rng& rng) {
   const auto once = order.first(order.size() / 2);
@@ -268,28 +290,27 @@ void permute_twice(std::span<double> order, Rng& rng) {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
   const std::size_t nx = grid.nx, ny = grid.ny;
-  std::array<double, 256> few;  // of few points: asking for memory would cost as much as they do
-  std::vector<double> many(2 * (nx + ny) > few.size() ? 2 * (nx + ny) : 0);
-  const std::span<double> memory = many.empty() ? std::span<double>(few) : many;
-  const auto in_column = memory.first(2 * ny), in_row = memory.subspan(2 * ny, 2 * nx);
+  Memory<double> permutations(2 * ny + 2 * nx);
+  const auto in_column = permutations.values().first(2 * ny);
+  const auto in_row = permutations.values().last(2 * nx);
   permute_twice(in_column, rng);
   permute_twice(in_row, rng);
+  Memory<std::size_t> row_begins(ny);
+  Choices any(rng);
+  for (std::size_t& begin : row_begins.values()) begin = any.below(nx);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
-  Choices any(rng);
-  for (std::size_t i = 0; i < nx; ++i) {  // the points of column i of cells stand side by side
+  const std::size_t* const begins = row_begins.values().data();
+  for (std::size_t i = 0; i < nx; ++i) {  // column by column of cells
+    double *const column_x = x.data() + i * ny, *const column_y = y.data() + i * ny;
     const double* const stratum = in_column.data() + any.below(ny);
     const auto first = static_cast<double>(i * ny);
-    double* const column = x.data() + i * ny;
-    for (std::size_t j = 0; j < ny; ++j) column[j] = all.place(first + stratum[j], column[j]);
-  }
-  for (std::size_t j = 0; j < ny; ++j) {  // those of row j, ny apart
-    const double* const stratum = in_row.data() + any.below(nx);
-    const auto first = static_cast<double>(j * nx);
-    double* const row = y.data() + j;
-    for (std::size_t i = 0; i < nx; ++i) {
-      row[i * ny] = all.place(first + stratum[i], row[i * ny]);
+    for (std::size_t j = 0; j < ny; ++j) column_x[j] = all.place(first + stratum[j], column_x[j]);
+    const double* const in_rows = in_row.data() + i;
+    for (std::size_t j = 0; j < ny; ++j) {
+      const auto row = static_cast<double>(static_cast<std::int64_t>(j * nx));
+      column_y[j] = all.place(row + in_rows[begins[j]], column_y[j]);
     }
   }
 }
