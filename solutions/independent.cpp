@@ -200,7 +200,14 @@ void uniforms(Rng& rng, std::span<double> out) {
       }
     }
   }
-  for (; i < out.size(); ++i) out[i] = to_unit(rng());
+  // Few numbers, or the last: all words first, then all doubles, so that vector registers can do
+  // both. The generator is a counter: its words do not wait for each other, and a product of 64
+  // bits is made of three of 32, which costs few numbers less than lanes would.
+  std::uint64_t words[8 * lanes];
+  double* const rest = out.data() + i;
+  const std::size_t count = out.size() - i;
+  for (std::size_t k = 0; k < count; ++k) words[k] = rng();
+  for (std::size_t k = 0; k < count; ++k) rest[k] = to_unit_by_mantissa(words[k]);
 }
 
 }  // namespace mc

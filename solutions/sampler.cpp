@@ -23,7 +23,7 @@ using Tables = std::array<std::vector<double>, 8>;
 struct Use {
   std::size_t number;     ///< how many of its sort were before it, next() and next2() counted apart
   std::size_t dimension;  ///< of a sequence: the one that it gets, or the first of two (6.3)
-  Rng order;              ///< for the random order of the block of dimensions they belong to (6.3)
+  const Rng& order;       ///< for the random order of the block of dimensions they belong to (6.3)
   Tables& tables;
 };
 
@@ -44,15 +44,39 @@ void independent2(const Use&, std::span<double> x, std::span<double> y, Rng& rng
 
 // 6.2 ---------------------------------------------------------------------------------------------
 
+constexpr std::size_t few = 4096;  // samples whose columns stay in a cache
+
 void stratified1(const Use&, std::span<double> x, Rng& rng) {
   stratified_1d(x, rng);
   shuffle(x, rng);
 }
+
+/// 6.8 Puts points into random order, x and y together. Of few points a random word chooses several
+/// (as in 3.4), which move both coordinates. Many points are swapped column by column.
+void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
+  if (x.size() > few) {
+    Rng again = rng;
+    shuffle(x, rng);
+    shuffle(y, again);  // the same numbers, so the same order: pairs stay together
+    return;
+  }
+  double *const xs = x.data(), *const ys = y.data();
+  constexpr std::uint64_t most_used = 1 << 24;  // of a word: what its choices multiply to
+  std::uint64_t word = 0, used = most_used;
+  for (std::size_t n = x.size(); n > 1; --n) {
+    used *= n;
+    if (used > most_used) word = rng(), used = n;
+    const auto product = static_cast<unsigned __int128>(word) * static_cast<std::uint32_t>(n);
+    const auto any = static_cast<std::size_t>(product >> 64);  // one of the first n
+    word = static_cast<std::uint64_t>(product);
+    std::swap(xs[n - 1], xs[any]);
+    std::swap(ys[n - 1], ys[any]);
+  }
+}
+
 void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
-  Rng again = rng;
-  shuffle(x, rng);
-  shuffle(y, again);  // the same numbers, so the same order: pairs stay together
+  shuffle_points(x, y, rng);
 }
 
 // 6.3 ---------------------------------------------------------------------------------------------
@@ -72,9 +96,8 @@ using Randomised = void(std::size_t dimension, std::span<double> x, std::uint64_
 // so short columns are kept as they are before they are scrambled.
 template <auto fill>
 void fill_or_copy(std::size_t dimension, std::span<double> x, Tables& tables) {
-  constexpr std::size_t most_kept = 4096;
   std::vector<double>& kept = tables[dimension];
-  if (x.size() > most_kept) return fill(dimension, x);
+  if (x.size() > few) return fill(dimension, x);
   if (kept.size() < x.size()) {
     kept.resize(x.size());
     fill(dimension, kept);
@@ -102,8 +125,9 @@ void fill_halton(std::size_t dimension, std::span<double> x, std::uint64_t seed,
 template <Randomised fill>
 void fill_in_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
   fill(dimension % block, x, rng(), use.tables);
+  if (dimension < block) return;
   Rng order = use.order;  // a copy: the same numbers for the whole block
-  if (dimension >= block) shuffle(x, order);
+  shuffle(x, order);
 }
 template <Randomised fill>
 void one_of(const Use& use, std::span<double> x, Rng& rng) {
@@ -151,13 +175,13 @@ class ColumnSampler final : public Sampler {
 
   double next() override {
     if (next_ == ready_) return first_next();
-    return ones_[next_++][sample_];
+    return ones_.data()[next_++].data()[sample_];
   }
 
   Point2 next2() override {
     if (next2_ == ready2_) return first_next2();
-    const Pair& pair = twos_[next2_++];
-    return {pair.x[sample_], pair.y[sample_]};
+    const Pair& pair = twos_.data()[next2_++];
+    return {pair.x.data()[sample_], pair.y.data()[sample_]};
   }
 
   void advance() override {

@@ -137,26 +137,57 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 
 namespace {
 
-/// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
-/// last, which of the others before it, and so on. The definition would draw each number by
-/// std::uniform_int_distribution. The integer part of u n, u uniform in [0,1) by 53 bits, is as
-/// good to 2^-53 and comes many at a time; it is below n, since u n is, rounded or not.
-void shuffle_by(auto swap, std::size_t n, Rng& rng) {
-  std::array<double, 256> any;
-  while (n > 1) {
-    const auto block = std::span(any).first(std::min(any.size(), n - 1));
-    uniforms(rng, block);
-    for (const double u : block) {
-      const auto last = static_cast<std::int64_t>(u * static_cast<double>(n));
-      swap(--n, static_cast<std::size_t>(last));
-    }
+/// Whole numbers drawn at random, several from one word (Brackett-Rozinsky, Lemire 2024, "Batched
+/// ranged random integer generation"): word · n = number · 2^64 + rest, and the rest is a random
+/// word again, with log2(n) bits less. A word gives numbers as long as their n multiply to 2^24 at
+/// most: 40 bits are left then, so no probability is wrong by a factor beyond 1 ± 2^-40.
+class Choices {
+ public:
+  explicit Choices(Rng& rng) : rng_(rng) {}
+
+  /// One of 0 … n-1.
+  std::size_t below(std::size_t n) {
+    if (n > most_used) return split(rng_(), n).number;
+    used_ *= n;
+    if (used_ > most_used) word_ = rng_(), used_ = n;
+    const auto [number, rest] = split(word_, static_cast<std::uint32_t>(n));
+    word_ = rest;
+    return number;
   }
+
+ private:
+  struct Product {
+    std::uint64_t number, rest;
+  };
+  static Product split(std::uint64_t word, std::uint64_t n) {
+    const auto product = static_cast<unsigned __int128>(word) * n;
+    return {static_cast<std::uint64_t>(product >> 64), static_cast<std::uint64_t>(product)};
+  }
+
+  static constexpr std::uint64_t most_used = 1 << 24;
+  Rng& rng_;
+  std::uint64_t word_ = 0, used_ = most_used;  // no word yet
+};
+
+/// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
+/// last, which of the others before it, and so on. Where things are too many for a cache, choices
+/// are made ahead of the swaps, so that a processor fetches many things at a time.
+void shuffle_by(auto swap, std::size_t n, Rng& rng) {
+  constexpr std::size_t in_cache = 1 << 16;
+  std::array<std::size_t, 64> ahead;
+  while (n > in_cache) {
+    Choices any(rng);
+    for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] = any.below(n - k);
+    for (const std::size_t last : ahead) swap(--n, last);
+  }
+  for (Choices any(rng); n > 1; --n) swap(n - 1, any.below(n));
 }
 
 }  // namespace
 
-void shuffle(std::span<double> x, Rng& rng) {
-  shuffle_by([&](std::size_t i, std::size_t j) { std::swap(x[i], x[j]); }, x.size(), rng);
+void shuffle(std::span<double> values, Rng& rng) {
+  double* const x = values.data();  // a span's index may be checked, one by one
+  shuffle_by([x](std::size_t i, std::size_t j) { std::swap(x[i], x[j]); }, values.size(), rng);
 }
 
 void stratified(PointSet& points, Rng& rng) {
@@ -232,49 +263,54 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 namespace {
 
+/// Room for some values: on the stack where they are few, since few points cost no more than asking
+/// for a piece of memory does.
+template <class T>
+class Memory {
+ public:
+  explicit Memory(std::size_t size) : many_(size > few_.size() ? size : 0), size_(size) {}
+  std::span<T> values() { return many_.empty() ? std::span(few_).first(size_) : std::span(many_); }
+
+ private:
+  std::array<T, 128> few_;
+  std::vector<T> many_;
+  std::size_t size_;
+};
+
 /// A random permutation of 0 … n-1, twice, so that it may begin at any of its first n entries.
 void permute_twice(std::span<double> order, Rng& rng) {
   const auto once = order.first(order.size() / 2);
   std::iota(once.begin(), once.end(), 0.0);
   shuffle(once, rng);
-  std::copy(once.begin(), once.end(), order.subspan(once.size()).begin());
-}
-
-/// Each one of 0 … n-1.
-void choose(std::span<double> any, std::size_t n, Rng& rng) {
-  uniforms(rng, any);
-  for (double& u : any) u = std::floor(u * static_cast<double>(n));
+  for (std::size_t i = 0; i < once.size(); ++i) order[once.size() + i] = once[i];
 }
 
 }  // namespace
 
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
-  // All that is remembered of columns and rows stands in one piece of memory: with few points, six
-  // pieces would cost more than the points do.
-  std::vector<double> memory(3 * (grid.nx + grid.ny));
-  const auto in_column = std::span(memory).first(2 * grid.ny);
-  const auto in_row = std::span(memory).subspan(in_column.size(), 2 * grid.nx);
-  const auto column_begins = std::span(memory).last(grid.nx);
-  const auto row_begins = std::span(memory).last(grid.nx + grid.ny).first(grid.ny);
+  const std::size_t nx = grid.nx, ny = grid.ny;
+  Memory<double> permutations(2 * ny + 2 * nx);
+  const auto in_column = permutations.values().first(2 * ny);
+  const auto in_row = permutations.values().last(2 * nx);
   permute_twice(in_column, rng);
   permute_twice(in_row, rng);
-  choose(column_begins, grid.ny, rng);
-  choose(row_begins, grid.nx, rng);
+  Memory<std::size_t> row_begins(ny);
+  Choices any(rng);
+  for (std::size_t& begin : row_begins.values()) begin = any.below(nx);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
-  for (std::size_t i = 0; i < grid.nx; ++i) {  // column by column of cells
-    const auto column_x = x.subspan(i * grid.ny, grid.ny);
-    const auto column_y = y.subspan(i * grid.ny, grid.ny);
-    const double* const stratum = in_column.data() + static_cast<std::size_t>(column_begins[i]);
-    const auto first = static_cast<double>(i * grid.ny);
-    for (std::size_t j = 0; j < grid.ny; ++j) {
-      column_x[j] = all.place(first + stratum[j], column_x[j]);
-    }
-    for (std::size_t j = 0; j < grid.ny; ++j) {
-      const double in_its_row = in_row[static_cast<std::size_t>(row_begins[j]) + i];
-      column_y[j] = all.place(static_cast<double>(j * grid.nx) + in_its_row, column_y[j]);
+  const std::size_t* const begins = row_begins.values().data();
+  for (std::size_t i = 0; i < nx; ++i) {  // column by column of cells
+    double *const column_x = x.data() + i * ny, *const column_y = y.data() + i * ny;
+    const double* const stratum = in_column.data() + any.below(ny);
+    const auto first = static_cast<double>(i * ny);
+    for (std::size_t j = 0; j < ny; ++j) column_x[j] = all.place(first + stratum[j], column_x[j]);
+    const double* const in_rows = in_row.data() + i;
+    for (std::size_t j = 0; j < ny; ++j) {
+      const auto row = static_cast<double>(static_cast<std::int64_t>(j * nx));
+      column_y[j] = all.place(row + in_rows[begins[j]], column_y[j]);
     }
   }
 }
