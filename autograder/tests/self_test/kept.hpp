@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "grader/judging/verdict.hpp"
 #include "tests/self_test/proof.hpp"
@@ -16,18 +17,21 @@ class Kept {
   /// Another program, or other checks, begin anew.
   explicit Kept(const Proof& proof);
 
-  /// Gives back what was kept, seed by seed (its p-values, in one check); the first seed that is
-  /// still to be judged.
-  std::uint64_t resume(const std::function<void(const grader::LabVerdict&)>& add) const;
+  /// Is told the p-values of a seed that was kept.
+  using Add = std::function<void(const std::vector<protocol::PValue>&)>;
 
-  void keep(const grader::LabVerdict& verdict) const;
+  /// Gives back what was kept, seed by seed; the first seed that is still to be judged.
+  std::uint64_t resume(const Add& add) const;
+
+  void keep(const std::vector<protocol::PValue>& p_values) const;
 
  private:
   std::string submission_;
   std::filesystem::path file_;
 };
 
-/// Prints what is kept: for each submission its seeds, for each lab the sum of its alphas.
+/// Prints what is kept: for each submission its seeds, and the sum of its alphas or the p-value by
+/// which it was all but missed.
 void print_power();
 
 }  // namespace mc::self_test

@@ -115,6 +115,17 @@ std::set<std::string> checks_that_wait(const std::vector<grader::Check>& checks,
   return waiting;
 }
 
+/// Of each failed check the test that ended it, if it was a random one; `null` names the check.
+std::vector<protocol::PValue> rejections(const LabVerdict& verdict) {
+  std::vector<protocol::PValue> found;
+  for (const CheckResult& result : verdict.checks) {
+    if (result.status != Status::failed || result.p_values.empty()) continue;
+    const protocol::PValue& last = result.p_values.back();
+    if (last.p <= last.alpha) found.push_back({result.check.name, last.p, last.alpha});
+  }
+  return found;
+}
+
 }  // namespace
 
 void prove_starter(const Proof& proof) {
@@ -160,7 +171,7 @@ void prove_mistake(const Proof& proof, const fs::path& file) {
   compare_limits(file, first);
   std::uint64_t seed = 2;
   const Kept kept(proof);
-  if (seeds > 1) seed = std::max<std::uint64_t>(2, kept.resume([](const LabVerdict&) {}) + 1);
+  if (seeds > 1) seed = std::max<std::uint64_t>(2, kept.resume([](const auto&) {}) + 1);
   LabVerdict shown = first;
   std::uint64_t seed_shown = 1;
   for (; seed <= seeds && !has_complained(); ++seed) {
@@ -171,8 +182,7 @@ void prove_mistake(const Proof& proof, const fs::path& file) {
       shown = verdict;
       seed_shown = seed;
     } else {
-      verdict.checks.clear();  // the p-values of a wrong answer say nothing
-      kept.keep(verdict);
+      kept.keep(rejections(verdict));
     }
   }
   if (!has_complained()) fmt::print("the same fate with {} seeds\n", seeds);
