@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -147,40 +149,29 @@ class Choices {
 
   /// One of 0 … n-1.
   std::size_t below(std::size_t n) {
-    if (n > most_used) return split(rng_(), n).number;
     used_ *= n;
     if (used_ > most_used) word_ = rng_(), used_ = n;
-    const auto [number, rest] = split(word_, static_cast<std::uint32_t>(n));
-    word_ = rest;
-    return number;
+    const auto product = static_cast<unsigned __int128>(word_) * n;
+    word_ = static_cast<std::uint64_t>(product);
+    return static_cast<std::size_t>(product >> 64);
   }
 
  private:
-  struct Product {
-    std::uint64_t number, rest;
-  };
-  static Product split(std::uint64_t word, std::uint64_t n) {
-    const auto product = static_cast<unsigned __int128>(word) * n;
-    return {static_cast<std::uint64_t>(product >> 64), static_cast<std::uint64_t>(product)};
-  }
-
   static constexpr std::uint64_t most_used = 1 << 24;
   Rng& rng_;
   std::uint64_t word_ = 0, used_ = most_used;  // no word yet
 };
 
 /// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
-/// last, which of the others before it, and so on. Where things are too many for a cache, choices
-/// are made ahead of the swaps, so that a processor fetches many things at a time.
+/// last, which of the others before it, and so on. Choices are made ahead of the swaps: where things
+/// are too many for a cache, a processor fetches many of them at a time.
 void shuffle_by(auto swap, std::size_t n, Rng& rng) {
-  constexpr std::size_t in_cache = 1 << 16;
   std::array<std::size_t, 64> ahead;
-  while (n > in_cache) {
-    Choices any(rng);
-    for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] = any.below(n - k);
-    for (const std::size_t last : ahead) swap(--n, last);
+  for (Choices any(rng); n > 1;) {
+    const auto block = std::span(ahead).first(std::min(ahead.size(), n - 1));
+    for (std::size_t k = 0; k < block.size(); ++k) block[k] = any.below(n - k);
+    for (const std::size_t last : block) swap(--n, last);
   }
-  for (Choices any(rng); n > 1; --n) swap(n - 1, any.below(n));
 }
 
 }  // namespace
@@ -263,20 +254,6 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 namespace {
 
-/// Room for some values: on the stack where they are few, since few points cost no more than asking
-/// for a piece of memory does.
-template <class T>
-class Memory {
- public:
-  explicit Memory(std::size_t size) : many_(size > few_.size() ? size : 0), size_(size) {}
-  std::span<T> values() { return many_.empty() ? std::span(few_).first(size_) : std::span(many_); }
-
- private:
-  std::array<T, 128> few_;
-  std::vector<T> many_;
-  std::size_t size_;
-};
-
 /// A random permutation of 0 … n-1, twice, so that it may begin at any of its first n entries.
 void permute_twice(std::span<double> order, Rng& rng) {
   const auto once = order.first(order.size() / 2);
@@ -290,18 +267,19 @@ void permute_twice(std::span<double> order, Rng& rng) {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
   const std::size_t nx = grid.nx, ny = grid.ny;
-  Memory<double> permutations(2 * ny + 2 * nx);
-  const auto in_column = permutations.values().first(2 * ny);
-  const auto in_row = permutations.values().last(2 * nx);
+  // On the stack where they are few: few points cost no more than a piece of memory does.
+  std::array<std::byte, 2048> stack;
+  std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
+  std::pmr::vector<double> in_column(2 * ny, &memory), in_row(2 * nx, &memory);
   permute_twice(in_column, rng);
   permute_twice(in_row, rng);
-  Memory<std::size_t> row_begins(ny);
+  std::pmr::vector<std::size_t> row_begins(ny, &memory);
   Choices any(rng);
-  for (std::size_t& begin : row_begins.values()) begin = any.below(nx);
+  for (std::size_t& begin : row_begins) begin = any.below(nx);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
-  const std::size_t* const begins = row_begins.values().data();
+  const std::size_t* const begins = row_begins.data();
   for (std::size_t i = 0; i < nx; ++i) {  // column by column of cells
     double *const column_x = x.data() + i * ny, *const column_y = y.data() + i * ny;
     const double* const stratum = in_column.data() + any.below(ny);
