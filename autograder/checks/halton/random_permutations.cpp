@@ -88,7 +88,7 @@ TEST_CASE("5.9 permutations are random for every position and seed", "[5.9][poin
   expect_distribution(call + ", of index 0 behind its 20th digit", far_behind, uniform_cdf,
                       {"the digits far behind the last one are permuted", one_alpha}, hints);
   // Neighbouring seeds, as axes and pixels have them.
-  constexpr std::size_t pairs_of_seeds = 6400;
+  constexpr std::size_t pairs_of_seeds = 12800;
   std::vector<std::uint64_t> row(2 * pairs_of_seeds);
   std::iota(row.begin(), row.end(), rng() >> 1);
   const auto neighbours = MEASURE(radical_inverses_scrambled, 5, 7, 1, row);
