@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
 namespace mc {
 namespace {
-constexpr double below_one = 1 - 0x1p-53;  // the largest double that is
 constexpr std::uint64_t last_index = ~std::uint64_t{0};
 
 void require_base(unsigned base) {
@@ -39,7 +37,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
   // The last digit first, behind it the inverse of the others: small terms are added first, each
   // division divides the errors before it: 2 * 2^-53 are left. In base 2, 54 ones would round to 1.
   const double others = radical_inverse(base, index / base);
-  return std::min(below_one, (double(index % base) + others) / base);
+  return std::min(1 - 0x1p-53, (double(index % base) + others) / base);
 }
 
 // 5.2 --------------------------------------------------------------------------------------------
@@ -122,11 +120,7 @@ void hammersley(PointSet& points) {
 }
 
 // 5.5 --------------------------------------------------------------------------------------------
-namespace {
-constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
-constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
-
+namespace definition {
 using Directions = std::array<std::uint32_t, 32>;
 
 /// Number k is what bit k of the index contributes (Bratley, Fox 1988, "Algorithm 659", eq. 2, 3).
@@ -151,17 +145,31 @@ constexpr std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
   return word;
 }
 
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  const Directions v = directions_of(joe_kuo[dimension]);
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = sobol_word(v, first + i) * 0x1p-32;
+}
+}  // namespace definition
+
+// As in 5.2, the last 8 bits go through one table in every block, and the bits above bring one word
+// to a whole block. A double in [1, 2) *is* a word: the exponent of 1, then the 32 bits of the
+// coordinate, then 20 zeros. A load, an XOR, the subtraction of 1 and a store are left for a value.
+
+namespace {
+constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
+constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
+
 struct SobolTable {
-  Directions v, steps;                   ///< steps: v_8 ^ … ^ v_(8+t), and 0 behind the end
+  definition::Directions v;
   std::array<std::uint64_t, 256> words;  ///< of the first indices, with the exponent of 1
 };
 
 constexpr auto sobol_tables = [] {
   std::array<SobolTable, joe_kuo.size()> all{};
   for (std::size_t d = 0; d < all.size(); ++d) {
-    auto& [v, steps, words] = all[d];
-    v = directions_of(joe_kuo[d]);
-    std::partial_sum(v.begin() + 8, v.end(), steps.begin(), std::bit_xor{});
+    auto& [v, words] = all[d];
+    v = definition::directions_of(joe_kuo[d]);
     words[0] = bits(1);
     for (std::size_t i = 1; i < words.size(); ++i) {
       words[i] = words[i & (i - 1)] ^ wide(v[std::size_t(std::countr_zero(i))]);  // its lowest bit
@@ -171,29 +179,17 @@ constexpr auto sobol_tables = [] {
 }();
 }  // namespace
 
-namespace definition {
-void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
-  const Directions v = directions_of(joe_kuo[dimension]);
-  for (std::size_t i = 0; i < column.size(); ++i) column[i] = sobol_word(v, first + i) * 0x1p-32;
-}
-}  // namespace definition
-
-// As in 5.2, the last 8 bits go through one table in every block, and the bits above bring one word
-// to a whole block. From block n - 1 to n, which ends in t zeros, that word changes by v_8 ^ … ^
-// v_(8+t). A double in [1, 2) *is* a word: the exponent of 1, then the 32 bits of the coordinate,
-// then 20 zeros. A load, an XOR, the subtraction of 1 and a store are left for a value.
-
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   if (dimension >= joe_kuo.size()) throw std::invalid_argument("dimension: there are only 32");
   require_indices(first, column.size(), 0xffffffffu);
-  const auto& [v, steps, words] = sobol_tables[dimension];
-  std::uint64_t n = first / 256, above = wide(sobol_word(v, 256 * n));
-  for (std::size_t skip = first % 256; !column.empty(); skip = 0) {
+  const auto& [v, words] = sobol_tables[dimension];
+  std::uint64_t n = first / 256;
+  for (std::size_t skip = first % 256; !column.empty(); skip = 0, ++n) {
     const auto part = std::span(words).subspan(skip, std::min(256 - skip, column.size()));
+    const auto above = wide(definition::sobol_word(v, 256 * n));
     const auto value = [=](std::uint64_t word) { return number(word ^ above) - 1; };
     std::transform(part.begin(), part.end(), column.begin(), value);
     column = column.subspan(part.size());
-    above ^= wide(steps[std::size_t(std::countr_zero(++n))]);
   }
 }
 

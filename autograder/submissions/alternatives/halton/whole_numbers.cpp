@@ -37,8 +37,8 @@ std::vector<unsigned> primes(std::size_t count) {
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   if (dimension >= joe_kuo.size()) throw std::invalid_argument("dimension: not in the table");
   require_indices(first, column.size(), 0xffffffffu);
-  const Directions v = directions_of(joe_kuo[dimension]);
-  std::uint32_t word = sobol_word(v, first);
+  const auto v = definition::directions_of(joe_kuo[dimension]);
+  std::uint32_t word = definition::sobol_word(v, first);
   for (std::size_t i = 0; i < column.size(); ++i) {
     column[i] = word * 0x1p-32;
     const std::uint64_t next = first + i + 1;  // the bits that change: the last set one of it, and

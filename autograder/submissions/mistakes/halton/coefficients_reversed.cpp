@@ -18,8 +18,9 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
     reversed |= (given.coefficients >> (j - 1) & 1u) << (given.degree - 1 - j);
   }
   given.coefficients = reversed;
-  const Directions v = directions_of(given);
-  for (std::size_t i = 0; i < column.size(); ++i) column[i] = sobol_word(v, first + i) * 0x1p-32;
+  const auto v = definition::directions_of(given);
+  for (std::size_t i = 0; i < column.size(); ++i)
+    column[i] = definition::sobol_word(v, first + i) * 0x1p-32;
 }
 
 }  // namespace mc

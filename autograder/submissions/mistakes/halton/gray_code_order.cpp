@@ -12,9 +12,9 @@ namespace mc {
 
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   right_sobol(dimension, first, column);
-  const Directions v = directions_of(joe_kuo[dimension]);
+  const auto v = definition::directions_of(joe_kuo[dimension]);
   for (std::size_t i = 0; i < column.size(); ++i) {
-    column[i] = sobol_word(v, (first + i) ^ (first + i) >> 1) * 0x1p-32;
+    column[i] = definition::sobol_word(v, (first + i) ^ (first + i) >> 1) * 0x1p-32;
   }
 }
 
