@@ -11,6 +11,7 @@
 
 namespace mc {
 namespace {
+constexpr double below_one = 1 - 0x1p-53;  // the largest double that is
 constexpr std::uint64_t last_index = ~std::uint64_t{0};
 
 void require_base(unsigned base) {
@@ -37,7 +38,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
   // The last digit first, behind it the inverse of the others: small terms are added first, each
   // division divides the errors before it: 2 * 2^-53 are left. In base 2, 54 ones would round to 1.
   const double others = radical_inverse(base, index / base);
-  return std::min(1 - 0x1p-53, (double(index % base) + others) / base);
+  return std::min(below_one, (double(index % base) + others) / base);
 }
 
 // 5.2 --------------------------------------------------------------------------------------------
