@@ -66,7 +66,7 @@ void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
   for (std::size_t n = x.size(); n > 1; --n) {
     used *= n;
     if (used > most_used) word = rng(), used = n;
-    const auto product = static_cast<unsigned __int128>(word) * static_cast<std::uint32_t>(n);
+    const auto product = static_cast<unsigned __int128>(word) * n;
     const auto any = static_cast<std::size_t>(product >> 64);  // one of the first n
     word = static_cast<std::uint64_t>(product);
     std::swap(xs[n - 1], xs[any]);
@@ -156,10 +156,11 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 
 // 6.8 What a number costs: a column is made whole when its use is first asked for, by the
 // vectorised loops of labs 2 to 5. After that a number costs its virtual call, one comparison and
-// two loads: `ready_` says how many uses there are columns for, and that it is none where there is
-// no sample, so that both questions are one. What happens rarely stands in functions of its own, or
-// the compiler would have next() save registers for it in every call. Columns keep their memory
-// from one integration to the next: a picture has one for each pixel.
+// two loads, by data(), since an index of a vector may be checked each time: `ready_` says how many
+// uses there are columns for, and that it is none where there is no sample, so that both questions
+// are one. What happens rarely stands in functions of its own, or the compiler would have next()
+// save registers for it in every call. Columns keep their memory from one integration to the next:
+// a picture has one for each pixel.
 
 class ColumnSampler final : public Sampler {
  public:

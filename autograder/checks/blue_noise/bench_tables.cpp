@@ -39,16 +39,11 @@ void write_power(const std::string& row, double power, double error = nan) {
   bench_table({"low frequencies, N = 256", row, "power", 0, power, error});
 }
 
-/// 1 - sinc(kx / side)^2 sinc(ky / side)^2 at each k (the handout's 4.4).
 Spectrum jittered_spectrum(int side) {
   Spectrum spectrum{low_kmax, {}};
-  const auto sinc = [&](int k) {
-    const double angle = std::numbers::pi * k / side;
-    return k == 0 ? 1 : std::sin(angle) / angle;
-  };
   for (int ky = -low_kmax; ky <= low_kmax; ++ky) {
     for (int kx = -low_kmax; kx <= low_kmax; ++kx) {
-      spectrum.power.push_back(1 - std::pow(sinc(kx) * sinc(ky), 2));
+      spectrum.power.push_back(jittered_power(kx, ky, side));
     }
   }
   return spectrum;

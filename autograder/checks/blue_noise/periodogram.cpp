@@ -177,14 +177,9 @@ TEST_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
   }
   const auto measured = MEASURE(periodogram, jittered.x, jittered.y, sets, kmax);
   const Values& got = measured.exactly(sets * values_of(kmax), non_negative);
-  const auto sinc = [](int k) {
-    const double turn = std::numbers::pi * k / side;
-    return k == 0 ? 1 : std::sin(turn) / turn;
-  };
-  // A cell's mean wave has the size sinc sinc; what cells have in common cancels, each cell's own
-  // remainder does not. Sums of 64 independent terms are nearly Gaussian, so the power is nearly
-  // exponential: amplitudes sqrt(P) have mean square E{P} and kurtosis E{P^2} / E{P}^2 = 2, less
-  // something below 1/64 / E{P}^2, which makes the test a little stricter on itself.
+  // Sums of 64 independent terms are nearly Gaussian, so the power is nearly exponential: amplitudes
+  // sqrt(P) have mean square E{P} and kurtosis E{P^2} / E{P}^2 = 2, less something below
+  // 1/64 / E{P}^2, which makes the test a little stricter on itself.
   for (const auto& [kx, ky] :
        {std::pair{3, 2}, std::pair{1, 5}, std::pair{-6, 4}, std::pair{0, 8}}) {
     Values amplitudes;
@@ -193,11 +188,10 @@ TEST_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
                       static_cast<std::size_t>((ky + kmax) * (2 * kmax + 1) + kx + kmax);
       amplitudes.push_back(std::sqrt(got[at]));
     }
-    const double mean = 1 - sinc(kx) * sinc(kx) * sinc(ky) * sinc(ky);
     expect_variance({fmt::format("{}: amplitudes at k = ({}, {}) of {} jittered sets",
                                  measured.call, kx, ky, sets),
                      amplitudes, n},
-                    0, mean, 2,
+                    0, jittered_power(kx, ky, side), 2,
                     {"jittered points have 1 - sinc(kx/n)^2 sinc(ky/n)^2 on average", alpha},
                     {{}, "is this the power at this very k, |sum|^2 / N?"});
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,17 @@ inline double mean_power(const Spectrum& spectrum, double low, double high) {
     }
   }
   return sum / count;
+}
+
+/// The power that jittered points, one in each of side x side cells, have on average at k: 1 -
+/// sinc(kx / side)^2 sinc(ky / side)^2. A cell's mean wave has the size sinc sinc; what cells have
+/// in common cancels, each cell's own remainder does not.
+inline double jittered_power(int kx, int ky, int side) {
+  const auto sinc = [&](int k) {
+    const double turn = std::numbers::pi * k / side;
+    return k == 0 ? 1 : std::sin(turn) / turn;
+  };
+  return 1 - std::pow(sinc(kx) * sinc(ky), 2);
 }
 
 /// The mean power over 0 < abs(k) <= sqrt(n)/2: the low band, where blue noise has little.

@@ -59,8 +59,9 @@ std::vector<std::string> listed_verbs(const std::string& help) {
   return verbs;
 }
 
-/// A build was copied along, as by `cp -r` of another checkout: the door's own tests (moved_test.cpp)
-/// have a stub behind it, this is the whole. It is thrown away, so that all is built from nothing.
+/// A build was copied along, as by `cp -r` of another checkout: the door's own tests
+/// (moved_test.cpp) have a stub behind it, this is the whole. It is thrown away, so that all is
+/// built from nothing.
 void works_from_the_first_call_on(const Handout& handout) {
   REQUIRE(handout.written.exit_code == 0);
   const CopiedBuild copied(handout.layout.build, handout.root / "build");

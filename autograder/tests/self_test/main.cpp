@@ -16,7 +16,8 @@
 //                                    // forges: a speed task ("3.9 points"): of a right answer that
 //                                    cheats when it is timed, and may include solutions/. Then the
 //                                    speed line says what `says:` says, and shows no figure.
-//                                    whatever is shown is mc::sandbox::printable and in lines that fit
+//                                    whatever is shown is mc::sandbox::printable, in lines that
+//                                    fit
 //   …/peers/library/x.cpp            // peer: what of the library it is
 //                                    // fails: as "caught by"; of one reason, one after the other
 //                                    // because: why the library does not do what the lab asks for

@@ -85,8 +85,8 @@ void judge_mistake(const fs::path& file, const LabVerdict& verdict,
 }
 
 /// The checks whose outcome says nothing of a mistake that fails these: each of them needs a task
-/// that fails, so it passes or waits, and either is right. Not those of a task that a check which is
-/// judged needs in turn: whether that one waits is to be seen.
+/// that fails, so it passes or waits, and either is right. Not those of a task that a judged check
+/// needs in turn: whether that check waits is to be seen.
 std::set<std::string> checks_that_wait(const std::vector<grader::Check>& checks,
                                        const std::vector<std::string>& named) {
   std::set<std::string> at_fault, waiting;
