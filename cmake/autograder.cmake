@@ -15,37 +15,40 @@ file(GLOB sources CONFIGURE_DEPENDS autograder/protocol/*.cpp)
 add_library(protocol STATIC ${sources} labs/runner/text.cpp)
 own_target(protocol)
 
-# Checks: what every lab's share, then two programs a lab: what judges, and what measures for plots
-# and bench, which nobody waits for.
+# Two programs per lab: checks_LAB judges and times the speed tasks, measure_LAB measures for plots,
+# benchmark and demo. A lab without measurements has no measure_LAB.
 file(GLOB sources CONFIGURE_DEPENDS autograder/checks/support/*.cpp)
-set(figures ${sources})
-list(FILTER sources EXCLUDE REGEX "/(bench|plot|integrands)[a-z_]*[.]cpp$")
-list(FILTER figures INCLUDE REGEX "/(bench|plot|integrands)[a-z_]*[.]cpp$")
-add_library(checking STATIC ${sources})
+add_library(checking STATIC ${sources} autograder/measurements/support/speed_data.cpp)
 own_target(checking)
 target_compile_options(checking PRIVATE ${HOT})
 target_link_libraries(checking PUBLIC sandbox protocol Catch2::Catch2WithMain)
-add_library(checking_figures STATIC ${figures})  # integrands are timed: flags as programs have them
-own_target(checking_figures)
-target_compile_options(checking_figures PRIVATE ${PROGRAM_FLAGS})
-target_link_libraries(checking_figures PUBLIC checking)
+file(GLOB sources CONFIGURE_DEPENDS autograder/measurements/support/*.cpp)
+list(FILTER sources EXCLUDE REGEX "/speed_data[.]cpp$")
+add_library(measuring STATIC ${sources})  # integrands are timed: the flags of submissions
+own_target(measuring)
+target_compile_options(measuring PRIVATE ${PROGRAM_FLAGS})
+target_link_libraries(measuring PUBLIC checking)
 add_custom_target(judge_all)  # what grade needs
 foreach(lab ${LABS})
-  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}/*.cpp)
-  set(figures ${sources})
-  list(FILTER sources EXCLUDE REGEX "/(plots|bench|render)[a-z_]*[.]cpp$")
-  list(FILTER figures INCLUDE REGEX "/(plots|bench|render)[a-z_]*[.]cpp$")
+  set(programs checks_${lab})
+  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}/*.cpp
+    autograder/measurements/${lab}/speed.cpp)
   add_executable(checks_${lab} ${sources})
-  add_executable(figures_${lab} ${figures})
-  foreach(target checks_${lab} figures_${lab})
+  target_link_libraries(checks_${lab} PRIVATE checking)
+  file(GLOB sources CONFIGURE_DEPENDS autograder/measurements/${lab}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/speed[.]cpp$")
+  if(sources)
+    list(APPEND programs measure_${lab})
+    add_executable(measure_${lab} ${sources})
+    target_link_libraries(measure_${lab} PRIVATE measuring)
+  endif()
+  foreach(target ${programs})
     own_target(${target})
     target_compile_options(${target} PRIVATE ${HOT})
     target_include_directories(${target} PRIVATE ${LAB_INCLUDES})
     add_dependencies(judge_all ${target})
     add_dependencies(${target} experiments_${lab} runner)  # what it asks for, it asks of a program
   endforeach()
-  target_link_libraries(checks_${lab} PRIVATE checking)
-  target_link_libraries(figures_${lab} PRIVATE checking_figures)
 endforeach()
 
 # The grader: programs that share their verbs. What judges (a student waits for it), the gradebook,

@@ -7,7 +7,7 @@ own_target(grader_tests)
 in_parts(grader_tests 12)
 # Boost's headers take as much memory as all others of a part.
 set_source_files_properties(autograder/tests/boost_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-target_link_libraries(grader_tests PRIVATE grading working recording pages drawing benching checking_figures)
+target_link_libraries(grader_tests PRIVATE grading working recording pages drawing benching measuring)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
 # The solutions, as programs have them: their faster ways are compared with their definitions.

@@ -212,7 +212,8 @@ class BenchRun {
   bool has_cases(const Lab& lab, const std::string& kind) {
     const auto [found, is_new] = has_cases_.try_emplace({lab.name, kind}, false);
     if (is_new) {
-      found->second = !hidden_cases(context_.layout, lab, CaseKind::figures, tag_of(kind)).empty();
+      found->second =
+          !hidden_cases(context_.layout, lab, CaseKind::measurements, tag_of(kind)).empty();
     }
     return found->second;
   }
@@ -222,8 +223,8 @@ class BenchRun {
     if (stop) return;
     progress_.begin(name_of(one));
     const auto start = Clock::now();
-    run_hidden_cases(context_.layout, one.entrant->lab, CaseKind::figures, one.entrant->program,
-                     tag_of(one.kind),
+    run_hidden_cases(context_.layout, one.entrant->lab, CaseKind::measurements,
+                     one.entrant->program, tag_of(one.kind),
                      {.environment = {{protocol::rows_variable, one.rows.string()}},
                       .wall_seconds = 300,
                       .stop = &stop});

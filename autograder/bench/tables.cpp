@@ -1,4 +1,4 @@
-// Small tables, as the labs' cases say them (checks/support/bench_data.hpp, bench_table).
+// Small tables, as the labs' cases say them (measurements/support/bench_data.hpp, bench_table).
 
 #include <algorithm>
 #include <cmath>

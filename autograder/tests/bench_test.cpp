@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "checks/support/bench_data.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/integrands.hpp"
 #include "grader/context/text_file.hpp"
+#include "measurements/support/bench_data.hpp"
+#include "measurements/support/integrands.hpp"
 
 namespace mc::grader {
 namespace {

@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "checks/support/catch.hpp"
-#include "checks/support/plot_demo.hpp"
 #include "grader/context/layout.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/reports/html.hpp"
+#include "measurements/support/demo.hpp"
 #include "sandbox/process.hpp"
 #include "tests/browser.hpp"
 #include "tests/submissions.hpp"

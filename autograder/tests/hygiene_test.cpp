@@ -70,7 +70,7 @@ TEST_CASE("300 submissions under 64 descriptors", "[.descriptors]") {
 
 TEST_CASE("plots under 64 descriptors") {
   const Labs labs;
-  if (!std::filesystem::exists(labs.layout.figures(labs.lab.name))) return;  // it is not built
+  if (!std::filesystem::exists(labs.layout.measurements(labs.lab.name))) return;  // it is not built
   const Scratch place;
   const FewDescriptors few(64);
   const std::size_t before = open_descriptors();
@@ -82,7 +82,7 @@ TEST_CASE("plots under 64 descriptors") {
 
 TEST_CASE("a plot draws what there is, and says in its place what is missing") {
   const Labs labs;
-  if (!std::filesystem::exists(labs.layout.figures(labs.lab.name))) return;  // it is not built
+  if (!std::filesystem::exists(labs.layout.measurements(labs.lab.name))) return;  // it is not built
   const Scratch place;
   const auto drawn = [&](const std::string& text, const char* label) {
     Submission submission = labs.submission(place, 0);

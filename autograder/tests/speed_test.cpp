@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
-#include "checks/support/speed_data.hpp"
 #include "grader/context/labs.hpp"
 #include "grader/context/layout.hpp"
 #include "grader/judging/judge.hpp"
@@ -14,6 +13,7 @@
 #include "grader/reports/report.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"
+#include "measurements/support/speed_data.hpp"
 
 namespace mc::grader {
 namespace {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "checks/support/exact.hpp"
-#include "checks/support/plot_data.hpp"
 
 namespace mc::checks {
 namespace {

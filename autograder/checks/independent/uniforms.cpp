@@ -9,7 +9,6 @@
 
 #include "checks/independent/traces.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/plot_data.hpp"
 #include "checks/support/statistics.hpp"
 
 namespace mc::checks {

@@ -34,6 +34,12 @@
 #define MEASURE_OUTCOME(experiment, ...)                                   \
   ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::outcome( \
       #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
+/// A measurement that may be missing: empty where the task is not written, or fails. Of a plot, the
+/// reason is written beside its data (measurements/support/plot_data.hpp).
+#define TRY_MEASURE(experiment, ...) TRY_MEASURE_WITH({}, experiment __VA_OPT__(, ) __VA_ARGS__)
+#define TRY_MEASURE_WITH(limits, experiment, ...)                               \
+  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value_if_any( \
+      #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
 
 namespace mc::checks {
 

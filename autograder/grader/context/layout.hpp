@@ -29,8 +29,8 @@ struct Layout {
     return build / "bin" / ("checks_" + lab);
   }
   /// The program that measures for the lab's plots and for bench.
-  std::filesystem::path figures(const std::string& lab) const {
-    return build / "bin" / ("figures_" + lab);
+  std::filesystem::path measurements(const std::string& lab) const {
+    return build / "bin" / ("measure_" + lab);
   }
 };
 

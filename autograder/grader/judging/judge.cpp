@@ -188,7 +188,8 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
 
 std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
                                       const std::string& tag) {
-  const auto path = kind == CaseKind::checks ? layout.checks(lab.name) : layout.figures(lab.name);
+  const auto path =
+      kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
   // Without a program, and without a place for what they find, each of them ends at once.
   const sandbox::ProcessResult run =
       sandbox::run_process({path.string(), tag, "--reporter", "xml"},
@@ -209,7 +210,8 @@ sandbox::ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, Ca
       {{protocol::program_variable, std::to_string(protocol::program_descriptor)},
        {protocol::seed_variable, "1"}});
   options.descriptors = {{program.descriptor.get(), protocol::program_descriptor}};
-  const auto path = kind == CaseKind::checks ? layout.checks(lab.name) : layout.figures(lab.name);
+  const auto path =
+      kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
   return sandbox::run_process({path.string(), which, "--reporter", "xml"}, options);
 }
 

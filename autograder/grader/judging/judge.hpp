@@ -44,9 +44,9 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
 void wait_for_labs(LabVerdict& verdict,
                    const std::function<bool(const std::string& need)>& is_finished);
 
-/// Which of a lab's programs has a hidden case: its checks (the speed tasks), or its figures (what
-/// plots and bench show).
-enum class CaseKind { checks, figures };
+/// Which of a lab's programs has a hidden case: its checks (the speed tasks), or its measurements
+/// (for plots, benchmark and demo).
+enum class CaseKind { checks, measurements };
 
 /// The names of a lab's hidden cases with this tag.
 std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,

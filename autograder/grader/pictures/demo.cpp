@@ -26,8 +26,9 @@ constexpr const char* tag = "[.demo]";
 std::vector<Lab> labs_with_points(const Context& context) {
   std::vector<Lab> labs;
   for (const Lab& lab : context.labs) {
-    if (!fs::exists(context.layout.figures(lab.name))) continue;
-    if (!hidden_cases(context.layout, lab, CaseKind::figures, tag).empty()) labs.push_back(lab);
+    if (!fs::exists(context.layout.measurements(lab.name))) continue;
+    if (!hidden_cases(context.layout, lab, CaseKind::measurements, tag).empty())
+      labs.push_back(lab);
   }
   return labs;
 }
@@ -59,7 +60,7 @@ void measure(const Layout& layout, const Lab& lab, const Submission& submission,
   }
   fs::create_directories(data);
   run_hidden_cases(
-      layout, lab, CaseKind::figures, *built.program, tag,
+      layout, lab, CaseKind::measurements, *built.program, tag,
       {.environment = {{protocol::plot_data_variable, data.string()}}, .wall_seconds = 600});
   for (const auto& entry : fs::directory_iterator(data)) {
     if (entry.path().extension() != ".json") continue;

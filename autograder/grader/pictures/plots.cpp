@@ -170,13 +170,13 @@ std::string failure_of(const sandbox::ProcessResult& run) {
 /// Measures all that the plots show, submissions and cases side by side.
 void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& panels,
              std::vector<std::string>& remarks) {
-  const auto cases = hidden_cases(layout, lab, CaseKind::figures, "[.plot]");
+  const auto cases = hidden_cases(layout, lab, CaseKind::measurements, "[.plot]");
   std::mutex mutex;
   run_side_by_side(panels.size() * cases.size(), cores(), [&](std::size_t i) {
     const Panel& panel = panels[i / cases.size()];
     const std::string& name = cases[i % cases.size()];
     const auto run =
-        run_hidden_cases(layout, lab, CaseKind::figures, *panel.built.program, name,
+        run_hidden_cases(layout, lab, CaseKind::measurements, *panel.built.program, name,
                          {.environment = {{protocol::plot_data_variable, panel.data.string()}},
                           .wall_seconds = 600});
     if (const std::string why = failure_of(run); !why.empty()) {

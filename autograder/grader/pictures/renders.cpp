@@ -41,7 +41,7 @@ struct Rendering {
   void measure(Rendered& row, std::uint64_t spp, double seconds) const {
     fs::create_directories(data);
     const sandbox::ProcessResult run = run_hidden_cases(
-        layout, lab, CaseKind::figures, program, "[.render]",
+        layout, lab, CaseKind::measurements, program, "[.render]",
         {.environment = {{protocol::plot_data_variable, data.string()},
                          {protocol::render_variable, protocol::text_of(protocol::RenderRequest{
                                                          row.picture, row.kind, spp, seconds})}},
@@ -108,14 +108,14 @@ protocol::RenderList render_list(const Layout& layout, const Lab& lab) {
   const fs::path place = layout.build / "render" / "list.txt";
   fs::create_directories(place.parent_path());
   sandbox::run_process(
-      {layout.figures(lab.name).string(), "[.render-list]"},
+      {layout.measurements(lab.name).string(), "[.render-list]"},
       {.environment = {{protocol::render_variable, place.string()}}, .wall_seconds = 60});
   protocol::RenderList list;
   std::ifstream file(place);
   file >> list;
   if (list.pictures.empty() || list.kinds.empty()) {
     throw MachineError(fmt::format("{} does not say what there is to render: build it again",
-                                   layout.figures(lab.name).string()));
+                                   layout.measurements(lab.name).string()));
   }
   return list;
 }

@@ -33,8 +33,9 @@ bool is_left_out(const Context& context, const std::set<std::string>& chosen,
                  const std::string& file) {
   for (const Lab& lab : context.labs) {
     if (chosen.contains(lab.name)) continue;
-    for (const std::string& place : {"labs/" + lab.folder + '/', "starter/" + lab.file(),
-                                     "autograder/checks/" + lab.name + '/'}) {
+    for (const std::string& place :
+         {"labs/" + lab.folder + '/', "starter/" + lab.file(),
+          "autograder/checks/" + lab.name + '/', "autograder/measurements/" + lab.name + '/'}) {
       if (file.starts_with(place)) return true;
     }
   }

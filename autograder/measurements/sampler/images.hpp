@@ -1,0 +1,50 @@
+#pragma once
+// Pictures of lab 6 and how far they are from the exact ones, written for gnuplot.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "6-sampler/experiments.hpp"
+#include "measurements/support/plot_data.hpp"
+
+namespace mc::checks {
+
+// Two pixels of a sheet each are one of these (labs/6-sampler/render.gp).
+inline constexpr std::size_t image_width = 128, image_height = 96;
+
+inline void write_image(const std::string& name, const std::vector<double>& pixels) {
+  auto file = plot_file(name);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    file << pixels[i] << (i % image_width == image_width - 1 ? '\n' : '\t');
+  }
+}
+
+struct Errors {
+  double rmse = 0;
+  double large = 0;  ///< 95% of the pixels that are not exact are nearer than this
+};
+
+/// Writes a picture of the size of `exact` as `name`.tsv, and its error as `name`-error.tsv.
+inline Errors write_with_error(const std::string& name, const Image& image,
+                               const std::vector<double>& exact) {
+  std::vector<double> error, distances;
+  double squares = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    error.push_back(image.pixels[i] - exact[i]);
+    squares += error[i] * error[i];
+    if (std::abs(error[i]) > 1e-9) distances.push_back(std::abs(error[i]));
+  }
+  write_image(name + ".tsv", image.pixels);
+  write_image(name + "-error.tsv", error);
+  Errors errors{std::sqrt(squares / static_cast<double>(exact.size()))};
+  if (!distances.empty()) {
+    const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 19 / 20);
+    std::nth_element(distances.begin(), at, distances.end());
+    errors.large = *at;
+  }
+  return errors;
+}
+
+}  // namespace mc::checks
