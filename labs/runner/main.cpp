@@ -1,5 +1,5 @@
 // main() of a submission's program. Without arguments it is being judged: one request on descriptor
-// 0, one response on descriptor 3. With arguments it is run by hand:
+// 0, one response on descriptor 3 (wire.hpp). With arguments it is run by hand:
 //
 //   program                 (judged)
 //   program --list 80       the experiments of this lab, in lines of 80 columns
@@ -75,15 +75,35 @@ std::pair<Status, std::string> outcome_of(Work work) {
   }
 }
 
+std::string answer_all(mc::wire::Reader& from);
+
+/// The result of one request.
+std::string answer(std::string_view request) {
+  mc::wire::Reader from(request);
+  const auto name = from.get<std::string>();
+  if (name.empty()) return answer_all(from);
+  const auto* experiment = find(name);
+  if (experiment == nullptr) throw mc::wire::malformed("no experiment " + name);
+  return experiment->from_wire(from);
+}
+
+/// The results of a list of requests, each with its status before it, in one byte.
+std::string answer_all(mc::wire::Reader& from) {
+  const auto requests = from.get<std::vector<std::string>>();
+  from.end();
+  std::vector<std::string> answers;
+  for (const std::string& request : requests) {
+    auto [status, bytes] = outcome_of([&] { return answer(request); });
+    answers.push_back(static_cast<char>(status) + std::move(bytes));
+  }
+  mc::wire::Writer to;
+  to.put(answers);
+  return std::move(to.bytes);
+}
+
 [[noreturn]] void be_judged() {
   const std::string request = read_all(request_descriptor);
-  const auto [status, bytes] = outcome_of([&]() -> std::string {
-    mc::wire::Reader from(request);
-    const auto name = from.get<std::string>();
-    const auto* experiment = find(name);
-    if (experiment == nullptr) throw mc::wire::malformed("no experiment " + name);
-    return experiment->from_wire(from);
-  });
+  const auto [status, bytes] = outcome_of([&] { return answer(request); });
   const mc::wire::Header header{mc::wire::magic, status, 0, bytes.size()};
   std::fflush(nullptr);
   write_all(response_descriptor, &header, sizeof header);

@@ -4,6 +4,8 @@
 // their own bytes.
 //
 //   request  = name, arguments                                   (a name is a string)
+//            | "", a list of requests: all in this process, in order; the result is a list of
+//              strings, each a status in one byte and the bytes of its result
 //   response = magic, status, length, exactly `length` bytes, end
 //              the bytes are the result, or the text of the exception
 

@@ -29,7 +29,7 @@
 
 namespace mc::checks {
 
-TEST_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:10][needs:4.1]") {
+CHECK_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:10][needs:4.1]") {
   Rng rng = check_rng();
   // c = 1 tells a candidate that is missing from c i rounded down; for other c they are the same.
   for (const double c : {1.0, 0.4, uniform(rng, 2.5, 3)}) {
@@ -61,7 +61,7 @@ TEST_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:10
   }
 }
 
-TEST_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
+CHECK_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 256, sets = 64, calls = 4;
   std::deque<Measured<Points>> got;  // in four calls, so that three plain loops are in time
@@ -93,7 +93,7 @@ TEST_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
   expect_no_lattice(what, mean, sets);
 }
 
-TEST_CASE("4.2 misuse of best_candidate is refused", "[4.2][edge][points:2]") {
+CHECK_CASE("4.2 misuse of best_candidate is refused", "[4.2][edge][points:2]") {
   Rng rng = check_rng();
   const std::string size = "each point has two coordinates, and there is at least one point";
   const std::uint64_t n = 2 + rng() % 9;
@@ -106,7 +106,7 @@ TEST_CASE("4.2 misuse of best_candidate is refused", "[4.2][edge][points:2]") {
   }
 }
 
-TEST_CASE("4.2 a refusal names the argument", "[4.2][edge][points:1]") {
+CHECK_CASE("4.2 a refusal names the argument", "[4.2][edge][points:1]") {
   expect_invalid_argument(MEASURE_OUTCOME(best_candidate_into, 3, 4, 1), "x|y",
                           "the sizes of x and y differ");
   expect_invalid_argument(MEASURE_OUTCOME(best_candidate_into, 3, 3, -1), "c",

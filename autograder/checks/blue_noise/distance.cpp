@@ -10,7 +10,7 @@
 
 namespace mc::checks {
 
-TEST_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
+CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
   Rng rng = check_rng();
   Points a, b;
   const auto ask = [&](double ax, double ay, double bx, double by) {

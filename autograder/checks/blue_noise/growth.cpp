@@ -42,7 +42,7 @@ void expect_growth(const std::string& large, const std::string& small, double ra
 
 }  // namespace
 
-TEST_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][needs:4.2]") {
+CHECK_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][needs:4.2]") {
   Rng rng = check_rng();
   const std::string grid =
       "each candidate is compared with all points: lay a grid over the square and look at the "
@@ -73,8 +73,8 @@ TEST_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][
                 grid);
 }
 
-TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
-          "[4.7][points:7][needs:4.1][needs:4.3]") {
+CHECK_CASE("4.7 the cost of Poisson disks is linear in their number",
+           "[4.7][points:7][needs:4.1][needs:4.3]") {
   Rng rng = check_rng();
   const std::string grid =
       "each new point is compared with all others: lay a grid of radius / sqrt(2) over the square, "

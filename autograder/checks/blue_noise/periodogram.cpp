@@ -103,7 +103,7 @@ const char* const by_definition = "waves are right to 32 (kmax + 1) eps, sums to
 
 }  // namespace
 
-TEST_CASE("4.4 random points by the definition", "[4.4][main][points:7]") {
+CHECK_CASE("4.4 random points by the definition", "[4.4][main][points:7]") {
   Rng rng = check_rng();
   const std::pair<std::size_t, int> cases[] = {{17, 3}, {2, 1}, {100, 12}, {1000, 4}, {3, 60}};
   for (const auto& [n, kmax] : cases) {
@@ -114,7 +114,7 @@ TEST_CASE("4.4 random points by the definition", "[4.4][main][points:7]") {
   }
 }
 
-TEST_CASE("4.4 spectra that are known exactly", "[4.4][points:5]") {
+CHECK_CASE("4.4 spectra that are known exactly", "[4.4][points:5]") {
   Rng rng = check_rng();
   const Points two = uniform_points(rng, 2);
   // Pairs anywhere; at a distance of exactly 1/2, where all odd waves cancel; of next to nothing;
@@ -166,7 +166,7 @@ TEST_CASE("4.4 spectra that are known exactly", "[4.4][points:5]") {
   }
 }
 
-TEST_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
+CHECK_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
   Rng rng = check_rng();
   constexpr int side = 8, kmax = 8;
   constexpr std::size_t n = side * side, sets = 200;  // half the power shows at one of four k
@@ -197,7 +197,7 @@ TEST_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
   }
 }
 
-TEST_CASE("4.4 misuse of periodogram is refused", "[4.4][edge][points:2]") {
+CHECK_CASE("4.4 misuse of periodogram is refused", "[4.4][edge][points:2]") {
   Rng rng = check_rng();
   const std::uint64_t n = 2 + rng() % 9;
   const std::string because = "each point has two coordinates, and there is at least one point";
@@ -215,7 +215,7 @@ TEST_CASE("4.4 misuse of periodogram is refused", "[4.4][edge][points:2]") {
                  "there are 65537^2 = 2^32 + 131073 values of k: their number overflows 32 bits");
 }
 
-TEST_CASE("4.4 a refusal names the argument", "[4.4][edge][points:1]") {
+CHECK_CASE("4.4 a refusal names the argument", "[4.4][edge][points:1]") {
   expect_invalid_argument(MEASURE_OUTCOME(periodogram_into, 3, 4, 1, 9), "x|y",
                           "the sizes of x and y differ");
   expect_invalid_argument(MEASURE_OUTCOME(periodogram_into, 3, 3, 0, 1), "kmax",

@@ -23,7 +23,7 @@
 
 namespace mc::checks {
 
-TEST_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7][needs:4.1]") {
+CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7][needs:4.1]") {
   Rng rng = check_rng();
   {
     const double radius = uniform(rng, 0.05, 0.06);
@@ -77,7 +77,7 @@ TEST_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7]
   }
 }
 
-TEST_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
+CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
   Rng rng = check_rng();
   // Means over so many patterns that their errors are small beside the distance of right and wrong
   // from 0.3 %. Bridson's algorithm with 30 tries leaves 0.9 to 1.1 % between radius 0.61 and 0.65,
@@ -115,7 +115,7 @@ TEST_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
   }
 }
 
-TEST_CASE("4.3 Poisson disks are blue", "[4.3][points:5][needs:4.1]") {
+CHECK_CASE("4.3 Poisson disks are blue", "[4.3][points:5][needs:4.1]") {
   Rng rng = check_rng();
   constexpr std::size_t sets = 160, calls = 4;  // so many that the peak of the mean is known well
   const double radius = radius_for(256);
@@ -150,7 +150,7 @@ TEST_CASE("4.3 Poisson disks are blue", "[4.3][points:5][needs:4.1]") {
   expect_no_lattice(got[0].call, mean, sets);
 }
 
-TEST_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:3]") {
+CHECK_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:3]") {
   Rng rng = check_rng();
   for (const double radius : {uniform(rng, 0.72, 0.9), 1.0, uniform(rng, 1, 10), 0.70711}) {
     const auto got = MEASURE(poisson_disk, radius, 5, fresh_seed(rng));
@@ -167,7 +167,7 @@ TEST_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:
   }
 }
 
-TEST_CASE("4.3 a radius that makes no sense is refused", "[4.3][edge][points:2]") {
+CHECK_CASE("4.3 a radius that makes no sense is refused", "[4.3][edge][points:2]") {
   Rng rng = check_rng();
   for (const double radius : {0.0, -uniform(rng, 0.1, 1), nan, -infinity, 1e-200, 1e-7}) {
     expect_refused(MEASURE_OUTCOME(poisson_disk, radius, 1, 1),
@@ -184,8 +184,8 @@ static std::optional<double> number_between(const std::string& text, double low,
   return {};
 }
 
-TEST_CASE("4.3 a radius too small for memory is told how many points it means",
-          "[4.3][edge][points:1]") {
+CHECK_CASE("4.3 a radius too small for memory is told how many points it means",
+           "[4.3][edge][points:1]") {
   Rng rng = check_rng();
   expect_invalid_argument(MEASURE_OUTCOME(poisson_disk, -1, 1, 1), "radius",
                           "a distance is positive");

@@ -11,7 +11,7 @@
 
 namespace mc::checks {
 
-TEST_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
+CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
   Rng rng = check_rng();
   for (const int kmax : {5, 2, 24, 1}) {
     const auto side = static_cast<std::size_t>(2 * kmax + 1);
@@ -56,7 +56,7 @@ TEST_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
   }
 }
 
-TEST_CASE("4.5 misuse of radial_power is refused", "[4.5][edge][points:2]") {
+CHECK_CASE("4.5 misuse of radial_power is refused", "[4.5][edge][points:2]") {
   for (const int kmax : {0, -1}) {
     expect_refused(MEASURE_OUTCOME(radial_power, Values(1, 1.0), kmax), "kmax is 1 at least");
   }
@@ -66,7 +66,7 @@ TEST_CASE("4.5 misuse of radial_power is refused", "[4.5][edge][points:2]") {
   }
 }
 
-TEST_CASE("4.5 a refusal names the argument", "[4.5][edge][points:1]") {
+CHECK_CASE("4.5 a refusal names the argument", "[4.5][edge][points:1]") {
   expect_invalid_argument(MEASURE_OUTCOME(radial_power, Values(1, 1.0), 0), "kmax",
                           "kmax is 1 at least");
   expect_invalid_argument(MEASURE_OUTCOME(radial_power, Values(24, 1.0), 2), "power",

@@ -11,7 +11,7 @@
 
 namespace mc::checks {
 
-TEST_CASE("4.6 copies lie side by side", "[4.6][main][points:5]") {
+CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:5]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 20;
   for (const int copies : {2, 3, 7, 1}) {
@@ -55,7 +55,7 @@ TEST_CASE("4.6 copies lie side by side", "[4.6][main][points:5]") {
   }
 }
 
-TEST_CASE("4.6 a tiled pattern has power at multiples only", "[4.6][points:3]") {
+CHECK_CASE("4.6 a tiled pattern has power at multiples only", "[4.6][points:3]") {
   Rng rng = check_rng();
   for (const int copies : {2, 3}) {
     const std::size_t n = 30;
@@ -82,7 +82,7 @@ TEST_CASE("4.6 a tiled pattern has power at multiples only", "[4.6][points:3]") 
   }
 }
 
-TEST_CASE("4.6 misuse of tile is refused", "[4.6][edge][points:1]") {
+CHECK_CASE("4.6 misuse of tile is refused", "[4.6][edge][points:1]") {
   for (const int copies : {0, -1, -7}) {
     expect_refused(MEASURE_OUTCOME(tile_of, 3, 2, copies), "there is one copy at least");
   }
@@ -93,7 +93,7 @@ TEST_CASE("4.6 misuse of tile is refused", "[4.6][edge][points:1]") {
   }
 }
 
-TEST_CASE("4.6 a refusal names the argument", "[4.6][edge][points:1]") {
+CHECK_CASE("4.6 a refusal names the argument", "[4.6][edge][points:1]") {
   expect_invalid_argument(MEASURE_OUTCOME(tile_of, 3, 2, 0), "copies",
                           "there is one copy at least");
   expect_invalid_argument(MEASURE_OUTCOME(tile_of, 0, 2, 3), "pattern", "there are no points");

@@ -8,8 +8,8 @@
 namespace mc::checks {
 namespace {
 
-TEST_CASE("5.2 a column has the radical inverses of 0 1 2 and so on",
-          "[5.2][points:5][needs:5.1][main]") {
+CHECK_CASE("5.2 a column has the radical inverses of 0 1 2 and so on",
+           "[5.2][points:5][needs:5.1][main]") {
   Rng rng = check_rng();
   for (const unsigned base : {3u, 2u, 5u, 29u, 31u, 131u, 7919u, 4294967295u}) {
     for (const std::uint64_t count : {std::uint64_t{4096}, 1 + rng() % 300, std::uint64_t{7},
@@ -21,7 +21,7 @@ TEST_CASE("5.2 a column has the radical inverses of 0 1 2 and so on",
   }
 }
 
-TEST_CASE("5.2 a column may begin anywhere", "[5.2][points:4][needs:5.1]") {
+CHECK_CASE("5.2 a column may begin anywhere", "[5.2][points:4][needs:5.1]") {
   Rng rng = check_rng();
   const std::string otherwise =
       "right from 0 on, and not from here? Look at the first and the last few values of the column";
@@ -44,7 +44,7 @@ TEST_CASE("5.2 a column may begin anywhere", "[5.2][points:4][needs:5.1]") {
   }
 }
 
-TEST_CASE("5.2 every value of a column is below 1", "[5.2][points:2][needs:5.1][edge]") {
+CHECK_CASE("5.2 every value of a column is below 1", "[5.2][points:2][needs:5.1][edge]") {
   const auto expect_below_1 = [](unsigned base, std::uint64_t first, std::uint64_t count) {
     MEASURE(radical_inverses, base, first, count).exactly(count, unit);
   };
@@ -57,7 +57,7 @@ TEST_CASE("5.2 every value of a column is below 1", "[5.2][points:2][needs:5.1][
   expect_below_1(2, last_index - 2047, 2048);
 }
 
-TEST_CASE("5.2 a column past the last index is refused", "[5.2][points:1][edge]") {
+CHECK_CASE("5.2 a column past the last index is refused", "[5.2][points:1][edge]") {
   for (const unsigned base : {0u, 1u}) {
     expect_refused(MEASURE_OUTCOME(radical_inverses, base, 0, 10),
                    "there are no digits below base 2");

@@ -47,7 +47,7 @@ void expect_discrepancy(const Values& x, const Values& y) {
                 because_discrepancy, [&] { return hints_for(x, y); });
 }
 
-TEST_CASE("5.6 the star discrepancy of points of the line", "[5.6][points:4][main]") {
+CHECK_CASE("5.6 the star discrepancy of points of the line", "[5.6][points:4][main]") {
   Rng rng = check_rng();
   struct Known {
     std::size_t n;
@@ -86,7 +86,7 @@ TEST_CASE("5.6 the star discrepancy of points of the line", "[5.6][points:4][mai
   for (const std::size_t n : {2u, 1u}) expect_discrepancy(uniform_values(rng, n, 0, 1));
 }
 
-TEST_CASE("5.6 the star discrepancy of points of the plane", "[5.6][points:4]") {
+CHECK_CASE("5.6 the star discrepancy of points of the plane", "[5.6][points:4]") {
   Rng rng = check_rng();
   struct Known {
     const char* name;
@@ -126,7 +126,7 @@ TEST_CASE("5.6 the star discrepancy of points of the plane", "[5.6][points:4]") 
   }
 }
 
-TEST_CASE("5.6 points that share coordinates or lie on the border", "[5.6][points:2][edge]") {
+CHECK_CASE("5.6 points that share coordinates or lie on the border", "[5.6][points:2][edge]") {
   Rng rng = check_rng();
   for (const int side : {4, 8}) {  // corners of a grid: 7/16 and 15/64
     Values x, y;
@@ -163,7 +163,7 @@ struct Factor {
   double integral, variation;
 };
 
-TEST_CASE("5.6 no error exceeds variation times discrepancy", "[5.6][points:2]") {
+CHECK_CASE("5.6 no error exceeds variation times discrepancy", "[5.6][points:2]") {
   Rng rng = check_rng();
   struct Set {
     const char* name;
@@ -218,7 +218,7 @@ TEST_CASE("5.6 no error exceeds variation times discrepancy", "[5.6][points:2]")
   }
 }
 
-TEST_CASE("5.6 what is no point of the unit square is refused", "[5.6][points:2][edge]") {
+CHECK_CASE("5.6 what is no point of the unit square is refused", "[5.6][points:2][edge]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::string because = "points must lie in the unit square";
   for (const double outside : {-0.1, 1.1, nan}) {

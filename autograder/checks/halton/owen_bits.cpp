@@ -21,7 +21,7 @@ std::string shared_hint(double a, double b, std::size_t k) {
   return "the flip of a bit must not depend on the bits behind it";
 }
 
-TEST_CASE("5.8 scrambled values share the bits that the values share", "[5.8][points:2][main]") {
+CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][points:2][main]") {
   Rng rng = check_rng();
   // Pairs that share k bits exactly, for every k; and one value three times.
   std::vector<double> x;
@@ -70,7 +70,7 @@ double bits_between(std::uint64_t bits, int first, int count) {
   return static_cast<double>(bits >> (53 - first - count) & all) * std::ldexp(1, -count);
 }
 
-TEST_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:3]") {
+CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:3]") {
   Rng rng = check_rng();
   constexpr std::size_t count = 4000;
   // 0 and 1/2 differ in their first bit; the others share 19 bits and differ in the 20th.
@@ -127,7 +127,7 @@ TEST_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][
       hints);
 }
 
-TEST_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
+CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
   Rng rng = check_rng();
   const std::uint64_t seed = rng();
   std::vector<std::uint64_t> seeds{seed};

@@ -183,7 +183,7 @@ void expect_owens_variance(Rng& rng) {
       {{{n, "all points stand at one place in their strata: a digital shift"}}, otherwise});
 }
 
-TEST_CASE("5.8 a scrambled net has Owen's errors", "[5.8][points:5]") {
+CHECK_CASE("5.8 a scrambled net has Owen's errors", "[5.8][points:5]") {
   Rng rng = check_rng();
   // The distribution first: where the errors have heavy tails, a mean square of them says nothing.
   expect_gaussian_errors(rng);

@@ -41,7 +41,7 @@ std::string shuffle_hint(const Orders& orders, std::size_t count, const std::str
                : otherwise;
 }
 
-TEST_CASE("5.9 permutations are random for every position and seed", "[5.9][points:3]") {
+CHECK_CASE("5.9 permutations are random for every position and seed", "[5.9][points:3]") {
   Rng rng = check_rng();
   // Power: of 20,000 orders of three digits, those of a naive shuffle (4/27 and 5/27 in place of
   // 1/6) have a chi-squared of 252 on average, with deviation 32; 47 are allowed.
@@ -101,7 +101,7 @@ TEST_CASE("5.9 permutations are random for every position and seed", "[5.9][poin
                      "next seed and this position"});
 }
 
-TEST_CASE("5.9 permuted digits cure the bad pair 29 and 31", "[5.9][points:3]") {
+CHECK_CASE("5.9 permuted digits cure the bad pair 29 and 31", "[5.9][points:3]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 64, count = 400;
   const auto along_x = MEASURE(radical_inverses_scrambled, 29, 0, n, fresh_seeds(rng, count));
@@ -131,7 +131,7 @@ TEST_CASE("5.9 permuted digits cure the bad pair 29 and 31", "[5.9][points:3]") 
               "a shift or a flip of bits moves the lines; permuting the digits breaks them");
 }
 
-TEST_CASE("5.9 a scrambled column depends on index and seed alone", "[5.9][points:2][edge]") {
+CHECK_CASE("5.9 a scrambled column depends on index and seed alone", "[5.9][points:2][edge]") {
   Rng rng = check_rng();
   for (const unsigned base : {3u, 2u, 29u, 7919u, 65536u}) {
     const std::uint64_t seed = rng(), first = rng() >> (rng() % 40 + 1);
@@ -157,7 +157,7 @@ TEST_CASE("5.9 a scrambled column depends on index and seed alone", "[5.9][point
   MEASURE(radical_inverses_scrambled, 2, 7, 0, {seed}).exactly(0);
 }
 
-TEST_CASE("5.9 bases and indices that do not exist are refused", "[5.9][points:1][edge]") {
+CHECK_CASE("5.9 bases and indices that do not exist are refused", "[5.9][points:1][edge]") {
   for (const unsigned base : {0u, 1u, 65537u}) {
     expect_refused(MEASURE_OUTCOME(radical_inverses_scrambled, base, 0, 10, {1}),
                    "bases from 2 to 2^16");

@@ -39,7 +39,7 @@ void expect_one_shift(const std::string& call, std::span<const double> from,
   pass();
 }
 
-TEST_CASE("5.7 one shift moves all points and wraps around", "[5.7][points:3][main]") {
+CHECK_CASE("5.7 one shift moves all points and wraps around", "[5.7][points:3][main]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 50, dims = 3;
   const auto points = uniform_values(rng, n * dims, 0, 1);
@@ -53,7 +53,7 @@ TEST_CASE("5.7 one shift moves all points and wraps around", "[5.7][points:3][ma
   }
 }
 
-TEST_CASE("5.7 the shift is uniform and of its own for each axis", "[5.7][points:3]") {
+CHECK_CASE("5.7 the shift is uniform and of its own for each axis", "[5.7][points:3]") {
   Rng rng = check_rng();
   constexpr std::size_t times = 2000, dims = 2, n = 3;
   const std::vector<double> points{0, 0.5, 0.75, 0, 0.25, 0.5};
@@ -91,7 +91,7 @@ TEST_CASE("5.7 the shift is uniform and of its own for each axis", "[5.7][points
                       {"each shift is independent of the one before", one_alpha}, hints);
 }
 
-TEST_CASE("5.7 shifted points stay in the unit cube", "[5.7][points:2][edge]") {
+CHECK_CASE("5.7 shifted points stay in the unit cube", "[5.7][points:2][edge]") {
   Rng rng = check_rng();
   const std::vector<double> points{0, 0.5, 1 - half_ulp, 1 - 2 * half_ulp, 1 - 3 * half_ulp};
   const auto measured = MEASURE(random_shift, points, 1, 1000, rng());

@@ -18,7 +18,7 @@ const char* prime_hint(unsigned got, unsigned due) {
   return got > due ? "a prime was left out" : "each prime comes once, in order";
 }
 
-TEST_CASE("5.3 the first primes", "[5.3][points:2]") {
+CHECK_CASE("5.3 the first primes", "[5.3][points:2]") {
   Rng rng = check_rng();
   const auto exact = sieved_primes(20000);
   for (const std::uint64_t count : {std::uint64_t{10}, 100 + rng() % 1900, std::uint64_t{1}}) {
@@ -32,7 +32,7 @@ TEST_CASE("5.3 the first primes", "[5.3][points:2]") {
   }
 }
 
-TEST_CASE("5.3 Halton points have one prime an axis", "[5.3][points:3][needs:5.2][main]") {
+CHECK_CASE("5.3 Halton points have one prime an axis", "[5.3][points:3][needs:5.2][main]") {
   Rng rng = check_rng();
   const auto primes = sieved_primes(400);
   for (const std::uint64_t dims : {2u, 3u, 12u, 60u, 1u}) {
@@ -52,8 +52,8 @@ std::size_t cell_of(double x, std::size_t grid, std::size_t cells) {
   return std::min(multiple, grid - 1) / (grid / cells);
 }
 
-TEST_CASE("5.3 each elementary interval holds one Halton point",
-          "[5.3][points:1][needs:5.2][edge]") {
+CHECK_CASE("5.3 each elementary interval holds one Halton point",
+           "[5.3][points:1][needs:5.2][edge]") {
   Rng rng = check_rng();
   // Of 2^4 3^3 consecutive points, one lies in each of the 16 x 27 boxes. To a whole multiple of
   // 2^-30 the first coordinate is exact; the second is rounded to multiples of 3^-19.
@@ -77,7 +77,7 @@ TEST_CASE("5.3 each elementary interval holds one Halton point",
   }
 }
 
-TEST_CASE("5.3 integrals by Halton points", "[5.3][points:1][needs:5.2]") {
+CHECK_CASE("5.3 integrals by Halton points", "[5.3][points:1][needs:5.2]") {
   const Estimates known[] = {
       {16, 13. / 64, 0.60910969847097418, 5. / 8, 2.648121968809563},
       {256, 244367. / 995328, 0.56165686217700495, 129. / 256, 2.9264176047586425},
@@ -90,12 +90,12 @@ TEST_CASE("5.3 integrals by Halton points", "[5.3][points:1][needs:5.2]") {
   }
 }
 
-TEST_CASE("5.3 points past the last index are refused", "[5.3][points:1][edge]") {
+CHECK_CASE("5.3 points past the last index are refused", "[5.3][points:1][edge]") {
   expect_refused(MEASURE_OUTCOME(halton, 3, 2, last_index - 1),
                  "the last index is 2^64 - 1, and the third one would be 2^64");
 }
 
-TEST_CASE("5.4 Hammersley points", "[5.4][points:5][needs:5.2][main]") {
+CHECK_CASE("5.4 Hammersley points", "[5.4][points:5][needs:5.2][main]") {
   Rng rng = check_rng();
   const auto primes = sieved_primes(400);
   for (const std::uint64_t dims : {2u, 3u, 9u, 60u, 1u}) {
@@ -120,7 +120,7 @@ TEST_CASE("5.4 Hammersley points", "[5.4][points:5][needs:5.2][main]") {
   }
 }
 
-TEST_CASE("5.4 integrals by Hammersley points", "[5.4][points:1][needs:5.2]") {
+CHECK_CASE("5.4 integrals by Hammersley points", "[5.4][points:1][needs:5.2]") {
   const Estimates known[] = {
       {16, 257. / 1024, 0.59996611391993993, 1. / 2, 2.8591728486142411},
       {256, 66049. / 262144, 0.56120375868220918, 65. / 128, 2.9524073863838791},

@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::uint64_t sobol_end = std::uint64_t{1} << 32;
 
-TEST_CASE("5.5 the first points of all 32 dimensions", "[5.5][points:4][main]") {
+CHECK_CASE("5.5 the first points of all 32 dimensions", "[5.5][points:4][main]") {
   for (unsigned d = 0; d < joe_kuo.size(); ++d) {
     const auto measured = MEASURE(sobol, d, 0, 600);
     expect_sobol(measured.call, measured.exactly(600, any_number), d, 0, "");
   }
 }
 
-TEST_CASE("5.5 a column of Sobol' points may begin anywhere", "[5.5][points:4]") {
+CHECK_CASE("5.5 a column of Sobol' points may begin anywhere", "[5.5][points:4]") {
   Rng rng = check_rng();
   for (int i = 0; i < 12; ++i) {
     const auto dimension = static_cast<unsigned>(rng() % joe_kuo.size());
@@ -34,7 +34,7 @@ TEST_CASE("5.5 a column of Sobol' points may begin anywhere", "[5.5][points:4]")
   }
 }
 
-TEST_CASE("5.5 the first two dimensions are a net", "[5.5][points:2][edge]") {
+CHECK_CASE("5.5 the first two dimensions are a net", "[5.5][points:2][edge]") {
   Rng rng = check_rng();
   constexpr unsigned m = 8;
   constexpr std::uint64_t n = 1u << m;
@@ -58,7 +58,7 @@ TEST_CASE("5.5 the first two dimensions are a net", "[5.5][points:2][edge]") {
   }
 }
 
-TEST_CASE("5.5 integrals by Sobol' points", "[5.5][points:1]") {
+CHECK_CASE("5.5 integrals by Sobol' points", "[5.5][points:1]") {
   const Estimates known[] = {
       {16, 113. / 512, 0.58792582336016108, 3. / 4, 2.7746497629458409},
       {256, 32513. / 131072, 0.55959439866573157, 131. / 256, 2.9410041658562869},
@@ -84,11 +84,11 @@ std::vector<Misuse> misuses() {
       {MEASURE_OUTCOME(sobol, 0, last_index, 2), "first", "no index has more than 32 bits"}};
 }
 
-TEST_CASE("5.5 Sobol' points that do not exist are refused", "[5.5][points:2][edge]") {
+CHECK_CASE("5.5 Sobol' points that do not exist are refused", "[5.5][points:2][edge]") {
   for (const Misuse& misuse : misuses()) expect_refused(misuse.call, misuse.because);
 }
 
-TEST_CASE("5.5 a refusal names its argument", "[5.5][points:1][edge]") {
+CHECK_CASE("5.5 a refusal names its argument", "[5.5][points:1][edge]") {
   // Where nothing is refused there is nothing to read; that is the check before this one.
   std::size_t refused = 0;
   for (const Misuse& misuse : misuses()) {

@@ -8,7 +8,7 @@
 namespace mc::checks {
 namespace {
 
-TEST_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:2.1][main]") {
+CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:2.1][main]") {
   Rng rng = check_rng();
   for (const unsigned g : {exponential, product, five}) {
     for (const std::uint64_t n : {1000u, 10u, 2u}) {
@@ -28,7 +28,7 @@ TEST_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:2
                   {of_sizes, "values below 0 count as what they are, not by their size"}});
 }
 
-TEST_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:4][needs:2.1]") {
+CHECK_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:4][needs:2.1]") {
   Rng rng = check_rng();
   for (const unsigned g : {exponential, product, five}) {
     for (const std::uint64_t n : {100u, 1000u, 3u, 2u}) {
@@ -47,7 +47,7 @@ TEST_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:4][nee
   }
 }
 
-TEST_CASE("2.2 the standard error is s over root n", "[2.2][points:5][needs:2.1]") {
+CHECK_CASE("2.2 the standard error is s over root n", "[2.2][points:5][needs:2.1]") {
   Rng rng = check_rng();
   for (const unsigned g : {exponential, product, normal}) {
     for (const std::uint64_t n : {1000u, 10u, 3u, 2u}) {
@@ -61,7 +61,7 @@ TEST_CASE("2.2 the standard error is s over root n", "[2.2][points:5][needs:2.1]
   expect_standard_error(large.call(), large.estimates()[0].standard_error, large.values());
 }
 
-TEST_CASE("2.2 a constant has the standard error 0", "[2.2][points:1][needs:2.1]") {
+CHECK_CASE("2.2 a constant has the standard error 0", "[2.2][points:1][needs:2.1]") {
   Rng rng = check_rng();
   const std::uint64_t n = 1000;
   // Lab 1's variances of a constant are at most (n eps c)^2.
@@ -92,19 +92,19 @@ TEST_CASE("2.2 a constant has the standard error 0", "[2.2][points:1][needs:2.1]
   }
 }
 
-TEST_CASE("2.2 one sample has no standard error", "[2.2][points:1][edge][needs:2.1]") {
+CHECK_CASE("2.2 one sample has no standard error", "[2.2][points:1][edge][needs:2.1]") {
   Rng rng = check_rng();
   const Traced one(fresh(product, rng), 1, rng);
   expect_nan(one.call() + ".standard_error", one.estimates()[0].standard_error,
              "one value says nothing about how values vary");
 }
 
-TEST_CASE("2.2 no samples are refused", "[2.2][points:1][edge]") {
+CHECK_CASE("2.2 no samples are refused", "[2.2][points:1][edge]") {
   expect_invalid_argument(MEASURE_OUTCOME(estimates, {exponential, 0, 1, 0}, 0, 1, 1), "",
                           "the mean of nothing is no estimate");
 }
 
-TEST_CASE("2.2 an estimate depends on its generator alone", "[2.2][points:1][edge][needs:2.1]") {
+CHECK_CASE("2.2 an estimate depends on its generator alone", "[2.2][points:1][edge][needs:2.1]") {
   Rng rng = check_rng();
   const Function of_five = fresh(five, rng), of_one = fresh(exponential, rng);
   const std::uint64_t n = 100, seed = rng(), another = rng();

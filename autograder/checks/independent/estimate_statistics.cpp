@@ -29,7 +29,7 @@ std::vector<std::uint64_t> pair_counts(const Values& x, std::size_t first, std::
 
 const Values even_cells{1.0 / 256};
 
-TEST_CASE("2.2 the points are uniform and independent", "[2.2][points:2][needs:2.1]") {
+CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:2][needs:2.1]") {
   Rng rng = check_rng();
   const std::uint64_t n = 60000;
   const Traced seen(fresh(product, rng), n, rng);
@@ -68,8 +68,8 @@ Values means_of(const Traced& seen) {
   return values;
 }
 
-TEST_CASE("2.2 the estimate is unbiased with variance sigma^2 over n",
-          "[2.2][points:3][needs:2.1]") {
+CHECK_CASE("2.2 the estimate is unbiased with variance sigma^2 over n",
+           "[2.2][points:3][needs:2.1]") {
   Rng rng = check_rng();
   const std::uint64_t n = 64, replicates = 400;
   const double p = uniform(rng, 0.2, 0.8);
@@ -95,7 +95,7 @@ TEST_CASE("2.2 the estimate is unbiased with variance sigma^2 over n",
   }
 }
 
-TEST_CASE("2.2 the error falls as one over root n", "[2.2][points:2][needs:2.1]") {
+CHECK_CASE("2.2 the error falls as one over root n", "[2.2][points:2][needs:2.1]") {
   Rng rng = check_rng();
   const Function g = fresh(exponential, rng);
   const std::uint64_t few = 16, many = 1024, replicates = 200;
@@ -126,7 +126,7 @@ Values estimates_of(const Measured<std::vector<experiments::Counted>>& measured,
   return values;
 }
 
-TEST_CASE("2.2 rare events and a narrow peak", "[2.2][points:1][needs:2.1]") {
+CHECK_CASE("2.2 rare events and a narrow peak", "[2.2][points:1][needs:2.1]") {
   Rng rng = check_rng();
   // An event of probability p: n times the estimate is how often it happened.
   for (const auto& [p, n] : {std::pair<double, std::uint64_t>{uniform(rng, 0.5e-4, 2e-4), 10000},

@@ -118,7 +118,7 @@ void expect_weighed(const Weighed& seen, std::vector<Suspect> suspects = {}) {
   expect_standard_error(seen.call(), one.standard_error, w, spreads);
 }
 
-TEST_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:4][needs:2.1][main]") {
+CHECK_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:4][needs:2.1][main]") {
   Rng rng = check_rng();
   for (const std::uint64_t n : {1000u, 10u, 2u}) {
     const double a = uniform(rng, -0.6, 0.3);
@@ -142,20 +142,20 @@ TEST_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:4][needs:2.1
   }
 }
 
-TEST_CASE("2.4 one sample has no standard error", "[2.4][points:1][edge][needs:2.1]") {
+CHECK_CASE("2.4 one sample has no standard error", "[2.4][points:1][edge][needs:2.1]") {
   Rng rng = check_rng();
   const Weighed one(fresh(exponential, rng), {by_power, uniform(rng, -0.6, 0.3)}, 1, rng);
   expect_nan(one.call() + ".standard_error", one.estimates()[0].standard_error,
              "one value says nothing about how values vary");
 }
 
-TEST_CASE("2.4 no samples are refused", "[2.4][points:1][edge]") {
+CHECK_CASE("2.4 no samples are refused", "[2.4][points:1][edge]") {
   expect_invalid_argument(
       MEASURE_OUTCOME(importance_estimates, {exponential, 0, 1, 0}, {by_uniform, 0}, 0, 1, 1), "",
       "the mean of nothing is no estimate");
 }
 
-TEST_CASE("2.4 weights of any size and either sign", "[2.4][points:1][needs:2.1]") {
+CHECK_CASE("2.4 weights of any size and either sign", "[2.4][points:1][needs:2.1]") {
   Rng rng = check_rng();
   const std::uint64_t n = 1000;
   // x exp(-x) by a density with lighter tails, r exp(-r x) with r > 2: a right estimator, whose
@@ -175,7 +175,7 @@ TEST_CASE("2.4 weights of any size and either sign", "[2.4][points:1][needs:2.1]
       Weighed({normal, 0, uniform(rng, 0.5, 4), 0}, {by_power, uniform(rng, -0.5, 1)}, n, rng));
 }
 
-TEST_CASE("2.4 points without a usable density add nothing", "[2.4][points:1][needs:2.1]") {
+CHECK_CASE("2.4 points without a usable density add nothing", "[2.4][points:1][needs:2.1]") {
   Rng rng = check_rng();
   const std::uint64_t n = 1000;
   const Weighed seen(fresh(exponential, rng), {by_holes, uniform(rng, 0.2, 0.6)}, n, rng);
@@ -198,8 +198,8 @@ TEST_CASE("2.4 points without a usable density add nothing", "[2.4][points:1][ne
   expect_standard_error(seen.call(), one.standard_error, seen.weights());
 }
 
-TEST_CASE("2.4 the estimate is unbiased with the variance of g over p",
-          "[2.4][points:3][needs:2.1]") {
+CHECK_CASE("2.4 the estimate is unbiased with the variance of g over p",
+           "[2.4][points:3][needs:2.1]") {
   Rng rng = check_rng();
   const std::uint64_t n = 64, replicates = 400;
   const double scale = uniform(rng, 0.5, 4);
@@ -243,7 +243,7 @@ TEST_CASE("2.4 the estimate is unbiased with the variance of g over p",
   }
 }
 
-TEST_CASE("2.4 the right density cures an infinite variance", "[2.4][points:2][needs:2.1]") {
+CHECK_CASE("2.4 the right density cures an infinite variance", "[2.4][points:2][needs:2.1]") {
   Rng rng = check_rng();
   // g = x^-0.75 has the mean 4 and no variance. With p proportional to g every weight is 4.
   const std::uint64_t n = 100, replicates = 20;

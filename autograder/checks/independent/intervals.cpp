@@ -15,7 +15,7 @@
 namespace mc::checks {
 namespace {
 
-TEST_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]") {
+CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]") {
   Rng rng = check_rng();
   for (const double level :
        {uniform(rng, 0.55, 0.93), uniform(rng, 0.01, 0.5), 0.95, 0.6827, 0.5, 0.99, 0.999999}) {
@@ -52,7 +52,7 @@ TEST_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]")
   }
 }
 
-TEST_CASE("2.5 levels outside 0 to 1 are refused", "[2.5][points:1][edge]") {
+CHECK_CASE("2.5 levels outside 0 to 1 are refused", "[2.5][points:1][edge]") {
   for (const double level : {1.5, -0.5, 1.0, 0.0, nan}) {
     expect_invalid_argument(MEASURE_OUTCOME(confidence_interval, {1, 0.1, 100}, level), "",
                             "a level is a probability, and neither 0 nor 1");
@@ -88,8 +88,8 @@ void expect_intervals_of(const std::string& call, const experiments::IntervalTra
   }
 }
 
-TEST_CASE("2.5 intervals of normal samples cover as often as theory says",
-          "[2.5][points:3][needs:2.1][needs:2.2]") {
+CHECK_CASE("2.5 intervals of normal samples cover as often as theory says",
+           "[2.5][points:3][needs:2.1][needs:2.2]") {
   Rng rng = check_rng();
   const std::uint64_t replicates = 4000;
   const std::string sizes[] = {"a few", "some", "many"};
@@ -120,8 +120,8 @@ TEST_CASE("2.5 intervals of normal samples cover as often as theory says",
   }
 }
 
-TEST_CASE("2.5 intervals of rare events cover as rarely as theory says",
-          "[2.5][points:3][needs:2.1][needs:2.2]") {
+CHECK_CASE("2.5 intervals of rare events cover as rarely as theory says",
+           "[2.5][points:3][needs:2.1][needs:2.2]") {
   Rng rng = check_rng();
   const std::uint64_t replicates = 4000;
   for (const double p : {uniform(rng, 0.01, 0.03), uniform(rng, 0.08, 0.2)}) {

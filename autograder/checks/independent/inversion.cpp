@@ -96,7 +96,7 @@ void expect_inversion(const std::string& call, const Values& u, const Values& x,
   }
 }
 
-TEST_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
+CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
   Rng rng = check_rng();
   for (const double rate : {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0}) {
     const Values u = shares(rng);
@@ -128,7 +128,7 @@ TEST_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
   }
 }
 
-TEST_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
+CHECK_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
   Rng rng = check_rng();
   for (const double a :
        {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, -0.75, -0.99, 0.0}) {
@@ -160,7 +160,7 @@ TEST_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
   }
 }
 
-TEST_CASE("2.3 the densities of what is sampled", "[2.3][points:3]") {
+CHECK_CASE("2.3 the densities of what is sampled", "[2.3][points:3]") {
   Rng rng = check_rng();
   for (const double rate : {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0}) {
     Values x;
@@ -206,7 +206,7 @@ TEST_CASE("2.3 the densities of what is sampled", "[2.3][points:3]") {
   }
 }
 
-TEST_CASE("2.3 parameters that make no density are refused", "[2.3][points:2][edge]") {
+CHECK_CASE("2.3 parameters that make no density are refused", "[2.3][points:2][edge]") {
   for (const double rate : {-1.0, 0.0, nan}) {
     const std::string because = "a rate is positive";
     expect_invalid_argument(MEASURE_OUTCOME(sample_exponential, {0.5}, rate), "", because);

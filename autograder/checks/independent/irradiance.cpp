@@ -88,7 +88,7 @@ void expect_formula(Rng& rng) {
        "area · radiance · cos(receiver) · cos(light) / distance^2"});
 }
 
-TEST_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1][main]") {
+CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1][main]") {
   Rng rng = check_rng();
   expect_formula(rng);
   expect_from_generator(by_area, rng);
@@ -171,7 +171,7 @@ void expect_sky(Rng& rng) {
        "pi · radiance where a direction meets the light"});
 }
 
-TEST_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][needs:2.1]") {
+CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][needs:2.1]") {
   Rng rng = check_rng();
   expect_sky(rng);
   expect_from_generator(by_hemisphere, rng);
@@ -206,7 +206,7 @@ TEST_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][n
 
 // Both --------------------------------------------------------------------------------------------
 
-TEST_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") {
+CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") {
   Rng rng = check_rng();
   for (const Placed& placed : {above(rng), aside(rng)}) {
     const RectLight& light = placed.light;
@@ -243,7 +243,7 @@ TEST_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") {
   }
 }
 
-TEST_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
+CHECK_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
   Rng rng = check_rng();
   const std::string because = "one value says nothing about how values vary";
   for (const auto& measure : {by_area, by_hemisphere}) {

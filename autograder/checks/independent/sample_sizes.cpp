@@ -42,7 +42,7 @@ void expect_samples(const Estimate& pilot, double target) {
               fmt::format("{:.17g}, rounded up", exact), "the error falls as 1 / sqrt(n)", hint);
 }
 
-TEST_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]") {
+CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]") {
   Rng rng = check_rng();
   for (int i = 0; i < 10; ++i) {
     const Estimate pilot{uniform(rng, -9, 9), uniform(rng, 0.01, 1), 1000 + rng() % 100000};
@@ -57,7 +57,7 @@ TEST_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]") 
   expect_samples({-5, 3e150, 17}, 1e149);   // squares that overflow, if taken one by one
 }
 
-TEST_CASE("2.6 at least one sample and at most 64 bits", "[2.6][points:1][edge]") {
+CHECK_CASE("2.6 at least one sample and at most 64 bits", "[2.6][points:1][edge]") {
   for (const auto& [error, target] : {std::pair{1e-9, 1.0}, {0.0, 0.1}}) {
     const auto got = MEASURE(samples_for, {1, error, 100}, target);
     expect_that(got.value == 1, fmt::format("{} = {}", got.call, got.value), "1",
@@ -67,7 +67,7 @@ TEST_CASE("2.6 at least one sample and at most 64 bits", "[2.6][points:1][edge]"
   expect_samples({1, 1, 1000}, 1e-8);  // 1e19 fits into 64 bits, but not with a sign
 }
 
-TEST_CASE("2.6 pilots and targets that say nothing are refused", "[2.6][points:1][edge]") {
+CHECK_CASE("2.6 pilots and targets that say nothing are refused", "[2.6][points:1][edge]") {
   for (const double target : {-0.1, 0.0, nan}) {
     expect_invalid_argument(MEASURE_OUTCOME(samples_for, {1, 0.5, 100}, target), "",
                             "a target is positive");
@@ -89,7 +89,7 @@ void expect_wording(const Call& call, const std::string& argument) {
   expect_invalid_argument(call, argument, "who reads it has more than one argument to look at");
 }
 
-TEST_CASE("2.6 every refusal of this lab names its argument", "[2.6][points:1][edge]") {
+CHECK_CASE("2.6 every refusal of this lab names its argument", "[2.6][points:1][edge]") {
   expect_wording(MEASURE_OUTCOME(samples_for, {1, 0.5, 100}, -0.1), "target");
   expect_wording(MEASURE_OUTCOME(samples_for, {1, nan, 1}, 0.1), "pilot");
   expect_wording(MEASURE_OUTCOME(samples_for, {1, 1e6, 1000}, 1e-6), "target|pilot|samples");

@@ -91,7 +91,8 @@ void expect_different(Rng& rng) {
                         : "do two calls, or two lanes, begin in the same place?");
 }
 
-TEST_CASE("2.8 a span of any size is filled with new numbers", "[2.8][points:3][needs:2.1][main]") {
+CHECK_CASE("2.8 a span of any size is filled with new numbers",
+           "[2.8][points:3][needs:2.1][main]") {
   Rng rng = check_rng();
   Sizes64 sizes{1000, 4096, 10007, 129, 128, 127, 65, 64, 31, 7, 3, 2, 1, 0};
   sizes.push_back(rng() % 3000);
@@ -105,7 +106,7 @@ TEST_CASE("2.8 a span of any size is filled with new numbers", "[2.8][points:3][
   expect_different(rng);
 }
 
-TEST_CASE("2.8 a call depends on its generator alone", "[2.8][points:1][edge][needs:2.1]") {
+CHECK_CASE("2.8 a call depends on its generator alone", "[2.8][points:1][edge][needs:2.1]") {
   Rng rng = check_rng();
   const std::uint64_t seed = rng(), another = rng(), size = 1024;
   const auto measured = MEASURE(uniforms_in_turn, {seed, another, seed}, size);
@@ -127,14 +128,14 @@ TEST_CASE("2.8 a call depends on its generator alone", "[2.8][points:1][edge][ne
               "the same numbers", because, hint);
 }
 
-TEST_CASE("2.8 a generator of one word", "[2.8][points:1][edge][needs:2.1]") {
+CHECK_CASE("2.8 a generator of one word", "[2.8][points:1][edge][needs:2.1]") {
   for (const std::uint64_t word : {~std::uint64_t{0}, std::uint64_t{0}}) {
     const auto corner = MEASURE(uniforms_constant, word, 1024);
     corner.exactly(1024, unit);
   }
 }
 
-TEST_CASE("2.8 the numbers are uniform in all of their bits", "[2.8][points:2][needs:2.1]") {
+CHECK_CASE("2.8 the numbers are uniform in all of their bits", "[2.8][points:2][needs:2.1]") {
   Rng rng = check_rng();
   const Filled filled(rng(), {100096});
   const Values& u = filled.numbers();
@@ -166,7 +167,7 @@ TEST_CASE("2.8 the numbers are uniform in all of their bits", "[2.8][points:2][n
       {{}, "no bit of a word is used twice in a number"});
 }
 
-TEST_CASE("2.8 the numbers are independent", "[2.8][points:2][needs:2.1]") {
+CHECK_CASE("2.8 the numbers are independent", "[2.8][points:2][needs:2.1]") {
   Rng rng = check_rng();
   const std::size_t half = 50000;
   const Filled filled(rng(), {half, half});
@@ -199,7 +200,7 @@ TEST_CASE("2.8 the numbers are independent", "[2.8][points:2][needs:2.1]") {
       {{}, "do lanes, or calls, run along the same sequence?"});
 }
 
-TEST_CASE("2.8 the last bits do not repeat", "[2.8][points:1][needs:2.1]") {
+CHECK_CASE("2.8 the last bits do not repeat", "[2.8][points:1][needs:2.1]") {
   Rng rng = check_rng();
   const Filled filled(rng(), {150000});
   std::vector<unsigned> low;  // the eight last of 53 bits
@@ -226,7 +227,7 @@ TEST_CASE("2.8 the last bits do not repeat", "[2.8][points:1][needs:2.1]") {
        "becomes a number"});
 }
 
-TEST_CASE("2.8 the first numbers of a call are independent", "[2.8][points:1][needs:2.1]") {
+CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][points:1][needs:2.1]") {
   Rng rng = check_rng();
   // The first numbers of many calls against each other: lanes whose states differ by little give
   // nearly the same at first. From one generator, and from a new one for each call.

@@ -23,7 +23,7 @@ double least_distance(View x, View y) {
   return least;
 }
 
-TEST_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]") {
+CHECK_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 256, sets = 40;
   double low = 0, radius = 0, radius_alone = 0;  // alone: no use before it
@@ -72,7 +72,7 @@ TEST_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]")
                        "no two points of a set are one, and no point is in every set");
 }
 
-TEST_CASE("6.7 blue noise has exactly N points for any N", "[6.7][points:2][needs:4]") {
+CHECK_CASE("6.7 blue noise has exactly N points for any N", "[6.7][points:2][needs:4]") {
   Rng rng = check_rng();
   for (const std::size_t n : {509u, 7u, 3u, 2u, 1u}) {
     const Columns got = columns_of("blue_noise", n, {fresh_seed(rng)}, {2});
@@ -83,7 +83,7 @@ TEST_CASE("6.7 blue noise has exactly N points for any N", "[6.7][points:2][need
   }
 }
 
-TEST_CASE("6.7 all else of blue_noise is stratified", "[6.7][points:2][needs:6.2][needs:3]") {
+CHECK_CASE("6.7 all else of blue_noise is stratified", "[6.7][points:2][needs:6.2][needs:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : {509u, 12u, 3u}) {
     const Columns got = columns_of("blue_noise", n, {fresh_seed(rng)}, {2, 1, 2, 1});

@@ -8,7 +8,7 @@
 namespace mc::checks {
 namespace {
 
-TEST_CASE("6.4 there are numbers for N samples and no others", "[6.4][edge][points:4]") {
+CHECK_CASE("6.4 there are numbers for N samples and no others", "[6.4][edge][points:4]") {
   Rng rng = check_rng();
   const Step next{next_call}, next2{next2_call}, advance{advance_call};
   for (const std::string& kind : sampler_kinds) {
@@ -32,7 +32,7 @@ TEST_CASE("6.4 there are numbers for N samples and no others", "[6.4][edge][poin
   pass();
 }
 
-TEST_CASE("6.4 no samples and too many are refused", "[6.4][edge][points:1]") {
+CHECK_CASE("6.4 no samples and too many are refused", "[6.4][edge][points:1]") {
   for (const std::string& kind : sampler_kinds) {
     const Played got = played(kind, {generate(0, 1),
                                      generate(most_samples + 1, 1),
@@ -48,7 +48,7 @@ TEST_CASE("6.4 no samples and too many are refused", "[6.4][edge][points:1]") {
   pass();
 }
 
-TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][main][points:4]") {
+CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][main][points:4]") {
   Rng rng = check_rng();
   const std::string left_over =
       "what is left over from the integration before? Counters, columns of that size or of "
@@ -90,7 +90,7 @@ TEST_CASE("6.4 the same seed gives the same numbers", "[6.4][main][points:4]") {
   }
 }
 
-TEST_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
+CHECK_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
   Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     const std::uint64_t seed = fresh_seed(rng);
@@ -115,7 +115,7 @@ TEST_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
   }
 }
 
-TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]") {
+CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]") {
   Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     const std::size_t n = 12;
@@ -150,7 +150,7 @@ TEST_CASE("6.4 a sample may ask for less than the one before", "[6.4][points:4]"
   }
 }
 
-TEST_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
+CHECK_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
   Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     const std::size_t n = 12;

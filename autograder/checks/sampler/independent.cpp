@@ -11,7 +11,7 @@
 namespace mc::checks {
 namespace {
 
-TEST_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][needs:2]") {
+CHECK_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][needs:2]") {
   Rng rng = check_rng();
   const std::size_t n = 16384;
   const Columns got = columns_of("independent", n, {fresh_seed(rng)}, {1, 2, 1});
@@ -41,7 +41,7 @@ TEST_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][need
   }
 }
 
-TEST_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs:6.5][needs:2]") {
+CHECK_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs:6.5][needs:2]") {
   Rng rng = check_rng();
   const std::uint64_t n = 16;
   const std::size_t seeds = 600;
@@ -69,14 +69,14 @@ TEST_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs
   }
 }
 
-TEST_CASE("6.1 kinds that there are not are refused", "[6.1][edge][points:1]") {
+CHECK_CASE("6.1 kinds that there are not are refused", "[6.1][edge][points:1]") {
   for (const std::string kind : {"random", "", "Sobol", "sobol "}) {
     expect_invalid_argument(MEASURE_OUTCOME(columns, kind, 2, {1}, {1}), "",
                             "there is no such kind of sampler");
   }
 }
 
-TEST_CASE("6.1 a refusal names the kinds that there are", "[6.1][edge][points:1]") {
+CHECK_CASE("6.1 a refusal names the kinds that there are", "[6.1][edge][points:1]") {
   const Call refused = MEASURE_OUTCOME(columns, "random", 2, {1}, {1});
   expect_invalid_argument(refused, "kind", "there is no such kind of sampler");
   for (const std::string& known : sampler_kinds) {

@@ -18,7 +18,7 @@ const Recorded& one_integration(const Measured& got, std::size_t n) {
   return got.exactly({1, 1, 1, n});
 }
 
-TEST_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]") {
+CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]") {
   Rng rng = check_rng();
   for (const std::size_t size : {1000u, 3u, 2u, 1u}) {
     const auto n = static_cast<double>(size);
@@ -49,7 +49,7 @@ std::string first_of(const Seeds& numbers) {
   return words + "…";
 }
 
-TEST_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {
+CHECK_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {
   Rng rng = check_rng();
   const std::size_t n = 5 + rng() % 20;
   const auto got = MEASURE(integrate_recorded, uniform_values(rng, n, 0, 1), n, fresh_seed(rng));
@@ -68,7 +68,7 @@ TEST_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {
               "so many samples were paid for", "advance() once after each sample");
 }
 
-TEST_CASE("6.5 the seed of integrate decides about the samples", "[6.5][points:1]") {
+CHECK_CASE("6.5 the seed of integrate decides about the samples", "[6.5][points:1]") {
   Rng rng = check_rng();
   const std::uint64_t seed = fresh_seed(rng);
   const auto seed_of = [](std::uint64_t given) {
@@ -95,7 +95,7 @@ TEST_CASE("6.5 the seed of integrate decides about the samples", "[6.5][points:1
               "is there anything static, or a generator that goes on?");
 }
 
-TEST_CASE("6.5 no samples are refused", "[6.5][edge][points:1]") {
+CHECK_CASE("6.5 no samples are refused", "[6.5][edge][points:1]") {
   expect_invalid_argument(MEASURE_OUTCOME(integrate_recorded, {}, 0, 1), "",
                           "a mean of no samples is nothing");
 }
@@ -105,7 +105,7 @@ TEST_CASE("6.5 no samples are refused", "[6.5][edge][points:1]") {
 // deviations of that: once in 5e8 even for one that had it, and there are 70 of them; those that do
 // have less are never near it.
 
-TEST_CASE("6.5 every kind is unbiased on every scene", "[6.5][points:2][needs:6.3][needs:6.7]") {
+CHECK_CASE("6.5 every kind is unbiased on every scene", "[6.5][points:2][needs:6.3][needs:6.7]") {
   Rng rng = check_rng();
   const std::uint64_t n = 16;
   const std::size_t replicates = 200;

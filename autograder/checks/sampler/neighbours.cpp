@@ -25,8 +25,8 @@ std::string likely_of(const HandedOut& before, const HandedOut& here) {
              : "does this number depend on the seed at all? " + same_for_seeds;
 }
 
-TEST_CASE("6.4 neighbouring seeds have nothing in common",
-          "[6.4][points:3][needs:6.2][needs:6.3]") {
+CHECK_CASE("6.4 neighbouring seeds have nothing in common",
+           "[6.4][points:3][needs:6.2][needs:6.3]") {
   Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     const Columns got = columns_of(kind, 1, neighbours(fresh_seed(rng), 2 * 800), {1});

@@ -18,7 +18,7 @@ const Recorded& picture_of(const Measured& got, std::size_t pixels, std::size_t 
   return got.exactly({pixels, pixels, pixels, 2 * pixels * spp});
 }
 
-TEST_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3]") {
+CHECK_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3]") {
   Rng rng = check_rng();
   const std::size_t width = 3 + rng() % 4, height = 7 + rng() % 4, spp = 2 + rng() % 3;
   const auto got = MEASURE(render_recorded, width, height, spp, fresh_seed(rng));
@@ -54,7 +54,7 @@ Seeds seeds_of_pixels(const std::string& call, const Recorded& record, std::size
   return record.seeds;
 }
 
-TEST_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") {
+CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") {
   Rng rng = check_rng();
   const std::size_t spp = 2;
   const std::uint64_t seed = fresh_seed(rng);
@@ -91,7 +91,7 @@ TEST_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") {
   }
 }
 
-TEST_CASE("6.6 the same seed is the same picture", "[6.6][edge][points:1]") {
+CHECK_CASE("6.6 the same seed is the same picture", "[6.6][edge][points:1]") {
   Rng rng = check_rng();
   const std::size_t width = 9, height = 7, spp = 2;
   const std::uint64_t seed = fresh_seed(rng);
@@ -110,7 +110,7 @@ TEST_CASE("6.6 the same seed is the same picture", "[6.6][edge][points:1]") {
               "is the image static, and kept from the picture before?");
 }
 
-TEST_CASE("6.6 the noise of a picture is white across pixels", "[6.6][points:1][needs:6.4]") {
+CHECK_CASE("6.6 the noise of a picture is white across pixels", "[6.6][points:1][needs:6.4]") {
   Rng rng = check_rng();
   const std::size_t width = 80, height = 80;
   for (const std::string& kind : sampler_kinds) {
@@ -148,7 +148,7 @@ std::vector<std::pair<Call, std::string>> impossible() {
   return calls;
 }
 
-TEST_CASE("6.6 pictures that cannot be are refused", "[6.6][edge][points:1]") {
+CHECK_CASE("6.6 pictures that cannot be are refused", "[6.6][edge][points:1]") {
   for (const auto& [call, argument] : impossible()) {
     expect_invalid_argument(call, "",
                             argument == "spp" ? "a pixel is a mean of samples"
@@ -157,7 +157,7 @@ TEST_CASE("6.6 pictures that cannot be are refused", "[6.6][edge][points:1]") {
   }
 }
 
-TEST_CASE("6.6 a refusal names the argument", "[6.6][edge][points:1]") {
+CHECK_CASE("6.6 a refusal names the argument", "[6.6][edge][points:1]") {
   const auto calls = impossible();
   const bool any = std::any_of(calls.begin(), calls.end(),
                                [](const auto& misuse) { return is_refused(misuse.first); });

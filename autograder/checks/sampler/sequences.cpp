@@ -67,8 +67,8 @@ std::vector<std::uint32_t> sobol_words(unsigned d, std::size_t n) {
   return words;
 }
 
-TEST_CASE("6.3 the first dimensions of sobol are Sobol' dimensions",
-          "[6.3][main][points:4][needs:5]") {
+CHECK_CASE("6.3 the first dimensions of sobol are Sobol' dimensions",
+           "[6.3][main][points:4][needs:5]") {
   Rng rng = check_rng();
   for (const Uses& uses : ways) {
     expect_first_block("sobol", columns_of("sobol", 61, {fresh_seed(rng)}, uses), uses,
@@ -83,7 +83,7 @@ TEST_CASE("6.3 the first dimensions of sobol are Sobol' dimensions",
   }
 }
 
-TEST_CASE("6.3 the first dimensions of halton are Halton dimensions", "[6.3][points:4][needs:5]") {
+CHECK_CASE("6.3 the first dimensions of halton are Halton dimensions", "[6.3][points:4][needs:5]") {
   Rng rng = check_rng();
   for (const Uses& uses : ways) {
     expect_first_block(
@@ -97,7 +97,7 @@ TEST_CASE("6.3 the first dimensions of halton are Halton dimensions", "[6.3][poi
   expect_nested(got.call, columns, sobol_words(0, got.n), "base 2");
 }
 
-TEST_CASE("6.3 each seed and each dimension is randomised anew", "[6.3][points:3][needs:5]") {
+CHECK_CASE("6.3 each seed and each dimension is randomised anew", "[6.3][points:3][needs:5]") {
   Rng rng = check_rng();
   // The first three dimensions, and three of the third block.
   Uses uses{1, 2};
@@ -194,7 +194,7 @@ void expect_independent_blocks(const std::string& kind, std::size_t n, Rng& rng)
                        "each block must be scrambled by seeds of its own");
 }
 
-TEST_CASE("6.3 sobol begins anew after eight dimensions", "[6.3][points:4][needs:5]") {
+CHECK_CASE("6.3 sobol begins anew after eight dimensions", "[6.3][points:4][needs:5]") {
   Rng rng = check_rng();
   for (const Uses& uses : {repeated(12, {2}), repeated(10, {1, 2}), repeated(24, {1})}) {
     expect_later_blocks("sobol", columns_of("sobol", 64, {fresh_seed(rng)}, uses), uses);
@@ -202,7 +202,7 @@ TEST_CASE("6.3 sobol begins anew after eight dimensions", "[6.3][points:4][needs
   expect_independent_blocks("sobol", 1024, rng);
 }
 
-TEST_CASE("6.3 halton begins anew after eight dimensions", "[6.3][points:3][needs:5]") {
+CHECK_CASE("6.3 halton begins anew after eight dimensions", "[6.3][points:3][needs:5]") {
   Rng rng = check_rng();
   for (const Uses& uses : {repeated(12, {2}), repeated(10, {1, 2}), repeated(24, {1})}) {
     expect_later_blocks("halton", columns_of("halton", 23, {fresh_seed(rng)}, uses), uses);

@@ -17,7 +17,7 @@ namespace {
 // Of 40,009 numbers kept as floats 16 leave their stratum, on average; of 10,007 but one does.
 constexpr std::size_t sizes[] = {64, 12, 1009, 7, 40009, 3, 2, 1};
 
-TEST_CASE("6.2 next has one number in each of N strata", "[6.2][points:4][needs:3]") {
+CHECK_CASE("6.2 next has one number in each of N strata", "[6.2][points:4][needs:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : sizes) {
     const Columns got = columns_of("stratified", n, {fresh_seed(rng)}, {1, 1, 1});
@@ -28,7 +28,7 @@ TEST_CASE("6.2 next has one number in each of N strata", "[6.2][points:4][needs:
   }
 }
 
-TEST_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][points:5][needs:3]") {
+CHECK_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][points:5][needs:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : sizes) {
     const Columns got = columns_of("stratified", n, {fresh_seed(rng)}, {2, 2});
@@ -37,7 +37,7 @@ TEST_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][point
   }
 }
 
-TEST_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][points:5][needs:3]") {
+CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][points:5][needs:3]") {
   Rng rng = check_rng();
   const std::size_t n = 10007;
   const Columns got = columns_of("stratified", n, {fresh_seed(rng)}, repeated(6, {1, 2}));
@@ -108,7 +108,7 @@ Left left_of_stripes(const scenes::Stripes& pixel, std::size_t n) {
   return {variance / (size * size), 3 + fourth / (variance * variance)};
 }
 
-TEST_CASE("6.2 the error is that of stratified samples", "[6.2][points:4][needs:6.5][needs:3]") {
+CHECK_CASE("6.2 the error is that of stratified samples", "[6.2][points:4][needs:6.5][needs:3]") {
   Rng rng = check_rng();
   // A dozen stripes in the pixel: with 64 strata and more, one edge in a few of them.
   scenes::Stripes pixel;

@@ -61,7 +61,7 @@ Order expect_one_in_each_box(const Sets& sets, std::size_t set, std::size_t per_
   return cells;
 }
 
-TEST_CASE("3.5 one point in each cell of all dimensions", "[3.5][main][points:4]") {
+CHECK_CASE("3.5 one point in each cell of all dimensions", "[3.5][main][points:4]") {
   Rng rng = check_rng();
   for (const auto& [per_axis, dims] : {std::pair<std::size_t, std::size_t>{3, 3},
                                        {5, 5},
@@ -78,7 +78,7 @@ TEST_CASE("3.5 one point in each cell of all dimensions", "[3.5][main][points:4]
   }
 }
 
-TEST_CASE("3.5 each point is uniform in its cell", "[3.5][points:2]") {
+CHECK_CASE("3.5 each point is uniform in its cell", "[3.5][points:2]") {
   Rng rng = check_rng();
   constexpr std::size_t per_axis = 2, dims = 3, n = 8, sets = 2700;
   const Sets got = boxes(rng, per_axis, dims, sets);
@@ -112,7 +112,7 @@ TEST_CASE("3.5 each point is uniform in its cell", "[3.5][points:2]") {
   expect_fine(got.call, all, per_axis);
 }
 
-TEST_CASE("3.5 the curse of dimension", "[3.5][points:3]") {
+CHECK_CASE("3.5 the curse of dimension", "[3.5][points:3]") {
   Rng rng = check_rng();
   const auto expected = [](std::size_t per_axis) {
     const auto axis = strata_of(centred_exponential, per_axis);
@@ -143,11 +143,11 @@ std::vector<Misuse> wrong_powers() {
           {made(16, 40, 65536), "65536^40 is 0 in 64 bits", divide}};
 }
 
-TEST_CASE("3.5 sizes that are no power are refused", "[3.5][edge][points:0.5]") {
+CHECK_CASE("3.5 sizes that are no power are refused", "[3.5][edge][points:0.5]") {
   for (const Misuse& misuse : wrong_powers()) expect_refused(misuse);
 }
 
-TEST_CASE("3.5 the refusals name the argument", "[3.5][edge][points:0.5]") {
+CHECK_CASE("3.5 the refusals name the argument", "[3.5][edge][points:0.5]") {
   expect_named(wrong_powers(), {"per_axis"});
 }
 
@@ -170,7 +170,7 @@ Order strata_of_axis(const Sets& sets, std::size_t set, std::size_t d) {
 const std::string own_shuffle =
     "two axes always meet in the same way: shuffle each of them by itself";
 
-TEST_CASE("3.6 every axis is stratified", "[3.6][main][points:4][needs:3.1]") {
+CHECK_CASE("3.6 every axis is stratified", "[3.6][main][points:4][needs:3.1]") {
   Rng rng = check_rng();
   for (const std::size_t n : {64u, 1000u, 101u, 7u, 2u, 1u}) {
     for (const std::size_t dims : {7u, 2u, 1u}) {
@@ -183,8 +183,8 @@ TEST_CASE("3.6 every axis is stratified", "[3.6][main][points:4][needs:3.1]") {
   }
 }
 
-TEST_CASE("3.6 the permutations of the axes are independent",
-          "[3.6][points:3][needs:3.1][needs:3.4]") {
+CHECK_CASE("3.6 the permutations of the axes are independent",
+           "[3.6][points:3][needs:3.1][needs:3.4]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 4, dims = 3, sets = 5000;
   const Sets got = hypercubes(rng, n, dims, sets);
@@ -220,7 +220,8 @@ TEST_CASE("3.6 the permutations of the axes are independent",
   }
 }
 
-TEST_CASE("3.6 sums gain everything and products little", "[3.6][points:3][needs:3.1][needs:3.4]") {
+CHECK_CASE("3.6 sums gain everything and products little",
+           "[3.6][points:3][needs:3.1][needs:3.4]") {
   Rng rng = check_rng();
   const std::string otherwise =
       "is each column uniform in its strata, shuffled by itself, and drawn independently?";

@@ -33,8 +33,8 @@ Jitters jitters_of_cells(Grid grid, std::size_t sets, std::uint64_t seed) {
   return all;
 }
 
-TEST_CASE("3.9 blocks of any length have their strata",
-          "[3.9][main][points:3][needs:3.1][needs:3.3]") {
+CHECK_CASE("3.9 blocks of any length have their strata",
+           "[3.9][main][points:3][needs:3.1][needs:3.3]") {
   Rng rng = check_rng();
   for (const std::size_t n : {4099u, 1023u, 1025u, 63u, 255u, 257u, 65537u, 1000000u}) {
     const Sets got = columns_of(MEASURE(stratified_1d, n, 1, fresh_seed(rng)), n, 1, 1, n);
@@ -64,8 +64,8 @@ Values lag_correlations(const Values& u, const Values& v, std::size_t first, std
   return z;
 }
 
-TEST_CASE("3.9 fast numbers are as independent as slow ones",
-          "[3.9][edge][points:3][needs:3.1][needs:3.3]") {
+CHECK_CASE("3.9 fast numbers are as independent as slow ones",
+           "[3.9][edge][points:3][needs:3.1][needs:3.3]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 32000, lags = 40;
   const std::string streams =

@@ -34,7 +34,7 @@ void expect_grids(const std::vector<std::uint64_t>& n) {
   }
 }
 
-TEST_CASE("3.2 the grid is as square as n allows", "[3.2][main][points:3]") {
+CHECK_CASE("3.2 the grid is as square as n allows", "[3.2][main][points:3]") {
   Rng rng = check_rng();
   std::vector<std::uint64_t> n(400);
   std::iota(n.begin(), n.end(), 1);
@@ -43,20 +43,20 @@ TEST_CASE("3.2 the grid is as square as n allows", "[3.2][main][points:3]") {
   expect_grids({30030, 1u << 20, 1000000, 999999, 2 * 499979, 1009 * 1013, 2 + rng() % 1000000});
 }
 
-TEST_CASE("3.2 a prime number of cells is a row", "[3.2][points:1]") {
+CHECK_CASE("3.2 a prime number of cells is a row", "[3.2][points:1]") {
   expect_grids({7, 101, 1009, 65537, 999983, 1000000007, 5, 3, 2});
 }
 
-TEST_CASE("3.2 no cells are refused", "[3.2][edge][points:0.5]") {
+CHECK_CASE("3.2 no cells are refused", "[3.2][edge][points:0.5]") {
   expect_refused({MEASURE_OUTCOME(strata, {0}), "there is no grid without cells"});
 }
 
-TEST_CASE("3.2 the refusal names the argument", "[3.2][edge][points:0.5]") {
+CHECK_CASE("3.2 the refusal names the argument", "[3.2][edge][points:0.5]") {
   const Misuse misuses[] = {{MEASURE_OUTCOME(strata, {0}), "there is no grid without cells"}};
   expect_named(misuses, {"n", "strata", "cells"});
 }
 
-TEST_CASE("3.2 more cells than 32 bits count", "[3.2][edge][points:1]") {
+CHECK_CASE("3.2 more cells than 32 bits count", "[3.2][edge][points:1]") {
   // Squares, products of neighbours, what lies beside them. A loop over all numbers up to the
   // square root takes 30 ns each at worst: 0.1 s a call.
   Rng rng = check_rng();
@@ -77,7 +77,7 @@ Sets jittered(Rng& rng, Grid grid, std::size_t sets) {
   return planes_of(MEASURE(stratified_2d, grid, sets, fresh_seed(rng)), grid, sets);
 }
 
-TEST_CASE("3.3 one point in each cell", "[3.3][main][points:4]") {
+CHECK_CASE("3.3 one point in each cell", "[3.3][main][points:4]") {
   Rng rng = check_rng();
   for (const Grid grid :
        {Grid{16, 4}, Grid{8, 8}, Grid{3, 5}, Grid{100, 10}, Grid{2 + rng() % 50, 2 + rng() % 50},
@@ -91,7 +91,7 @@ TEST_CASE("3.3 one point in each cell", "[3.3][main][points:4]") {
   }
 }
 
-TEST_CASE("3.3 each point is uniform in its cell", "[3.3][points:3]") {
+CHECK_CASE("3.3 each point is uniform in its cell", "[3.3][points:3]") {
   Rng rng = check_rng();
   const Sets got = jittered(rng, {5, 3}, 4400);
   const Values u = jitters_of(got, 0, 5), v = jitters_of(got, 1, 3);
@@ -101,7 +101,7 @@ TEST_CASE("3.3 each point is uniform in its cell", "[3.3][points:3]") {
                      "the same random number moves x and y: points lie on the cells' diagonals");
 }
 
-TEST_CASE("3.3 the cells are independent of each other", "[3.3][points:3]") {
+CHECK_CASE("3.3 the cells are independent of each other", "[3.3][points:3]") {
   Rng rng = check_rng();
   constexpr std::size_t side = 4, n = side * side, sets = 1000;
   const Sets got = jittered(rng, {side, side}, sets);
@@ -136,7 +136,7 @@ const std::string cell_otherwise =
     "the variance within the cells is all that may be left: is each point uniform in its cell, x "
     "and y drawn independently?";
 
-TEST_CASE("3.3 the error falls as 1/N in the plane", "[3.3][points:2]") {
+CHECK_CASE("3.3 the error falls as 1/N in the plane", "[3.3][points:2]") {
   Rng rng = check_rng();
   const auto expected = [](std::size_t side) {
     const auto axis = strata_of(gaussian, side);
@@ -150,7 +150,7 @@ TEST_CASE("3.3 the error falls as 1/N in the plane", "[3.3][points:2]") {
                {expected(4), expected(16)}, "errors for exp(-x^2-y^2) fall as 1/N", cell_otherwise);
 }
 
-TEST_CASE("3.3 the error falls as N^-3/4 across an edge", "[3.3][points:2]") {
+CHECK_CASE("3.3 the error falls as N^-3/4 across an edge", "[3.3][points:2]") {
   Rng rng = check_rng();
   const double edge = uniform(rng, 0.05, 0.15);
   const Tested g{fmt::format("1 where cos(1)(x-1/2) + sin(1)(y-1/2) < {:.6g}", edge), [=](View x) {
@@ -170,7 +170,7 @@ TEST_CASE("3.3 the error falls as N^-3/4 across an edge", "[3.3][points:2]") {
       "only the cells that the edge cuts have any variance: errors fall as N^-3/4", cell_otherwise);
 }
 
-TEST_CASE("3.3 edges and waves and a corner have their exact variances", "[3.3][points:2]") {
+CHECK_CASE("3.3 edges and waves and a corner have their exact variances", "[3.3][points:2]") {
   Rng rng = check_rng();
   constexpr std::size_t side = 8, n = side * side;
   const Sets got = jittered(rng, {side, side}, 4000);
@@ -213,7 +213,7 @@ TEST_CASE("3.3 edges and waves and a corner have their exact variances", "[3.3][
                cell_otherwise);
 }
 
-TEST_CASE("3.3 no point leaves its cell whatever the bits", "[3.3][edge][points:1]") {
+CHECK_CASE("3.3 no point leaves its cell whatever the bits", "[3.3][edge][points:1]") {
   Rng rng = check_rng();
   for (const Grid grid : {Grid{49, 98}, Grid{1 + rng() % 100, 1 + rng() % 100}, Grid{2, 3},
                           Grid{1009, 1}, Grid{1, 1009}, Grid{1, 1}}) {
@@ -228,11 +228,11 @@ Call into_2d(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
   return MEASURE_OUTCOME(stratified_2d_into, size_x, size_y, grid);
 }
 
-TEST_CASE("3.3 what is no grid of these points is refused", "[3.3][edge][points:1.5]") {
+CHECK_CASE("3.3 what is no grid of these points is refused", "[3.3][edge][points:1.5]") {
   for (const Misuse& misuse : grid_misuses(into_2d)) expect_refused(misuse);
 }
 
-TEST_CASE("3.3 the refusals name the argument", "[3.3][edge][points:0.5]") {
+CHECK_CASE("3.3 the refusals name the argument", "[3.3][edge][points:0.5]") {
   expect_grid_named(into_2d);
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "checks/stratification/points.hpp"
+#include "checks/support/inversions.hpp"
 #include "checks/support/statistics.hpp"
 
 namespace mc::checks {
@@ -15,12 +16,6 @@ constexpr double alpha = 5e-9;
 
 inline const std::string one_for_all =
     "the same random number moves both: draw one for every coordinate";
-
-/// Where x of [0,1) lies within its stratum: the number in [0,1) that its jitter came from.
-inline double jitter_of(double x, std::size_t n) {
-  const double scaled = x * static_cast<double>(n);
-  return std::clamp(scaled - std::floor(scaled), 0.0, 1 - 0x1p-53);
-}
 
 inline Values jitters_of(View x, std::size_t n) {
   Values jitters;

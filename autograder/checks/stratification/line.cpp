@@ -8,6 +8,7 @@
 
 #include "checks/stratification/levels.hpp"
 #include "checks/support/catch.hpp"
+#include "checks/support/sample_sets.hpp"
 
 namespace mc::checks {
 namespace {
@@ -18,7 +19,7 @@ Sets lines(Rng& rng, std::size_t n, std::size_t sets) {
   return columns_of(MEASURE(stratified_1d, n, sets, fresh_seed(rng)), n, 1, sets, n);
 }
 
-TEST_CASE("3.1 one point in each stratum and in order", "[3.1][main][points:3]") {
+CHECK_CASE("3.1 one point in each stratum and in order", "[3.1][main][points:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : {64u, 10u, 1000u, 1009u, 7u, 3u, 2u, 1u}) {
     const Sets got = lines(rng, n, 3);
@@ -27,43 +28,40 @@ TEST_CASE("3.1 one point in each stratum and in order", "[3.1][main][points:3]")
   }
 }
 
-TEST_CASE("3.1 each point is uniform in its stratum", "[3.1][points:4]") {
-  Rng rng = check_rng();
-  const Sets many = lines(rng, 16, 4000);
-  expect_uniform_jitter(many.call, jitters_of(many, 0, 16), 16,
-                        "the points of 3.1 are uniform in their strata");
-  const Sets one = lines(rng, 1, 8000);
-  const double each = 1.0 / 32;
-  expect_counts(one.call + ", points in 32 equal parts of [0, 1)",
-                counts_of(jitters_of(one, 0, 1), 32), std::span(&each, 1),
-                {"one stratum is all of [0,1)", alpha}, {{}, "one point is uniform in [0, 1)"});
+/// The jitters of sets of n strata, made by one call with this seed.
+Uniforms jitters_on_a_line(std::size_t n, std::size_t sets, std::uint64_t seed) {
+  const SampleSets lines = sets_from_columns(MEASURE(stratified_1d, n, sets, seed), n, 1, sets, n);
+  return jitters_of(lines, std::array{n}, [](std::size_t, std::size_t k) { return k; });
 }
 
-TEST_CASE("3.1 the strata are independent of each other", "[3.1][points:3]") {
+CHECK_CASE("3.1 each point is uniform in its stratum", "[3.1][points:4]") {
   Rng rng = check_rng();
-  constexpr std::size_t n = 16, sets = 1000;
-  const std::uint64_t seed = fresh_seed(rng);
-  const Sets got = columns_of(MEASURE(stratified_1d, n, sets, seed), n, 1, sets, n);
-  const Values u = jitters_of(got, 0, n);
-  Values even, odd, low, high, before, after;
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    const std::size_t set = k / n, i = k % n;
-    (i % 2 == 0 ? even : odd).push_back(u[k]);
-    (set % 2 == 0 ? before : after).push_back(u[k]);
-    if (i < n / 2) low.push_back(u[k]), high.push_back(u[set * n + n - 1 - i]);
+  for (const std::size_t n : {16u, 1u, 37u, 100u}) {
+    expect_independent_uniforms(
+        jitters_on_a_line(n, std::max<std::size_t>(400, 20000 / n), fresh_seed(rng)),
+        {.words = fmt::format("the points of {} strata are uniform in them", n),
+         .alpha = alpha,
+         .otherwise = "each point is (i + u) / n with a u of its own, uniform in [0, 1)",
+         .repeated = come_again,
+         .same = one_for_all},
+        true);
   }
-  expect_independent(got.call, even, odd, "neighbouring strata of 3.1 are independent",
-                     one_for_all);
-  expect_independent(got.call, low, high, "strata i and N-1-i of 3.1 are independent", one_for_all);
-  expect_independent(got.call, before, after, "one set of 3.1 is independent of the next",
-                     "the same numbers in every set: draw them from the generator you are given");
-  const Sets next = columns_of(MEASURE(stratified_1d, n, sets, seed + 1), n, 1, sets, n);
-  expect_independent(got.call + " and the next seed", u, jitters_of(next, 0, n),
-                     "neighbouring seeds give independent points in 3.1",
-                     "the same numbers for every seed: draw them from the generator you are given");
 }
 
-TEST_CASE("3.1 the error falls as N^-1.5", "[3.1][points:2]") {
+CHECK_CASE("3.1 the strata are independent of each other", "[3.1][points:3]") {
+  Rng rng = check_rng();
+  const Randomness claim{.words = "the strata of 3.1 are independent of each other",
+                         .alpha = alpha,
+                         .otherwise = "draw a random number for each stratum, from the generator",
+                         .repeated = come_again,
+                         .same = one_for_all};
+  const std::uint64_t seed = fresh_seed(rng);
+  Uniforms sets = jitters_on_a_line(37, 1000, seed);
+  expect_independent_uniforms(sets, claim);
+  expect_independent_uniforms(side_by_side(sets, jitters_on_a_line(37, 1000, seed + 1)), claim);
+}
+
+CHECK_CASE("3.1 the error falls as N^-1.5", "[3.1][points:2]") {
   Rng rng = check_rng();
   const std::string otherwise =
       "the variance within the strata is all that may be left: is each point uniform in its "
@@ -76,7 +74,7 @@ TEST_CASE("3.1 the error falls as N^-1.5", "[3.1][points:2]") {
                "errors for exp(x) fall as N^-1.5", otherwise);
 }
 
-TEST_CASE("3.1 a wave in each stratum gains nothing", "[3.1][points:1]") {
+CHECK_CASE("3.1 a wave in each stratum gains nothing", "[3.1][points:1]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 64;
   const Tested wave{"cos(2 pi N x)", [](View x) {
@@ -89,7 +87,7 @@ TEST_CASE("3.1 a wave in each stratum gains nothing", "[3.1][points:1]") {
       "is each point uniform in its stratum, and independent of the others?");
 }
 
-TEST_CASE("3.1 no point leaves its stratum whatever the bits", "[3.1][edge][points:2]") {
+CHECK_CASE("3.1 no point leaves its stratum whatever the bits", "[3.1][edge][points:2]") {
   Rng rng = check_rng();
   for (const std::size_t n :
        {std::size_t{1000}, std::size_t{49}, 2 + rng() % 5000, std::size_t{1009},

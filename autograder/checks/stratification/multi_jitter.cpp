@@ -12,7 +12,7 @@ Sets multi_jittered(Rng& rng, Grid grid, std::size_t sets) {
   return planes_of(MEASURE(multi_jittered, grid, sets, fresh_seed(rng)), grid, sets);
 }
 
-TEST_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][points:5]") {
+CHECK_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][points:5]") {
   Rng rng = check_rng();
   for (const Grid grid : {Grid{8, 8}, Grid{16, 4}, Grid{3, 5}, Grid{2 + rng() % 30, 2 + rng() % 30},
                           Grid{7, 1}, Grid{1, 11}, Grid{101, 1}, Grid{1, 1}}) {
@@ -74,13 +74,13 @@ void expect_uniform_in_cell(Rng& rng, Grid grid) {
                    "cells of each column, and the strata of y to the cells of each row"});
 }
 
-TEST_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
+CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
   Rng rng = check_rng();
   expect_uniform_in_cell(rng, {4, 3});
   expect_uniform_in_cell(rng, {3, 3});  // where one permutation would do for both
 }
 
-TEST_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
+CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
   Rng rng = check_rng();
   constexpr Grid grid{4, 3};
   constexpr std::size_t n = grid.nx * grid.ny, sets = 6000;
@@ -106,7 +106,7 @@ TEST_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]
   }
 }
 
-TEST_CASE("3.7 a sum is estimated as in one dimension", "[3.7][points:1]") {
+CHECK_CASE("3.7 a sum is estimated as in one dimension", "[3.7][points:1]") {
   Rng rng = check_rng();
   const auto axis = strata_of(exponential, 64);
   auto expected = expected_of(axis);  // twice, independent: one x in each of 64 strata, one y too
@@ -120,11 +120,11 @@ Call into_multi(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
   return MEASURE_OUTCOME(multi_jittered_into, size_x, size_y, grid);
 }
 
-TEST_CASE("3.7 what is no grid of these points is refused", "[3.7][edge][points:0.5]") {
+CHECK_CASE("3.7 what is no grid of these points is refused", "[3.7][edge][points:0.5]") {
   for (const Misuse& misuse : grid_misuses(into_multi)) expect_refused(misuse);
 }
 
-TEST_CASE("3.7 the refusals name the argument", "[3.7][edge][points:0.5]") {
+CHECK_CASE("3.7 the refusals name the argument", "[3.7][edge][points:0.5]") {
   expect_grid_named(into_multi);
 }
 

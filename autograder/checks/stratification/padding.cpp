@@ -101,7 +101,7 @@ std::string shuffle_hint(const Order& orders) {
   return fair;
 }
 
-TEST_CASE("3.4 every permutation is equally likely", "[3.4][main][points:3]") {
+CHECK_CASE("3.4 every permutation is equally likely", "[3.4][main][points:3]") {
   Rng rng = check_rng();
   std::string call;
   const Order few = orders_of(rng, 5, 12000, call);
@@ -137,7 +137,7 @@ void expect_no_trend(const std::string& call, std::span<const Trend> trends,
   expect_variance({call, z}, 0, 1, 3, {words, alpha}, {{}, hint});
 }
 
-TEST_CASE("3.4 permutations of many values have no trend", "[3.4][points:2]") {
+CHECK_CASE("3.4 permutations of many values have no trend", "[3.4][points:2]") {
   Rng rng = check_rng();
   // Numbers of 16 bits in a shuffle of 100,000 make a correlation of -45 standard errors, keys of
   // 16 bits that are sorted, with ties left as they come, 90 in ascents.
@@ -154,7 +154,7 @@ TEST_CASE("3.4 permutations of many values have no trend", "[3.4][points:2]") {
                         "n has, of which 16 are too few here");
 }
 
-TEST_CASE("3.4 shuffle keeps every value", "[3.4][points:1]") {
+CHECK_CASE("3.4 shuffle keeps every value", "[3.4][points:1]") {
   Rng rng = check_rng();
   for (const std::size_t n : {1000u, 100000u, 10u, 2u, 1u, 0u}) {
     Values x = uniform_values(rng, n, -1, 1);
@@ -202,8 +202,8 @@ std::vector<Order> patterns_of(const Sets& sets, std::size_t set) {
   return orders;
 }
 
-TEST_CASE("3.4 every pair of dimensions is a jittered grid",
-          "[3.4][points:3][needs:3.2][needs:3.3]") {
+CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
+           "[3.4][points:3][needs:3.2][needs:3.3]") {
   Rng rng = check_rng();
   for (const std::size_t n : {64u, 12u, 101u, 7u, 1u}) {
     for (const std::size_t dims : {4u, 2u, 7u, 3u, 1u}) patterns_of(padded(rng, n, dims, 1), 0);
@@ -228,7 +228,7 @@ std::array<Order, 3> pattern_orders(const Sets& sets) {
 const char* const pattern_names[] = {"dimensions (0,1)", "dimensions (2,3)",
                                      "the odd last dimension"};
 
-TEST_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.3]") {
+CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.3]") {
   Rng rng = check_rng();
   const std::string together =
       "shuffle the points of each pattern, x and y together, once for each pattern";
@@ -266,7 +266,7 @@ TEST_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.3]
   }
 }
 
-TEST_CASE("3.4 long patterns have no trend", "[3.4][points:1][needs:3.2][needs:3.3]") {
+CHECK_CASE("3.4 long patterns have no trend", "[3.4][points:1][needs:3.2][needs:3.3]") {
   Rng rng = check_rng();
   const Sets got = padded(rng, 10000, 5, 1), other_seed = padded(rng, 10000, 5, 1);
   const std::vector<Order> patterns = patterns_of(got, 0), others = patterns_of(other_seed, 0);
@@ -284,7 +284,7 @@ TEST_CASE("3.4 long patterns have no trend", "[3.4][points:1][needs:3.2][needs:3
       "every point of a pattern may come anywhere: shuffle all N of them, each pattern by itself");
 }
 
-TEST_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.3]") {
+CHECK_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.3]") {
   Rng rng = check_rng();
   const std::string shuffled =
       "shuffle the first pattern too: who stops early must not see only the first rows of the grid";

@@ -49,7 +49,7 @@ double spread(const Values& x) {
 /// Sums of at most 6000 values of size one lose 6000 eps of them; 5e-12 is four times that.
 constexpr double rounding = 5e-12;
 
-TEST_CASE("3.8 the estimate is the mean of the replicates", "[3.8][main][points:2]") {
+CHECK_CASE("3.8 the estimate is the mean of the replicates", "[3.8][main][points:2]") {
   Rng rng = check_rng();
   for (const auto& dealt :
        {deal(rng, 64, 1, 25), deal(rng, 7, 3, 3), deal(rng, 100, 2, 1), deal(rng, 1, 1, 2)}) {
@@ -86,7 +86,7 @@ TEST_CASE("3.8 the estimate is the mean of the replicates", "[3.8][main][points:
   }
 }
 
-TEST_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:2]") {
+CHECK_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:2]") {
   Rng rng = check_rng();
   for (const auto& dealt :
        {deal(rng, 7, 1, 5), deal(rng, 64, 2, 25), deal(rng, 5, 1, 3), deal(rng, 1, 1, 2)}) {
@@ -154,7 +154,7 @@ void expect_of_its_points(const std::string& call, const Replicated& got,
                 {{}, "the error bar comes from the spread of the means of these replicates"});
 }
 
-TEST_CASE("3.8 the error bar is honest for stratified points", "[3.8][points:1][needs:3.1]") {
+CHECK_CASE("3.8 the error bar is honest for stratified points", "[3.8][points:1][needs:3.1]") {
   Rng rng = check_rng();
   constexpr std::size_t n = 16, replicates = 9, times = 60;
   const experiments::Function g{1, (rng() % 2 == 0 ? 1 : -1) * uniform(rng, 0.5, 2),
@@ -183,7 +183,7 @@ TEST_CASE("3.8 the error bar is honest for stratified points", "[3.8][points:1][
                   {"squared error bars are the exact variance on average", alpha}, {{}, fresh});
 }
 
-TEST_CASE("3.8 one replicate has no error bar", "[3.8][edge][points:0.5]") {
+CHECK_CASE("3.8 one replicate has no error bar", "[3.8][edge][points:0.5]") {
   Rng rng = check_rng();
   const auto one = MEASURE(estimate_replicated, uniform_values(rng, 10, -1, 1), 10, 1, 1);
   expect_nan(one.call + ".standard_error", one.value.standard_error,
@@ -193,7 +193,7 @@ TEST_CASE("3.8 one replicate has no error bar", "[3.8][edge][points:0.5]") {
       {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 2, 1, 0), "a mean needs a replicate"});
 }
 
-TEST_CASE("3.8 the refusals name the argument", "[3.8][edge][points:0.5]") {
+CHECK_CASE("3.8 the refusals name the argument", "[3.8][edge][points:0.5]") {
   const Misuse no_points[] = {
       {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 0, 1, 2), "a mean needs a point"}};
   const Misuse no_replicates[] = {

@@ -9,3 +9,5 @@ using Catch::Approx;
 #else
 #include <catch2/catch.hpp>
 #endif
+
+#include "checks/support/replay.hpp"

@@ -26,12 +26,9 @@ std::string hint_for(double got, const Hints& hints, Meets meets) {
   return std::isnan(got) && !hints.for_nan.empty() ? hints.for_nan : hints.otherwise;
 }
 
-[[noreturn]] void tell(const std::string& measured, const std::string& expected,
-                       const std::string& because, const std::string& hint) {
-  std::string story = fmt::format("measured  {}\nexpected  {}", measured, expected);
-  if (!because.empty()) story += "\nbecause   " + because;
-  if (!hint.empty()) story += "\nlikely    " + hint;
-  fail(story);
+[[noreturn]] void fail_with(const std::string& measured, const std::string& expected,
+                            const std::string& because, const std::string& likely) {
+  fail(Failure{measured, expected, because, likely});
 }
 
 /// "x or y" of "x|y".
@@ -66,25 +63,25 @@ void expect_digits(const std::string& what, double got, double exact, double flo
   if (kept >= floor) return pass();
   const std::string found =
       std::isfinite(got) ? fmt::format("{:.1f} found", std::max(0.0, kept)) : "no number found";
-  tell(fmt::format("{} = {}", what, got),
-       fmt::format("{}: {:.1f} correct digits needed, {}", exact, floor, found), because,
-       hint_for(got, hints, [=](double value) { return digits(value, exact) >= floor; }));
+  fail_with(fmt::format("{} = {}", what, got),
+            fmt::format("{}: {:.1f} correct digits needed, {}", exact, floor, found), because,
+            hint_for(got, hints, [=](double value) { return digits(value, exact) >= floor; }));
 }
 
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Hints& hints) {
   const auto meets = [=](double value) { return std::abs(value - exact) <= tolerance; };
   if (meets(got)) return pass();
-  tell(fmt::format("{} = {}", what, got),
-       tolerance == 0 ? fmt::format("{}, exactly", exact)
-       : exact == 0   ? fmt::format("0, or at most {:.3g} away from it", tolerance)
-                      : fmt::format("{}, give or take {:.3g}", exact, tolerance),
-       because, hint_for(got, hints, meets));
+  fail_with(fmt::format("{} = {}", what, got),
+            tolerance == 0 ? fmt::format("{}, exactly", exact)
+            : exact == 0   ? fmt::format("0, or at most {:.3g} away from it", tolerance)
+                           : fmt::format("{}, give or take {:.3g}", exact, tolerance),
+            because, hint_for(got, hints, meets));
 }
 
 void expect_that(bool holds, const std::string& measured, const std::string& expected,
                  const std::string& because, const std::string& hint) {
-  if (!holds) tell(measured, expected, because, hint);
+  if (!holds) fail_with(measured, expected, because, hint);
   pass();
 }
 
@@ -98,10 +95,11 @@ void expect_refused(const Call& call, const std::string& because) {
   const bool threw_another = outcome.answered && (outcome.status == wire::Status::out_of_range ||
                                                   outcome.status == wire::Status::other_exception);
   if (threw_another || (outcome.answered && outcome.status == wire::Status::value)) {
-    tell(threw_another ? fmt::format("{} threw another exception: {}", call.text, outcome.bytes)
-                       : fmt::format("{} returned a value", call.text),
-         "std::invalid_argument", because,
-         "misuse throws std::invalid_argument, before anything is computed");
+    fail_with(threw_another
+                  ? fmt::format("{} threw another exception: {}", call.text, outcome.bytes)
+                  : fmt::format("{} returned a value", call.text),
+              "std::invalid_argument", because,
+              "misuse throws std::invalid_argument, before anything is computed");
   }
   if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
     require_value(call);  // ends the check with what happened instead
@@ -113,9 +111,9 @@ void expect_invalid_argument(const Call& call, const std::string& argument,
                              const std::string& because) {
   const auto& outcome = call.outcome;
   if (outcome.answered && outcome.status == wire::Status::value) {
-    tell(fmt::format("{} returned a value", call.text),
-         "std::invalid_argument" + (argument.empty() ? "" : " naming " + in_words(argument)),
-         because, "misuse throws std::invalid_argument, before anything is computed");
+    fail_with(fmt::format("{} returned a value", call.text),
+              "std::invalid_argument" + (argument.empty() ? "" : " naming " + in_words(argument)),
+              because, "misuse throws std::invalid_argument, before anything is computed");
   }
   if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
     require_value(call);  // ends the check with what happened instead

@@ -8,9 +8,16 @@
 
 namespace mc::checks {
 
+void fail(const Failure& failure) {
+  std::string report =
+      fmt::format("measured  {}\nexpected  {}", failure.measured, failure.expected);
+  if (!failure.because.empty()) report += "\nbecause   " + failure.because;
+  if (!failure.likely.empty()) report += "\nlikely    " + failure.likely;
+  fail(report);
+}
+
 void refuse(const std::string& call, const Objection& objection) {
-  fail(fmt::format("measured  {} {}\nexpected  {}{}", call, objection.measured, objection.expected,
-                   objection.likely.empty() ? "" : "\nlikely    " + objection.likely));
+  fail(Failure{call + ' ' + objection.measured, objection.expected, "", objection.likely});
 }
 
 Objection wrong_size(const std::string& list, std::size_t size, std::size_t due, bool or_less) {

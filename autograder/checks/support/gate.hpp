@@ -16,8 +16,16 @@
 
 namespace mc::checks {
 
-/// Ends the check: it failed, and this is the story.
-[[noreturn]] void fail(const std::string& story);
+/// What a student is told where a check fails.
+struct Failure {
+  std::string measured, expected;
+  std::string because = {};  ///< why that is expected, or where the bound comes from
+  std::string likely = {};   ///< the mistake, where what was measured shows it
+};
+
+/// Ends the check: it failed.
+[[noreturn]] void fail(const Failure& failure);
+[[noreturn]] void fail(const std::string& report);
 
 /// An expectation was met. Catch2 counts the first: it takes a check without any for an empty one.
 void pass();

@@ -15,6 +15,7 @@
 
 #include "checks/support/catch.hpp"
 #include "checks/support/plain_numbers.hpp"
+#include "checks/support/replay.hpp"
 #include "protocol/environment.hpp"
 
 namespace mc::checks {
@@ -64,12 +65,21 @@ std::uint64_t run_seed() {
   return seed;
 }
 
-/// The experiment that was asked for last, and its arguments.
-struct LastCall {
-  std::string experiment;
+/// Calls of this check, the latest last, for the command that repeats one by hand.
+struct PastCall {
+  std::string text, experiment;
   std::function<std::string()> typed;
 };
-LastCall last_call;
+std::vector<PastCall> past_calls;
+constexpr std::size_t most_past_calls = 16;
+
+/// The latest call that a failure report names, or else the latest.
+const PastCall* call_in(const std::string& story) {
+  for (auto call = past_calls.rbegin(); call != past_calls.rend(); ++call) {
+    if (story.find(call->text) != std::string::npos) return &*call;
+  }
+  return past_calls.empty() ? nullptr : &past_calls.back();
+}
 
 bool has_timed_out(std::string_view experiment) {
   const std::string all = ' ' + environment(protocol::timed_out_variable) + ' ';
@@ -158,7 +168,9 @@ Rng check_rng() {
 }
 
 void fail(const std::string& story) {
-  if (last_call.typed) record(RecordKind::call, last_call.experiment + last_call.typed());
+  if (const PastCall* call = call_in(story)) {
+    record(RecordKind::call, call->experiment + call->typed());
+  }
   FAIL(without_empty_signs(story));
   std::abort();  // FAIL throws
 }
@@ -174,11 +186,13 @@ void pass() {
 
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits) {
-  last_call = {std::string(experiment), std::move(typed)};
+  if (past_calls.size() == most_past_calls) past_calls.erase(past_calls.begin());
+  past_calls.push_back({call, std::string(experiment), std::move(typed)});
   if (has_timed_out(experiment)) {
     fail(fmt::format("skipped: {} already timed out in a check of this task", experiment));
   }
   Call made{std::move(call), run_or_tell(request, limits)};
+  keep_for_replay(made.text, request, made.outcome);
   static double dearest = 0.02;  // what is less is not worth a word
   if (made.outcome.cpu_seconds > dearest) {
     dearest = made.outcome.cpu_seconds;
@@ -187,6 +201,10 @@ Call ask(std::string_view experiment, std::string call, std::function<std::strin
   if (!made.outcome.printed.empty()) record(RecordKind::printed, made.outcome.printed);
   if (made.outcome.timed_out) record(RecordKind::timed_out, std::string(experiment));
   return made;
+}
+
+Call ask_again(std::string call, std::string request) {
+  return {std::move(call), run_or_tell(request, {})};
 }
 
 void require_value(const Call& call) {

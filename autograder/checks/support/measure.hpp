@@ -121,6 +121,9 @@ Rng check_rng();
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits);
 
+/// Asks the program without keeping the call: what a report repeats by hand is the call before.
+Call ask_again(std::string call, std::string request);
+
 /// Hears of a call without a value where one may be missing; set by what draws plots.
 extern void (*on_missing)(std::string_view experiment, const Call& call);
 

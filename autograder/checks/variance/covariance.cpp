@@ -56,7 +56,7 @@ Hints covariance_hints(double got, const ExactPairs& exact, const std::string& o
           otherwise};
 }
 
-TEST_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {
+CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : {10u, 1000u, 3u, 2u}) {
     const Pairs pairs = tame_pairs(rng, n);
@@ -81,7 +81,7 @@ void expect_promised(const Pairs& pairs, const std::string& otherwise) {
                 covariance_hints(got.value, exact, otherwise));
 }
 
-TEST_CASE("1.6 the covariance keeps its digits under large means", "[1.6][points:3]") {
+CHECK_CASE("1.6 the covariance keeps its digits under large means", "[1.6][points:3]") {
   Rng rng = check_rng();
   for (const double offset : {1e9, 1e6, 1e12}) {
     Pairs pairs{shifted_pattern(rng, offset, 1000), shifted_pattern(rng, offset, 1000)};
@@ -91,7 +91,7 @@ TEST_CASE("1.6 the covariance keeps its digits under large means", "[1.6][points
   }
 }
 
-TEST_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]") {
+CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]") {
   Rng rng = check_rng();
   const std::pair<double, double> scales[] = {{1e-4, 1e4}, {1e4, 1e-4},     {1e-4, 1e-4},
                                               {1e-9, 1e9}, {1e-150, 1e150}, {1e-100, 1e-100}};
@@ -105,7 +105,7 @@ TEST_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]")
   }
 }
 
-TEST_CASE("1.6 there is no covariance of one pair or of NaN", "[1.6][edge][points:1]") {
+CHECK_CASE("1.6 there is no covariance of one pair or of NaN", "[1.6][edge][points:1]") {
   Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, 1, 2)}, Values{}}) {
     const auto got = MEASURE(covariance, x, x);
@@ -122,13 +122,13 @@ TEST_CASE("1.6 there is no covariance of one pair or of NaN", "[1.6][edge][point
 
 const std::string because_no_pairs = "there are no pairs where the sizes differ";
 
-TEST_CASE("1.6 lists of two sizes are refused", "[1.6][edge][points:1]") {
+CHECK_CASE("1.6 lists of two sizes are refused", "[1.6][edge][points:1]") {
   expect_refused(MEASURE_OUTCOME(covariance, {1, 2, 3}, {1, 2}), because_no_pairs);
   expect_refused(MEASURE_OUTCOME(covariance, {1, 2}, {1, 2, 3}), because_no_pairs);
   expect_refused(MEASURE_OUTCOME(covariance, {1}, {}), because_no_pairs);
 }
 
-TEST_CASE("1.6 the refusal names the argument", "[1.6][edge][points:1]") {
+CHECK_CASE("1.6 the refusal names the argument", "[1.6][edge][points:1]") {
   expect_invalid_argument(MEASURE_OUTCOME(covariance, {1, 2, 3}, {1, 2}), "x|y", because_no_pairs);
 }
 

@@ -79,7 +79,7 @@ void expect_dependence(const Values& joint, std::size_t columns) {
                     "probabilities of at most 1, added and multiplied a few times");
 }
 
-TEST_CASE("1.7 the dependence of a joint table", "[1.7][main][points:4]") {
+CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:4]") {
   Rng rng = check_rng();
   for (const auto& [rows, columns] : {std::pair{3u, 5u}, {7u, 2u}, {2u, 2u}, {1u, 3u}}) {
     expect_dependence(uniform_values(rng, rows * columns, 0, uniform(rng, 0.1, 50)), columns);
@@ -92,7 +92,7 @@ TEST_CASE("1.7 the dependence of a joint table", "[1.7][main][points:4]") {
   }
 }
 
-TEST_CASE("1.7 independent variables have dependence zero", "[1.7][points:2]") {
+CHECK_CASE("1.7 independent variables have dependence zero", "[1.7][points:2]") {
   Rng rng = check_rng();
   for (const auto& [rows, columns] : {std::pair{2u, 5u}, {4u, 3u}, {3u, 2u}}) {
     // Whole weights below 2^20 multiply and add exactly: this table is independent in double too.
@@ -110,7 +110,7 @@ TEST_CASE("1.7 independent variables have dependence zero", "[1.7][points:2]") {
   }
 }
 
-TEST_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][needs:1.6]") {
+CHECK_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][needs:1.6]") {
   Rng rng = check_rng();
   // Eight points of a circle, (±a, ±b) and (±b, ±a): y knows nothing linear of x.
   const double a = uniform(rng, 1, 5), b = uniform(rng, 5, 9);
@@ -149,13 +149,13 @@ const Misuse misuses[] = {
     {{}, 2, "joint|total", "nothing cannot be normalised"},
 };
 
-TEST_CASE("1.7 what is no distribution is refused", "[1.7][edge][points:1]") {
+CHECK_CASE("1.7 what is no distribution is refused", "[1.7][edge][points:1]") {
   for (const Misuse& misuse : misuses) {
     expect_refused(dependence_of(misuse.joint, misuse.columns), misuse.because);
   }
 }
 
-TEST_CASE("1.7 each refusal names the argument", "[1.7][edge][points:1]") {
+CHECK_CASE("1.7 each refusal names the argument", "[1.7][edge][points:1]") {
   for (const Misuse& misuse : misuses) {
     expect_invalid_argument(dependence_of(misuse.joint, misuse.columns), misuse.names,
                             misuse.because);

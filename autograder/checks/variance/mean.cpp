@@ -13,7 +13,7 @@
 namespace mc::checks {
 namespace {
 
-TEST_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
+CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
   Rng rng = check_rng();
   for (const std::size_t n : {10u, 1000u, 3u, 2u, 1u}) {
     const auto x = uniform_values(rng, n, 1, 2);
@@ -39,12 +39,12 @@ TEST_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
   }
 }
 
-TEST_CASE("1.1 the mean of nothing is NaN", "[1.1][edge][points:1]") {
+CHECK_CASE("1.1 the mean of nothing is NaN", "[1.1][edge][points:1]") {
   const auto nothing = MEASURE(mean, {});
   expect_nan(nothing.call, nothing.value, "the mean of nothing is 0/0; " + because_undefined);
 }
 
-TEST_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points:3]") {
+CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points:3]") {
   Rng rng = check_rng();
   const double huge = uniform(rng, 1.6e308, 1.79e308);
   const std::string because =
@@ -80,7 +80,7 @@ TEST_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points:
                 two_pass_floor(1000), because, hints);
 }
 
-TEST_CASE("1.1 the mean hides no infinity and no NaN", "[1.1][edge][points:1]") {
+CHECK_CASE("1.1 the mean hides no infinity and no NaN", "[1.1][edge][points:1]") {
   Rng rng = check_rng();
   for (const Values& x : without_finite_variance(rng)) {
     if (std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); }))

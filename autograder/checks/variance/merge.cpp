@@ -71,7 +71,7 @@ void expect_merge(const Moments& a, const Moments& b) {
                 merged_m2_hints(got.value.m2, a, b, mean, m2));
 }
 
-TEST_CASE("1.5 merging two parts equals adding all values", "[1.5][main][points:5]") {
+CHECK_CASE("1.5 merging two parts equals adding all values", "[1.5][main][points:5]") {
   Rng rng = check_rng();
   for (int i = 0; i < 5; ++i) {
     expect_merge({2 + rng() % 100, uniform(rng, -9, 9), uniform(rng, 0, 99)},
@@ -80,7 +80,7 @@ TEST_CASE("1.5 merging two parts equals adding all values", "[1.5][main][points:
   expect_merge({1, uniform(rng, -9, 9), 0}, {1, uniform(rng, -9, 9), 0});
 }
 
-TEST_CASE("1.5 parts of real data merge to the whole", "[1.5][points:2][needs:1.4]") {
+CHECK_CASE("1.5 parts of real data merge to the whole", "[1.5][points:2][needs:1.4]") {
   Rng rng = check_rng();
   for (const double offset : {0.0, 1e6}) {
     const auto x = shifted_pattern(rng, offset, 1000);
@@ -97,7 +97,7 @@ TEST_CASE("1.5 parts of real data merge to the whole", "[1.5][points:2][needs:1.
   }
 }
 
-TEST_CASE("1.5 merging with an empty part changes nothing", "[1.5][edge][points:3]") {
+CHECK_CASE("1.5 merging with an empty part changes nothing", "[1.5][edge][points:3]") {
   Rng rng = check_rng();
   const Moments some{2 + rng() % 100, uniform(rng, -9, 9), uniform(rng, 0, 99)};
   expect_merge(some, {});
@@ -106,7 +106,7 @@ TEST_CASE("1.5 merging with an empty part changes nothing", "[1.5][edge][points:
   expect_nothing(nothing.call, nothing.value, "two empty parts merge to an empty one", empty_part);
 }
 
-TEST_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:4]") {
+CHECK_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:4]") {
   Rng rng = check_rng();
   const double m = uniform(rng, 1, 2);
   const std::uint64_t billion = 1'000'000'000, trillion = billion * 1000;

@@ -56,7 +56,7 @@ void expect_fast(const std::string& name, const Values& x, const ExactMoments& e
                  m2_floor, because, mean_hints, m2_hints);
 }
 
-TEST_CASE("1.8 the moments of a list of any length", "[1.8][main][points:4]") {
+CHECK_CASE("1.8 the moments of a list of any length", "[1.8][main][points:4]") {
   Rng rng = check_rng();
   // Lengths are judged here, digits below: a value too many or too few changes m2 by a part 1/n.
   const auto judge = [&](std::size_t n) {
@@ -72,7 +72,7 @@ TEST_CASE("1.8 the moments of a list of any length", "[1.8][main][points:4]") {
   judge(50 + rng() % 2000);
 }
 
-TEST_CASE("1.8 the moments of no values", "[1.8][edge][points:1]") {
+CHECK_CASE("1.8 the moments of no values", "[1.8][edge][points:1]") {
   const auto none = MEASURE(moments, {});
   expect_nothing(none.call, none.value, "there are no values",
                  "nothing to add, nothing to divide by");
@@ -91,7 +91,7 @@ void expect_digits_of_two_passes(const std::string& name, const Values& x,
               fmt::format("two passes keep {:.1f} digits here; 1.5 may be lost", best), otherwise);
 }
 
-TEST_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:3]") {
+CHECK_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:3]") {
   Rng rng = check_rng();
   const std::string rounded =
       "is a mean rounded here before it is compared? Near 1e9 that costs 1e-7; offsets from one "
@@ -127,7 +127,7 @@ TEST_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:3]") {
   }
 }
 
-TEST_CASE("1.8 the moments keep their digits beside outliers", "[1.8][points:2]") {
+CHECK_CASE("1.8 the moments keep their digits beside outliers", "[1.8][points:2]") {
   Rng rng = check_rng();
   const std::string far_shift =
       "is everything measured from a value that may lie far from all others? A shift belongs near "

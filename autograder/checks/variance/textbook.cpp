@@ -9,7 +9,7 @@
 namespace mc::checks {
 namespace {
 
-TEST_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][main][points:5]") {
+CHECK_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][main][points:5]") {
   Rng rng = check_rng();
   for (const std::size_t n : {10u, 1000u, 3u, 2u}) {
     const auto x = tame_values(rng, n, 0.5, 2.5);
@@ -23,7 +23,7 @@ TEST_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][mai
   }
 }
 
-TEST_CASE("1.2 fewer than two values have no variance by the textbook", "[1.2][edge][points:1]") {
+CHECK_CASE("1.2 fewer than two values have no variance by the textbook", "[1.2][edge][points:1]") {
   Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, -1, 1)}, Values{}}) {
     const auto got = MEASURE(variance_textbook, x);
@@ -31,7 +31,8 @@ TEST_CASE("1.2 fewer than two values have no variance by the textbook", "[1.2][e
   }
 }
 
-TEST_CASE("1.2 the textbook formula loses everything under a large mean", "[1.2][edge][points:4]") {
+CHECK_CASE("1.2 the textbook formula loses everything under a large mean",
+           "[1.2][edge][points:4]") {
   Rng rng = check_rng();
   const auto tame = shifted_pattern(rng, 0, 1000);  // beside it, so that a constant is no answer
   const auto near_zero = MEASURE(variance_textbook, tame);

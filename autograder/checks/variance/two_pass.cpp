@@ -18,7 +18,7 @@ Variance by_two_passes(const Values& x) {
   return {got.value, got.call};
 }
 
-TEST_CASE("1.3 the two-pass variance of tame data", "[1.3][main][points:5][needs:1.1]") {
+CHECK_CASE("1.3 the two-pass variance of tame data", "[1.3][main][points:5][needs:1.1]") {
   Rng rng = check_rng();
   for (const std::size_t n : {10u, 1000u, 3u, 2u}) {
     const auto x = tame_values(rng, n, 0.5, 2.5);
@@ -29,7 +29,7 @@ TEST_CASE("1.3 the two-pass variance of tame data", "[1.3][main][points:5][needs
   }
 }
 
-TEST_CASE("1.3 fewer than two values have no variance", "[1.3][edge][points:1]") {
+CHECK_CASE("1.3 fewer than two values have no variance", "[1.3][edge][points:1]") {
   Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, -1, 1)}, Values{}}) {
     const auto got = by_two_passes(x);
@@ -37,7 +37,7 @@ TEST_CASE("1.3 fewer than two values have no variance", "[1.3][edge][points:1]")
   }
 }
 
-TEST_CASE("1.3 two passes keep their digits under a large mean", "[1.3][points:5][needs:1.1]") {
+CHECK_CASE("1.3 two passes keep their digits under a large mean", "[1.3][points:5][needs:1.1]") {
   Rng rng = check_rng();
   const auto judge = [](const Values& x, const std::string& name) {
     const auto exact = exact_moments(x);
@@ -55,7 +55,7 @@ TEST_CASE("1.3 two passes keep their digits under a large mean", "[1.3][points:5
   }
 }
 
-TEST_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][needs:1.1]") {
+CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][needs:1.1]") {
   Rng rng = check_rng();
   const auto expect_not_negative = [](const std::string& call, double got) {
     expect_that(got >= 0, fmt::format("{} = {}", call, got), "0, never less",
@@ -112,7 +112,7 @@ TEST_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][ne
   }
 }
 
-TEST_CASE("1.3 two passes on hard cases", "[1.3][points:3][needs:1.1]") {
+CHECK_CASE("1.3 two passes on hard cases", "[1.3][points:3][needs:1.1]") {
   Rng rng = check_rng();
   expect_hard_variance(rng, {by_two_passes,
                              [](const ExactMoments& exact) {
@@ -121,8 +121,8 @@ TEST_CASE("1.3 two passes on hard cases", "[1.3][points:3][needs:1.1]") {
                              because_two_pass, hard_variance_hints, 2});
 }
 
-TEST_CASE("1.3 sigma of aX is the absolute value of a times sigma of X",
-          "[1.3][points:1][needs:1.1]") {
+CHECK_CASE("1.3 sigma of aX is the absolute value of a times sigma of X",
+           "[1.3][points:1][needs:1.1]") {
   Rng rng = check_rng();
   // Whole numbers below 2^20, and a below 2^30 times a power of two: a x is exact.
   for (const double unit : {1.0, 0x1p-100, 0x1p100}) {

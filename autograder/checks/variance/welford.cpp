@@ -16,7 +16,7 @@ namespace {
 const std::string no_squares =
     "keep the mean and the squared deviations from it, not the sum of x^2; is anything a float?";
 
-TEST_CASE("1.4 add keeps count and mean and m2", "[1.4][main][points:5]") {
+CHECK_CASE("1.4 add keeps count and mean and m2", "[1.4][main][points:5]") {
   Rng rng = check_rng();
   for (const std::size_t n : {10u, 1000u, 3u, 2u, 1u}) {
     const auto x = tame_values(rng, n, 1, 2);
@@ -44,7 +44,7 @@ TEST_CASE("1.4 add keeps count and mean and m2", "[1.4][main][points:5]") {
                  "leave the members' initial values as they are");
 }
 
-TEST_CASE("1.4 the variance of moments", "[1.4][points:2]") {
+CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
   Rng rng = check_rng();
   const std::uint64_t counts[] = {3 + rng() % 1000, 5 + (rng() >> 16), 2};
   for (const std::uint64_t count : counts) {
@@ -62,14 +62,14 @@ TEST_CASE("1.4 the variance of moments", "[1.4][points:2]") {
   }
 }
 
-TEST_CASE("1.4 the variance of fewer than two values is NaN", "[1.4][edge][points:1]") {
+CHECK_CASE("1.4 the variance of fewer than two values is NaN", "[1.4][edge][points:1]") {
   for (const std::uint64_t count : {1u, 0u}) {
     const auto got = MEASURE(variance_of, {count, count == 0 ? 0 : 2.5, 0});
     expect_nan(got.call, got.value, "a sample variance needs two values; " + because_undefined);
   }
 }
 
-TEST_CASE("1.4 Welford keeps his digits under a large mean", "[1.4][points:3]") {
+CHECK_CASE("1.4 Welford keeps his digits under a large mean", "[1.4][points:3]") {
   Rng rng = check_rng();
   const auto judge = [](const std::string& name, const Values& x) {
     const auto exact = exact_moments(x);
@@ -91,7 +91,7 @@ Variance by_welford(const Values& x) {
   return {got.value.m2 / static_cast<double>(x.size() - 1), "m2 / (n - 1) of " + got.call};
 }
 
-TEST_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
+CHECK_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
   Rng rng = check_rng();
   const auto hints = [](double got, const Values& x, const ExactMoments& exact,
                         const std::string& otherwise) {
@@ -113,7 +113,7 @@ TEST_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
   expect_hard_variance(rng, {by_welford, one_pass_floor, because_one_pass, hints});
 }
 
-TEST_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
+CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
   Rng rng = check_rng();
   struct End {
     int bits;
@@ -150,7 +150,7 @@ TEST_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
   }
 }
 
-TEST_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2][slow]") {
+CHECK_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2][slow]") {
   Rng rng = check_rng();
   // The same few values over and over: their mean, and their m2 as often as they come.
   const Values x = tame_values(rng, 4 + 2 * (rng() % 3), 4, 16);

@@ -1,0 +1,171 @@
+#include "checks/support/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace mc::checks {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The tolerance of each value, and whether values agree within it.
+class Agreement {
+ public:
+  explicit Agreement(const Comparison& comparison) : tolerance_(comparison.tolerance) {}
+  double tolerance(std::size_t i) const { return tolerance_[tolerance_.size() == 1 ? 0 : i]; }
+  bool agree(double a, double b, std::size_t i) const {
+    return a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance(i);
+  }
+  /// A suspect's values are computed in another order than the submission's: nine digits, or the
+  /// tolerance.
+  bool is_explained(double got, double suspected, std::size_t i) const {
+    return agree(got, suspected, i) || std::abs(got - suspected) <= 1e-9 * std::abs(suspected);
+  }
+
+ private:
+  std::span<const double> tolerance_;
+};
+
+template <class Function>
+std::vector<double> each(std::span<const double> values, Function f) {
+  std::vector<double> all(values.size());
+  std::transform(values.begin(), values.end(), all.begin(), f);
+  return all;
+}
+
+/// Where got = factor * exact for all values with one factor other than 1: the factor.
+std::optional<double> common_factor(std::span<const double> got, std::span<const double> exact) {
+  std::optional<double> factor;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (exact[i] == 0 && got[i] == 0) continue;
+    const double here = got[i] / exact[i];
+    if (!std::isfinite(here) || here == 0) return {};
+    if (!factor) factor = here;
+    if (std::abs(here - *factor) > 1e-9 * std::abs(*factor)) return {};
+  }
+  return factor;
+}
+
+/// Mistakes that any list of values can show.
+std::vector<Curve> generic_suspects(std::span<const double> got, const Comparison& comparison) {
+  const std::span<const double> exact = comparison.exact;
+  const std::size_t n = exact.size();
+  std::vector<Curve> all{
+      {each(exact, [](double x) { return static_cast<double>(static_cast<float>(x)); }),
+       "the values were rounded to float: keep them in double"},
+      {std::vector<double>(n, nan), "nothing was written: all values are NaN"},
+      {std::vector<double>(n, 0.0), "all values are 0"},
+      {each(exact, [](double x) { return -x; }), "the sign is wrong"},
+      {each(exact, [](double x) { return x * x; }), "these are the squares"},
+      {each(exact, [](double x) { return std::sqrt(x); }), "these are the square roots"},
+      {each(exact, [](double x) { return 1 / x; }), "these are the reciprocals"},
+      {each(exact, [](double x) { return std::floor(x); }),
+       "the fraction is lost: a division or a "
+       "variable in whole numbers"}};
+  if (n < 3) return all;
+  const auto constant = [&](double value) { return std::abs(value - got[0]) <= 1e-12; };
+  if (std::all_of(got.begin(), got.end(), constant)) {
+    all.push_back({std::vector<double>(n, got[0]), fmt::format("every value is {}", got[0])});
+  }
+  if (const auto factor = common_factor(got, exact); factor && *factor != 1) {
+    all.push_back({each(exact, [&](double x) { return *factor * x; }),
+                   fmt::format("all values are {:.6g} times as large as they should be", *factor)});
+  }
+  if (comparison.separate_calls) return all;
+  std::vector<double> later(exact.begin() + 1, exact.end()),
+      earlier(exact.begin(), exact.end() - 1);
+  later.push_back(got[n - 1]);
+  earlier.insert(earlier.begin(), got[0]);
+  all.push_back({later, "the values are shifted by one: value i + 1 stands at i"});
+  all.push_back({earlier, "the values are shifted by one: value i - 1 stands at i"});
+  all.push_back({{exact.rbegin(), exact.rend()}, "the values are in reverse order"});
+  std::vector<double> unwritten(exact.begin(), exact.end());
+  unwritten[n - 1] = got[n - 1];
+  all.push_back({unwritten, std::isnan(got[n - 1]) ? "the last value was never written"
+                                                   : "only the last value is wrong"});
+  return all;
+}
+
+std::string hint_for(std::span<const double> got, const Comparison& comparison,
+                     const Agreement& agreement) {
+  std::string found;
+  const auto explains = [&](const Curve& curve) {
+    if (curve.values.size() != got.size()) return false;
+    bool differs = false;  // from the exact values: otherwise it is no mistake
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      if (!agreement.is_explained(got[i], curve.values[i], i)) return false;
+      differs = differs || !agreement.agree(curve.values[i], comparison.exact[i], i);
+    }
+    return differs;
+  };
+  const auto only_one = [&](const std::vector<Curve>& curves) -> std::optional<std::string> {
+    std::optional<std::string> hint;
+    for (const Curve& curve : curves) {
+      if (!explains(curve)) continue;
+      if (hint && *hint != curve.hint) return comparison.otherwise;  // two explanations: none
+      hint = curve.hint;
+    }
+    return hint;
+  };
+  // What the check knows of the task first: generic words say less.
+  if (const auto hint = only_one(comparison.suspects)) return *hint;
+  if (const auto hint = only_one(generic_suspects(got, comparison))) return *hint;
+  return comparison.otherwise;
+}
+
+}  // namespace
+
+std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
+  const std::size_t n = wrong.size();
+  if (n == count) return count == 1 ? "" : "all of them are wrong";
+  const auto of_all = fmt::format(" of {} values", count);
+  if (n == 1) return fmt::format("value {}{} is wrong", wrong[0], of_all);
+  const bool in_a_row = wrong[n - 1] - wrong[0] + 1 == n;
+  if (in_a_row && wrong[n - 1] == count - 1) {
+    return fmt::format("the last {}{} are wrong, from value {} on", n, of_all, wrong[0]);
+  }
+  if (in_a_row && wrong[0] == 0) return fmt::format("the first {}{} are wrong", n, of_all);
+  const std::size_t step = wrong[1] - wrong[0];
+  bool is_regular = n >= 3;
+  for (std::size_t k = 1; k < n; ++k) is_regular = is_regular && wrong[k] - wrong[k - 1] == step;
+  if (is_regular && !in_a_row) {
+    return fmt::format("{}{} are wrong: every {}th, from value {} on", n, of_all, step, wrong[0]);
+  }
+  return fmt::format("{}{} are wrong, the first is value {}", n, of_all, wrong[0]);
+}
+
+std::optional<Failure> difference(const MeasuredValues& measured, const Comparison& comparison) {
+  const Agreement agreement(comparison);
+  const std::span<const double> got = measured.values;
+  if (got.size() != comparison.exact.size()) {
+    return Failure{fmt::format("{} gave {} values", measured.call, got.size()),
+                   fmt::format("{} values", comparison.exact.size()), comparison.because};
+  }
+  std::vector<std::size_t> wrong;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (!agreement.agree(got[i], comparison.exact[i], i)) wrong.push_back(i);
+  }
+  if (wrong.empty()) return {};
+  const std::size_t first = wrong[0];
+  const std::string name = comparison.name
+                               ? comparison.name(first)
+                               : measured.call + (got.size() > 1 ? fmt::format("[{}]", first) : "");
+  const std::string pattern = pattern_of(wrong, got.size());
+  const double exact = comparison.exact[first], tolerance = agreement.tolerance(first);
+  return Failure{fmt::format("{} = {}{}{}", name, got[first], pattern.empty() ? "" : "; ", pattern),
+                 std::isnan(exact) ? "NaN"
+                 : tolerance == 0  ? fmt::format("{}, exactly", exact)
+                                   : fmt::format("{}, give or take {:.3g}", exact, tolerance),
+                 comparison.because, hint_for(got, comparison, agreement)};
+}
+
+void expect_each(const MeasuredValues& measured, const Comparison& comparison) {
+  if (const auto failure = difference(measured, comparison)) fail(*failure);
+  pass();
+}
+
+}  // namespace mc::checks

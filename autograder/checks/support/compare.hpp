@@ -1,0 +1,56 @@
+#pragma once
+// One comparison of measured values with exact ones, value by value. Where they differ, the report
+// names a mistake only if the mistake explains every value; otherwise it says where the wrong
+// values are, and no more.
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "checks/support/expect.hpp"
+
+namespace mc::checks {
+
+/// What a well-known mistake gives for all inputs.
+struct Curve {
+  std::vector<double> values;
+  std::string hint;
+};
+
+struct Comparison {
+  std::vector<double> exact;  ///< NaN where the value is undefined and must be NaN
+  /// Of each value, or one for all: |measured - exact| <= tolerance. 0 wants the very value.
+  std::vector<double> tolerance = {0};
+  std::string because = {};  ///< where the tolerance comes from, or why the values are exact
+  std::vector<Curve> suspects = {};
+  std::string otherwise = {};  ///< said where no suspect explains the values
+  /// Names value i: "mean({1, 2})"; by default the call with [i] behind it.
+  std::function<std::string(std::size_t)> name = {};
+  /// The values are results of calls of their own: then suspects about lists (a last value that is
+  /// missing, values shifted by one, in reverse) make no sense.
+  bool separate_calls = false;
+};
+
+/// Measured values, one for each exact one.
+struct MeasuredValues {
+  std::string call;
+  std::span<const double> values;
+};
+
+/// Every value is within its tolerance. Of the suspects, and of those that every comparison has
+/// (values rounded to float, unwritten, added to what was there, shifted by one, reversed, sign,
+/// square, root, reciprocal, a constant factor or offset, constant), one is named if it explains
+/// all values, the wrong ones and the right ones, and no other does so with another hint.
+void expect_each(const MeasuredValues& measured, const Comparison& comparison);
+
+/// The same without ending a check: what it would say.
+std::optional<Failure> difference(const MeasuredValues& measured, const Comparison& comparison);
+
+/// Which of `count` values are wrong, in words: "all", "the last 3", "every 4th, from 2 on".
+/// `wrong` are their indices in rising order.
+std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count);
+
+}  // namespace mc::checks

@@ -1,0 +1,78 @@
+#pragma once
+// The inputs that every check of a kind of argument goes through. Wrong answers hide at the ends of
+// what a header promises, on both sides of powers of two, and at sizes that no block divides.
+//
+// Lists begin with an ordinary value, from which a hint reads best, and end with the smallest.
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "common/rng.hpp"
+
+namespace mc::checks::domain {
+
+/// Sizes of lists, at most `most`: ordinary ones, both sides of powers of two, primes, one random
+/// size; 2 and 1 at the end.
+inline std::vector<std::uint64_t> sizes(std::uint64_t most, Rng& rng) {
+  std::vector<std::uint64_t> all;
+  for (const std::uint64_t n :
+       {std::uint64_t{12},   std::uint64_t{100},  std::uint64_t{37},    std::uint64_t{15},
+        std::uint64_t{16},   std::uint64_t{17},   std::uint64_t{63},    std::uint64_t{64},
+        std::uint64_t{65},   std::uint64_t{127},  std::uint64_t{129},   std::uint64_t{255},
+        std::uint64_t{257},  std::uint64_t{1000}, std::uint64_t{1023},  std::uint64_t{1025},
+        std::uint64_t{4095}, std::uint64_t{4097}, std::uint64_t{65537}, std::uint64_t{999983}}) {
+    if (n <= most) all.push_back(n);
+  }
+  all.push_back(2 + rng() % std::max<std::uint64_t>(most, 3) % 5000);
+  for (const std::uint64_t n : {9, 8, 7, 5, 4, 3, 2, 1}) {
+    if (n <= most) all.push_back(n);
+  }
+  std::erase_if(all, [=](std::uint64_t n) { return n > most; });
+  return all;
+}
+
+/// Whole numbers of 64 bits up to `last`: small ones, powers of two and their neighbors, random
+/// ones of every length, the last ones.
+inline std::vector<std::uint64_t> words(std::uint64_t last, Rng& rng) {
+  std::vector<std::uint64_t> all{6, 11, 100, 12345};
+  for (int bit = 1; bit < 64; ++bit) {
+    const std::uint64_t power = std::uint64_t{1} << bit;
+    all.insert(all.end(), {power - 1, power, power + 1, power + (rng() & (power - 1))});
+  }
+  all.insert(all.end(), {last - 1, last, 1, 0});
+  std::erase_if(all, [=](std::uint64_t n) { return n > last; });
+  return all;
+}
+
+/// A random seed, and the 64 that differ from it in one bit.
+inline std::vector<std::uint64_t> seeds_by_bit(Rng& rng) {
+  std::vector<std::uint64_t> all{rng()};
+  for (int bit = 0; bit < 64; ++bit) all.push_back(all[0] ^ std::uint64_t{1} << bit);
+  return all;
+}
+
+/// `count` random seeds.
+inline std::vector<std::uint64_t> seeds(Rng& rng, std::size_t count) {
+  std::vector<std::uint64_t> all(count);
+  for (auto& seed : all) seed = rng();
+  return all;
+}
+
+/// `count` seeds in a row: first, first + 1, …
+inline std::vector<std::uint64_t> seeds_in_a_row(std::uint64_t first, std::size_t count) {
+  std::vector<std::uint64_t> all(count);
+  for (auto& seed : all) seed = first++;
+  return all;
+}
+
+/// Random words for Rng::constant(): all ones, all zeros, a random word.
+inline std::vector<std::uint64_t> constant_words(Rng& rng) {
+  return {~std::uint64_t{0}, 0, rng()};
+}
+
+/// Values that no finite computation survives.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace mc::checks::domain

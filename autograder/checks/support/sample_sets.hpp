@@ -1,0 +1,99 @@
+#pragma once
+// Sets of points from a program, validated: as many values as were asked for, each in [0, 1).
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "checks/support/battery.hpp"
+#include "checks/support/measure.hpp"
+#include "common/points.hpp"
+
+namespace mc::checks {
+
+using Values = std::vector<double>;
+using View = std::span<const double>;
+
+/// `size()` sets of n points of [0, 1)^dims: set after set, of each one column after the other.
+class SampleSets {
+ public:
+  SampleSets(std::string from, std::size_t points, std::size_t axes, Values values)
+      : call(std::move(from)), n(points), dims(axes), values_(std::move(values)) {}
+
+  std::string call;
+  std::size_t n, dims;
+
+  std::size_t size() const { return n * dims == 0 ? 0 : values_.size() / (n * dims); }
+  View column(std::size_t set, std::size_t d) const {
+    return View(values_).subspan((set * dims + d) * n, n);
+  }
+  View values() const { return values_; }
+
+ private:
+  Values values_;
+};
+
+/// Ends the check where a value of a column does not lie in [0, 1), and says why that may be: never
+/// written, rounded up to 1, not divided by the number of `strata`. `name` is the list's.
+void require_in_cube(const std::string& call, const std::string& name, View x,
+                     std::size_t strata = 1);
+
+/// Of an experiment that gives sets column by column; `strata` along every axis, for hints.
+SampleSets sets_from_columns(const Measured<Values>& got, std::size_t n, std::size_t dims,
+                             std::size_t sets, std::size_t strata = 1);
+
+/// Of an experiment that gives all x and all y, in fields of these names.
+template <class Points>
+SampleSets sets_from_xy(const Measured<Points>& got, Grid grid, std::size_t sets) {
+  const std::size_t n = grid.nx * grid.ny;
+  const Points& points = got.exactly(n * sets, any_number);
+  Values values;
+  values.reserve(2 * n * sets);
+  for (std::size_t set = 0; set < sets; ++set) {
+    const auto x = View(points.x).subspan(set * n, n), y = View(points.y).subspan(set * n, n);
+    require_in_cube(got.call, "x", x, grid.nx);
+    require_in_cube(got.call, "y", y, grid.ny);
+    values.insert(values.end(), x.begin(), x.end());
+    values.insert(values.end(), y.begin(), y.end());
+  }
+  return {got.call, n, 2, std::move(values)};
+}
+
+/// Where the points lie within their strata, as independent uniform numbers: a replicate for each
+/// set, a position for each coordinate of each cell. `strata` along each axis; points may come in
+/// any order: `cell` gives the number of the cell (below n) that point k of a set lies in.
+template <class Cell>
+Uniforms jitters_of(const SampleSets& sets, std::span<const std::size_t> strata, Cell cell);
+
+}  // namespace mc::checks
+
+#include "checks/support/inversions.hpp"
+
+namespace mc::checks {
+
+template <class Cell>
+Uniforms jitters_of(const SampleSets& sets, std::span<const std::size_t> strata, Cell cell) {
+  Uniforms jitters{sets.call, sets.n * sets.dims};
+  jitters.values.resize(sets.size() * jitters.positions);
+  for (std::size_t d = 0; d < sets.dims; ++d) {
+    jitters.bits = std::min(jitters.bits, bits_of_jitter(strata[d]));
+  }
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (std::size_t k = 0; k < sets.n; ++k) {
+      const std::size_t at = set * jitters.positions + cell(set, k) * sets.dims;
+      for (std::size_t d = 0; d < sets.dims; ++d) {
+        jitters.values[at + d] = jitter_of(sets.column(set, d)[k], strata[d]);
+      }
+    }
+  }
+  jitters.name = [dims = sets.dims](std::size_t position) {
+    return dims == 1 ? "the jitter of cell " + std::to_string(position)
+                     : "the jitter of coordinate " + std::to_string(position % dims) + " in cell " +
+                           std::to_string(position / dims);
+  };
+  return jitters;
+}
+
+}  // namespace mc::checks

@@ -1,0 +1,172 @@
+// The battery for randomness: silent about independent uniform numbers, and not about the ways in
+// which random numbers usually go wrong.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "checks/support/battery.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/data.hpp"
+#include "checks/support/inversions.hpp"
+
+namespace mc::checks {
+namespace {
+
+Uniforms independent_numbers(std::uint64_t seed, std::size_t positions, std::size_t replicates) {
+  Rng rng(seed);
+  Uniforms numbers{"test", positions};
+  numbers.values = uniform_values(rng, positions * replicates, 0, 1);
+  return numbers;
+}
+
+const Randomness claim{"independent uniform numbers", 1e-8, "otherwise"};
+
+TEST_CASE("the battery passes independent uniform numbers") {
+  // Alpha is 1e-8: at 1e-3 it must still pass about 999 of 1000, and Bonferroni errs towards
+  // passing. 12 failures of 200 at 1e-2 have a probability below 1e-6.
+  int failures = 0;
+  for (std::uint64_t run = 0; run < 200; ++run) {
+    const auto numbers = independent_numbers(run, 1 + run % 13, 100 + run);
+    const auto failure = dependence_in(numbers, claim);
+    INFO((failure ? failure->measured : ""));
+    CHECK_FALSE(failure);
+    failures += dependence_in(numbers, {"loose", 1e-2, ""}) ? 1 : 0;
+  }
+  CHECK(failures < 12);
+  CHECK_FALSE(dependence_in(independent_numbers(1, 1, 100000), claim));
+  CHECK_FALSE(dependence_in(independent_numbers(2, 200, 500), claim));
+}
+
+/// What is said of 1000 replicates of 16 numbers of which `spoil` changes each replicate.
+template <class Spoil>
+std::string fault_of(Spoil spoil) {
+  auto numbers = independent_numbers(3, 16, 1000);
+  for (std::size_t r = 0; r < numbers.replicates(); ++r) {
+    spoil(std::span(numbers.values).subspan(r * 16, 16), r);
+  }
+  const auto failure = dependence_in(numbers, claim);
+  return failure ? failure->measured + " -> " + failure->likely : "";
+}
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST_CASE("the battery names what is visibly wrong") {
+  using Row = std::span<double>;
+  CHECK(says(fault_of([](Row u, std::size_t) { std::fill(u.begin(), u.end(), 0.5); }),
+             "every number is 0.5"));
+  CHECK(says(fault_of([](Row u, std::size_t) {
+               for (double& x : u) x = 0.01 + 0.98 * x;
+             }),
+             "cover only [0.01, 0.99]"));
+  CHECK(says(fault_of([](Row u, std::size_t) {
+               for (double& x : u) x = std::floor(x * 0x1p24) * 0x1p-24;
+             }),
+             "too few bits: these have 24"));
+  CHECK(says(fault_of([](Row u, std::size_t) {
+               for (double& x : u) x = std::floor(x * 0x1p32) * 0x1p-32;
+             }),
+             "too few bits: these have 32"));
+  CHECK(says(fault_of([](Row u, std::size_t) { u[15] = u[3]; }),
+             "position 3 and position 15 share one random number"));
+  CHECK(says(fault_of([](Row u, std::size_t) { u[15] = 1 - 0x1p-53 - u[3]; }),
+             "u and 1 - u of one random number"));
+  CHECK(says(fault_of([](Row u, std::size_t) { u[7] = std::fmod(u[6] + 0.3, 1.0); }),
+             "share one random number"));
+  CHECK(says(fault_of([](Row u, std::size_t) { u[15] = 0.25; }),
+             "position 15 has the same random number"));
+}
+
+TEST_CASE("the battery sees what is not visible") {
+  using Row = std::span<double>;
+  const auto xor_with = [](double x, std::uint64_t mask) {
+    return static_cast<double>(static_cast<std::uint64_t>(x * 0x1p53) ^ mask) * 0x1p-53;
+  };
+  CHECK(fault_of([&](Row u, std::size_t) { u[9] = xor_with(u[2], 0x15a3c5d2e1f7b3); }) != "");
+  CHECK(fault_of([](Row u, std::size_t) { u[5] = std::fmod(2 * u[4], 1.0); }) != "");
+  CHECK(fault_of([](Row u, std::size_t) { u[15] = u[15] * 0.5; }) != "");
+  CHECK(fault_of([](Row u, std::size_t) { u[0] = std::sqrt(u[0]); }) != "");
+  CHECK(fault_of([](Row u, std::size_t) {  // 16 strata in place of 16 independent numbers
+          for (std::size_t i = 0; i < 16; ++i) u[i] = (static_cast<double>(i) + u[i]) / 16;
+        }) != "");
+  std::vector<double> before(16);
+  CHECK(fault_of([&](Row u, std::size_t r) {  // every second replicate is the one before it
+          if (r % 2 == 1) std::copy(before.begin(), before.end(), u.begin());
+          std::copy(u.begin(), u.end(), before.begin());
+        }) != "");
+  CHECK(fault_of([](Row u, std::size_t) {  // a margin of 3e-3
+          for (double& x : u) x = 0.997 * x;
+        }) != "");
+}
+
+TEST_CASE("permutations become independent uniform numbers") {
+  Rng rng(4);
+  const auto uniforms_of = [&](auto shuffle) {
+    Uniforms numbers{"test", 6};
+    std::vector<std::size_t> order(7);
+    for (int i = 0; i < 20000; ++i) {
+      std::iota(order.begin(), order.end(), 0);
+      shuffle(order);
+      const auto more = uniforms_of_permutation(order, rng);
+      numbers.values.insert(numbers.values.end(), more.begin(), more.end());
+    }
+    return numbers;
+  };
+  const auto fisher_yates = [&](auto& order) {
+    for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[rng() % (i + 1)]);
+  };
+  CHECK_FALSE(dependence_in(uniforms_of(fisher_yates), claim));
+  CHECK(dependence_in(uniforms_of([&](auto& order) {  // each with any other
+                        for (auto& value : order) std::swap(value, order[rng() % order.size()]);
+                      }),
+                      claim));
+  CHECK(dependence_in(uniforms_of([&](auto& order) {
+                        std::rotate(order.begin(), order.begin() + static_cast<long>(rng() % 7),
+                                    order.end());
+                      }),
+                      claim));
+  CHECK(dependence_in(uniforms_of([&](auto& order) {  // never stays
+                        for (std::size_t i = 6; i > 0; --i) std::swap(order[i], order[rng() % i]);
+                      }),
+                      claim));
+}
+
+TEST_CASE("nested scrambling becomes independent uniform numbers") {
+  Rng rng(5);
+  const std::vector<double> values{0, 0.5, 0.25, 0x1p-20, 0};
+  const auto uniforms_of = [&](auto flips_of) {
+    Uniforms numbers{"test", 4};
+    for (int i = 0; i < 2000; ++i) {
+      std::map<std::pair<int, std::uint64_t>, std::uint64_t> drawn;  // bits before -> flip
+      const auto key = rng();
+      std::vector<double> scrambled;
+      for (const double value : values) {
+        std::uint64_t word = 0;
+        for (int k = 0; k < 53; ++k) {
+          const std::uint64_t before = k == 0 ? 0 : bits_of(value) >> (53 - k);
+          word = word << 1 | (flips_of(key, k, before, drawn) & 1);
+        }
+        scrambled.push_back(static_cast<double>(word ^ bits_of(value)) * 0x1p-53);
+      }
+      const auto more = uniforms_of_flips(values, scrambled, rng);
+      numbers.values.insert(numbers.values.end(), more.begin(), more.end());
+    }
+    return numbers;
+  };
+  CHECK_FALSE(
+      dependence_in(uniforms_of([&](std::uint64_t, int k, std::uint64_t before, auto& drawn) {
+                      return drawn.try_emplace({k, before}, rng()).first->second;
+                    }),
+                    claim));
+  CHECK(dependence_in(uniforms_of([](std::uint64_t key, int k, std::uint64_t, auto&) {
+                        return key >> (k + 5);  // a digital shift
+                      }),
+                      claim));
+}
+
+}  // namespace
+}  // namespace mc::checks
