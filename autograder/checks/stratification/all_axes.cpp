@@ -6,8 +6,8 @@
 
 #include "checks/stratification/levels.hpp"
 #include "checks/stratification/orders.hpp"
-#include "checks/stratification/refusals.hpp"
 #include "checks/support/catch.hpp"
+#include "checks/support/refusals.hpp"
 #include "checks/support/strata.hpp"
 
 namespace mc::checks {
@@ -129,26 +129,27 @@ CHECK_CASE("3.5 the curse of dimension", "[3.5][points:3]") {
                "in four dimensions errors fall as N^-1/2-1/4", otherwise);
 }
 
-std::vector<Misuse> wrong_powers() {
+std::vector<InvalidCall> wrong_powers() {
   const auto made = [](std::uint64_t n, std::uint64_t dims, std::uint64_t per_axis) {
     return MEASURE_OUTCOME(stratified_nd, n, dims, per_axis, 1, 1);
   };
   const std::string divide =
       "the product of 64-bit numbers wraps around: divide, before anything is computed";
-  return {{made(9, 3, 2), "2^3 is not 9"},
-          {made(4, 3, 2), "2^3 is not 4"},
-          {made(0, 2, 0), "an axis has strata"},
-          {made(4, 2, (std::uint64_t{1} << 63) + 2),
+  const std::string name = "per_axis";
+  return {{made(9, 3, 2), name, "2^3 is not 9"},
+          {made(4, 3, 2), name, "2^3 is not 4"},
+          {made(0, 2, 0), name, "an axis has strata"},
+          {made(4, 2, (std::uint64_t{1} << 63) + 2), name,
            "per_axis^2 = 2^126 + 2^65 + 4, which is 4 in 64 bits only", divide},
-          {made(16, 40, 65536), "65536^40 is 0 in 64 bits", divide}};
+          {made(16, 40, 65536), name, "65536^40 is 0 in 64 bits", divide}};
 }
 
 CHECK_CASE("3.5 sizes that are no power are refused", "[3.5][edge][points:0.5]") {
-  for (const Misuse& misuse : wrong_powers()) expect_refused(misuse);
+  expect_refused(wrong_powers());
 }
 
 CHECK_CASE("3.5 the refusals name the argument", "[3.5][edge][points:0.5]") {
-  expect_named(wrong_powers(), {"per_axis"});
+  expect_argument_named(wrong_powers());
 }
 
 // 3.6 ---------------------------------------------------------------------------------------------

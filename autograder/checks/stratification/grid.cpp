@@ -8,7 +8,6 @@
 
 #include "checks/stratification/grids.hpp"
 #include "checks/stratification/levels.hpp"
-#include "checks/stratification/refusals.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/data.hpp"
 #include "checks/support/strata.hpp"
@@ -47,13 +46,16 @@ CHECK_CASE("3.2 a prime number of cells is a row", "[3.2][points:1]") {
   expect_grids({7, 101, 1009, 65537, 999983, 1000000007, 5, 3, 2});
 }
 
-CHECK_CASE("3.2 no cells are refused", "[3.2][edge][points:0.5]") {
-  expect_refused({MEASURE_OUTCOME(strata, {0}), "there is no grid without cells"});
+std::vector<InvalidCall> no_cells() {
+  return {{MEASURE_OUTCOME(strata, {0}), "n|strata|cell", "there is no grid without cells"}};
+}
+
+CHECK_CASE("3.2 n = 0 is refused", "[3.2][edge][points:0.5]") {
+  expect_refused(no_cells());
 }
 
 CHECK_CASE("3.2 the refusal names the argument", "[3.2][edge][points:0.5]") {
-  const Misuse misuses[] = {{MEASURE_OUTCOME(strata, {0}), "there is no grid without cells"}};
-  expect_named(misuses, {"n", "strata", "cells"});
+  expect_argument_named(no_cells());
 }
 
 CHECK_CASE("3.2 more cells than 32 bits count", "[3.2][edge][points:1]") {
@@ -229,11 +231,11 @@ Call into_2d(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
 }
 
 CHECK_CASE("3.3 what is no grid of these points is refused", "[3.3][edge][points:1.5]") {
-  for (const Misuse& misuse : grid_misuses(into_2d)) expect_refused(misuse);
+  expect_refused(wrong_grids(into_2d));
 }
 
 CHECK_CASE("3.3 the refusals name the argument", "[3.3][edge][points:0.5]") {
-  expect_grid_named(into_2d);
+  expect_argument_named(wrong_grids(into_2d));
 }
 
 }  // namespace

@@ -121,11 +121,11 @@ Call into_multi(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
 }
 
 CHECK_CASE("3.7 what is no grid of these points is refused", "[3.7][edge][points:0.5]") {
-  for (const Misuse& misuse : grid_misuses(into_multi)) expect_refused(misuse);
+  expect_refused(wrong_grids(into_multi));
 }
 
 CHECK_CASE("3.7 the refusals name the argument", "[3.7][edge][points:0.5]") {
-  expect_grid_named(into_multi);
+  expect_argument_named(wrong_grids(into_multi));
 }
 
 }  // namespace

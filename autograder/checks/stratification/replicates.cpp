@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "checks/stratification/levels.hpp"
-#include "checks/stratification/refusals.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/data.hpp"
+#include "checks/support/refusals.hpp"
 
 namespace mc::checks {
 namespace {
@@ -183,23 +183,23 @@ CHECK_CASE("3.8 the error bar is honest for stratified points", "[3.8][points:1]
                   {"squared error bars are the exact variance on average", alpha}, {{}, fresh});
 }
 
+std::vector<InvalidCall> nothing_to_average() {
+  return {
+      {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 0, 1, 2), "n|point", "a mean needs a point"},
+      {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 2, 1, 0), "replicate",
+       "a mean needs a replicate"}};
+}
+
 CHECK_CASE("3.8 one replicate has no error bar", "[3.8][edge][points:0.5]") {
   Rng rng = check_rng();
   const auto one = MEASURE(estimate_replicated, uniform_values(rng, 10, -1, 1), 10, 1, 1);
   expect_nan(one.call + ".standard_error", one.value.standard_error,
              "one mean has no spread; what is undefined is NaN");
-  expect_refused({MEASURE_OUTCOME(estimate_replicated, {1, 2}, 0, 1, 2), "a mean needs a point"});
-  expect_refused(
-      {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 2, 1, 0), "a mean needs a replicate"});
+  expect_refused(nothing_to_average());
 }
 
 CHECK_CASE("3.8 the refusals name the argument", "[3.8][edge][points:0.5]") {
-  const Misuse no_points[] = {
-      {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 0, 1, 2), "a mean needs a point"}};
-  const Misuse no_replicates[] = {
-      {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 2, 1, 0), "a mean needs a replicate"}};
-  expect_named(no_points, {"n", "point"});
-  expect_named(no_replicates, {"replicates"});
+  expect_argument_named(nothing_to_average());
 }
 
 }  // namespace
