@@ -23,6 +23,12 @@ add_executable(self_test EXCLUDE_FROM_ALL ${sources} autograder/checks/support/d
 own_target(self_test)
 target_link_libraries(self_test PRIVATE grading)
 
+# Mutation testing, by ./lab test --mutants LAB.
+add_executable(mutants EXCLUDE_FROM_ALL autograder/tests/mutants/main.cpp autograder/tests/mutants/mutate.cpp
+  autograder/grader/reports/without_json.cpp)
+own_target(mutants)
+target_link_libraries(mutants PRIVATE grading)
+
 # Intake, batches, machines that fail: what only whoever grades has.
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/gradebook/*.cpp)
 add_executable(gradebook_tests EXCLUDE_FROM_ALL ${sources})
@@ -107,6 +113,7 @@ endforeach()
 # Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The
 # fuzzing wire stands before the labs' own.
 set(solution_files)
+add_custom_target(fuzz_programs)
 foreach(lab ${LABS})
   list(APPEND solution_files ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)
   if(EXISTS ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)
@@ -119,7 +126,7 @@ foreach(lab ${LABS})
     target_include_directories(fuzz_${lab} PRIVATE labs ${LAB_INCLUDES})
     target_compile_options(fuzz_${lab} PRIVATE ${PROGRAM_FLAGS})
     target_link_options(fuzz_${lab} PRIVATE ${PROGRAM_LINK_FLAGS})
-    add_dependencies(self_test fuzz_${lab})
+    add_dependencies(fuzz_programs fuzz_${lab})
     test_of(fuzz/${lab} 20 self_test fuzz ${lab} 6)
   endif()
 endforeach()

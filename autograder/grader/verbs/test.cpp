@@ -12,8 +12,15 @@ namespace {
 
 int test(const Context& context, const Arguments& arguments) {
   if (!arguments.words.empty()) throw UsageError("usage: ./lab test [--quick | --full] [--power]");
+  const std::string programs = (context.layout.build / "bin").string() + '/';
+  if (arguments.has("mutants")) {
+    const auto text = [&](const char* option, std::uint64_t otherwise) {
+      return std::to_string(arguments.number(option).value_or(otherwise));
+    };
+    become({programs + "mutants", *arguments.get("mutants"), text("sample", 300), text("seed", 1)});
+  }
   if (arguments.has("power") && !arguments.has("full")) {
-    become({(context.layout.build / "bin" / "self_test").string(), "power"});
+    become({programs + "self_test", "power"});
   }
   if (arguments.has("full")) {
     setenv("MC_SEEDS", "1000", 1);
@@ -28,8 +35,8 @@ int test(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb test_verb{
     {"test",
-     "test [--quick | --full] [--power]",
-     {"quick", "full", "power"},
+     "test [--quick | --full] [--power] [--mutants LAB]",
+     {"quick", "full", "power", "mutants=", "sample=", "seed="},
      "Every submission of the repository is judged: the starters, the solutions, the mistakes, "
      "the\n"
      "alternatives, the attacks.\n"
@@ -38,7 +45,10 @@ const RegisterVerb test_verb{
      "  --full    right ones with 1,000 seeds (their checks that are not random with 2,000),\n"
      "            mistakes with 200 (the checks of their tasks): a night, but it goes on\n"
      "            where it was interrupted\n"
-     "  --power   the table of seeds and alphas that runs of --full have left\n",
+     "  --power   the table of seeds and alphas that runs of --full have left\n"
+     "  --mutants LAB [--sample N] [--seed S]\n"
+     "            small changes to right answers of a lab, 300 by default: a check should\n"
+     "            fail each of them; lists those that survive, ends with the score\n",
      test}};
 
 }  // namespace

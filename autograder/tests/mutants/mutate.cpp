@@ -1,0 +1,233 @@
+#include "tests/mutants/mutate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace mc::mutants {
+namespace {
+
+enum class Kind { word, number, symbol };
+
+struct Token {
+  Kind kind;
+  std::size_t offset;
+  std::string_view text;
+  int depth;  ///< of braces around it
+};
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Where the comment, string, character or preprocessor line that begins at `at` ends; `at` itself
+/// where none does.
+std::size_t end_of_text(std::string_view source, std::size_t at) {
+  const auto after = [&](std::string_view end, std::size_t from) {
+    const auto found = source.find(end, from);
+    return found == std::string_view::npos ? source.size() : found + end.size();
+  };
+  if (source.substr(at, 2) == "//" || source[at] == '#') return after("\n", at);
+  if (source.substr(at, 2) == "/*") return after("*/", at);
+  if (source[at] != '"' && source[at] != '\'') return at;
+  std::size_t end = at + 1;
+  while (end < source.size() && source[end] != source[at]) end += source[end] == '\\' ? 2 : 1;
+  return end + 1;
+}
+
+std::vector<Token> tokens_of(std::string_view source) {
+  constexpr std::array<std::string_view, 24> symbols{
+      "<<=", ">>=", "<=>", "::", "->", "++", "--", "<<", ">>", "<=", ">=", "==",
+      "!=",  "&&",  "||",  "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "..."};
+  std::vector<Token> tokens;
+  int depth = 0;
+  for (std::size_t at = 0; at < source.size();) {
+    if (const std::size_t end = end_of_text(source, at); end != at) {
+      at = end;
+      continue;
+    }
+    const char c = source[at];
+    if (std::isspace(static_cast<unsigned char>(c)) != 0) {
+      ++at;
+      continue;
+    }
+    std::size_t end = at + 1;
+    Kind kind = Kind::symbol;
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
+      kind = Kind::number;
+      const auto goes_on = [&](std::size_t i) {
+        const bool is_sign = (source[i] == '+' || source[i] == '-') &&
+                             (source[i - 1] == 'e' || source[i - 1] == 'p');
+        return is_word(source[i]) || source[i] == '.' || source[i] == '\'' || is_sign;
+      };
+      while (end < source.size() && goes_on(end)) ++end;
+    } else if (is_word(c)) {
+      kind = Kind::word;
+      while (end < source.size() && is_word(source[end])) ++end;
+    } else {
+      for (const std::string_view symbol : symbols) {
+        if (source.substr(at, symbol.size()) == symbol) {
+          end = at + symbol.size();
+          break;
+        }
+      }
+    }
+    if (c == '}') --depth;
+    tokens.push_back({kind, at, source.substr(at, end - at), depth});
+    if (c == '{') ++depth;
+    at = end;
+  }
+  return tokens;
+}
+
+/// `a + b`, `a += b`: not a sign, a pointer or a template.
+bool is_between_spaces(std::string_view source, const Token& token) {
+  const std::size_t end = token.offset + token.text.size();
+  return token.offset > 0 && end < source.size() && source[token.offset - 1] == ' ' &&
+         (source[end] == ' ' || source[end] == '\n');
+}
+
+constexpr std::pair<std::string_view, std::string_view> exchanges[] = {
+    {"+", "-"},   {"-", "+"},   {"*", "/"},     {"/", "*"},    {"%", "/"},   {"<", "<="},
+    {"<=", "<"},  {">", ">="},  {">=", ">"},    {"==", "!="},  {"!=", "=="}, {"&&", "||"},
+    {"||", "&&"}, {"<<", ">>"}, {">>", "<<"},   {"&", "|"},    {"|", "&"},   {"^", "|"},
+    {"+=", "-="}, {"-=", "+="}, {"*=", "/="},   {"/=", "*="},  {"<", ">"},   {">", "<"},
+    {"+=", "="},  {"^=", "|="}, {"<<=", ">>="}, {">>=", "<<="}};
+
+void add_constants(const Token& token, std::vector<Mutation>& all) {
+  std::uint64_t whole = 0;
+  const char* const end = token.text.data() + token.text.size();
+  const auto [rest, error] = std::from_chars(token.text.data(), end, whole);
+  if (error == std::errc() && (rest == end || *rest == 'u')) {
+    const std::string suffix(rest, end);
+    all.push_back({token.offset, token.text.size(), std::to_string(whole + 1) + suffix});
+    if (whole > 0) {
+      all.push_back({token.offset, token.text.size(), std::to_string(whole - 1) + suffix});
+    }
+  } else if (token.text.find_first_of(".ep") != std::string_view::npos) {
+    all.push_back({token.offset, token.text.size(), fmt::format("(1.5 * {})", token.text)});
+  }
+}
+
+/// The token that closes the bracket at `open`.
+std::size_t closing(const std::vector<Token>& tokens, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < tokens.size(); ++i) {
+    const std::string_view text = tokens[i].text;
+    if (text == "(" || text == "[" || text == "{") ++depth;
+    if (text == ")" || text == "]" || text == "}") --depth;
+    if (depth == 0) return i;
+  }
+  return tokens.size() - 1;
+}
+
+/// if (c) to if (!(c)); f(a, b) to f(b, a); static_cast<T>(x) to (x).
+void add_brackets(const std::vector<Token>& tokens, std::size_t i, std::vector<Mutation>& all) {
+  if (tokens[i].text != "(" || i == 0) return;
+  const std::size_t close = closing(tokens, i);
+  const std::string_view before = tokens[i - 1].text;
+  if (before == "if" || before == "while") {
+    all.push_back({tokens[i].offset, 1, "(!("});
+    const std::size_t end = tokens[close].offset;
+    all.back().length = end + 1 - tokens[i].offset;
+    all.back().replacement =
+        fmt::format("(!{})", std::string_view(tokens[i].text.data(), all.back().length));
+  }
+  const bool is_pair = close == i + 4 && tokens[i + 2].text == "," &&
+                       tokens[i + 1].kind != Kind::symbol && tokens[i + 3].kind != Kind::symbol;
+  if (is_pair && tokens[i - 1].kind == Kind::word) {
+    const std::size_t start = tokens[i].offset;
+    all.push_back({start, tokens[close].offset + 1 - start,
+                   fmt::format("({}, {})", tokens[i + 3].text, tokens[i + 1].text)});
+  }
+  if (before == ">" && i >= 4 && tokens[i - 4].text == "static_cast") {
+    all.push_back({tokens[i - 4].offset, tokens[i].offset - tokens[i - 4].offset, ""});
+  }
+}
+
+/// Statements without a declaration are removed: from after `;`, `{`, `}` or `)` to `;`.
+void add_removals(const std::vector<Token>& tokens, std::size_t i, std::vector<Mutation>& all) {
+  const std::string_view before = tokens[i - 1].text;
+  if (before != ";" && before != "{" && before != "}") return;
+  std::size_t end = i;
+  int depth = 0;
+  for (; end < tokens.size(); ++end) {
+    const std::string_view text = tokens[end].text;
+    if (text == "{" || text == "}") return;
+    depth += text == "(" ? 1 : text == ")" ? -1 : 0;
+    if (depth < 0) return;  // the header of a for loop
+    if (text == ";" && depth == 0) break;
+  }
+  const std::string_view first = tokens[i].text;
+  const bool declares = end > i + 1 && tokens[i + 1].kind == Kind::word;  // double sum
+  if (end == tokens.size() || end == i || declares || tokens[i].kind != Kind::word) return;
+  for (const std::string_view word : {"return", "using", "for", "else", "struct", "const", "auto",
+                                      "std", "static", "constexpr", "namespace", "public"}) {
+    if (first == word) return;
+  }
+  const std::size_t start = tokens[i].offset;
+  all.push_back({start, tokens[end].offset + 1 - start, ";"});
+}
+
+}  // namespace
+
+std::vector<Mutation> mutations_of(std::string_view source) {
+  const std::vector<Token> tokens = tokens_of(source);
+  std::vector<Mutation> all;
+  for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
+    const Token& token = tokens[i];
+    if (token.depth < 2) continue;  // in a function in a namespace
+    const auto replace = [&](std::string_view text) {
+      all.push_back({token.offset, token.text.size(), std::string(text)});
+    };
+    if (token.kind == Kind::symbol && is_between_spaces(source, token)) {
+      for (const auto& [from, to] : exchanges) {
+        if (token.text == from) replace(to);
+      }
+    }
+    if (token.text == "++") replace("--");
+    if (token.kind == Kind::number) add_constants(token, all);
+    const bool follows_colons = tokens[i - 1].text == "::";
+    if (token.text == "double" && !follows_colons) replace("float");
+    if (follows_colons && token.text == "uint64_t") replace("uint32_t");
+    const bool starts = tokens[i - 1].text == ";" || tokens[i - 1].text == "{";
+    if (starts && (token.text == "double" || token.text == "bool")) {
+      all.push_back({token.offset, 0, "static "});
+    }
+    if (token.text == "true") replace("false");
+    if (token.text == "false") replace("true");
+    add_brackets(tokens, i, all);
+    add_removals(tokens, i, all);
+  }
+  return all;
+}
+
+std::string mutated(std::string_view source, const Mutation& mutation) {
+  return std::string(source.substr(0, mutation.offset)) + mutation.replacement +
+         std::string(source.substr(mutation.offset + mutation.length));
+}
+
+std::string description(std::string_view source, const Mutation& mutation) {
+  const std::size_t start = source.rfind('\n', mutation.offset) + 1;
+  const std::size_t end =
+      std::min(source.size(), source.find('\n', mutation.offset + mutation.length));
+  const auto words = [](std::string_view line) {
+    std::string all;
+    for (const char c : line) {
+      const bool is_space = std::isspace(static_cast<unsigned char>(c)) != 0;
+      if (!is_space) all += c;
+      if (is_space && !all.empty() && all.back() != ' ') all += ' ';
+    }
+    return all;
+  };
+  const std::string after = mutated(source, mutation);
+  const std::size_t new_end = end + mutation.replacement.size() - mutation.length;
+  return fmt::format("{} => {}", words(source.substr(start, end - start)),
+                     words(std::string_view(after).substr(start, new_end - start)));
+}
+
+}  // namespace mc::mutants
