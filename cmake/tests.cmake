@@ -83,8 +83,9 @@ foreach(name ${quick})
   quick(${name})
 endforeach()
 
-# Every submission of the repository, with what its first lines say must happen to it; of each kind
-# and lab the first is tried by --quick.
+# Every submission of the repository, with what it says must happen to it; --quick tries the first of
+# each kind and lab. A file that is named for a task is a catalog: each of its mistakes is a test. The
+# first test of a catalog compiles it: those begin before the others, which would wait for it.
 foreach(lab ${LABS})
   foreach(who starter solutions)
     if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
@@ -103,7 +104,20 @@ foreach(file ${submissions})
   if(name MATCHES "^alternatives/")
     set(cost 40)
   endif()
-  test_of(${name} ${cost} self_test autograder/submissions/${file})
+  if(name MATCHES "/[0-9]+[.][0-9]+$")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS autograder/submissions/${file})
+    file(STRINGS autograder/submissions/${file} names REGEX "^namespace mc::[a-z0-9_]+ {$")
+    list(TRANSFORM names REPLACE "^namespace mc::([a-z0-9_]+) {$" "\\1")
+    set(cost 11)
+    foreach(mistake ${names})
+      test_of(${folder}/${mistake} ${cost} self_test autograder/submissions/${file} ${mistake})
+      set(cost 10)
+    endforeach()
+    list(GET names 0 mistake)
+    set(name ${folder}/${mistake})
+  else()
+    test_of(${name} ${cost} self_test autograder/submissions/${file})
+  endif()
   if(NOT folder STREQUAL folder_before)
     quick(${name})
   endif()

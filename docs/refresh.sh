@@ -26,9 +26,9 @@ done
 
 # One failure as a student sees it: Welford with the old mean in both factors.
 cmake --build "$build" --target self_test >/dev/null
-"$build/bin/self_test" autograder/submissions/mistakes/variance/welford_old_mean.cpp |
+"$build/bin/self_test" autograder/submissions/mistakes/variance/1.4.cpp welford_old_mean |
   awk '/✗/ { if (seen++) exit } seen && /✓/ { exit } seen' |
-  sed 's|autograder/submissions/mistakes/variance/welford_old_mean.cpp *||; s| --dir$||' >"$build/failure.txt"
+  sed 's|mistakes/variance/welford_old_mean *||; s| --dir$||' >"$build/failure.txt"
 
 # between FILE MARKER TEXT: writes a file's text behind the marker, a comment, up to <!-- end -->.
 between() {

@@ -16,6 +16,7 @@
 
 #include "checks/support/catch.hpp"
 #include "grader/gradebook/table.hpp"
+#include "runner/text.hpp"
 #include "tests/gradebook/course.hpp"
 #include "tests/text.hpp"
 
@@ -29,9 +30,9 @@ namespace {
 constexpr int students = 30;
 
 /// A file of the repository as one that stands alone: a student has no solutions to include.
-std::string standing_alone(const Layout& layout, const fs::path& file) {
+std::string standing_alone(const Layout& layout, const std::string& file) {
   std::string all;
-  std::istringstream text(read_whole_text(file));
+  std::istringstream text(file);
   for (std::string line; std::getline(text, line);) {
     constexpr std::string_view include = "#include \"solutions/";
     if (line.starts_with(include)) {
@@ -53,6 +54,28 @@ std::vector<fs::path> some_of(const fs::path& folder, std::size_t step = 1) {
   return some;
 }
 
+/// Mistakes of a folder of catalogs, each as a file by itself, every `step`-th. Of catalogs that
+/// rename one function only: there each mistake defines it.
+std::vector<std::string> mistakes_of(const fs::path& folder, std::size_t step) {
+  const std::string mark = "\n// mistake: ", renamed = "\n#define ", section = "namespace mc::";
+  std::vector<std::string> all, some;
+  for (const fs::path& file : some_of(folder)) {
+    const std::string text = read_whole_text(file);
+    const std::string head = text.substr(0, text.find(mark));
+    if (head.find(renamed) == std::string::npos || head.find(renamed) != head.rfind(renamed)) {
+      continue;
+    }
+    for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
+      std::string one = text.substr(at, text.find(mark, at + 1) - at);
+      const auto name = one.find(section) + section.size() - 2;
+      one.erase(name, one.find(" {", name) - name);
+      all.push_back(head + one);
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+  return some;
+}
+
 /// What a student hands in, and what must come of it: full marks, or less, and 0 for these checks.
 struct Work {
   std::string variance, independent;  ///< empty: not handed in
@@ -60,12 +83,16 @@ struct Work {
   std::vector<std::string> caught_by = {};  ///< beginnings of the names of checks
 };
 
-std::vector<std::string> caught_by(const fs::path& mistake) {
+std::vector<std::string> caught_by(const std::string& mistake) {
   std::vector<std::string> checks;
-  std::istringstream text(read_whole_text(mistake));
+  std::istringstream text(mistake);
   for (std::string line; std::getline(text, line);) {
     constexpr std::string_view key = "// caught by: ";
-    if (line.starts_with(key)) checks.push_back(line.substr(key.size()));
+    if (!line.starts_with(key)) continue;
+    for (std::string_view name : text::split(std::string_view(line).substr(key.size()), ',')) {
+      name.remove_prefix(name.find_first_not_of(' '));
+      checks.emplace_back(name);
+    }
   }
   return checks;
 }
@@ -83,17 +110,17 @@ std::vector<Work> works(const Layout& layout) {
                         {begun, independent}};
   const fs::path place = layout.submissions();
   for (const fs::path& file : some_of(place / "alternatives" / "variance", 2)) {
-    all.push_back({standing_alone(layout, file), "", true, false});
+    all.push_back({standing_alone(layout, read_whole_text(file)), "", true, false});
   }
   for (const fs::path& file : some_of(place / "alternatives" / "independent", 2)) {
-    all.push_back({variance, standing_alone(layout, file), true, true});
+    all.push_back({variance, standing_alone(layout, read_whole_text(file)), true, true});
   }
-  for (const fs::path& file : some_of(place / "mistakes" / "independent", 20)) {
-    all.push_back({variance, standing_alone(layout, file), true, false, caught_by(file)});
+  for (const std::string& mistake : mistakes_of(place / "mistakes" / "independent", 15)) {
+    all.push_back({variance, standing_alone(layout, mistake), true, false, caught_by(mistake)});
   }
-  for (const fs::path& file : some_of(place / "mistakes" / "variance", 4)) {
+  for (const std::string& mistake : mistakes_of(place / "mistakes" / "variance", 4)) {
     if (all.size() == students) break;
-    all.push_back({standing_alone(layout, file), "", false, false, caught_by(file)});
+    all.push_back({standing_alone(layout, mistake), "", false, false, caught_by(mistake)});
   }
   REQUIRE(all.size() == students);
   return all;

@@ -50,7 +50,7 @@ void prove_cost(const std::string& lab) {
   }
   std::vector<Cost> costs;
   for (const fs::path& file : files) {
-    const Proof proof = proof_of(file);
+    const Proof proof = proof_of({file});
     if (!proof.built.program) return complain(proof.built.failure);
     for (const CheckResult& result : proof.judge(1).checks) {
       if (result.check.is_slow || result.dearest.empty()) continue;

@@ -54,8 +54,7 @@ std::string fate_of(const LabVerdict& verdict) {
   return all;
 }
 
-}  // namespace
-
+/// Did a measurement run out of time or of memory?
 bool meets_a_limit(const LabVerdict& verdict) {
   if (!verdict.no_program.empty()) return false;  // the compiler's limits are another matter
   for (const CheckResult& result : verdict.checks) {
@@ -67,24 +66,32 @@ bool meets_a_limit(const LabVerdict& verdict) {
   return false;
 }
 
-void compare_limits(const fs::path& file, const LabVerdict& verdict) {
-  const bool meets = meets_a_limit(verdict), says = !said(file, "limit").empty();
+}  // namespace
+
+void compare_limits(const Subject& subject, const LabVerdict& verdict) {
+  const bool meets = meets_a_limit(verdict), says = !said(subject, "limit").empty();
   if (meets && !says) complain("it meets a limit of time or memory: the file must say 'limit:'");
   if (says && !meets) complain("the file says 'limit:', and no measurement met one");
 }
 
 void prove_under_load(std::vector<fs::path> files, unsigned runs) {
-  if (files.empty()) {
+  const bool all = files.empty();
+  if (all) {
     for (const auto& entry :
          fs::recursive_directory_iterator(grader::read_layout().submissions())) {
-      const bool is_source = entry.path().extension() == ".cpp";
-      if (is_source && !said(entry.path(), "limit").empty()) files.push_back(entry.path());
+      if (entry.path().extension() == ".cpp") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
   }
-  std::size_t judged = 0;
+  std::vector<Subject> subjects;
   for (const fs::path& file : files) {
-    const Proof proof = proof_of(fs::canonical(file));
+    for (const Subject& subject : subjects_in(fs::canonical(file))) {
+      if (!all || !said(subject, "limit").empty()) subjects.push_back(subject);
+    }
+  }
+  std::size_t judged = 0;
+  for (const Subject& subject : subjects) {
+    const Proof proof = proof_of(subject);
     if (!proof.built.program) continue;
     const LabVerdict idle = proof.judge(1);
     const std::string fate = fate_of(idle);

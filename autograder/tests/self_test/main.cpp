@@ -1,34 +1,11 @@
-// Proves one submission of the repository: `self_test FILE`. What must happen to it stands in its
-// first lines; what must happen to starters and solutions is known.
+// Proves the repository's submissions: `self_test FILE [MISTAKE]`. Their comments say what must
+// happen to them (CONTRIBUTING.md, "Add a submission"); of a catalog of mistakes all are proved, or
+// one. Exit status 77 where a peer's library is not installed.
 //
-//   starter/x.cpp                    every task is «not written yet», no point, no crash
-//   solutions/x.cpp                  full marks, with MC_SEEDS seeds (10)
-//   …/alternatives/x/name.cpp        // alternative: what is different about this right answer
-//                                    full marks, with as many seeds
-//   …/mistakes/x/name.cpp            // mistake: what is wrong
-//                                    // caught by: the name of a check, or a unique beginning of it
-//                                    // hint: words that must stand in the story of one of those
-//                                    fails exactly those checks (others may wait for them)
-//   …/attacks/x/name.cpp             // attack: what it tries
-//                                    // earns: the points at most, 0 if nothing is said
-//                                    // says: words that must stand in the story of some check
-//                                    // never says: words that must stand nowhere in it
-//                                    // forges: a speed task ("3.9 points"): of a right answer that
-//                                    cheats when it is timed, and may include solutions/. Then the
-//                                    speed line says what `says:` says, and shows no figure.
-//                                    whatever is shown is mc::sandbox::printable, in lines that
-//                                    fit
-//   …/peers/library/x.cpp            // peer: what of the library it is
-//                                    // fails: as "caught by"; of one reason, one after the other
-//                                    // because: why the library does not do what the lab asks for
-//                                    fails exactly those checks; what the library has nothing for
-//                                    is not written. Exit status 77 where it is not installed.
-//
-// Any of the last three says // limit: time, or memory, where a measurement of it meets one;
-// `self_test load RUNS` judges all that do beside busy loops, with the same verdict.
-//
-// `self_test cost LAB` measures what measurements cost the right answers of a lab, compiled as for
-// any x86-64. `self_test repository` looks at the repository itself: task numbers, points, names.
+//   self_test load RUNS     all that run out of time or memory, beside busy loops: the same verdict
+//   self_test cost LAB      what measurements cost the right answers, compiled as for any x86-64
+//   self_test repository    the repository itself: task numbers, points, names
+//   self_test power         the p-values of all seeds that were tried
 
 #include <cstdlib>
 #include <exception>
@@ -46,20 +23,20 @@ using namespace mc::self_test;
 
 namespace {
 
-void prove_file(const fs::path& path) {
-  const std::string kind = kind_of(path);
-  const std::pair<const char*, void (*)(const Proof&, const fs::path&)> kinds[] = {
-      {"starter", [](const Proof& proof, const fs::path&) { prove_starter(proof); }},
-      {"solutions", [](const Proof& proof, const fs::path&) { prove_right(proof); }},
-      {"alternatives", [](const Proof& proof, const fs::path&) { prove_right(proof); }},
+void prove(const Subject& subject) {
+  const std::string kind = kind_of(subject.file);
+  const std::pair<const char*, void (*)(const Proof&, const Subject&)> kinds[] = {
+      {"starter", [](const Proof& proof, const Subject&) { prove_starter(proof); }},
+      {"solutions", [](const Proof& proof, const Subject&) { prove_right(proof); }},
+      {"alternatives", [](const Proof& proof, const Subject&) { prove_right(proof); }},
       {"mistakes", prove_mistake},
       {"peers", prove_peer},
       {"attacks", prove_attack}};
-  for (const auto& [name, prove] : kinds) {
+  for (const auto& [name, prove_kind] : kinds) {
     if (kind != name) continue;
-    const Proof proof = proof_of(path);
+    const Proof proof = proof_of(subject);
     if (!proof.built.program && kind != "attacks") return complain(proof.built.failure);
-    return prove(proof, path);
+    return prove_kind(proof, subject);
   }
   complain("no such kind of submission: " + kind);
 }
@@ -77,14 +54,17 @@ int run(int argc, char** argv) {
   } else if (what == "fuzz" && argc == 4) {
     prove_against_lies(argv[2], static_cast<unsigned>(std::atoi(argv[3])));
   } else if (argc == 2) {
-    prove_file(fs::canonical(argv[1]));
+    for (const Subject& subject : subjects_in(fs::canonical(argv[1]))) prove(subject);
+  } else if (argc == 3) {
+    prove({fs::canonical(argv[1]), argv[2]});
   } else {
     fmt::print(
-        "usage: self_test FILE | load RUNS [FILE...] | fuzz LAB COUNT | cost LAB | repository | "
+        "usage: self_test FILE [MISTAKE] | load RUNS [FILE...] | fuzz LAB COUNT | cost LAB | "
+        "repository | "
         "power\n");
     return 2;
   }
-  return has_complained() ? 1 : 0;
+  return complaints() > 0 ? 1 : 0;
 }
 
 }  // namespace

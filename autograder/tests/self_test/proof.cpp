@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "grader/judging/judge.hpp"
 #include "grader/reports/report.hpp"
@@ -11,31 +12,62 @@
 
 namespace mc::self_test {
 
+namespace fs = std::filesystem;
 using namespace grader;
 
 namespace {
 
-int complaints = 0;
+int complaint_count = 0;
+
+/// The checks that call a function which the mistake replaces: those that fail a program that aborts
+/// there. Found once for each catalog and set of functions.
+std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definition>& definitions) {
+  proof.submission.libraries = linker_flags(definitions, "abort");
+  proof.built = build_program(proof.layout, proof.lab, proof.submission);
+  const auto checks_built = fs::last_write_time(proof.layout.checks(proof.lab.name));
+  const fs::path kept = fmt::format("{}-{:x}.affected", proof.built.program->path,
+                                    checks_built.time_since_epoch().count());
+  std::set<std::string> names;
+  std::ifstream lines(kept);
+  for (std::string name; std::getline(lines, name);) names.insert(name);
+  if (!names.empty()) return names;
+  std::set<std::string> quick;
+  for (const Check& check : expected_checks(proof.layout, proof.lab)) {
+    (check.is_slow ? names : quick).insert(check.name);
+  }
+  for (const CheckResult& result : proof.judge(1, quick).checks) {
+    const bool is_right = result.status == Status::passed || result.status == Status::withheld;
+    if (!is_right) names.insert(result.check.name);
+  }
+  std::ofstream(kept) << fmt::format("{}\n", fmt::join(names, "\n"));
+  return names;
+}
+
+/// A mistake of a catalog: compiles the catalog, if nobody did, and links it.
+void build_mistake(Proof& proof, const Subject& subject) {
+  proof.submission.label = "mistakes/" + proof.lab.name + '/' + subject.mistake;
+  const Unit unit{proof.layout, proof.lab, subject.file, true};
+  const CatalogLock lock(slot_of(unit));
+  const Object catalog = compile(unit);
+  if (!catalog.failure.empty()) {
+    proof.built.failure = catalog.failure;
+    return;
+  }
+  const auto definitions = definitions_of(proof.layout, proof.lab, catalog.path, subject);
+  proof.affected = checks_that_call(proof, definitions);
+  proof.submission.libraries = linker_flags(definitions);
+  proof.built = build_program(proof.layout, proof.lab, proof.submission);
+}
 
 }  // namespace
 
 void complain(const std::string& what) {
   fmt::print("{}\n", what);
-  ++complaints;
+  ++complaint_count;
 }
 
-bool has_complained() {
-  return complaints > 0;
-}
-
-std::vector<std::string> said(const std::filesystem::path& path, const std::string& key) {
-  std::vector<std::string> values;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line) && line.starts_with("//");) {
-    const std::string start = "// " + key + ": ";
-    if (line.starts_with(start)) values.push_back(line.substr(start.size()));
-  }
-  return values;
+int complaints() {
+  return complaint_count;
 }
 
 std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
@@ -43,14 +75,15 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-std::string kind_of(const std::filesystem::path& file) {
+std::string kind_of(const fs::path& file) {
   const std::string top = file.parent_path().filename().string();
   if (top == "starter" || top == "solutions") return top;
   return file.parent_path().parent_path().filename().string();
 }
 
-Proof proof_of(const std::filesystem::path& file) {
+Proof proof_of(const Subject& subject) {
   Proof proof;
+  const fs::path& file = subject.file;
   const std::string kind = kind_of(file), top = file.parent_path().filename().string();
   const bool by_stem = kind == top || kind == "peers";
   proof.lab = find_lab(proof.labs, by_stem ? file.stem().string() : top);
@@ -63,15 +96,19 @@ Proof proof_of(const std::filesystem::path& file) {
     proof.submission = *peer;
   } else {
     const bool is_strange =
-        kind == "starter" || (kind == "attacks" && said(file, "forges").empty());
+        kind == "starter" || (kind == "attacks" && said(subject, "forges").empty());
     proof.submission =
         single_file_submission(proof.layout, proof.labs, proof.lab, file, !is_strange);
   }
   // What plain answers cost is measured as on any x86-64.
   if (kind == "alternatives") setenv("MC_BASELINE", "1", 1);
   precompile_headers(proof.layout);
-  proof.submission.label = std::filesystem::relative(file, proof.layout.root).string();
-  proof.built = build_program(proof.layout, proof.lab, proof.submission);
+  proof.submission.label = fs::relative(file, proof.layout.root).string();
+  if (!subject.mistake.empty()) {
+    build_mistake(proof, subject);
+  } else {
+    proof.built = build_program(proof.layout, proof.lab, proof.submission);
+  }
   return proof;
 }
 

@@ -12,15 +12,13 @@
 #include "grader/judging/verdict.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"
+#include "tests/self_test/catalog.hpp"
 
 namespace mc::self_test {
 
 /// Prints it; the proof has failed.
 void complain(const std::string& what);
-bool has_complained();
-
-/// The values of "// key: value" in the comment that a file begins with.
-std::vector<std::string> said(const std::filesystem::path& path, const std::string& key);
+int complaints();
 
 /// A number from the environment, by which ./lab test says how thorough it is.
 std::uint64_t number_from(const char* variable, std::uint64_t otherwise);
@@ -31,6 +29,8 @@ struct Proof {
   grader::Lab lab;
   grader::Submission submission;
   grader::Built built;
+  /// Of a mistake of a catalog: the checks that it can make a difference to.
+  std::set<std::string> affected{};
 
   /// All checks, or those of these names. One worker: ctest runs as many of us as there are cores.
   grader::LabVerdict judge(std::uint64_t seed, const std::set<std::string>& checks = {},
@@ -46,15 +46,13 @@ void prove_right(const Proof& proof);
 void prove_starter(const Proof& proof);
 
 /// Exactly the checks that the file names fail, with every seed, and say what it says.
-void prove_mistake(const Proof& proof, const std::filesystem::path& file);
+void prove_mistake(const Proof& proof, const Subject& subject);
 
-void prove_peer(const Proof& proof, const std::filesystem::path& file);
-void prove_attack(const Proof& proof, const std::filesystem::path& file);
+void prove_peer(const Proof& proof, const Subject& subject);
+void prove_attack(const Proof& proof, const Subject& subject);
 
-/// Did a measurement run out of time or of memory? A file whose checks do says so: "// limit:
-/// time".
-bool meets_a_limit(const grader::LabVerdict& verdict);
-void compare_limits(const std::filesystem::path& file, const grader::LabVerdict& verdict);
+/// A submission says "// limit: time" (or memory) if and only if a measurement of it ran out of it.
+void compare_limits(const Subject& subject, const grader::LabVerdict& verdict);
 
 /// The same verdict on a busy machine as on an idle one: of each of these submissions (all that say
 /// "// limit:", where none are given), `runs` times each with 1, 2 and 4 workers beside four busy
@@ -68,8 +66,8 @@ void prove_against_lies(const std::string& lab, unsigned count);
 /// What a file of the repository is, by its folder: "starter", "solutions", "mistakes", …
 std::string kind_of(const std::filesystem::path& file);
 
-/// The proof of a file of the repository, its program built.
-Proof proof_of(const std::filesystem::path& file);
+/// The proof of a submission of the repository, its program built.
+Proof proof_of(const Subject& subject);
 
 /// No measurement costs a right answer of the lab more than 0.2 s of CPU time, compiled as for any
 /// x86-64; prints the dearest.

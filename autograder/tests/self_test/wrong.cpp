@@ -15,7 +15,6 @@
 
 namespace mc::self_test {
 
-namespace fs = std::filesystem;
 using grader::CheckResult;
 using grader::LabVerdict;
 using grader::Status;
@@ -76,10 +75,10 @@ bool fails_more(const LabVerdict& verdict, const std::set<std::string>& expected
 }
 
 /// With this seed, of these checks, those fail that the file names, and say its hints.
-void judge_mistake(const fs::path& file, const LabVerdict& verdict,
+void judge_mistake(const Subject& subject, const LabVerdict& verdict,
                    const std::set<std::string>& named) {
   const std::string stories = compare_failures(verdict, named, false);
-  for (const std::string& hint : said(file, "hint")) {
+  for (const std::string& hint : said(subject, "hint")) {
     if (stories.find(hint) == std::string::npos) complain("no story says: " + hint);
   }
 }
@@ -138,26 +137,28 @@ void prove_starter(const Proof& proof) {
   }
 }
 
-void prove_mistake(const Proof& proof, const fs::path& file) {
-  if (said(file, "caught by").empty() || said(file, "hint").empty()) {
+void prove_mistake(const Proof& proof, const Subject& subject) {
+  if (said(subject, "caught by").empty() || said(subject, "hint").empty()) {
     complain("the file must say 'caught by:' and 'hint:'");
   }
+  const int before = complaints();
   const std::uint64_t seeds = number_from("MC_MISTAKE_SEEDS", 1);
   // A slow check takes longer than all others together: of those that a mistake does not name it is
   // asked in --full only, and once, for it does not depend on the seed. With more seeds: the tasks
   // at fault. To the others this is a right answer, and of those prove_right asks more; but where
   // more fails than is named, it may wait for them, and all are asked. A check that waits for what
   // fails is asked in --full only, too.
-  const auto named = said(file, "caught by");
+  const auto named = said(subject, "caught by");
   std::vector<std::string> tasks;
   for (const std::string& start : named) tasks.push_back(start.substr(0, start.find(' ') + 1));
   const auto checks = grader::expected_checks(proof.layout, proof.lab);
   // A check that waits may be the one that meets the file's limit.
-  const bool has_limit = !said(file, "limit").empty();
+  const bool has_limit = !said(subject, "limit").empty();
   const auto waiting = has_limit ? std::set<std::string>{} : checks_that_wait(checks, named);
   std::set<std::string> once, again, all;
   for (const grader::Check& check : checks) {
     const bool is_named = begins_with_one_of(check.name, named);
+    if (!is_named && !proof.affected.empty() && !proof.affected.contains(check.name)) continue;
     const bool tells = !check.is_slow && !waiting.contains(check.name);
     if (tells || is_named || seeds > 1) once.insert(check.name);
     if (check.is_slow) continue;
@@ -166,50 +167,50 @@ void prove_mistake(const Proof& proof, const fs::path& file) {
   }
   const LabVerdict first = proof.judge(1, once);
   auto expected = checks_named(first, named);
-  judge_mistake(file, first, expected);
+  judge_mistake(subject, first, expected);
   std::erase_if(expected, [&](const std::string& name) { return !again.contains(name); });
-  compare_limits(file, first);
+  compare_limits(subject, first);
   std::uint64_t seed = 2;
   const Kept kept(proof);
   if (seeds > 1) seed = std::max<std::uint64_t>(2, kept.resume([](const auto&) {}) + 1);
   LabVerdict shown = first;
   std::uint64_t seed_shown = 1;
-  for (; seed <= seeds && !has_complained(); ++seed) {
+  for (; seed <= seeds && complaints() == before; ++seed) {
     LabVerdict verdict = proof.judge(seed, again);
     if (fails_more(verdict, expected)) verdict = proof.judge(seed, all);
-    judge_mistake(file, verdict, expected);
-    if (has_complained()) {
+    judge_mistake(subject, verdict, expected);
+    if (complaints() > before) {
       shown = verdict;
       seed_shown = seed;
     } else {
       kept.keep(rejections(verdict));
     }
   }
-  if (!has_complained()) fmt::print("the same fate with {} seeds\n", seeds);
+  if (complaints() == before) fmt::print("the same fate with {} seeds\n", seeds);
   proof.show(shown, seed_shown);
 }
 
 /// Of a library nobody expects that it does what a lab asks for; but where it does not, that is
 /// known, and why.
-void prove_peer(const Proof& proof, const fs::path& file) {
+void prove_peer(const Proof& proof, const Subject& subject) {
   const std::uint64_t seed = 1;
   const LabVerdict verdict = proof.judge(seed);
-  if (said(file, "peer").empty()) complain("the file must say 'peer:'");
-  if (said(file, "fails").empty() != said(file, "because").empty()) {
+  if (said(subject, "peer").empty()) complain("the file must say 'peer:'");
+  if (said(subject, "fails").empty() != said(subject, "because").empty()) {
     complain("the file must say 'because:' where it says 'fails:'");
   }
-  compare_failures(verdict, checks_named(verdict, said(file, "fails")), true);
-  compare_limits(file, verdict);
+  compare_failures(verdict, checks_named(verdict, said(subject, "fails")), true);
+  compare_limits(subject, verdict);
   proof.show(verdict, seed);
 }
 
 /// A right answer as long as it is judged, and something faster when it is timed: it may pass every
 /// check, but there is no figure for what it forges.
-void prove_forgery(const Proof& proof, const fs::path& file) {
+void prove_forgery(const Proof& proof, const Subject& subject) {
   const std::uint64_t seed = 1;
   LabVerdict verdict = proof.judge(seed);
   verdict.speed = grader::measure_speed(proof.layout, verdict, *proof.built.program);
-  for (const std::string& forged : said(file, "forges")) {
+  for (const std::string& forged : said(subject, "forges")) {
     const auto found =
         std::find_if(verdict.speed.begin(), verdict.speed.end(),
                      [&](const grader::Speed& one) { return one.name.starts_with(forged); });
@@ -218,7 +219,7 @@ void prove_forgery(const Proof& proof, const fs::path& file) {
     } else if (found->wrong.empty()) {
       complain(fmt::format("a forged figure: {} takes {:.3g} ns", found->name, found->nanoseconds));
     } else {
-      for (const std::string& word : said(file, "says")) {
+      for (const std::string& word : said(subject, "says")) {
         if (found->wrong.find(word) == std::string::npos) complain("no speed line says: " + word);
       }
     }
@@ -226,14 +227,14 @@ void prove_forgery(const Proof& proof, const fs::path& file) {
   proof.show(verdict, seed);
 }
 
-void prove_attack(const Proof& proof, const fs::path& file) {
-  if (!said(file, "forges").empty() && proof.built.program) return prove_forgery(proof, file);
+void prove_attack(const Proof& proof, const Subject& subject) {
+  if (!said(subject, "forges").empty() && proof.built.program) return prove_forgery(proof, subject);
   const std::uint64_t seed = 1;
   const LabVerdict verdict = proof.judge(seed);
-  compare_limits(file, verdict);
-  const auto earns = said(file, "earns"), words = said(file, "says");
+  compare_limits(subject, verdict);
+  const auto earns = said(subject, "earns"), words = said(subject, "says");
   const double most = earns.empty() ? 0 : std::strtod(earns[0].c_str(), nullptr);
-  if (said(file, "attack").empty() || words.empty())
+  if (said(subject, "attack").empty() || words.empty())
     complain("the file must say 'attack:' and 'says:'");
   if (verdict.earned() > most) {
     complain(fmt::format("it earned {:g} points; {:g} are the most", verdict.earned(), most));
@@ -248,7 +249,7 @@ void prove_attack(const Proof& proof, const fs::path& file) {
   for (const std::string& word : words) {
     if (stories.find(word) == std::string::npos) complain("no story says: " + word);
   }
-  for (const std::string& word : said(file, "never says")) {
+  for (const std::string& word : said(subject, "never says")) {
     if (stories.find(word) != std::string::npos) complain("a story says: " + word);
   }
   if (sandbox::printable(stories) != stories) complain("what it is told is not printable");

@@ -1,0 +1,195 @@
+// Mistakes in task 4.4.
+#include "blue_noise.hpp"
+
+#define periodogram right_periodogram
+#include "solutions/blue_noise.cpp"
+#undef periodogram
+
+// mistake: adds to the previous contents of the output
+// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
+// caught by: 4.4 jittered points
+// hint: this value was never written
+namespace mc::adds_to_the_output {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  std::vector<double> here(power.size());
+  right_periodogram(x, y, kmax, here);
+  for (std::size_t k = 0; k < power.size(); ++k) power[k] += here[k];
+}
+}  // namespace mc::adds_to_the_output
+
+// mistake: returns the amplitude of each wave instead of its power
+// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
+// caught by: 4.4 jittered points
+// hint: this is |sum|
+namespace mc::amplitude {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);
+  const auto n = static_cast<double>(x.size());
+  for (double& value : power) value = std::sqrt(value * n);
+}
+}  // namespace mc::amplitude
+
+// mistake: divides by N without squaring
+// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
+// caught by: 4.4 jittered points
+// hint: this is |sum| / N
+namespace mc::amplitude_over_n {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);
+
+  const auto n = static_cast<double>(x.size());
+  for (double& value : power) value = std::sqrt(value * n) / n;
+}
+}  // namespace mc::amplitude_over_n
+
+// mistake: swaps kx and ky
+// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
+// hint: kx and ky are exchanged
+namespace mc::columns_of_ky {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);
+  const auto n = static_cast<double>(x.size());
+  if (n < 1) return;
+  const auto side = static_cast<std::size_t>(2 * kmax + 1);
+  for (std::size_t j = 0; j < side; ++j) {
+    for (std::size_t i = 0; i < j; ++i) std::swap(power[j * side + i], power[i * side + j]);
+  }
+}
+}  // namespace mc::columns_of_ky
+
+// mistake: squares only the real part
+// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
+// caught by: 4.4 jittered points
+// hint: the sum of sines is missing
+namespace mc::cosines_alone {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);  // for its exceptions
+  std::size_t k = 0;
+  for (int ky = -kmax; ky <= kmax; ++ky) {
+    for (int kx = -kmax; kx <= kmax; ++kx, ++k) {
+      double real = 0;
+      for (std::size_t p = 0; p < x.size(); ++p) {
+        const double angle = 2 * std::numbers::pi * (kx * x[p] + ky * y[p]);
+        real += std::cos(angle);
+      }
+      power[k] = real * real / static_cast<double>(x.size());
+    }
+  }
+}
+}  // namespace mc::cosines_alone
+
+// mistake: forgets the 2 in 2 pi
+// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
+// caught by: 4.4 jittered points
+// hint: the angle is 2 pi k x
+namespace mc::half_a_turn {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);  // for its exceptions
+  std::size_t k = 0;
+  for (int ky = -kmax; ky <= kmax; ++ky) {
+    for (int kx = -kmax; kx <= kmax; ++kx, ++k) {
+      double real = 0, imaginary = 0;
+      for (std::size_t p = 0; p < x.size(); ++p) {
+        const double angle = std::numbers::pi * (kx * x[p] + ky * y[p]);
+        real += std::cos(angle);
+        imaginary -= std::sin(angle);
+      }
+      power[k] = (real * real + imaginary * imaginary) / static_cast<double>(x.size());
+    }
+  }
+}
+}  // namespace mc::half_a_turn
+
+// mistake: sets the power at k = 0 to zero
+// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
+// hint: k = 0 is power like any other
+namespace mc::mean_taken_out {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);
+  const auto n = static_cast<double>(x.size());
+  if (n > 0) power[power.size() / 2] = 0;
+}
+}  // namespace mc::mean_taken_out
+
+// mistake: divides the sum by N, squares it, and divides by N
+// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
+// caught by: 4.4 jittered points
+// hint: this is divided by N twice
+namespace mc::over_n_twice {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);
+
+  const auto n = static_cast<double>(x.size());
+  for (double& value : power) value /= n;
+}
+}  // namespace mc::over_n_twice
+
+// mistake: does not divide by the number of points
+// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
+// caught by: 4.4 jittered points
+// hint: divide by the number of points
+namespace mc::power_not_over_n {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);
+  const auto n = static_cast<double>(x.size());
+  for (double& value : power) value *= n;
+}
+}  // namespace mc::power_not_over_n
+
+// mistake: throws with a message that does not name the argument
+// caught by: 4.4 a refusal names the argument
+// hint: say in the exception's text which argument is wrong
+namespace mc::refused_without_a_name {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  try {
+    right_periodogram(x, y, kmax, power);
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument("bad input");
+  }
+}
+}  // namespace mc::refused_without_a_name
+
+// mistake: squares the side of the periodogram as an int, which overflows
+// caught by: 4.4 misuse of periodogram
+// hint: overflow
+namespace mc::side_in_an_int {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  const auto side = static_cast<unsigned>(2 * kmax + 1);
+  if (kmax >= 1 && power.size() != side * side) throw std::invalid_argument("power: its size");
+  if (kmax < 20000) return right_periodogram(x, y, kmax, power);
+  for (double& value : power) value = 0;
+}
+}  // namespace mc::side_in_an_int
+
+// mistake: computes its waves in float
+// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
+// hint: in double
+namespace mc::waves_in_float {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);  // for its exceptions
+  std::size_t i = 0;
+  for (int ky = -kmax; ky <= kmax; ++ky) {
+    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
+      float real = 0, imaginary = 0;
+      for (std::size_t p = 0; p < x.size(); ++p) {
+        const auto angle = static_cast<float>(2 * std::numbers::pi * (kx * x[p] + ky * y[p]));
+        real += std::cos(angle);
+        imaginary -= std::sin(angle);
+      }
+      power[i] = (real * real + imaginary * imaginary) / static_cast<double>(x.size());
+    }
+  }
+}
+}  // namespace mc::waves_in_float

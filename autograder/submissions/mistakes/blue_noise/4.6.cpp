@@ -1,0 +1,58 @@
+// Mistakes in task 4.6.
+#include "blue_noise.hpp"
+
+#define tile right_tile
+#include "solutions/blue_noise.cpp"
+#undef tile
+
+// mistake: divides the index of a copy by the number of copies as integers, which gives 0
+// caught by: 4.6 copies lie side by side, 4.6 a tiled pattern has power
+// hint: i / copies of two whole numbers is 0
+namespace mc::copies_in_whole_numbers {
+PointSet tile(const PointSet& pattern, int copies) {
+  PointSet tiled = right_tile(pattern, copies);
+  for (const std::size_t d : {0u, 1u}) {
+    for (double& value : tiled.column(d)) {
+      const double cell = std::floor(value * copies);
+      value = std::max(0.0, value - cell / copies) + static_cast<int>(cell) / copies;
+    }
+  }
+  return tiled;
+}
+}  // namespace mc::copies_in_whole_numbers
+
+// mistake: mirrors every other copy, so that equal edges meet
+// caught by: 4.6 copies lie side by side, 4.6 a tiled pattern has power
+// hint: nothing is turned, mirrored or moved
+namespace mc::mirrored_copies {
+PointSet tile(const PointSet& pattern, int copies) {
+  PointSet tiled = right_tile(pattern, copies);
+  const auto x = tiled.column(0);
+  for (double& value : x) {
+    const double cell = std::floor(value * copies);
+    const double within = value * copies - cell;
+    if (static_cast<int>(cell) % 2 == 1)
+      value = std::min((cell + 1 - within) / copies, 1 - 0x1p-53);
+  }
+  return tiled;
+}
+}  // namespace mc::mirrored_copies
+
+// mistake: lets the last coordinate round up to 1
+// caught by: 4.6 copies lie side by side
+// hint: it was rounded up to the upper end
+namespace mc::rounded_up_to_one {
+PointSet tile(const PointSet& pattern, int copies) {
+  PointSet tiled = right_tile(pattern, copies);
+  std::size_t i = 0;
+  for (int row = 0; row < copies; ++row) {
+    for (int column = 0; column < copies; ++column) {
+      for (std::size_t p = 0; p < pattern.size(); ++p, ++i) {
+        tiled.column(0)[i] = (column + pattern.column(0)[p]) / copies;
+        tiled.column(1)[i] = (row + pattern.column(1)[p]) / copies;
+      }
+    }
+  }
+  return tiled;
+}
+}  // namespace mc::rounded_up_to_one

@@ -1,0 +1,76 @@
+// Mistakes in task 5.1.
+#include "halton.hpp"
+
+#define radical_inverse right_radical_inverse
+#include "solutions/halton.cpp"
+#undef radical_inverse
+
+// mistake: sums in a float
+// caught by: 5.1 the radical inverse mirrors, 5.1 every index, 5.1 the last digit
+// caught by: 5.1 the radical inverse is below 1
+// hint: this is a float
+namespace mc::in_floats {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  float sum = 0, part = 1;
+  for (; index > 0; index /= base) {
+    part /= static_cast<float>(base);
+    sum += part * static_cast<float>(index % base);
+  }
+  return sum;
+}
+}  // namespace mc::in_floats
+
+// mistake: adds the largest terms first, so every sum is rounded near 1
+// caught by: 5.1 the last digit
+// hint: add the smallest terms first
+namespace mc::large_digits_first {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  double sum = 0, part = 1;
+  for (; index > 0; index /= base) {
+    part /= base;
+    sum += part * static_cast<double>(index % base);
+  }
+  return std::min(below_one, sum);
+}
+}  // namespace mc::large_digits_first
+
+// mistake: mirrors the digits in 32 bits, which overflow
+// caught by: 5.1 every index, 5.1 the last digit
+// hint: the mirrored digits do not fit in 32 bits
+namespace mc::mirrors_in_32_bits {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  std::uint32_t mirrored = 0;
+  double size = 1;
+  for (; index > 0; index /= base, size *= base) {
+    mirrored = mirrored * base + static_cast<std::uint32_t>(index % base);
+  }
+  return std::min(below_one, mirrored / size);
+}
+}  // namespace mc::mirrors_in_32_bits
+
+// mistake: does not mirror the digits: writes them after the point in the order of the index
+// caught by: 5.1 the radical inverse mirrors, 5.1 every index, 5.1 the last digit
+// hint: the digits are not mirrored
+namespace mc::not_mirrored {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  double size = 1;
+  for (std::uint64_t rest = index; rest > 0; rest /= base) size *= base;
+  return std::min(below_one, static_cast<double>(index) / size);
+}
+}  // namespace mc::not_mirrored
+
+// mistake: rounds an index of more than 53 ones up to 1
+// caught by: 5.1 the radical inverse is below 1
+// hint: it was rounded up to the upper end
+namespace mc::rounds_to_one {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  if (index == 0) return 0;
+  const double last = static_cast<double>(index % base);
+  return (last + mc::radical_inverse(base, index / base)) / base;
+}
+}  // namespace mc::rounds_to_one

@@ -1,0 +1,62 @@
+// Mistakes in task 5.5.
+#include "halton.hpp"
+
+#define sobol right_sobol
+#include "solutions/halton.cpp"
+#undef sobol
+
+// mistake: reads the coefficients of the Sobol' recurrence from the wrong end
+// caught by: 5.5 the first points, 5.5 a column of Sobol
+// hint: a_1 the highest bit
+namespace mc::coefficients_reversed {
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  right_sobol(dimension, first, column);
+  JoeKuo given = joe_kuo[dimension];
+  unsigned reversed = 0;
+  for (unsigned j = 1; j < given.degree; ++j) {
+    reversed |= (given.coefficients >> (j - 1) & 1u) << (given.degree - 1 - j);
+  }
+  given.coefficients = reversed;
+  const auto v = definition::directions_of(given);
+  for (std::size_t i = 0; i < column.size(); ++i)
+    column[i] = definition::sobol_word(v, first + i) * 0x1p-32;
+}
+}  // namespace mc::coefficients_reversed
+
+// mistake: generates the points in Gray-code order
+// caught by: 5.5 the first points, 5.5 a column of Sobol
+// hint: in Gray-code order
+namespace mc::gray_code_order {
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  right_sobol(dimension, first, column);
+  const auto v = definition::directions_of(joe_kuo[dimension]);
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    column[i] = definition::sobol_word(v, (first + i) ^ (first + i) >> 1) * 0x1p-32;
+  }
+}
+}  // namespace mc::gray_code_order
+
+// mistake: fills only whole blocks of four Sobol' coordinates
+// caught by: 5.5 a column of Sobol
+// hint: this value was never written
+namespace mc::sobol_last_values_unwritten {
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  const auto rest = column.last(column.size() % 4);
+  const std::vector<double> before(rest.begin(), rest.end());
+  right_sobol(dimension, first, column);
+  std::copy(before.begin(), before.end(), rest.begin());
+}
+}  // namespace mc::sobol_last_values_unwritten
+
+// mistake: starts at index first + 1
+// caught by: 5.5 the first points, 5.5 a column of Sobol, 5.5 the first two, 5.5 integrals
+// hint: point 0 is the origin
+namespace mc::sobol_without_the_origin {
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  right_sobol(dimension, first, column);
+  const auto v = definition::directions_of(joe_kuo[dimension]);
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    column[i] = definition::sobol_word(v, (first + i + 1) & 0xffffffffu) * 0x1p-32;
+  }
+}
+}  // namespace mc::sobol_without_the_origin

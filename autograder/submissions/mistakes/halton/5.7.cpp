@@ -1,0 +1,59 @@
+// Mistakes in task 5.7.
+#include "halton.hpp"
+
+#include <cmath>
+
+#define random_shift right_random_shift
+#include "solutions/halton.cpp"
+#undef random_shift
+
+// mistake: shifts each point by its own random vector, which makes the points independent
+// caught by: 5.7 one shift moves, 5.7 the shift is uniform, 5.7 shifted points stay
+// hint: not one for a point
+namespace mc::a_shift_for_each_point {
+void random_shift(PointSet& points, Rng& rng) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    for (double& value : points.column(d)) {
+      value += static_cast<double>(rng() >> 11) * 0x1p-53;
+      value -= std::floor(value);
+    }
+  }
+}
+}  // namespace mc::a_shift_for_each_point
+
+// mistake: shifts every axis by the same random number
+// caught by: 5.7 the shift is uniform
+// hint: one shift for every axis
+namespace mc::one_shift_for_all_axes {
+void random_shift(PointSet& points, Rng& rng) {
+  const double shift = static_cast<double>(rng() >> 11) * 0x1p-53;
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    for (double& value : points.column(d)) {
+      value += shift;
+      value -= std::floor(value);
+    }
+  }
+}
+}  // namespace mc::one_shift_for_all_axes
+
+// mistake: shifts by its own generator, which starts again in every call
+// caught by: 5.7 the shift is uniform
+// hint: the shift is the same each time
+namespace mc::same_shift_each_time {
+void random_shift(PointSet& points, Rng& /*rng*/) {
+  Rng own(1);
+  right_random_shift(points, own);
+}
+}  // namespace mc::same_shift_each_time
+
+// mistake: does not wrap shifted points around at 1
+// caught by: 5.7 one shift moves, 5.7 shifted points stay
+// hint: it left the unit interval
+namespace mc::shift_without_wrapping {
+void random_shift(PointSet& points, Rng& rng) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    const double shift = static_cast<double>(rng() >> 11) * 0x1p-53;
+    for (double& value : points.column(d)) value += shift;
+  }
+}
+}  // namespace mc::shift_without_wrapping

@@ -1,0 +1,122 @@
+// Mistakes in task 5.8.
+#include "halton.hpp"
+
+#include <cmath>
+
+#define owen_scramble right_owen_scramble
+#include "solutions/halton.cpp"
+#undef owen_scramble
+
+// mistake: flips each bit position alike, not by the string of bits before it
+// caught by: 5.8 each bit, 5.8 a scrambled net
+// hint: that is a digital shift
+namespace mc::digital_shift {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  const std::uint64_t flips = Rng(seed)() >> 11;
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53);
+    value = static_cast<double>(word ^ flips) * 0x1p-53;
+  }
+}
+}  // namespace mc::digital_shift
+
+// mistake: uses the hash of Laine and Karras 2011, which only adds the seed: not Owen's variance
+// caught by: 5.8 a scrambled net, 5.8 each bit
+// hint: nested uniform scrambling
+namespace mc::laine_karras_2011 {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  Rng rng(seed);
+  const std::uint64_t word = rng();
+  for (double& value : column) {
+    auto low = static_cast<std::uint64_t>(value * 0x1p53) << 11;
+    std::uint64_t z = std::uint64_t{mirrored(static_cast<std::uint32_t>(low))} << 32 |
+                      mirrored(static_cast<std::uint32_t>(low >> 32));
+    z += word;
+    z ^= z * 0x6c50b47cu;
+    z ^= z * 0xb82f1e52u;
+    z ^= z * 0xc7afe638u;
+    z ^= z * 0x8d22f6e6u;
+    low = std::uint64_t{mirrored(static_cast<std::uint32_t>(z))} << 32 |
+          mirrored(static_cast<std::uint32_t>(z >> 32));
+    value = static_cast<double>(low >> 11) * 0x1p-53;
+  }
+}
+}  // namespace mc::laine_karras_2011
+
+// mistake: hashes seed + level: the next seed repeats the flips of the next level
+// caught by: 5.8 all 64 bits
+// hint: seed + level is the same
+namespace mc::level_added_to_seed {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53) << 11;
+    std::uint64_t flips = 0;
+    for (unsigned k = 0; k < 53; ++k) {
+      const std::uint64_t before = k == 0 ? 0 : word >> (64 - k);
+      flips |= mix_bits(mix_bits(mix_bits(seed + k)) ^ before) >> 63 << (63 - k);
+    }
+    value = static_cast<double>((word ^ flips) >> 11) * 0x1p-53;
+  }
+}
+}  // namespace mc::level_added_to_seed
+
+// mistake: uses Matousek's random linear scrambling: correct for pairs, not for triples
+// caught by: 5.8 a scrambled net
+// hint: are pairs of values scrambled independently, but not triples
+namespace mc::linear_scrambling {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  Rng rng(seed);
+  const std::uint64_t shift = rng() >> 11;
+  std::array<std::uint64_t, 53>
+      columns;  // what bit k of a value, the first being 0, does to the word
+  for (unsigned k = 0; k < 53; ++k) {
+    const std::uint64_t bit = std::uint64_t{1} << (52 - k);
+    columns[k] = bit | (rng() & (bit - 1));
+  }
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53);
+    std::uint64_t scrambled = shift;
+    for (unsigned k = 0; k < 53; ++k) {
+      if (word >> (52 - k) & 1) scrambled ^= columns[k];
+    }
+    value = static_cast<double>(scrambled) * 0x1p-53;
+  }
+}
+}  // namespace mc::linear_scrambling
+
+// mistake: scrambles only the first 32 bits of a value and loses the others
+// caught by: 5.8 scrambled values, 5.8 each bit
+// hint: 53 bits of a value are scrambled, not 32
+namespace mc::scrambles_32_bits {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  right_owen_scramble(column, seed);
+  for (double& value : column) value = std::floor(value * 0x1p32) * 0x1p-32;
+}
+}  // namespace mc::scrambles_32_bits
+
+// mistake: loses the upper half of the seed
+// caught by: 5.8 all 64 bits
+// hint: was the seed cut to 32 bits?
+namespace mc::seed_of_32_bits {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  right_owen_scramble(column, static_cast<std::uint32_t>(seed));
+}
+}  // namespace mc::seed_of_32_bits
+
+// mistake: hashes the bits before as a number: 0, 00 and 000 are the same
+// caught by: 5.8 each bit, 5.8 all 64 bits, 5.8 a scrambled net
+// hint: 0, 00 and 000 before a bit are different strings
+namespace mc::string_without_its_length {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  const std::uint64_t hashed = mix_bits(mix_bits(seed) + 1);
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53) << 11;
+    std::uint64_t flips = 0;
+    for (unsigned k = 0; k < 53; ++k) {
+      const std::uint64_t before = k == 0 ? 0 : word >> (64 - k);
+      flips |= mix_bits(mix_bits(hashed ^ before)) >> 63 << (63 - k);
+    }
+    value = static_cast<double>((word ^ flips) >> 11) * 0x1p-53;
+  }
+}
+}  // namespace mc::string_without_its_length

@@ -1,0 +1,175 @@
+// Mistakes in task 5.9.
+#include "halton.hpp"
+
+#include <cmath>
+
+#define radical_inverses_scrambled right_radical_inverses_scrambled
+#include "solutions/halton.cpp"
+#undef radical_inverses_scrambled
+
+// mistake: adds a random number to each digit, modulo the base
+// caught by: 5.9 permutations are random, 5.9 permuted digits
+// hint: these are rotations
+namespace mc::digits_rotated {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  Rng rng(seed ^ mix_bits(base));
+  for (auto row = rows.begin(); row != rows.end(); row += base) {
+    const auto by = static_cast<unsigned>(rng() % base);
+    for (unsigned digit = 0; digit < base; ++digit) row[digit] = (digit + by) % base;
+  }
+  fill(column, first, base, rows, 0);
+}
+}  // namespace mc::digits_rotated
+
+// mistake: permutes eleven digits and drops the others, so some indices get the same number
+// caught by: 5.9 each position, 5.9 permutations are random
+// hint: this position has no permutation
+namespace mc::eleven_digits {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  std::vector<std::vector<unsigned>> rows(11, std::vector<unsigned>(base));
+  for (std::size_t position = 0; position < rows.size(); ++position) {
+    Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
+    auto& row = rows[position];
+    std::iota(row.begin(), row.end(), 0u);
+    for (unsigned k = 0; k < base; ++k) std::swap(row[k], row[any_digit(k, base, rng)]);
+  }
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    std::uint64_t index = first + i;
+    double value = 0, part = 1;
+    for (const auto& row : rows) {
+      part /= base;
+      value += part * row[index % base];
+      index /= base;
+    }
+    column[i] = std::min(below_one, value);
+  }
+}
+}  // namespace mc::eleven_digits
+
+// mistake: swaps each digit with any digit, which favors some permutations
+// caught by: 5.9 permutations are random
+// hint: a biased shuffle
+namespace mc::naive_shuffle {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  std::size_t position = 0;
+  for (auto row = rows.begin(); row != rows.end(); row += base) {
+    Rng rng(mix_bits(seed ^ mix_bits(base)) + position++);
+    std::iota(row, row + base, 0);
+    for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(0, base, rng)]);
+  }
+  fill(column, first, base, rows, 0);
+}
+}  // namespace mc::naive_shuffle
+
+// mistake: swaps each digit with a later one, never with itself (Sattolo's algorithm)
+// caught by: 5.9 permutations are random
+// hint: no digit ever stays in place
+namespace mc::no_digit_stays {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  std::size_t position = 0;
+  for (auto row = rows.begin(); row != rows.end(); row += base) {
+    Rng rng(mix_bits(seed ^ mix_bits(base)) + position++);
+    std::iota(row, row + base, 0);
+    for (unsigned i = 0; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i + 1, base, rng)]);
+  }
+  fill(column, first, base, rows, 0);
+}
+}  // namespace mc::no_digit_stays
+
+// mistake: uses the same permutation at every position
+// caught by: 5.9 permutations are random
+// hint: one permutation for all positions
+namespace mc::one_permutation {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  Rng rng(seed ^ mix_bits(base));
+  const auto row = rows.begin();
+  std::iota(row, row + base, 0);
+  std::shuffle(row, row + base, rng);
+  for (std::size_t i = base; i < rows.size(); ++i) {
+    rows[i] = rows[i - base];
+  }
+  fill(column, first, base, rows, 0);
+}
+}  // namespace mc::one_permutation
+
+// mistake: seeds the generator of a position with seed + position
+// caught by: 5.9 permutations are random
+// hint: seed + position is the same
+namespace mc::position_added_to_seed {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  std::size_t position = 0;
+  for (auto row = rows.begin(); row != rows.end(); row += base) {
+    Rng rng(seed + position++);
+    std::iota(row, row + base, 0);
+    for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
+  }
+  fill(column, first, base, rows, 0);
+}
+}  // namespace mc::position_added_to_seed
+
+// mistake: keeps the first index of scrambled digits in 32 bits
+// caught by: 5.9 each position has a permutation
+// hint: are all 64 bits of an index kept
+namespace mc::scrambled_first_of_32_bits {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_indices(first, column.size(), last_index);
+  right_radical_inverses_scrambled(base, static_cast<std::uint32_t>(first), column, seed);
+}
+}  // namespace mc::scrambled_first_of_32_bits
+
+// mistake: permutes only the digits of the index, not the zeros before its first digit
+// caught by: 5.9 each position, 5.9 permutations are random
+// hint: the zeros behind the last digit are digits too
+namespace mc::zeros_stay {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, column.size(), last_index);
+  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  Rng rng(seed ^ mix_bits(base));
+  for (auto row = rows.begin(); row != rows.end(); row += base) {
+    std::iota(row, row + base, 0);
+    std::shuffle(row, row + base, rng);
+  }
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    double value = 0, part = 1;
+    std::size_t position = 0;
+    for (std::uint64_t index = first + i; index > 0; index /= base) {
+      part /= base;
+      value += part * rows[position++ * base + index % base];
+    }
+    column[i] = std::min(below_one, value);
+  }
+}
+}  // namespace mc::zeros_stay

@@ -1,0 +1,258 @@
+// Mistakes in task 2.2.
+#include "independent.hpp"
+
+#include <numeric>
+
+#define estimate right_estimate
+#include "solutions/independent.cpp"
+#undef estimate
+
+// mistake: uses a copy of the generator, so every estimate has the same points
+// caught by: 2.2 the estimate is unbiased, 2.2 the error falls, 2.2 rare events
+// hint: the generator must move on: is it copied somewhere?
+namespace mc::a_copy_of_the_generator {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  Rng copy = rng;
+  return right_estimate(g, n, copy);
+}
+}  // namespace mc::a_copy_of_the_generator
+
+// mistake: draws points from its own generator, with a fixed seed
+// caught by: 2.2 the estimate is the mean, 2.2 exactly n, 2.2 the standard error, 2.2 a constant
+// caught by: 2.2 one sample, 2.2 the points are uniform, 2.2 the estimate is unbiased
+// caught by: 2.2 the error falls, 2.2 rare events
+// hint: take the numbers from rng, and from nowhere else
+namespace mc::a_fixed_generator {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
+  Rng own(42);
+  return right_estimate(g, n, own);
+}
+}  // namespace mc::a_fixed_generator
+
+// mistake: mirrors the previous point for every second one: the points are not independent
+// caught by: 2.2 the points are uniform, 2.2 the estimate is unbiased
+// hint: neither a copy nor a mirror image of another
+namespace mc::antithetic_points {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x)
+      coordinate = i % 2 == 0 ? to_unit(rng()) : 1 - 0x1p-53 - coordinate;
+    add(values, g.f(x));
+  }
+  return mean_of(values);
+}
+}  // namespace mc::antithetic_points
+
+// mistake: returns s / n as the standard error
+// caught by: 2.2 the standard error
+// hint: this is s / n: it is the variance that falls as 1 / n
+namespace mc::error_over_n {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims), values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    values.push_back(g.f(x));
+  }
+  const double s = std::sqrt(variance_two_pass(values));
+  return {mean(values), s / static_cast<double>(n), n};
+}
+}  // namespace mc::error_over_n
+
+// mistake: stores the sum before it adds the last value
+// caught by: 2.2 the estimate is the mean, 2.2 the estimate is unbiased, 2.2 the error falls
+// caught by: 2.2 rare events
+// hint: the last value is not in the sum
+namespace mc::last_value_lost {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims), values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    values.push_back(g.f(x));
+  }
+  double sum = 0, total = 0;
+  for (const double value : values) {
+    total = sum;
+    sum += value;
+  }
+  const auto size = static_cast<double>(n);
+  return {total / size, std::sqrt(variance_two_pass(values) / size), n};
+}
+}  // namespace mc::last_value_lost
+
+// mistake: divides the mean by n - 1 too
+// caught by: 2.2 the estimate is the mean, 2.2 the estimate is unbiased, 2.2 the error falls
+// caught by: 2.2 rare events
+// hint: this divides by n - 1; only a variance does
+namespace mc::mean_over_n_minus_1 {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims), values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    values.push_back(g.f(x));
+  }
+  double sum = 0;
+  for (const double value : values) sum += value;
+  const auto size = static_cast<double>(n);
+  return {sum / (size - 1), std::sqrt(variance_two_pass(values) / size), n};
+}
+}  // namespace mc::mean_over_n_minus_1
+
+// mistake: divides s^2 by n instead of n - 1
+// caught by: 2.2 the standard error, 2.2 one sample
+// hint: s^2 has n - 1 below it
+namespace mc::n_below_the_variance {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims), values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    values.push_back(g.f(x));
+  }
+  const auto size = static_cast<double>(n);
+  const double centre = mean(values);
+  double squares = 0;
+  for (const double value : values) squares += (value - centre) * (value - centre);
+  return {centre, std::sqrt(squares / size / size), n};
+}
+}  // namespace mc::n_below_the_variance
+
+// mistake: uses one random number for every coordinate, so all points lie on the diagonal
+// caught by: 2.2 the points are uniform, 2.2 the estimate is unbiased, 2.2 rare events
+// hint: one number for both fills a line
+// hint: that is the mean of x^2: one number for both x and y
+namespace mc::one_number_for_all {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    std::fill(x.begin(), x.end(), to_unit(rng()));
+    add(values, g.f(x));
+  }
+  return mean_of(values);
+}
+}  // namespace mc::one_number_for_all
+
+// mistake: draws the point once, before the loop
+// caught by: 2.2 the estimate is the mean, 2.2 exactly n, 2.2 the standard error, 2.2 a constant
+// caught by: 2.2 the points are uniform, 2.2 the estimate is unbiased, 2.2 the error falls
+// caught by: 2.2 rare events
+// hint: take new numbers from rng inside the loop
+namespace mc::one_point {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  for (double& coordinate : x) coordinate = to_unit(rng());
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) add(values, g.f(x));
+  return mean_of(values);
+}
+}  // namespace mc::one_point
+
+// mistake: starts the loop at 1: n - 1 evaluations
+// caught by: 2.2 exactly n evaluations, 2.2 one sample, 2.2 rare events
+// hint: one is missing: does the loop begin at 1?
+namespace mc::one_too_few {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  Moments values;
+  for (std::uint64_t i = 1; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    add(values, g.f(x));
+  }
+  return mean_of(values);
+}
+}  // namespace mc::one_too_few
+
+// mistake: runs the loop to n inclusive: n + 1 evaluations, divided by n
+// caught by: 2.2 exactly n evaluations, 2.2 one sample, 2.2 rare events
+// hint: one too many: does the loop end at i <= n?
+namespace mc::one_too_many {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  Moments values;
+  for (std::uint64_t i = 0; i <= n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    add(values, g.f(x));
+  }
+  return mean_of(values);
+}
+}  // namespace mc::one_too_many
+
+// mistake: makes coordinates as floats, of 24 bits
+// caught by: 2.2 the points are uniform
+// hint: with all of its 53 bits
+namespace mc::points_of_a_float {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = static_cast<float>(rng() >> 40) * 0x1p-24f;
+    add(values, g.f(x));
+  }
+  return mean_of(values);
+}
+}  // namespace mc::points_of_a_float
+
+// mistake: keeps its own generator from call to call, seeded by the first
+// caught by: 2.2 an estimate depends
+// hint: no generator of your own, no clock, nothing static
+namespace mc::seeded_once {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  static Rng own(rng());
+  return right_estimate(g, n, own);
+}
+}  // namespace mc::seeded_once
+
+// mistake: sums with std::accumulate(..., 0), in int
+// caught by: 2.2 the estimate is the mean, 2.2 the estimate is unbiased, 2.2 the error falls
+// caught by: 2.2 rare events
+// hint: added up in an int
+namespace mc::sum_in_whole_numbers {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims), values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    values.push_back(g.f(x));
+  }
+  const auto size = static_cast<double>(n);
+  const int sum = std::accumulate(values.begin(), values.end(), 0);
+  return {sum / size, std::sqrt(variance_two_pass(values) / size), n};
+}
+}  // namespace mc::sum_in_whole_numbers
+
+// mistake: computes the standard error from E{X^2} - E{X}^2, which cancels far from 0
+// caught by: 2.2 the standard error, 2.2 a constant
+// hint: this comes from variance_textbook()
+namespace mc::textbook_error {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims), values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    values.push_back(g.f(x));
+  }
+  return {mean(values), std::sqrt(variance_textbook(values) / static_cast<double>(n)), n};
+}
+}  // namespace mc::textbook_error
+
+// mistake: returns s^2 / n as the standard error, without the square root
+// caught by: 2.2 the standard error
+// hint: this is the variance of the mean: take the square root
+namespace mc::variance_as_error {
+Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
+  Estimate result = right_estimate(g, n, rng);
+  result.standard_error *= result.standard_error;
+  return result;
+}
+}  // namespace mc::variance_as_error

@@ -1,0 +1,164 @@
+// Mistakes in task 2.4.
+#include "independent.hpp"
+
+#define estimate_importance right_estimate_importance
+#include "solutions/independent.cpp"
+#undef estimate_importance
+
+// mistake: clamps weights at 1000 to reduce noise
+// caught by: 2.4 weights of any size
+// hint: weights beyond 1000 are cut off
+namespace mc::clamps_weights {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    const double density = p.pdf(x);
+    const bool counts = density > 0 && std::isfinite(density);
+    add(weights, counts ? std::min(g.f({&x, 1}) / density, 1000.0) : 0);
+  }
+  return mean_of(weights);
+}
+}  // namespace mc::clamps_weights
+
+// mistake: evaluates the density at u, not at x
+// caught by: 2.4 the mean of g over p, 2.4 weights of any size, 2.4 the estimate is unbiased
+// caught by: 2.4 the right density
+// hint: this divides by p at u: the density belongs to x
+namespace mc::density_at_u {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double u = to_unit(rng()), x = p.sample(u);
+    const double density = p.pdf(u);
+    const bool counts = density > 0 && std::isfinite(density);
+    add(weights, counts ? g.f({&x, 1}) / density : 0);
+  }
+  return mean_of(weights);
+}
+}  // namespace mc::density_at_u
+
+// mistake: divides by the density even where it is 0
+// caught by: 2.4 points without
+// hint: where the pdf is 0 or infinite, add 0
+namespace mc::divides_by_zero {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    add(weights, g.f({&x, 1}) / p.pdf(x));
+  }
+  return mean_of(weights);
+}
+}  // namespace mc::divides_by_zero
+
+// mistake: returns the standard error of g, not of g / p
+// caught by: 2.4 the mean of g over p, 2.4 weights of any size, 2.4 points without
+// caught by: 2.4 the right density
+// hint: this is the standard error of g's values
+namespace mc::error_of_g {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights, values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    const double density = p.pdf(x);
+    const bool counts = density > 0 && std::isfinite(density);
+    const double value = g.f({&x, 1});
+    add(weights, counts ? value / density : 0);
+    add(values, value);
+  }
+  return {mean_of(weights).value, mean_of(values).standard_error, n};
+}
+}  // namespace mc::error_of_g
+
+// mistake: samples by importance without dividing by the density
+// caught by: 2.4 the mean of g over p, 2.4 the estimate is unbiased, 2.4 the right density
+// caught by: 2.4 weights of any size
+// hint: this is the mean of g: where p is large, points are many
+namespace mc::forgets_the_density {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    const double density = p.pdf(x);
+    add(weights, density > 0 && std::isfinite(density) ? g.f({&x, 1}) : 0);
+  }
+  return mean_of(weights);
+}
+}  // namespace mc::forgets_the_density
+
+// mistake: omits points of weight 0 from n
+// caught by: 2.4 points without a usable density
+// hint: every sample counts, also one of weight 0
+namespace mc::only_counts_hits {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    const double density = p.pdf(x);
+    if (density > 0 && std::isfinite(density)) add(weights, g.f({&x, 1}) / density);
+  }
+  return mean_of(weights);
+}
+}  // namespace mc::only_counts_hits
+
+// mistake: draws uniform points and weights them as if they had the density
+// caught by: 2.4 the mean of g over p, 2.4 one sample, 2.4 weights of any size, 2.4 points without
+// caught by: 2.4 the estimate is unbiased, 2.4 the right density
+// hint: never asked the density for a sample
+namespace mc::samples_uniformly {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = to_unit(rng());
+    const double density = p.pdf(x);
+    const bool counts = density > 0 && std::isfinite(density);
+    add(weights, counts ? g.f({&x, 1}) / density : 0);
+  }
+  return mean_of(weights);
+}
+}  // namespace mc::samples_uniformly
+
+// mistake: divides by the sum of the weights 1 / p
+// caught by: 2.4 the mean of g over p, 2.4 weights of any size, 2.4 points without
+// caught by: 2.4 the estimate is unbiased, 2.4 the right density
+// hint: this divides by the sum of the weights 1 / p
+namespace mc::self_normalised {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights, inverses;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    const double density = p.pdf(x);
+    const bool counts = density > 0 && std::isfinite(density);
+    add(weights, counts ? g.f({&x, 1}) / density : 0);
+    add(inverses, counts ? 1 / density : 0);
+  }
+  const Estimate all = mean_of(weights);
+  return {all.value / inverses.mean, all.standard_error / inverses.mean, n};
+}
+}  // namespace mc::self_normalised
+
+// mistake: treats a density below 1e-10 as 0
+// caught by: 2.4 weights of any size
+// hint: a density may be tiny, or huge, and still count
+namespace mc::small_density_is_none {
+Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = p.sample(to_unit(rng()));
+    const double density = p.pdf(x);
+    const bool counts = density > 1e-10 && std::isfinite(density);
+    add(weights, counts ? g.f({&x, 1}) / density : 0);
+  }
+  return mean_of(weights);
+}
+}  // namespace mc::small_density_is_none

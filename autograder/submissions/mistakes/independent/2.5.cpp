@@ -1,0 +1,59 @@
+// Mistakes in task 2.5.
+#include "independent.hpp"
+
+#define confidence_interval right_confidence_interval
+#include "solutions/independent.cpp"
+#undef confidence_interval
+
+// mistake: uses the 95 % quantile, whatever the level
+// caught by: 2.5 a confidence interval
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
+// hint: 1.96 is for 95 % alone
+namespace mc::always_two {
+Interval confidence_interval(const Estimate& estimate, double level) {
+  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
+  const double reach = 1.96 * estimate.standard_error;
+  return {estimate.value - reach, estimate.value + reach};
+}
+}  // namespace mc::always_two
+
+// mistake: divides the standard error of the mean by the square root of n again
+// caught by: 2.5 a confidence interval
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
+// hint: standard_error belongs to the mean: it knows n already
+namespace mc::knows_n_twice {
+Interval confidence_interval(const Estimate& estimate, double level) {
+  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
+  const double s = estimate.standard_error / std::sqrt(static_cast<double>(estimate.n));
+  const double reach = -normal_quantile((1 - level) / 2) * s;
+  return {estimate.value - reach, estimate.value + reach};
+}
+}  // namespace mc::knows_n_twice
+
+// mistake: uses the one-sided quantile of the level
+// caught by: 2.5 a confidence interval
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
+// hint: what the interval leaves out lies on both sides
+namespace mc::one_sided_interval {
+Interval confidence_interval(const Estimate& estimate, double level) {
+  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
+  const double reach = normal_quantile(level) * estimate.standard_error;
+  return {estimate.value - reach, estimate.value + reach};
+}
+}  // namespace mc::one_sided_interval
+
+// mistake: uses the quantile of the lower tail, which is negative: low and high are swapped
+// caught by: 2.5 a confidence interval
+// caught by: 2.5 intervals of normal samples cover as often as theory says
+// caught by: 2.5 intervals of rare events cover as rarely as theory says
+// hint: low and high are the wrong way round
+namespace mc::quantile_of_the_lower_tail {
+Interval confidence_interval(const Estimate& estimate, double level) {
+  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
+  const double reach = normal_quantile((1 - level) / 2) * estimate.standard_error;
+  return {estimate.value - reach, estimate.value + reach};
+}
+}  // namespace mc::quantile_of_the_lower_tail

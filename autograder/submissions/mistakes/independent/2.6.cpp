@@ -1,0 +1,82 @@
+// Mistakes in task 2.6.
+#include "independent.hpp"
+
+#define samples_for right_samples_for
+#include "solutions/independent.cpp"
+#undef samples_for
+
+// mistake: returns how many more samples are needed, not how many in all
+// caught by: 2.6 the samples
+// hint: all of them are asked for, not how many more
+namespace mc::counts_more_samples {
+std::uint64_t samples_for(const Estimate& pilot, double target_error) {
+  right_samples_for(pilot, target_error);  // for what it refuses
+  const double ratio = pilot.standard_error / target_error;
+  const double n = static_cast<double>(pilot.n) * ratio * ratio;
+  const double more = std::ceil(n - static_cast<double>(pilot.n));
+  return static_cast<std::uint64_t>(std::max(1.0, more));
+}
+}  // namespace mc::counts_more_samples
+
+// mistake: scales the number of samples by the ratio of the errors, not by its square
+// caught by: 2.6 the samples that bring the error down, 2.6 at least one sample
+// hint: square the ratio
+namespace mc::error_falls_as_one_over_n {
+std::uint64_t samples_for(const Estimate& pilot, double target_error) {
+  right_samples_for(pilot, target_error);  // for what it refuses
+  const double ratio = pilot.standard_error / target_error;
+  return std::max<std::uint64_t>(
+      1, static_cast<std::uint64_t>(std::ceil(static_cast<double>(pilot.n) * ratio)));
+}
+}  // namespace mc::error_falls_as_one_over_n
+
+// mistake: rounds the number of samples down
+// caught by: 2.6 the samples that bring the error down
+// hint: this many do not quite do it: round up
+namespace mc::rounds_down {
+std::uint64_t samples_for(const Estimate& pilot, double target_error) {
+  right_samples_for(pilot, target_error);  // for what it refuses
+  const double ratio = pilot.standard_error / target_error;
+  return std::max<std::uint64_t>(
+      1, static_cast<std::uint64_t>(static_cast<double>(pilot.n) * ratio * ratio));
+}
+}  // namespace mc::rounds_down
+
+// mistake: rounds the number of samples to the nearest integer
+// caught by: 2.6 the samples
+// hint: this many do not quite do it: round up
+namespace mc::rounds_to_nearest {
+std::uint64_t samples_for(const Estimate& pilot, double target_error) {
+  right_samples_for(pilot, target_error);  // for what it refuses
+  const double ratio = pilot.standard_error / target_error;
+  const double n = static_cast<double>(pilot.n) * ratio * ratio;
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::round(n)));
+}
+}  // namespace mc::rounds_to_nearest
+
+// mistake: converts the number of samples through a signed integer
+// caught by: 2.6 at least one
+// hint: rounded up
+namespace mc::signed_count {
+std::uint64_t samples_for(const Estimate& pilot, double target_error) {
+  right_samples_for(pilot, target_error);  // for what it refuses
+  const double ratio = pilot.standard_error / target_error;
+  const double n = static_cast<double>(pilot.n) * ratio * ratio;
+  const double most = 0x1.fffffffffffffp62;
+  return static_cast<std::uint64_t>(
+      std::max<std::int64_t>(1, static_cast<std::int64_t>(std::min(std::ceil(n), most))));
+}
+}  // namespace mc::signed_count
+
+// mistake: throws with a message that does not name the argument
+// caught by: 2.6 every refusal
+// hint: say in the exception's text which argument is wrong
+namespace mc::unnamed_argument {
+std::uint64_t samples_for(const Estimate& pilot, double target_error) {
+  try {
+    return right_samples_for(pilot, target_error);
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument("bad input");
+  }
+}
+}  // namespace mc::unnamed_argument

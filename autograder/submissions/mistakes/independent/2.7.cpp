@@ -1,0 +1,182 @@
+// Mistakes in task 2.7.
+#include "independent.hpp"
+
+#define irradiance_area right_irradiance_area
+#define irradiance_hemisphere right_irradiance_hemisphere
+#include "solutions/independent.cpp"
+#undef irradiance_area
+#undef irradiance_hemisphere
+
+// mistake: uses one number for both coordinates of a point on the light
+// caught by: 2.7 irradiance from points, 2.7 both estimates
+// hint: x and y from a number each
+namespace mc::diagonal_of_the_light {
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double u = to_unit(rng());
+    const double x = light.x0 + width * u, y = light.y0 + depth * u;
+    const double distance2 = x * x + y * y + light.height * light.height;
+    const double cosines = light.height * light.height / distance2;
+    add(values, width * depth * light.radiance * cosines / distance2);
+  }
+  return mean_of(values);
+}
+}  // namespace mc::diagonal_of_the_light
+
+// mistake: divides by the distance, not by its square
+// caught by: 2.7 irradiance from points, 2.7 both estimates
+// hint: the distance is not squared
+namespace mc::distance_not_squared {
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = light.x0 + width * to_unit(rng());
+    const double y = light.y0 + depth * to_unit(rng());
+    const double distance2 = x * x + y * y + light.height * light.height;
+    const double cosines = light.height * light.height / distance2;
+    add(values, width * depth * light.radiance * cosines / std::sqrt(distance2));
+  }
+  return mean_of(values);
+}
+}  // namespace mc::distance_not_squared
+
+// mistake: draws directions over half of the azimuth only
+// caught by: 2.7 irradiance from directions
+// hint: radius sqrt(u), angle 2 pi v
+namespace mc::half_the_sky {
+Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double u = to_unit(rng());
+    const double radius = std::sqrt(u), angle = std::numbers::pi * to_unit(rng());
+    const double scale = light.height / std::sqrt(1 - radius * radius);
+    const double x = radius * std::cos(angle) * scale;
+    const double y = radius * std::sin(angle) * scale;
+    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
+    add(values, meets ? std::numbers::pi * light.radiance : 0);
+  }
+  return mean_of(values);
+}
+}  // namespace mc::half_the_sky
+
+// mistake: omits the area of the light
+// caught by: 2.7 irradiance from points, 2.7 both estimates
+// hint: the area is missing
+namespace mc::no_area {
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = light.x0 + width * to_unit(rng());
+    const double y = light.y0 + depth * to_unit(rng());
+    const double distance2 = x * x + y * y + light.height * light.height;
+    const double cosines = light.height * light.height / distance2;
+    add(values, light.radiance * cosines / distance2);
+  }
+  return mean_of(values);
+}
+}  // namespace mc::no_area
+
+// mistake: omits the cosine at the light
+// caught by: 2.7 irradiance from points, 2.7 both estimates know their error
+// hint: a cosine is missing: the light, too, is seen at an angle
+namespace mc::no_cosine_at_the_light {
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = light.x0 + width * to_unit(rng());
+    const double y = light.y0 + depth * to_unit(rng());
+    const double distance2 = x * x + y * y + light.height * light.height;
+    const double cosine = light.height / std::sqrt(distance2);
+    add(values, width * depth * light.radiance * cosine / distance2);
+  }
+  return mean_of(values);
+}
+}  // namespace mc::no_cosine_at_the_light
+
+// mistake: uses u as the radius of a point in the disk, not its square root
+// caught by: 2.7 irradiance from directions
+// hint: radius sqrt(u), angle 2 pi v
+namespace mc::radius_not_rooted {
+Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double u = to_unit(rng());
+    const double radius = u, angle = 2 * std::numbers::pi * to_unit(rng());
+    const double scale = light.height / std::sqrt(1 - radius * radius);
+    const double x = radius * std::cos(angle) * scale;
+    const double y = radius * std::sin(angle) * scale;
+    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
+    add(values, meets ? std::numbers::pi * light.radiance : 0);
+  }
+  return mean_of(values);
+}
+}  // namespace mc::radius_not_rooted
+
+// mistake: uses one number for radius and angle of a direction
+// caught by: 2.7 irradiance from directions
+// hint: u and v are two numbers
+namespace mc::spiral_of_directions {
+Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double u = to_unit(rng());
+    const double radius = std::sqrt(u), angle = 2 * std::numbers::pi * u;
+    const double scale = light.height / std::sqrt(1 - radius * radius);
+    const double x = radius * std::cos(angle) * scale;
+    const double y = radius * std::sin(angle) * scale;
+    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
+    add(values, meets ? std::numbers::pi * light.radiance : 0);
+  }
+  return mean_of(values);
+}
+}  // namespace mc::spiral_of_directions
+
+// mistake: returns s as the error, in both ways
+// caught by: 2.7 both estimates
+// hint: s instead of s / sqrt(n)
+namespace mc::spread_of_the_light {
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  Estimate result = right_irradiance_area(light, n, rng);
+  result.standard_error *= std::sqrt(static_cast<double>(n));
+  return result;
+}
+
+Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
+  Estimate result = right_irradiance_hemisphere(light, n, rng);
+  result.standard_error *= std::sqrt(static_cast<double>(n));
+  return result;
+}
+}  // namespace mc::spread_of_the_light
+
+// mistake: draws directions uniformly, and weights them as if their density were cos / pi
+// caught by: 2.7 irradiance from directions
+// hint: these directions are uniform on the hemisphere
+namespace mc::uniform_directions {
+Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double cosine = 1 - to_unit(rng());
+    const double radius = std::sqrt(1 - cosine * cosine),
+                 angle = 2 * std::numbers::pi * to_unit(rng());
+    const double scale = light.height / cosine;
+    const double x = radius * std::cos(angle) * scale;
+    const double y = radius * std::sin(angle) * scale;
+    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
+    add(values, meets ? std::numbers::pi * light.radiance : 0);
+  }
+  return mean_of(values);
+}
+}  // namespace mc::uniform_directions

@@ -1,0 +1,164 @@
+// Mistakes in task 2.8.
+#include "independent.hpp"
+
+#define uniforms right_uniforms
+#include "solutions/independent.cpp"
+#undef uniforms
+
+// mistake: adds each number to the previous contents of the span
+// caught by: 2.8 a span of any size, 2.8 a call depends, 2.8 a generator of one word
+// caught by: 2.8 the numbers are uniform, 2.8 the numbers are independent, 2.8 the last bits
+// caught by: 2.8 the first numbers of a call are independent
+// hint: = in place of +=
+namespace mc::adds_to_what_is_there {
+void uniforms(Rng& rng, std::span<double> out) {
+  for (double& u : out) u += to_unit(rng());
+}
+}  // namespace mc::adds_to_what_is_there
+
+// mistake: runs sixteen lanes of a linear generator in neighboring states, which stay in step
+// caught by: 2.8 the numbers are independent, 2.8 the last bits
+// caught by: 2.8 the first numbers of a call are independent
+// hint: do lanes run in step?
+namespace mc::lanes_in_step {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::array<std::uint64_t, lanes> state;
+  const std::uint64_t seed = rng();
+  for (std::size_t lane = 0; lane < lanes; ++lane) state[lane] = seed + lane;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    std::uint64_t& x = state[i % lanes];
+    x = x * 6364136223846793005u + 1442695040888963407u;  // Knuth's multiplier
+    out[i] = to_unit(x);
+  }
+}
+}  // namespace mc::lanes_in_step
+
+// mistake: seeds four lanes with similar states: each call starts with four similar numbers
+// caught by: 2.8 the first numbers of a call are independent
+// hint: lanes want states that have nothing in common
+namespace mc::lanes_nearly_alike {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::array<std::array<std::uint64_t, 4>, 4> state;
+  std::array<std::uint64_t, 4> seed;
+  for (std::uint64_t& word : seed) word = rng();
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    state[lane] = seed;
+    state[lane][3] ^= lane << 20;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {  // xoshiro256+
+    auto& [a, b, c, d] = state[i % 4];
+    out[i] = to_unit(a + d);
+    const std::uint64_t shifted = b << 17;
+    c ^= a;
+    d ^= b;
+    b ^= c;
+    a ^= d;
+    c ^= shifted;
+    d = std::rotl(d, 45);
+  }
+}
+}  // namespace mc::lanes_nearly_alike
+
+// mistake: fills only whole blocks of sixteen
+// caught by: 2.8 a span of any size
+// hint: it was not filled. The last, shorter block?
+namespace mc::last_block_unfilled {
+void uniforms(Rng& rng, std::span<double> out) {
+  right_uniforms(rng, out.first(out.size() / 16 * 16));
+}
+}  // namespace mc::last_block_unfilled
+
+// mistake: uses one multiplication and one addition per number, whose low bits repeat soon
+// caught by: 2.8 the last bits
+// hint: the low bits of a linear congruential generator repeat soon
+namespace mc::linear_congruential {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::uint64_t x = rng();
+  for (double& u : out) {
+    x = x * 6364136223846793005u + 1442695040888963407u;  // Knuth's multiplier
+    u = to_unit(x);
+  }
+}
+}  // namespace mc::linear_congruential
+
+// mistake: seeds its lanes from a copy of the generator, which it advances by one word only
+// caught by: 2.8 a span of any size
+// hint: do two calls, or two lanes, begin in the same place?
+namespace mc::moves_on_by_one {
+void uniforms(Rng& rng, std::span<double> out) {
+  Rng copy = rng;
+  rng();
+  std::vector<Rng> lane;
+  for (std::size_t i = 0; i < 4; ++i) lane.emplace_back(copy());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = to_unit(lane[i % 4]());
+}
+}  // namespace mc::moves_on_by_one
+
+// mistake: seeds four lanes with s, s + 1, s + 2, s + 3: each call starts with four equal numbers
+// caught by: 2.8 a span of any size, 2.8 the first numbers of a call are independent
+// hint: lanes begin with equal numbers
+// hint: lanes want states that have nothing in common
+namespace mc::neighbouring_lanes {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::array<std::array<std::uint64_t, 4>, 4> state;
+  std::array<std::uint64_t, 4> seed;
+  for (std::uint64_t& word : seed) word = rng();
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    state[lane] = seed;
+    state[lane][0] += lane;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {  // xoshiro256+
+    auto& [a, b, c, d] = state[i % 4];
+    out[i] = to_unit(a + d);
+    const std::uint64_t shifted = b << 17;
+    c ^= a;
+    d ^= b;
+    b ^= c;
+    a ^= d;
+    c ^= shifted;
+    d = std::rotl(d, 45);
+  }
+}
+}  // namespace mc::neighbouring_lanes
+
+// mistake: makes its fast numbers as floats, of 24 bits
+// caught by: 2.8 a span of any size, 2.8 the numbers are uniform, 2.8 the last bits
+// hint: these are numbers of 24 bits
+// hint: which are always 0, or 1?
+namespace mc::numbers_of_a_float {
+void uniforms(Rng& rng, std::span<double> out) {
+  for (double& u : out) u = static_cast<float>(rng() >> 40) * 0x1p-24f;
+}
+}  // namespace mc::numbers_of_a_float
+
+// mistake: draws numbers from its own generator, with a fixed seed
+// caught by: 2.8 a span of any size, 2.8 the numbers are independent
+// caught by: 2.8 the first numbers of a call are independent
+// hint: take the numbers from rng, and from nowhere else
+namespace mc::own_seed_for_the_block {
+void uniforms(Rng&, std::span<double> out) {
+  Rng own(42);
+  right_uniforms(own, out);
+}
+}  // namespace mc::own_seed_for_the_block
+
+// mistake: does not advance the generator: the next call starts with the same numbers
+// caught by: 2.8 a span of any size, 2.8 the numbers are independent
+// caught by: 2.8 the first numbers of a call are independent
+// hint: do two calls, or two lanes, begin in the same place?
+namespace mc::same_numbers_each_call {
+void uniforms(Rng& rng, std::span<double> out) {
+  Rng copy = rng;
+  right_uniforms(copy, out);
+}
+}  // namespace mc::same_numbers_each_call
+
+// mistake: keeps its lanes from call to call, seeded by the first
+// caught by: 2.8 a call depends
+// hint: nothing static
+namespace mc::seeded_by_the_first_call {
+void uniforms(Rng& rng, std::span<double> out) {
+  static Rng own(rng());
+  right_uniforms(own, out);
+}
+}  // namespace mc::seeded_by_the_first_call

@@ -1,0 +1,89 @@
+// Mistakes in task 6.1.
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+#include <algorithm>
+
+// mistake: resets the counter of next() in advance(), but not that of next2()
+// caught by: 6.1 numbers are uniform and independent
+// caught by: 6.2 next2 has one point in each cell and stratum
+// caught by: 6.3 the first dimensions of sobol are, 6.3 the first dimensions of halton are
+// caught by: 6.3 sobol begins anew after eight dimensions
+// caught by: 6.3 halton begins anew after eight dimensions
+// caught by: 6.2 each sample dimension has a permutation of its own
+// caught by: 6.4 a sample may ask for less than the one before, 6.7 the first next2 is blue noise
+// hint: a sample that ends early must not hand its numbers
+// limit: time
+namespace mc::counter_goes_on {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void advance() override {
+    const std::size_t before = next2_;
+    ColumnSampler::advance();
+    next2_ = std::min(before, ready2_);
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::counter_goes_on
+
+// mistake: throws for an unknown kind without listing the known ones
+// caught by: 6.1 a refusal names the kinds
+// hint: a list of the kinds helps whoever mistypes one
+namespace mc::names_no_kinds {
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  for (const Kind& known : kinds) {
+    if (known.name == kind) return right_make_sampler(kind);
+  }
+  throw std::invalid_argument("unknown kind");
+}
+}  // namespace mc::names_no_kinds
+
+// mistake: starts every sample dimension with the same generator
+// caught by: 6.1 numbers are uniform and independent
+// caught by: 6.2 each sample dimension has a permutation of its own
+// caught by: 6.3 each seed and each dimension, 6.3 sobol begins anew after eight dimensions
+// caught by: 6.3 halton begins anew after eight dimensions
+// caught by: 6.4 the same seed gives the same numbers
+// caught by: 6.4 a sample may ask for less than the one before
+// caught by: 6.4 next and next2 are counted apart
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
+// hint: the same numbers come again for another
+namespace mc::one_generator_for_every_use {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    first_ = rng_;
+  }
+  double next() override {
+    if (next_ == ready_) rng_ = first_;
+    return ColumnSampler::next();
+  }
+  Point2 next2() override {
+    if (next2_ == ready2_) rng_ = first_;
+    return ColumnSampler::next2();
+  }
+
+ private:
+  Rng first_{0};
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::one_generator_for_every_use
+
+// mistake: treats an unknown kind as "independent"
+// caught by: 6.1 kinds that there are not are refused, 6.1 a refusal names the kinds
+// hint: there is no such kind of sampler
+namespace mc::unknown_is_independent {
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  const auto known = [&](const Kind& one) { return one.name == kind; };
+  const bool is_known = std::any_of(std::begin(kinds), std::end(kinds), known);
+  return right_make_sampler(is_known ? kind : "independent");
+}
+}  // namespace mc::unknown_is_independent

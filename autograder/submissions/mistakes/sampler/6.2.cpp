@@ -1,0 +1,60 @@
+// Mistakes in task 6.2.
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+// mistake: shuffles next(), but leaves the points of next2() in the order of their cells
+// caught by: 6.2 each sample dimension has a permutation of its own
+// hint: the pattern must be shuffled
+namespace mc::canonical_points_for_next2 {
+void in_order(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
+  multi_jittered(x, y, strata(x.size()), rng);
+}
+constexpr Kind wrong{"stratified", stratified1, in_order};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::canonical_points_for_next2
+
+// mistake: stores stratified columns as floats, to save memory
+// caught by: 6.2 next has one number in each of N strata
+// caught by: 6.2 next2 has one point in each cell and stratum
+// hint: edges are i / n in double division
+namespace mc::columns_of_floats {
+void keep_floats(std::span<double> x) {
+  for (double& value : x) value = std::min(static_cast<float>(value), 0x1.fffffep-1f);
+}
+
+void one_column(const Use& use, std::span<double> x, Rng& rng) {
+  stratified1(use, x, rng);
+  keep_floats(x);
+}
+
+void two_columns(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  stratified2(use, x, y, rng);
+  keep_floats(x);
+  keep_floats(y);
+}
+
+constexpr Kind wrong{"stratified", one_column, two_columns};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::columns_of_floats
+
+// mistake: shuffles x and y of a multi-jittered pattern separately
+// caught by: 6.2 next2 has one point in each cell
+// hint: shuffled apart: pairs stay together
+namespace mc::shuffled_apart {
+void apart(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
+  multi_jittered(x, y, strata(x.size()), rng);
+  shuffle(x, rng);
+  shuffle(y, rng);
+}
+
+constexpr Kind wrong{"stratified", stratified1, apart};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::shuffled_apart

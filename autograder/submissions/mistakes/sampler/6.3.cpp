@@ -1,0 +1,504 @@
+// Mistakes in task 6.3.
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+// mistake: starts both next() and next2() with dimension 0
+// caught by: 6.3 the first dimensions of sobol are, 6.3 sobol begins anew after eight dimensions
+// hint: takes the next one of the sequence
+namespace mc::dimensions_counted_apart {
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  one_of<fill_sobol>({use.number, use.number, use.order, use.tables}, x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  two_of<fill_sobol>({use.number, 2 * use.number, use.order, use.tables}, x, y, rng);
+}
+
+constexpr Kind wrong{"sobol", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::dimensions_counted_apart
+
+// mistake: does not permute the digits of the Halton sequence
+// caught by: 6.3 each of the first twenty next2 gains
+// caught by: 6.3 each seed and each dimension is randomised anew
+// caught by: 6.3 halton begins anew after eight dimensions
+// hint: a sequence as it is has the origin for its first point
+namespace mc::halton_as_it_is {
+void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
+  radical_inverses(primes(block)[dimension], 0, x);
+}
+
+constexpr Kind wrong{"halton", one_of<plain>, two_of<plain>};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::halton_as_it_is
+
+// mistake: reuses the scrambles of the first block in every block, with other permutations
+// caught by: 6.3 halton begins anew after eight dimensions
+// hint: scrambled by seeds of its own
+namespace mc::halton_blocks_scrambled_alike {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    if (next_ != ready_) return ColumnSampler::next();
+    ColumnSampler::next();
+    alike(ones_[ready_ - 1], dimension_ - 1);
+    return ones_[ready_ - 1][sample_];
+  }
+  Point2 next2() override {
+    if (next2_ != ready2_) return ColumnSampler::next2();
+    ColumnSampler::next2();
+    Pair& pair = twos_[ready2_ - 1];
+    alike(pair.x, dimension_ - 2);
+    alike(pair.y, dimension_ - 1);
+    return {pair.x[sample_], pair.y[sample_]};
+  }
+
+ private:
+  /// Keeps a column of the first block, and repeats it in every other.
+  void alike(std::vector<double>& x, std::size_t dimension) {
+    std::vector<double>& first = first_[dimension % block];
+    if (dimension < block) first = x;
+    if (dimension < block || first.size() != x.size()) return;
+    x = first;
+    Rng order = order_;
+    shuffle(x, order);
+  }
+  std::array<std::vector<double>, block> first_;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "halton") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::halton_blocks_scrambled_alike
+
+// mistake: permutes the digits in base 2 too, which is a digital shift
+// caught by: 6.3 the first dimensions of halton are
+// hint: a digital shift
+namespace mc::halton_by_digital_shift {
+void permuted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
+  static const std::vector<unsigned> bases = primes(block);
+  radical_inverses_scrambled(bases[dimension], 0, x, seed);
+}
+
+constexpr Kind wrong{"halton", one_of<permuted>, two_of<permuted>};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::halton_by_digital_shift
+
+// mistake: starts with point 1 of the sequence, not point 0
+// caught by: 6.3 the first dimensions of halton are
+// hint: is it the sequence from index 0
+namespace mc::halton_from_one {
+void from_one(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
+  static const std::vector<unsigned> bases = primes(block);
+  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 1, x, seed);
+  radical_inverses(2, 1, x);
+  owen_scramble(x, seed);
+}
+
+constexpr Kind wrong{"halton", one_of<from_one>, two_of<from_one>};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::halton_from_one
+
+// mistake: starts again with dimension 0 after the eighth, without a permutation
+// caught by: 6.3 halton begins anew after eight dimensions
+// hint: every block but the first needs a shuffle
+namespace mc::halton_goes_round {
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  fill_halton(use.dimension % block, x, rng(), use.tables);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill_halton(use.dimension % block, x, rng(), use.tables);
+  fill_halton(use.dimension % block + 1, y, rng(), use.tables);
+}
+
+constexpr Kind wrong{"halton", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::halton_goes_round
+
+// mistake: uses the same permutation for all blocks but the first
+// caught by: 6.3 halton begins anew after eight dimensions
+// hint: each block needs a random permutation of its own
+namespace mc::halton_padded_in_one_order {
+template <Randomised fill>
+void same_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
+  Rng always(x.size());
+  if (dimension >= block) shuffle(x, always);
+}
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  same_order<fill_halton>(use, use.dimension, x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  same_order<fill_halton>(use, use.dimension, x, rng);
+  same_order<fill_halton>(use, use.dimension + 1, y, rng);
+}
+
+constexpr Kind wrong{"halton", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::halton_padded_in_one_order
+
+// mistake: permutes each column separately beyond the first eight dimensions
+// caught by: 6.3 halton begins anew after eight dimensions
+// caught by: 6.3 each of the first twenty next2 gains
+// hint: all dimensions of a block share one permutation
+namespace mc::halton_shuffled_apart {
+template <Randomised fill>
+void own_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
+  if (dimension >= block) shuffle(x, rng);
+}
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  own_order<fill_halton>(use, use.dimension, x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  own_order<fill_halton>(use, use.dimension, x, rng);
+  own_order<fill_halton>(use, use.dimension + 1, y, rng);
+}
+
+constexpr Kind wrong{"halton", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::halton_shuffled_apart
+
+// mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
+// caught by: 6.3 halton begins anew after eight dimensions
+// caught by: 6.3 each of the first twenty next2 gains
+// hint: these are dimensions 8 to 15
+// hint: high dimensions of a sequence are poor pairs
+namespace mc::halton_without_blocks {
+constexpr std::size_t dimensions = joe_kuo.size();
+
+void fill(std::size_t dimension, std::span<double> x, Rng& rng) {
+  static const std::vector<unsigned> bases = primes(dimensions);
+  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 0, x, rng());
+  radical_inverses(2, 0, x);
+  owen_scramble(x, rng());
+}
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  if (use.dimension < dimensions) return fill(use.dimension, x, rng);
+  fill(0, x, rng);
+  shuffle(x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  const bool padded = use.dimension + 2 > dimensions;
+  fill(padded ? 0 : use.dimension, x, rng);
+  fill(padded ? 1 : use.dimension + 1, y, rng);
+  if (!padded) return;
+  Rng again = rng;
+  shuffle(x, rng);
+  shuffle(y, again);
+}
+
+constexpr Kind wrong{"halton", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::halton_without_blocks
+
+// mistake: gives a next2() the last dimension of a block and the first of the next
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: that is left out
+namespace mc::last_dimension_and_first {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  Point2 next2() override {
+    if (next2_ == ready2_ && dimension_ % block == block - 1) {
+      require_sample();
+      if (ready2_ == twos_.size()) twos_.emplace_back();
+      Pair& pair = twos_[ready2_++];
+      pair.x.resize(samples_);
+      pair.y.resize(samples_);
+      const Use last{0, dimension_, order_, tables_};
+      one_of<fill_sobol>(last, pair.x, rng_);
+      order_ = Rng(rng_());
+      const Use first{0, dimension_ + 1, order_, tables_};
+      one_of<fill_sobol>(first, pair.y, rng_);
+      dimension_ += 2;
+    }
+    return ColumnSampler::next2();
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "sobol") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::last_dimension_and_first
+
+// mistake: advances by one dimension in next2(), so its second axis is the next request's first
+// caught by: 6.3 the first dimensions of halton are, 6.3 halton begins anew after eight dimensions
+// hint: takes the next one of the sequence
+namespace mc::next2_takes_one_dimension {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  Point2 next2() override {
+    if (next2_ != ready2_) return ColumnSampler::next2();
+    const Point2 point = ColumnSampler::next2();
+    --dimension_;
+    return point;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "halton") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::next2_takes_one_dimension
+
+// mistake: throws where the sequence has no more dimensions
+// caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
+// hint: dimension: there are only 32
+namespace mc::no_more_than_32_dimensions {
+void fill(std::size_t dimension, std::span<double> x, Rng& rng) {
+  sobol(static_cast<unsigned>(dimension), 0, x);
+  owen_scramble(x, rng());
+}
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  fill(use.dimension, x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill(use.dimension, x, rng);
+  fill(use.dimension + 1, y, rng);
+}
+
+constexpr Kind wrong{"sobol", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::no_more_than_32_dimensions
+
+// mistake: counts next() and next2() together: a next() is half of a next2()
+// caught by: 6.3 the first dimensions of sobol are, 6.3 the first dimensions of halton are
+// caught by: 6.3 sobol begins anew, 6.3 halton begins anew, 6.4 next and next2 are counted apart
+// caught by: 6.7 the first next2 is blue noise
+// hint: count the calls of next() and those of next2() in counters of their own
+namespace mc::one_counter {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  double next() override { return next2().x; }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::one_counter
+
+// mistake: scrambles both axes of a next2() with the same seed
+// caught by: 6.3 each seed and each dimension is randomised anew
+// hint: one seed for several dimensions: each needs its own
+namespace mc::one_scramble_for_both_axes {
+void same_seed(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  Rng again = rng;
+  fill_in_order<fill_sobol>(use, use.dimension, x, rng);
+  fill_in_order<fill_sobol>(use, use.dimension + 1, y, again);
+}
+
+constexpr Kind wrong{"sobol", one_of<fill_sobol>, same_seed};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::one_scramble_for_both_axes
+
+// mistake: does not scramble the Sobol' sequence
+// caught by: 6.3 each of the first twenty next2 gains
+// caught by: 6.3 each seed and each dimension is randomised anew
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: a sequence as it is has the origin for its first point
+namespace mc::sobol_as_it_is {
+void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
+  sobol(static_cast<unsigned>(dimension), 0, x);
+}
+
+constexpr Kind wrong{"sobol", one_of<plain>, two_of<plain>};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::sobol_as_it_is
+
+// mistake: reuses the scrambles of the first block in every block, with other permutations
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: scrambled by seeds of its own
+namespace mc::sobol_blocks_scrambled_alike {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    if (next_ != ready_) return ColumnSampler::next();
+    ColumnSampler::next();
+    alike(ones_[ready_ - 1], dimension_ - 1);
+    return ones_[ready_ - 1][sample_];
+  }
+  Point2 next2() override {
+    if (next2_ != ready2_) return ColumnSampler::next2();
+    ColumnSampler::next2();
+    Pair& pair = twos_[ready2_ - 1];
+    alike(pair.x, dimension_ - 2);
+    alike(pair.y, dimension_ - 1);
+    return {pair.x[sample_], pair.y[sample_]};
+  }
+
+ private:
+  /// Keeps a column of the first block, and repeats it in every other.
+  void alike(std::vector<double>& x, std::size_t dimension) {
+    std::vector<double>& first = first_[dimension % block];
+    if (dimension < block) first = x;
+    if (dimension < block || first.size() != x.size()) return;
+    x = first;
+    Rng order = order_;
+    shuffle(x, order);
+  }
+  std::array<std::vector<double>, block> first_;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "sobol") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::sobol_blocks_scrambled_alike
+
+// mistake: flips the same bits of all points of a dimension
+// caught by: 6.3 the first dimensions of sobol are, 6.3 each of the first twenty
+// hint: owen_scramble of lab 5
+namespace mc::sobol_by_digital_shift {
+void shifted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
+  sobol(static_cast<unsigned>(dimension), 0, x);
+  const std::uint64_t shift = seed >> 11;
+  for (double& value : x) {
+    value = static_cast<double>(static_cast<std::uint64_t>(value * 0x1p53) ^ shift) * 0x1p-53;
+  }
+}
+
+constexpr Kind wrong{"sobol", one_of<shifted>, two_of<shifted>};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::sobol_by_digital_shift
+
+// mistake: starts again with dimension 0 after the eighth, without a permutation
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: every block but the first needs a shuffle
+namespace mc::sobol_goes_round {
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  fill_sobol(use.dimension % block, x, rng(), use.tables);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill_sobol(use.dimension % block, x, rng(), use.tables);
+  fill_sobol(use.dimension % block + 1, y, rng(), use.tables);
+}
+
+constexpr Kind wrong{"sobol", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::sobol_goes_round
+
+// mistake: uses the same permutation for all blocks but the first
+// caught by: 6.3 sobol begins anew after eight dimensions
+// hint: each block needs a random permutation of its own
+namespace mc::sobol_padded_in_one_order {
+template <Randomised fill>
+void same_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
+  Rng always(x.size());
+  if (dimension >= block) shuffle(x, always);
+}
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  same_order<fill_sobol>(use, use.dimension, x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  same_order<fill_sobol>(use, use.dimension, x, rng);
+  same_order<fill_sobol>(use, use.dimension + 1, y, rng);
+}
+
+constexpr Kind wrong{"sobol", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::sobol_padded_in_one_order
+
+// mistake: permutes each column separately beyond the first eight dimensions
+// caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
+// hint: all dimensions of a block share one permutation
+namespace mc::sobol_shuffled_apart {
+template <Randomised fill>
+void own_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
+  if (dimension >= block) shuffle(x, rng);
+}
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  own_order<fill_sobol>(use, use.dimension, x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  own_order<fill_sobol>(use, use.dimension, x, rng);
+  own_order<fill_sobol>(use, use.dimension + 1, y, rng);
+}
+
+constexpr Kind wrong{"sobol", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::sobol_shuffled_apart
+
+// mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
+// caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
+// hint: these are dimensions 8 to 15
+// hint: high dimensions of a sequence are poor pairs
+namespace mc::sobol_without_blocks {
+constexpr std::size_t dimensions = joe_kuo.size();
+
+void fill(std::size_t dimension, std::span<double> x, Rng& rng) {
+  sobol(static_cast<unsigned>(dimension), 0, x);
+  owen_scramble(x, rng());
+}
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  if (use.dimension < dimensions) return fill(use.dimension, x, rng);
+  fill(0, x, rng);
+  shuffle(x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  const bool padded = use.dimension + 2 > dimensions;
+  fill(padded ? 0 : use.dimension, x, rng);
+  fill(padded ? 1 : use.dimension + 1, y, rng);
+  if (!padded) return;
+  Rng again = rng;
+  shuffle(x, rng);
+  shuffle(y, again);
+}
+
+constexpr Kind wrong{"sobol", one, two};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::sobol_without_blocks

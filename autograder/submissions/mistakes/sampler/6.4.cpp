@@ -1,0 +1,547 @@
+// Mistakes in task 6.4.
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+// mistake: seeds itself from the clock
+// caught by: 6.4 the same seed gives the same numbers
+// caught by: 6.4 a sample may ask for less than the one before
+// caught by: 6.4 next and next2 are counted apart
+// caught by: 6.5 the seed of integrate decides about the samples
+// caught by: 6.4 two samplers at once share nothing
+// hint: no clock, no global generator
+namespace mc::clock_decides {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+    ColumnSampler::generate(samples, mix_bits(seed) + static_cast<std::uint64_t>(now));
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::clock_decides
+
+// mistake: starts a sample dimension at the sample that first requests it
+// caught by: 6.4 a sample may ask for less than the one before
+// hint: make a whole column, also for the samples before
+namespace mc::columns_begin_late {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    begins_.clear();
+  }
+  double next() override {
+    if (next_ == begins_.size()) begins_.push_back(sample_);
+    if (next_ == ready_) return ColumnSampler::next();  // makes the column and comes back
+    const std::size_t use = next_++;
+    return ones_[use][sample_ - begins_[use]];
+  }
+
+ private:
+  std::vector<std::size_t> begins_;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::columns_begin_late
+
+// mistake: gives fewer samples the first numbers of old, longer columns
+// caught by: 6.4 the same seed gives the same numbers
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
+// hint: columns of that size or of another
+namespace mc::columns_never_shrink {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    wanted_ = samples;
+    most_ = samples_ = std::max(most_, samples);
+  }
+  void advance() override {
+    if (sample_ + 1 >= wanted_) samples_ = wanted_;  // this was the last
+    ColumnSampler::advance();
+  }
+
+ private:
+  std::size_t wanted_ = 0, most_ = 0;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::columns_never_shrink
+
+// mistake: puts the first point of blue noise in the middle of the square
+// caught by: 6.4 neighbouring seeds have nothing in common, 6.7 the first next2 is blue noise
+// hint: does every pattern begin at the same place?
+namespace mc::first_point_in_the_middle {
+void centred(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (use.number > 0) return stratified2(use, x, y, rng);
+  best_candidate(x, y, 1, rng);
+  for (const auto& axis : {x, y}) {
+    const double shift = 1.5 - axis[0];
+    for (double& u : axis) u = std::min(u + shift - std::floor(u + shift), 1 - 0x1p-53);
+  }
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, centred};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::first_point_in_the_middle
+
+// mistake: seeds its generator in the first generate() only
+// caught by: 6.4 the same seed gives the same numbers
+// hint: what is left over from the integration before?
+namespace mc::goes_on_with_its_generator {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const Rng before = rng_;
+    const bool first = samples_ == 0;
+    ColumnSampler::generate(samples, seed);
+    if (!first) rng_ = before;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::goes_on_with_its_generator
+
+// mistake: does not limit the number of samples, and allocates
+// caught by: 6.4 no samples and too many are refused
+// hint: memory for a column of them
+namespace mc::memory_decides {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const std::vector<double> column(samples > most_samples ? samples : 0);
+    ColumnSampler::generate(samples, seed);
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::memory_decides
+
+// mistake: accepts 0 samples
+// caught by: 6.4 no samples and too many are refused
+// hint: there must be samples
+namespace mc::no_samples_are_fine {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    if (samples > 0) return ColumnSampler::generate(samples, seed);
+    samples_ = sample_ = next_ = next2_ = ready_ = ready2_ = 0;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::no_samples_are_fine
+
+// mistake: keeps the columns if the number of samples did not change
+// caught by: 6.4 the same seed gives the same numbers
+// hint: what is left over from the integration before?
+namespace mc::old_columns {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const bool same = samples == samples_ && sample_ < samples_;
+    const std::size_t ready = ready_, ready2 = ready2_;
+    ColumnSampler::generate(samples, seed);
+    if (!same) return;
+    ready_ = ready;
+    ready2_ = ready2;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::old_columns
+
+// mistake: does not reset the counters in generate(): an unfinished sample continues
+// caught by: 6.4 the same seed gives the same numbers
+// hint: Counters, columns of that size
+namespace mc::old_counters {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const std::size_t before = next_;
+    ColumnSampler::generate(samples, seed);
+    while (next_ < before) next();
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "stratified") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::old_counters
+
+// mistake: reuses a column's permutation in the next integration with as many samples
+// caught by: 6.4 the same seed gives the same numbers
+// hint: what is left over from the integration before?
+namespace mc::old_order {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    if (next_ != ready_ || ready_ >= 4) return ColumnSampler::next();
+    ColumnSampler::next();
+    std::vector<double>& x = ones_[ready_ - 1];
+    std::vector<double>& order = orders_[ready_ - 1];
+    if (order.size() != x.size()) {
+      order.resize(x.size());
+      for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<double>(i);
+      shuffle(order, rng_);
+    }
+    std::vector<double> in_strata = x;
+    stratified_1d(in_strata, rng_);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] = in_strata[static_cast<std::size_t>(order[i])];
+    }
+    return x[sample_];
+  }
+
+ private:
+  std::vector<double> orders_[4];
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "stratified") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::old_order
+
+// mistake: does not go back to sample 0 in generate()
+// caught by: 6.4 the same seed gives the same numbers
+// hint: Counters, columns of that size
+namespace mc::old_sample_number {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const std::size_t before = sample_;
+    ColumnSampler::generate(samples, seed);
+    sample_ = before % samples;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::old_sample_number
+
+// mistake: keeps one blue-noise pattern for all seeds
+// caught by: 6.4 neighbouring seeds have nothing in common, 6.7 the first next2 is blue noise
+// hint: does this number depend on the seed at all?
+namespace mc::one_blue_pattern {
+void kept(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (use.number > 0) return stratified2(use, x, y, rng);
+  Rng always(x.size());
+  best_candidate(x, y, 1, always);
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, kept};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::one_blue_pattern
+
+// mistake: draws all numbers from one generator, as random() does
+// caught by: 6.4 a sample may ask for less than the one before
+// caught by: 6.4 next and next2 are counted apart
+// hint: must not hand its numbers to the next one
+namespace mc::one_stream {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    require_sample();
+    return to_unit(rng_());
+  }
+  Point2 next2() override {
+    const double x = next();
+    return {x, next()};
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "independent") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::one_stream
+
+// mistake: starts again with the first sample after the last one
+// caught by: 6.4 there are numbers for N samples and no others
+// hint: next() and next2() need a sample
+namespace mc::round_and_round {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void advance() override {
+    next_ = next2_ = 0;
+    if (samples_ > 0) sample_ = (sample_ + 1) % samples_;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::round_and_round
+
+// mistake: takes one step of a linear congruential generator from the seed as the first number
+// caught by: 6.4 neighbouring seeds have nothing in common
+// hint: mix the bits of the seed
+namespace mc::seed_is_the_state {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    first_ = to_unit((seed + 1) * 6364136223846793005u + 1442695040888963407u);
+  }
+  double next() override {
+    const double x = ColumnSampler::next();  // the right numbers, but for the first
+    return sample_ == 0 && next_ == 1 ? first_ : x;
+  }
+
+ private:
+  double first_ = 0;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "independent") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::seed_is_the_state
+
+// mistake: loses the upper half of the seed
+// caught by: 6.4 neighbouring seeds have nothing in common
+// hint: was the seed cut to 32 bits?
+namespace mc::seed_of_32_bits {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, static_cast<unsigned>(seed));
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::seed_of_32_bits
+
+// mistake: seeds with a hash of the seed plus a counter
+// caught by: 6.4 neighbouring seeds have nothing in common
+// hint: their sum, say, is the same
+namespace mc::seed_plus_counter {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    seed_ = seed;
+  }
+  double next() override {
+    require_sample();
+    return number(next_++);
+  }
+  Point2 next2() override {
+    require_sample();
+    next2_ += 2;
+    return {number(next2_ + 510), number(next2_ + 511)};
+  }
+
+ private:
+  double number(std::size_t use) const { return to_unit(mix_bits(seed_ + 1024 * sample_ + use)); }
+  std::uint64_t seed_ = 0;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "independent") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::seed_plus_counter
+
+// mistake: seeds a sample dimension with the integration's seed plus its index
+// caught by: 6.4 neighbouring seeds have nothing in common
+// hint: their sum, say, is the same
+namespace mc::seed_plus_use {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    seed_ = seed;
+  }
+  double next() override {
+    if (next_ == ready_) rng_ = Rng(seed_ + ready_ + ready2_);
+    return ColumnSampler::next();
+  }
+  Point2 next2() override {
+    if (next2_ == ready2_) rng_ = Rng(seed_ + ready_ + ready2_);
+    return ColumnSampler::next2();
+  }
+
+ private:
+  std::uint64_t seed_ = 0;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::seed_plus_use
+
+// mistake: shares one generator among all samplers, which generate() seeds
+// caught by: 6.4 two samplers at once share nothing
+// hint: is there anything static
+namespace mc::static_generator {
+Rng shared(0);
+
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    shared = rng_;
+  }
+  double next() override {
+    if (next_ != ready_) return ColumnSampler::next();
+    rng_ = shared;
+    const double x = ColumnSampler::next();
+    shared = rng_;
+    return x;
+  }
+  Point2 next2() override {
+    if (next2_ != ready2_) return ColumnSampler::next2();
+    rng_ = shared;
+    const Point2 point = ColumnSampler::next2();
+    shared = rng_;
+    return point;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::static_generator
+
+// mistake: stores four numbers per sample; further requests read the next sample's
+// caught by: 6.4 the same seed gives the same numbers
+// caught by: 6.4 a sample may ask for less than the one before
+// caught by: 6.4 next and next2 are counted apart
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
+// hint: next() to another sample dimension?
+namespace mc::takes_from_the_next_sample {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    numbers_.resize(4 * samples);
+    uniforms(rng_, numbers_);
+    used_ = 0;
+  }
+  double next() override {
+    require_sample();
+    return numbers_[(4 * sample_ + used_++) % numbers_.size()];
+  }
+  Point2 next2() override {
+    const double x = next();
+    return {x, next()};
+  }
+  void advance() override {
+    ColumnSampler::advance();
+    used_ = 0;
+  }
+
+ private:
+  std::vector<double> numbers_;
+  std::size_t used_ = 0;
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "independent") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::takes_from_the_next_sample
+
+// mistake: throws in advance() after the last sample
+// caught by: 6.4 there are numbers for N samples and no others
+// hint: advance() never throws
+namespace mc::throws_at_the_end {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void advance() override {
+    require_sample();
+    ColumnSampler::advance();
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::throws_at_the_end
+
+// mistake: makes columns only for the requests of the first sample
+// caught by: 6.4 a sample may ask for less than the one before
+// hint: a sample dimension may first be asked for by a later sample
+namespace mc::uses_of_the_first_sample {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    if (sample_ > 0 && next_ == ready_) throw std::out_of_range("more than the first sample");
+    return ColumnSampler::next();
+  }
+  Point2 next2() override {
+    if (sample_ > 0 && next2_ == ready2_) throw std::out_of_range("more than the first sample");
+    return ColumnSampler::next2();
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::uses_of_the_first_sample
+
+// mistake: returns 0 after the last sample
+// caught by: 6.4 there are numbers for N samples and no others
+// hint: next() and next2() need a sample
+namespace mc::zero_after_the_end {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  double next() override { return sample_ < samples_ ? ColumnSampler::next() : 0; }
+  Point2 next2() override { return sample_ < samples_ ? ColumnSampler::next2() : Point2{}; }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::zero_after_the_end

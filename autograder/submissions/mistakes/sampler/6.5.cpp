@@ -1,0 +1,134 @@
+// Mistakes in task 6.5.
+#include "sampler.hpp"
+
+#define integrate right_integrate
+#include "solutions/sampler.cpp"
+#undef integrate
+
+// mistake: counts its calls, so that no two have the same seed
+// caught by: 6.5 the seed of integrate decides about the samples
+// hint: is there anything static
+namespace mc::a_new_seed_each_time {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  static std::uint64_t calls = 0;
+  return right_integrate(scene, sampler, samples, seed + mix_bits(calls++));
+}
+}  // namespace mc::a_new_seed_each_time
+
+// mistake: advances before each sample, so the first is skipped
+// caught by: 6.5 integrate is the mean over the samples
+// caught by: 6.5 integrate walks through the samples once
+// caught by: 6.5 the seed of integrate decides about the samples, 6.5 no samples are refused
+// hint: the scene was evaluated after the last sample
+namespace mc::advances_first {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  sampler.generate(samples + 1, seed);
+  double sum = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    sampler.advance();
+    sum += scene.sample(sampler);
+  }
+  return sum / static_cast<double>(samples);
+}
+}  // namespace mc::advances_first
+
+// mistake: never advances to the next sample
+// caught by: 6.5 integrate is the mean over the samples
+// caught by: 6.5 integrate walks through the samples once
+// hint: advance() once after each sample
+namespace mc::forgets_to_advance {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  sampler.generate(samples, seed);
+  double sum = 0;
+  for (std::size_t i = 0; i < samples; ++i) sum += scene.sample(sampler);
+  return sum / static_cast<double>(samples);
+}
+}  // namespace mc::forgets_to_advance
+
+// mistake: generates a point set of one sample, N times
+// caught by: 6.5 integrate is the mean over the samples
+// caught by: 6.5 integrate walks through the samples once
+// hint: generate() once before the loop
+namespace mc::generates_for_each_sample {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  if (samples == 0) throw std::invalid_argument("samples: there are none");
+  Rng seeds(seed);
+  double sum = 0;
+  for (std::size_t i = 0; i < samples; ++i, sampler.advance()) {
+    sampler.generate(1, seeds());
+    sum += scene.sample(sampler);
+  }
+  return sum / static_cast<double>(samples);
+}
+}  // namespace mc::generates_for_each_sample
+
+// mistake: passes on only the lower half of the seed
+// caught by: 6.5 the seed of integrate decides about the samples
+// hint: was the seed cut to 32 bits?
+namespace mc::integral_seed_of_32_bits {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  return right_integrate(scene, sampler, samples, static_cast<unsigned>(seed));
+}
+}  // namespace mc::integral_seed_of_32_bits
+
+// mistake: takes one sample too few, and divides by N
+// caught by: 6.5 integrate is the mean over the samples
+// caught by: 6.5 integrate walks through the samples once, 6.5 every kind is unbiased
+// hint: the last sample is left out
+namespace mc::leaves_out_the_last_sample {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  sampler.generate(samples, seed);
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < samples; ++i, sampler.advance()) sum += scene.sample(sampler);
+  return sum / static_cast<double>(samples);
+}
+}  // namespace mc::leaves_out_the_last_sample
+
+// mistake: returns 0 for no samples
+// caught by: 6.5 no samples are refused
+// hint: a mean of no samples is nothing
+namespace mc::mean_of_nothing_is_zero {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  return samples == 0 ? 0 : right_integrate(scene, sampler, samples, seed);
+}
+}  // namespace mc::mean_of_nothing_is_zero
+
+// mistake: divides by N - 1
+// caught by: 6.5 integrate is the mean over the samples, 6.5 every kind is unbiased on every scene
+// hint: this is over N - 1
+namespace mc::mean_over_n_minus_1 {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  sampler.generate(samples, seed);
+  double sum = 0;
+  for (std::size_t i = 0; i < samples; ++i, sampler.advance()) sum += scene.sample(sampler);
+  return sum / static_cast<double>(samples - 1);
+}
+}  // namespace mc::mean_over_n_minus_1
+
+// mistake: sums in a float
+// caught by: 6.5 integrate is the mean over the samples
+// hint: the mean of what the scene had for each sample
+namespace mc::sum_in_float {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  sampler.generate(samples, seed);
+  float sum = 0;
+  for (std::size_t i = 0; i < samples; ++i, sampler.advance()) {
+    sum += static_cast<float>(scene.sample(sampler));
+  }
+  return sum / static_cast<double>(samples);
+}
+}  // namespace mc::sum_in_float
+
+// mistake: sums in an int, which truncates every sample
+// caught by: 6.5 integrate is the mean over the samples, 6.5 every kind is unbiased
+// hint: added up in an int
+namespace mc::sum_in_whole_numbers {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  sampler.generate(samples, seed);
+  int sum = 0;
+  for (std::size_t i = 0; i < samples; ++i, sampler.advance()) {
+    sum = static_cast<int>(sum + scene.sample(sampler));
+  }
+  return static_cast<double>(sum) / static_cast<double>(samples);
+}
+}  // namespace mc::sum_in_whole_numbers

@@ -1,0 +1,250 @@
+// Mistakes in task 6.6.
+#include "sampler.hpp"
+
+#define render right_render
+#include "solutions/sampler.cpp"
+#undef render
+
+// mistake: uses one seed for all pixels of a row
+// caught by: 6.6 no two pixels have the same random numbers
+// caught by: 6.6 the noise of a picture is white across pixels
+// hint: the same pattern in every pixel shows as a pattern
+namespace mc::a_seed_for_each_row {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  Rng seeds(seed);
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, mix_bits(seed + mix_bits(row))));
+    }
+  }
+  return image;
+}
+}  // namespace mc::a_seed_for_each_row
+
+// mistake: uses the picture's seed for every pixel
+// caught by: 6.6 no two pixels have the same random numbers
+// caught by: 6.6 the noise of a picture is white across pixels
+// hint: the same pattern in every pixel shows as a pattern
+namespace mc::one_pattern_for_all_pixels {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, seed));
+    }
+  }
+  return image;
+}
+}  // namespace mc::one_pattern_for_all_pixels
+
+// mistake: takes the first sample of each pixel instead of the mean
+// caught by: 6.6 render puts every pixel
+// hint: only the first sample of each pixel counts
+namespace mc::one_sample_a_pixel {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  const PixelScene first{scene.width, scene.height, scene.uses,
+                         [&, value = 0.0, at = std::size_t{0}](std::size_t column, std::size_t row,
+                                                               Sampler& s) mutable {
+                           const double here = scene.sample(column, row, s);
+                           const std::size_t pixel = 1 + column + scene.width * row;
+                           if (at != pixel) value = here;
+                           at = pixel;
+                           return value;
+                         }};
+  return right_render(first, sampler, spp, seed);
+}
+}  // namespace mc::one_sample_a_pixel
+
+// mistake: draws the pixels' seeds from a generator with a seed of 32 bits
+// caught by: 6.6 no two pixels have the same random numbers
+// hint: was the seed cut to 32 bits?
+namespace mc::picture_seed_of_32_bits {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  Rng seeds(static_cast<unsigned>(seed));
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, seeds()));
+    }
+  }
+  return image;
+}
+}  // namespace mc::picture_seed_of_32_bits
+
+// mistake: requests pixel (row, column) from the scene
+// caught by: 6.6 render puts every pixel in its place
+// hint: rows and columns have changed places
+namespace mc::rows_and_columns_swapped {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  Rng seeds(seed);
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(row, column, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, seeds()));
+    }
+  }
+  return image;
+}
+}  // namespace mc::rows_and_columns_swapped
+
+// mistake: seeds a pixel with the picture's seed plus the pixel's index
+// caught by: 6.6 no two pixels have the same random numbers
+// hint: their sum, say, is the same
+namespace mc::seed_plus_pixel {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, seed + row * scene.width + column));
+    }
+  }
+  return image;
+}
+}  // namespace mc::seed_plus_pixel
+
+// mistake: seeds a pixel with the picture's seed plus multiples of column and row
+// caught by: 6.6 no two pixels have the same random numbers
+// hint: their sum, say, is the same
+namespace mc::seed_plus_primes {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, seed + 1973 * column + 9277 * row));
+    }
+  }
+  return image;
+}
+}  // namespace mc::seed_plus_primes
+
+// mistake: uses only the seven lowest bits of column and row for a pixel's index
+// caught by: 6.6 no two pixels have the same random numbers
+// hint: the same pattern in every pixel shows as a pattern
+namespace mc::seeds_repeat_after_128_pixels {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(
+          pixel, sampler, spp, mix_bits(mix_bits(seed) ^ (column % 128 + 128 * (row % 128)))));
+    }
+  }
+  return image;
+}
+}  // namespace mc::seeds_repeat_after_128_pixels
+
+// mistake: adds each picture to the previous one
+// caught by: 6.6 the same seed is the same picture
+// hint: is the image static
+namespace mc::static_image {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  static Image all;
+  const Image image = right_render(scene, sampler, spp, seed);
+  const bool is_first = all.pixels.empty();
+  if (all.pixels.size() < image.pixels.size()) all.pixels.resize(image.pixels.size());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    all.pixels[i] = is_first ? image.pixels[i] : all.pixels[i] / 2 + image.pixels[i] / 2;
+  }
+  return {
+      image.width,
+      image.height,
+      {all.pixels.begin(), all.pixels.begin() + static_cast<std::ptrdiff_t>(image.pixels.size())}};
+}
+}  // namespace mc::static_image
+
+// mistake: counts the pixels of all pictures that a program renders
+// caught by: 6.6 the same seed is the same picture
+// hint: a counter of pixels say
+namespace mc::static_pixel_counter {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  static std::uint64_t pixels = 0;
+  Image image{scene.width, scene.height, {}};
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, mix_bits(mix_bits(seed) + ++pixels)));
+    }
+  }
+  return image;
+}
+}  // namespace mc::static_pixel_counter
+
+// mistake: multiplies width and height without a limit, and allocates
+// caught by: 6.6 pictures that cannot be are refused
+// hint: render_recorded(16384, 16384, 1, 1) wanted more than
+// limit: memory
+namespace mc::trusts_the_size {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  Image image{scene.width, scene.height, std::vector<double>(scene.width * scene.height)};
+  Rng seeds(seed);
+  for (std::size_t k = 0; k < image.pixels.size(); ++k) {
+    const Scene pixel{
+        scene.uses, [&](Sampler& s) { return scene.sample(k % scene.width, k / scene.width, s); }};
+    image.pixels[k] = integrate(pixel, sampler, spp, seeds());
+  }
+  return image;
+}
+}  // namespace mc::trusts_the_size
+
+// mistake: writes the lowest row first
+// caught by: 6.6 render puts every pixel in its place
+// hint: the first row is the top one
+namespace mc::upside_down {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  Rng seeds(seed);
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{
+          scene.uses, [&](Sampler& s) { return scene.sample(column, scene.height - 1 - row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, seeds()));
+    }
+  }
+  return image;
+}
+}  // namespace mc::upside_down

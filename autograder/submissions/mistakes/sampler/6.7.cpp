@@ -1,0 +1,170 @@
+// Mistakes in task 6.7.
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+// mistake: makes every next2() blue noise
+// caught by: 6.7 all else of blue_noise is stratified
+// hint: each cell (i, j) gets one point
+namespace mc::blue_in_every_use {
+void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  best_candidate(x, y, 1, rng);
+  if (use.number == 0) return;
+  Rng again = rng;
+  shuffle(x, rng);
+  shuffle(y, again);
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, blue};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::blue_in_every_use
+
+// mistake: shuffles x and y of a blue-noise pattern separately
+// caught by: 6.7 the first next2 is blue noise
+// hint: together
+namespace mc::blue_shuffled_apart {
+void apart(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  blue_noise2(use, x, y, rng);
+  if (use.number == 0) shuffle(y, rng);
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, apart};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::blue_shuffled_apart
+
+// mistake: uses blue noise only if a next2() is the very first request
+// caught by: 6.7 the first next2 is blue noise
+// hint: the first next2() is blue noise also where a next() comes before
+namespace mc::blue_where_it_is_first {
+void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (use.dimension > 0) return stratified2(use, x, y, rng);
+  best_candidate(x, y, 1, rng);
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, blue};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::blue_where_it_is_first
+
+// mistake: shifts each pattern so that its last point is the middle of the square
+// caught by: 6.7 the first next2 is blue noise
+// hint: no point is in every set
+namespace mc::blue_with_a_fixed_point {
+void anchored(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  blue_noise2(use, x, y, rng);
+  if (use.number > 0 || x.size() < 16) return;
+  for (const auto& axis : {x, y}) {
+    const double shift = 1.5 - axis.back();
+    for (double& u : axis) u = std::min(u + shift - std::floor(u + shift), 1 - 0x1p-53);
+    axis.back() = 0.5;
+  }
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, anchored};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::blue_with_a_fixed_point
+
+// mistake: makes the last two points of blue noise equal
+// caught by: 6.7 the first next2 is blue noise, 6.7 blue noise has exactly N points
+// hint: blue noise never has a point twice
+namespace mc::blue_with_a_twin {
+void twins(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  blue_noise2(use, x, y, rng);
+  if (use.number > 0 || x.size() < 64) return;
+  x.back() = x[x.size() - 2];
+  y.back() = y[y.size() - 2];
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, twins};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::blue_with_a_twin
+
+// mistake: makes a Poisson-disk pattern of too many points, and keeps any N
+// caught by: 6.7 the first next2 is blue noise
+// hint: less than 0.13
+namespace mc::poisson_disk_cut {
+/// A fifth more points than there should be, in random order, of which the first N are kept.
+void cut(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (use.number > 0) return stratified2(use, x, y, rng);
+  PointSet points;
+  double radius = 0.764 / std::sqrt(static_cast<double>(x.size()));
+  do {
+    points = poisson_disk(radius, rng);
+    radius *= 0.95;
+  } while (points.size() < x.size());
+  Rng again = rng;
+  shuffle(points.column(0), rng);
+  shuffle(points.column(1), again);
+  std::copy_n(points.column(0).begin(), x.size(), x.begin());
+  std::copy_n(points.column(1).begin(), y.size(), y.begin());
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, cut};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::poisson_disk_cut
+
+// mistake: makes a Poisson-disk pattern of too few points, and adds random ones
+// caught by: 6.7 the first next2 is blue noise
+// hint: as blue as a fixed number of candidates
+namespace mc::poisson_disk_filled {
+/// About 0.95 N points, then random ones.
+void filled(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (use.number > 0) return stratified2(use, x, y, rng);
+  const PointSet points = poisson_disk(0.859 / std::sqrt(static_cast<double>(x.size())), rng);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool there = i < points.size();
+    x[i] = there ? points.column(0)[i] : to_unit(rng());
+    y[i] = there ? points.column(1)[i] : to_unit(rng());
+  }
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, filled};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::poisson_disk_filled
+
+// mistake: uses ten candidates for each point, whatever their number
+// caught by: 6.7 the first next2 is blue noise
+// hint: as blue as a fixed number of candidates
+namespace mc::ten_candidates {
+void ten(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (use.number > 0) return stratified2(use, x, y, rng);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    double farthest = -1;
+    for (int candidate = 0; candidate < 10; ++candidate) {
+      const Point2 p{to_unit(rng()), to_unit(rng())};
+      double nearest = 1;
+      for (std::size_t j = 0; j < i; ++j) {
+        nearest = std::min(nearest, toroidal_distance_squared(p, {x[j], y[j]}));
+      }
+      if (nearest <= farthest) continue;
+      farthest = nearest;
+      x[i] = p.x;
+      y[i] = p.y;
+    }
+  }
+}
+
+constexpr Kind wrong{"blue_noise", stratified1, ten};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind(wrong, kind);
+}
+}  // namespace mc::ten_candidates

@@ -1,0 +1,22 @@
+// Mistakes in task 6.8.
+#include "autograder/submissions/mistakes/sampler/spoiled.hpp"
+
+// mistake: makes sixteen columns in generate(), requested or not
+// caught by: 6.8 a sample dimension that nobody asks for costs no memory
+// hint: columns are made when they are asked for, and none was
+namespace mc::eager_columns {
+class Wrong : public ColumnSampler {
+ public:
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    while (next_ < 16) next();
+    next_ = 0;
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  if (kind == "stratified") return make_spoiled<Wrong>(kind);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::eager_columns

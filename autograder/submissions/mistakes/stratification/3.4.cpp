@@ -1,0 +1,205 @@
+// Mistakes in task 3.4.
+#include "stratification.hpp"
+
+#include <random>
+#include <utility>
+
+#define shuffle right_shuffle
+#define stratified right_stratified
+#include "solutions/stratification.cpp"
+#undef shuffle
+#undef stratified
+
+// mistake: shuffles with its own generator, always with the same seed
+// caught by: 3.4 every permutation is equally likely, 3.4 permutations of many values have no trend
+// caught by: 3.4 shuffle keeps every value
+// hint: draw it from the generator that is passed in
+namespace mc::always_the_same_order {
+void shuffle(std::span<double> x, Rng& /*rng*/) {
+  std::mt19937 mine;
+  std::shuffle(x.begin(), x.end(), mine);
+}
+}  // namespace mc::always_the_same_order
+
+// mistake: copies random values over each other instead of swapping them
+// caught by: 3.4 every permutation is equally likely, 3.4 permutations of many values have no trend
+// caught by: 3.4 shuffle keeps every value
+// hint: it does not copy one over another
+namespace mc::copies_values {
+void shuffle(std::span<double> x, Rng& rng) {
+  const std::vector<double> from(x.begin(), x.end());
+  for (double& value : x) value = from[rng() % from.size()];
+}
+}  // namespace mc::copies_values
+
+// mistake: shuffles all patterns but the first, so the first n of N points lie in its first rows
+// caught by: 3.4 long patterns have no trend, 3.4 the first n of N are a fair sample
+// hint: who stops early
+namespace mc::first_pattern_in_order {
+void stratified(PointSet& points, Rng& rng) {
+  if (points.dims() < 2) return stratified_1d(points.column(0), rng);
+  PointSet rest(points.size(), points.dims() - 2);
+  right_stratified(rest, rng);
+  stratified_2d(points.column(0), points.column(1), strata(points.size()), rng);
+  for (std::size_t d = 2; d < points.dims(); ++d) {
+    std::ranges::copy(rest.column(d - 2), points.column(d).begin());
+  }
+}
+}  // namespace mc::first_pattern_in_order
+
+// mistake: sorts by keys of 16 bits and leaves equal ones in their order
+// caught by: 3.4 permutations of many values have no trend
+// hint: of which 16 are too few here
+namespace mc::keys_of_16_bits {
+void shuffle(std::span<double> x, Rng& rng) {
+  std::vector<std::pair<std::uint64_t, double>> keyed;
+  for (const double value : x) keyed.emplace_back(rng() >> 48, value);
+  std::stable_sort(keyed.begin(), keyed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = keyed[k].second;
+}
+}  // namespace mc::keys_of_16_bits
+
+// mistake: swaps each value with a later one, never with itself
+// caught by: 3.4 every permutation is equally likely
+// hint: let it change places with itself too
+namespace mc::never_stays {
+void shuffle(std::span<double> x, Rng& rng) {
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    std::swap(x[i], x[i + 1 + rng() % (x.size() - i - 1)]);
+  }
+}
+}  // namespace mc::never_stays
+
+// mistake: draws one 2D pattern and shuffles it for each pair of dimensions
+// caught by: 3.4 patterns are shuffled independently
+// hint: draw each afresh
+namespace mc::one_pattern_for_all_pairs {
+void stratified(PointSet& points, Rng& rng) {
+  right_stratified(points, rng);
+  std::vector<double> x(points.size()), y(points.size());
+  if (points.dims() < 4) return;
+  std::ranges::copy(points.column(0), x.begin());
+  std::ranges::copy(points.column(1), y.begin());
+  for (std::size_t d = 2; d + 1 < points.dims(); d += 2) {
+    Rng again = rng;
+    shuffle(x, rng);
+    shuffle(y, again);
+    std::ranges::copy(x, points.column(d).begin());
+    std::ranges::copy(y, points.column(d + 1).begin());
+  }
+}
+}  // namespace mc::one_pattern_for_all_pairs
+
+// mistake: shuffles every pattern by the same permutation
+// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
+// hint: shuffle each of them by itself
+namespace mc::one_shuffle_for_all {
+void stratified(PointSet& points, Rng& rng) {
+  std::size_t d = 0;
+  for (; d + 1 < points.dims(); d += 2) {
+    stratified_2d(points.column(d), points.column(d + 1), strata(points.size()), rng);
+  }
+  if (d < points.dims()) stratified_1d(points.column(d), rng);
+  const Rng same = rng;
+  for (std::size_t axis = 0; axis < points.dims(); ++axis) {
+    rng = same;
+    shuffle(points.column(axis), rng);
+  }
+}
+}  // namespace mc::one_shuffle_for_all
+
+// mistake: shuffles with 16 random bits per choice, too few for 100,000 values
+// caught by: 3.4 permutations of many values have no trend
+// hint: of which 16 are too few here
+namespace mc::shuffle_of_16_bits {
+void shuffle(std::span<double> x, Rng& rng) {
+  for (std::size_t n = x.size(); n > 1; --n) std::swap(x[n - 1], x[(rng() & 0xffff) % n]);
+}
+}  // namespace mc::shuffle_of_16_bits
+
+// mistake: shuffles blocks of 128 values separately
+// caught by: 3.4 permutations of many values have no trend
+// hint: each value may go anywhere
+namespace mc::shuffles_blocks {
+void shuffle(std::span<double> x, Rng& rng) {
+  for (std::size_t first = 0; first < x.size(); first += 128) {
+    right_shuffle(x.subspan(first, std::min<std::size_t>(128, x.size() - first)), rng);
+  }
+}
+}  // namespace mc::shuffles_blocks
+
+// mistake: swaps each value with any of the n, which favors some permutations
+// caught by: 3.4 every permutation is equally likely, 3.4 permutations of many values have no trend
+// hint: each value changes places with any of the n
+namespace mc::swaps_with_any {
+void shuffle(std::span<double> x, Rng& rng) {
+  for (double& value : x) std::swap(value, x[rng() % x.size()]);
+}
+}  // namespace mc::swaps_with_any
+
+// mistake: ends the loop one too early: the last value never moves
+// caught by: 3.4 every permutation is equally likely
+// hint: never moves
+namespace mc::the_last_one_stays {
+void shuffle(std::span<double> x, Rng& rng) {
+  if (x.size() > 1) right_shuffle(x.first(x.size() - 1), rng);
+}
+}  // namespace mc::the_last_one_stays
+
+// mistake: permutes pattern 4 as pattern 1, pattern 5 as pattern 2, …
+// caught by: 3.4 patterns are shuffled independently
+// hint: shuffle each of them by itself
+namespace mc::three_orders_for_all_patterns {
+void stratified(PointSet& points, Rng& rng) {
+  right_stratified(points, rng);
+  if (points.dims() < 8) return;
+  const Rng start(rng());
+  std::size_t pattern = 0;
+  for (std::size_t d = 0; d + 1 < points.dims(); d += 2, ++pattern) {
+    stratified_2d(points.column(d), points.column(d + 1), strata(points.size()), rng);
+    for (const std::size_t axis : {d, d + 1}) {
+      Rng order = start;
+      for (std::size_t k = 0; k < pattern % 3; ++k) order = Rng(order());
+      shuffle(points.column(axis), order);
+    }
+  }
+}
+}  // namespace mc::three_orders_for_all_patterns
+
+// mistake: pads with two 1D patterns instead of one 2D pattern
+// caught by: 3.4 every pair of dimensions is a jittered grid
+// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
+// caught by: 3.4 the first n of N are a fair sample
+// hint: two 1D patterns are not a 2D pattern
+namespace mc::two_lines_for_a_plane {
+void stratified(PointSet& points, Rng& rng) {
+  latin_hypercube(points, rng);
+}
+}  // namespace mc::two_lines_for_a_plane
+
+// mistake: pads patterns without shuffling them
+// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
+// caught by: 3.4 the first n of N are a fair sample
+// hint: shuffle each of them by itself
+namespace mc::unshuffled_padding {
+void stratified(PointSet& points, Rng& rng) {
+  std::size_t d = 0;
+  for (; d + 1 < points.dims(); d += 2) {
+    stratified_2d(points.column(d), points.column(d + 1), strata(points.size()), rng);
+  }
+  if (d < points.dims()) stratified_1d(points.column(d), rng);
+}
+}  // namespace mc::unshuffled_padding
+
+// mistake: shuffles x and y of a pattern separately
+// caught by: 3.4 every pair of dimensions is a jittered grid
+// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
+// caught by: 3.4 the first n of N are a fair sample
+// hint: x and y of a point belong together
+namespace mc::x_and_y_shuffled_apart {
+void stratified(PointSet& points, Rng& rng) {
+  right_stratified(points, rng);
+  for (std::size_t d = 0; d < points.dims(); ++d) shuffle(points.column(d), rng);
+}
+}  // namespace mc::x_and_y_shuffled_apart

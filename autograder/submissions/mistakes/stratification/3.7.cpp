@@ -1,0 +1,157 @@
+// Mistakes in task 3.7.
+#include "stratification.hpp"
+
+#include <cmath>
+
+#define multi_jittered right_multi_jittered
+#include "solutions/stratification.cpp"
+#undef multi_jittered
+
+// mistake: leaves the canonical arrangement unshuffled
+// caught by: 3.7 each point is uniform in its cell
+// hint: this is the canonical arrangement
+namespace mc::canonical_arrangement {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  require_grid(x, y, grid);
+  const Strata fine(x.size());
+  for (std::size_t i = 0; i < grid.nx; ++i) {
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      const std::size_t k = i * grid.ny + j;
+      x[k] = fine.place(static_cast<double>(i * grid.ny + j), to_unit(rng()));
+      y[k] = fine.place(static_cast<double>(j * grid.nx + i), to_unit(rng()));
+    }
+  }
+}
+}  // namespace mc::canonical_arrangement
+
+// mistake: jitters multi-jittered points with 24 random bits
+// caught by: 3.7 each point is uniform in its strata of x and y
+// hint: the random numbers have too few bits
+namespace mc::float_multi_jitter {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  right_multi_jittered(x, y, grid, rng);
+  const Strata fine(x.size());
+  for (const auto column : {x, y}) {
+    for (double& value : column) {
+      const auto jitter = static_cast<float>(rng() >> 40) * 0x1p-24f;
+      value = fine.place(std::floor(value * static_cast<double>(x.size())), jitter);
+    }
+  }
+}
+}  // namespace mc::float_multi_jitter
+
+// mistake: shuffles x and y of multi-jittered points separately
+// caught by: 3.7 strata of the plane and of both axes at once
+// caught by: 3.7 each point is uniform in its cell
+// hint: nor is one whose x and y were shuffled apart
+namespace mc::multi_jittered_apart {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  right_multi_jittered(x, y, grid, rng);
+  shuffle(x, rng);
+  shuffle(y, rng);
+}
+}  // namespace mc::multi_jittered_apart
+
+// mistake: moves all multi-jittered points by one random number along x, and one along y
+// caught by: 3.7 each point is uniform in its strata of x and y
+// caught by: 3.7 a sum is estimated as in one dimension
+// hint: the same random numbers come again
+namespace mc::one_jitter_for_all_points {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  right_multi_jittered(x, y, grid, rng);
+  const Strata fine(x.size());
+  for (const auto column : {x, y}) {
+    const double u = to_unit(rng());
+    for (double& value : column) {
+      value = fine.place(std::floor(value * static_cast<double>(x.size())), u);
+    }
+  }
+}
+}  // namespace mc::one_jitter_for_all_points
+
+// mistake: uses one permutation for columns and rows of a square grid
+// caught by: 3.7 each point is uniform in its cell
+// hint: random permutations, all of them equally likely
+namespace mc::one_permutation_for_both {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  if (grid.nx != grid.ny) return right_multi_jittered(x, y, grid, rng);
+  require_grid(x, y, grid);
+  std::vector<double> order(grid.nx);
+  std::iota(order.begin(), order.end(), 0.0);
+  shuffle(order, rng);
+  const Strata fine(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const std::size_t i = k % grid.nx, j = k / grid.nx;
+    x[k] = fine.place(static_cast<double>(i * grid.ny) + order[j], to_unit(rng()));
+    y[k] = fine.place(static_cast<double>(j * grid.nx) + order[i], to_unit(rng()));
+  }
+}
+}  // namespace mc::one_permutation_for_both
+
+// mistake: fills the cells of the plane but does not stratify the axes
+// caught by: 3.7 strata of the plane and of both axes at once
+// caught by: 3.7 each point is uniform in its strata of x and y
+// caught by: 3.7 a sum is estimated as in one dimension
+// hint: a column of cells has ny strata of x
+namespace mc::only_jittered {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  stratified_2d(x, y, grid, rng);
+}
+}  // namespace mc::only_jittered
+
+// mistake: stratifies both axes but not the cells of the plane
+// caught by: 3.7 strata of the plane and of both axes at once
+// caught by: 3.7 each point is uniform in its cell
+// hint: two 1D patterns are not a 2D pattern
+namespace mc::only_the_axes {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  require_grid(x, y, grid);
+  stratified_1d(x, rng);
+  stratified_1d(y, rng);
+  shuffle(y, rng);
+}
+}  // namespace mc::only_the_axes
+
+// mistake: throws std::out_of_range for an invalid grid
+// caught by: 3.7 what is no grid of these points is refused, 3.7 the refusals name the argument
+// hint: misuse throws std::invalid_argument
+namespace mc::refuses_by_another_name {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  try {
+    right_multi_jittered(x, y, grid, rng);
+  } catch (const std::invalid_argument& wrong) {
+    throw std::out_of_range(wrong.what());
+  }
+}
+}  // namespace mc::refuses_by_another_name
+
+// mistake: compares nx * ny in 64 bits, and allocates nx columns
+// caught by: 3.7 what is no grid of these points is refused
+// hint: the product of 64-bit numbers wraps around
+namespace mc::room_for_an_overflow {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
+  if (grid.nx * grid.ny != x.size() || x.empty()) {
+    throw std::invalid_argument("grid: nx * ny is not the number of points");
+  }
+  const std::vector<double> columns(grid.nx);
+  right_multi_jittered(x, y, grid, rng);
+}
+}  // namespace mc::room_for_an_overflow
+
+// mistake: shuffles the strata of x within their columns, but not those of y
+// caught by: 3.7 each point is uniform in its cell
+// hint: x is shuffled and y is not
+namespace mc::shuffles_x_only {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  require_grid(x, y, grid);
+  const Strata fine(x.size());
+  stratified_1d(x, rng);
+  for (std::size_t i = 0; i < grid.nx; ++i) {
+    shuffle(x.subspan(i * grid.ny, grid.ny), rng);
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+      y[i * grid.ny + j] = fine.place(static_cast<double>(j * grid.nx + i), to_unit(rng()));
+    }
+  }
+}
+}  // namespace mc::shuffles_x_only

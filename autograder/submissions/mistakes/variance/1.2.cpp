@@ -1,0 +1,65 @@
+// Mistakes in task 1.2.
+#include "variance.hpp"
+
+#include <numeric>
+
+#define variance_textbook right_variance_textbook
+#include "solutions/variance.cpp"
+#undef variance_textbook
+
+// mistake: uses a wider type, which hides the cancellation that the textbook formula must show
+// caught by: 1.2 the textbook formula loses everything under a large mean
+// hint: or a wider type
+namespace mc::textbook_in_long_double {
+double variance_textbook(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<long double>(x.size());
+  long double sum = 0;
+  long double sum_of_squares = 0;
+  for (long double value : x) {
+    sum += value;
+    sum_of_squares += value * value;
+  }
+  return static_cast<double>((sum_of_squares / n - sum / n * (sum / n)) * (n / (n - 1)));
+}
+}  // namespace mc::textbook_in_long_double
+
+// mistake: sums with std::accumulate(…, 0), in int
+// caught by: 1.2 the textbook formula gives
+// hint: added up in whole numbers
+namespace mc::textbook_in_whole_numbers {
+double variance_textbook(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  double sum_of_squares = 0;
+  for (double value : x) sum_of_squares += value * value;
+  const double mean = std::accumulate(x.begin(), x.end(), 0) / n;
+  return (sum_of_squares / n - mean * mean) * (n / (n - 1));
+}
+}  // namespace mc::textbook_in_whole_numbers
+
+// mistake: implements a better algorithm than the textbook's
+// caught by: 1.2 the textbook formula loses everything under a large mean
+// hint: this is a better algorithm under the textbook's name
+namespace mc::textbook_is_two_pass {
+double variance_textbook(std::span<const double> x) {
+  return variance_two_pass(x);
+}
+}  // namespace mc::textbook_is_two_pass
+
+// mistake: returns E{X^2} - E{X}^2 uncorrected, a variance over n
+// caught by: 1.2 the textbook formula gives the variance of tame data
+// hint: this divides by n
+namespace mc::textbook_over_n {
+double variance_textbook(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  double sum = 0;
+  double sum_of_squares = 0;
+  for (double value : x) {
+    sum += value;
+    sum_of_squares += value * value;
+  }
+  return sum_of_squares / n - sum / n * (sum / n);
+}
+}  // namespace mc::textbook_over_n

@@ -1,0 +1,203 @@
+// Mistakes in task 1.3.
+#include "variance.hpp"
+
+#define variance_two_pass right_variance_two_pass
+#include "solutions/variance.cpp"
+#undef variance_two_pass
+
+// mistake: returns the standard deviation instead of the variance
+// caught by: 1.3 the variance of constant data is zero, 1.3 the two-pass variance of tame data
+// caught by: 1.3 two passes keep their digits under a large mean, 1.3 two passes on hard cases
+// caught by: 1.3 sigma of aX
+// hint: this is the standard deviation
+namespace mc::standard_deviation {
+double variance_two_pass(std::span<const double> x) {
+  return std::sqrt(right_variance_two_pass(x));
+}
+}  // namespace mc::standard_deviation
+
+// mistake: lets the correction make the variance of constant data negative
+// caught by: 1.3 the variance of constant data is zero
+// hint: the correction is rounded, and may be larger than the sum: return 0 then
+namespace mc::two_pass_below_zero {
+double variance_two_pass(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  const double centre = mean(x);
+  double m2 = 0;
+  double correction = 0;
+  for (double value : x) {
+    m2 += (value - centre) * (value - centre);
+    correction += value - centre;
+  }
+  return (m2 - correction * correction / n) / (n - 1);
+}
+}  // namespace mc::two_pass_below_zero
+
+// mistake: lets the correction make the variance of constant data negative, with sums in four lanes
+// caught by: 1.3 the variance of constant data is zero
+// hint: the correction is rounded, and may be larger than the sum: return 0 then
+namespace mc::two_pass_below_zero_in_lanes {
+constexpr std::size_t sums_at_once = 4;
+
+template <class Term>
+double sum_in_lanes(std::span<const double> x, Term term) {
+  double sums[sums_at_once] = {};
+  for (std::size_t i = 0; i < x.size(); ++i) sums[i % sums_at_once] += term(x[i]);
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+double variance_two_pass(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  const double centre = sum_in_lanes(x, [](double value) { return value; }) / n;
+  const double m2 = sum_in_lanes(x, [=](double v) { return (v - centre) * (v - centre); });
+  const double correction = sum_in_lanes(x, [=](double value) { return value - centre; });
+  return (m2 - correction * correction / n) / (n - 1);
+}
+}  // namespace mc::two_pass_below_zero_in_lanes
+
+// mistake: limits m2 by std::max(0.0, m2), which is 0 for NaN
+// caught by: 1.3 two passes on hard cases
+// hint: is it std::max(0.0, NaN), which is 0?
+namespace mc::two_pass_hides_nan {
+double variance_two_pass(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  return std::max(0.0, right_variance_two_pass(x));
+}
+}  // namespace mc::two_pass_hides_nan
+
+// mistake: implements the textbook formula
+// caught by: 1.3 two passes keep their digits under a large mean
+// caught by: 1.3 the variance of constant data is zero, 1.3 two passes on hard cases
+// hint: these are the digits that E{X^2} - E{X}^2 gives
+namespace mc::two_pass_is_textbook {
+double variance_two_pass(std::span<const double> x) {
+  return variance_textbook(x);
+}
+}  // namespace mc::two_pass_is_textbook
+
+// mistake: uses one pass instead of two: the mean is rounded at every value
+// caught by: 1.3 two passes keep their digits under a large mean
+// hint: these are the digits of a running mean
+namespace mc::two_pass_is_welford {
+double variance_two_pass(std::span<const double> x) {
+  Moments all;
+  for (double value : x) add(all, value);
+  return variance(all);
+}
+}  // namespace mc::two_pass_is_welford
+
+// mistake: returns 0 as the variance of one value
+// caught by: 1.3 fewer than two values
+// hint: quiet_NaN() for what is undefined
+namespace mc::two_pass_of_one_is_zero {
+double variance_two_pass(std::span<const double> x) {
+  return x.size() < 2 ? 0 : right_variance_two_pass(x);
+}
+}  // namespace mc::two_pass_of_one_is_zero
+
+// mistake: divides by n instead of n - 1
+// caught by: 1.3 the two-pass variance of tame data
+// caught by: 1.3 two passes keep their digits under a large mean, 1.3 two passes on hard cases
+// hint: a sample variance divides by n - 1
+namespace mc::two_pass_over_n {
+double variance_two_pass(std::span<const double> x) {
+  const auto n = static_cast<double>(x.size());
+  return right_variance_two_pass(x) * ((n - 1) / n);
+}
+}  // namespace mc::two_pass_over_n
+
+// mistake: uses one pass about the first value, which may be far from the others
+// caught by: 1.3 two passes on hard cases
+// hint: is everything measured from a value that may lie far
+namespace mc::two_pass_shift_by_first {
+double variance_two_pass(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  double sum = 0, squares = 0;
+  for (double value : x) {
+    const double d = value - x.front();
+    sum += d;
+    squares += d * d;
+  }
+  return std::max(squares - sum * sum / n, 0.0) / (n - 1);
+}
+}  // namespace mc::two_pass_shift_by_first
+
+// mistake: uses one pass about the last value, which may be far from the others
+// caught by: 1.3 two passes on hard cases
+// hint: is everything measured from a value that may lie far
+namespace mc::two_pass_shift_by_last {
+double variance_two_pass(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  double sum = 0, squares = 0;
+  for (double value : x) {
+    const double d = value - x.back();
+    sum += d;
+    squares += d * d;
+  }
+  return std::max(squares - sum * sum / n, 0.0) / (n - 1);
+}
+}  // namespace mc::two_pass_shift_by_last
+
+// mistake: uses one pass about the middle value, which may be far from the others
+// caught by: 1.3 two passes on hard cases
+// hint: is everything measured from a value that may lie far
+namespace mc::two_pass_shift_by_middle {
+double variance_two_pass(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  double sum = 0, squares = 0;
+  for (double value : x) {
+    const double d = value - x[x.size() / 2];
+    sum += d;
+    squares += d * d;
+  }
+  return std::max(squares - sum * sum / n, 0.0) / (n - 1);
+}
+}  // namespace mc::two_pass_shift_by_middle
+
+// mistake: uses two passes without the correction for the rounded mean
+// caught by: 1.3 two passes keep their digits under a large mean
+// caught by: 1.3 the variance of constant data is zero
+// hint: the mean was rounded: take (sum of deviations)^2 / n off
+namespace mc::two_pass_uncorrected {
+double variance_two_pass(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const double centre = mean(x);
+  double m2 = 0;
+  for (double value : x) m2 += (value - centre) * (value - centre);
+  return m2 / static_cast<double>(x.size() - 1);
+}
+}  // namespace mc::two_pass_uncorrected
+
+// mistake: computes n / (n - 1) as integers, which is 1 from n = 3 on
+// caught by: 1.3 the two-pass variance of tame, 1.3 two passes keep, 1.3 two passes on hard
+// hint: n/(n-1) of whole numbers is 1
+namespace mc::two_pass_whole_division {
+double variance_two_pass(std::span<const double> x) {
+  const std::size_t n = x.size();
+  if (n < 2) return nan;
+  const double centre = mean(x);
+  double m2 = 0, off = 0;
+  for (double value : x) {
+    m2 += (value - centre) * (value - centre);
+    off += value - centre;
+  }
+  m2 -= off * off / static_cast<double>(n);
+  return std::max(m2, 0.0) / static_cast<double>(n) * static_cast<double>(n / (n - 1));
+}
+}  // namespace mc::two_pass_whole_division
+
+// mistake: treats a variance below 1e-12 as zero, whatever the scale of the data
+// caught by: 1.3 two passes on hard cases, 1.3 sigma of aX
+// hint: small is not zero
+// hint: the result depends on the scale of the data
+namespace mc::two_pass_with_threshold {
+double variance_two_pass(std::span<const double> x) {
+  const double variance = right_variance_two_pass(x);
+  return variance < 1e-12 ? 0 : variance;
+}
+}  // namespace mc::two_pass_with_threshold

@@ -1,0 +1,173 @@
+// Mistakes in task 1.4.
+#include "variance.hpp"
+
+#define variance right_variance
+#define add right_add
+#include "solutions/variance.cpp"
+#undef variance
+#undef add
+
+// mistake: converts the count to an int
+// caught by: 1.4 the variance of moments, 1.4 one more value
+// hint: is the count a whole number of 64 bits all the way?
+namespace mc::variance_counts_in_int {
+double variance(const Moments& moments) {
+  const int count = static_cast<int>(moments.count);
+  return count >= 0 && count < 2 ? nan : moments.m2 / (count - 1);
+}
+}  // namespace mc::variance_counts_in_int
+
+// mistake: counts in an unsigned int, which wraps to 0 at 2^32
+// caught by: 1.4 one more value after very many
+// hint: 32 bits count to 2^32 only
+namespace mc::welford_counts_in_32_bits {
+void add(Moments& moments, double x) {
+  const unsigned count = static_cast<unsigned>(moments.count) + 1;
+  ++moments.count;
+  const double before = x - moments.mean;
+  moments.mean += before / count;
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::welford_counts_in_32_bits
+
+// mistake: counts in a double, which adding 1 does not change from 2^53 on
+// caught by: 1.4 one more value after very many
+// hint: a double counts to 2^53 only
+namespace mc::welford_counts_in_double {
+void add(Moments& moments, double x) {
+  const double count = static_cast<double>(moments.count) + 1;
+  moments.count = static_cast<std::uint64_t>(count);
+  const double before = x - moments.mean;
+  moments.mean += before / count;
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::welford_counts_in_double
+
+// mistake: counts in a float, which adding 1 does not change from 2^24 on
+// caught by: 1.4 one more value after very many, 1.4 Welford survives a stream
+// hint: a float counts to 2^24 only
+namespace mc::welford_counts_in_float {
+void add(Moments& moments, double x) {
+  const float count = static_cast<float>(moments.count) + 1;
+  const double before = x - moments.mean;
+  moments.count = static_cast<std::uint64_t>(count);
+  moments.mean += before / count;
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::welford_counts_in_float
+
+// mistake: counts in an int, which is negative from 2^31 on
+// caught by: 1.4 one more value after very many
+// hint: an int counts to 2^31 only
+namespace mc::welford_counts_in_int {
+void add(Moments& moments, double x) {
+  const int count = static_cast<int>(++moments.count);
+  const double before = x - moments.mean;
+  moments.mean += before / count;
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::welford_counts_in_int
+
+// mistake: divides by the count before this value
+// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
+// caught by: 1.4 Welford on constant data, 1.4 Welford survives a stream
+// hint: with the count that includes x
+namespace mc::welford_counts_late {
+void add(Moments& moments, double x) {
+  const double before = x - moments.mean;
+  moments.mean += before / static_cast<double>(moments.count);
+  ++moments.count;
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::welford_counts_late
+
+// mistake: keeps the sum of squares and subtracts the mean, which is the textbook formula
+// caught by: 1.4 Welford keeps his digits, 1.4 Welford on constant data
+// hint: not the sum of x^2
+namespace mc::welford_keeps_squares {
+void add(Moments& moments, double x) {
+  const auto before = static_cast<double>(moments.count++);
+  const auto count = static_cast<double>(moments.count);
+  const double squares = moments.m2 + before * moments.mean * moments.mean + x * x;
+  moments.mean += (x - moments.mean) / count;
+  moments.m2 = squares - count * moments.mean * moments.mean;
+}
+}  // namespace mc::welford_keeps_squares
+
+// mistake: keeps n times the sample variance in m2
+// caught by: 1.4 add keeps, 1.4 the variance of moments, 1.4 Welford keeps, 1.4 Welford on constant
+// hint: this is n times the sample variance
+namespace mc::welford_m2_is_n_variances {
+void add(Moments& moments, double x) {
+  const auto before = static_cast<double>(moments.count);
+  if (before > 0) moments.m2 *= (before - 1) / before;
+  right_add(moments, x);
+  const auto count = static_cast<double>(moments.count);
+  if (count > 1) moments.m2 *= count / (count - 1);
+}
+
+double variance(const Moments& moments) {
+  return moments.count < 2 ? nan : moments.m2 / static_cast<double>(moments.count);
+}
+}  // namespace mc::welford_m2_is_n_variances
+
+// mistake: updates the mean by a step that is rounded to a float
+// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
+// caught by: 1.4 Welford on constant data
+// hint: is anything here a float?
+namespace mc::welford_mean_in_float {
+void add(Moments& moments, double x) {
+  ++moments.count;
+  const double before = x - moments.mean;
+  moments.mean += static_cast<float>(before) / static_cast<float>(moments.count);
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::welford_mean_in_float
+
+// mistake: squares the distance from the new mean, (x - new mean)^2
+// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
+// caught by: 1.4 Welford on constant data, 1.4 Welford survives a stream
+// hint: this is the new one, twice
+namespace mc::welford_new_mean {
+void add(Moments& moments, double x) {
+  ++moments.count;
+  moments.mean += (x - moments.mean) / static_cast<double>(moments.count);
+  const double after = x - moments.mean;
+  moments.m2 += after * after;
+}
+}  // namespace mc::welford_new_mean
+
+// mistake: squares the distance from the old mean, (x - old mean)^2
+// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
+// caught by: 1.4 Welford on constant data, 1.4 Welford survives a stream
+// hint: this is the old one, twice
+namespace mc::welford_old_mean {
+void add(Moments& moments, double x) {
+  ++moments.count;
+  const double before = x - moments.mean;
+  moments.mean += before / static_cast<double>(moments.count);
+  moments.m2 += before * before;
+}
+}  // namespace mc::welford_old_mean
+
+// mistake: divides m2 by n instead of n - 1
+// caught by: 1.4 the variance of moments
+// hint: this divides by n; a sample variance divides by n - 1
+namespace mc::welford_over_n {
+double variance(const Moments& moments) {
+  return moments.count < 2 ? nan : moments.m2 / static_cast<double>(moments.count);
+}
+}  // namespace mc::welford_over_n
+
+// mistake: computes 1 / count as integers, which is 0 from the second value on
+// caught by: 1.4 add keeps, 1.4 Welford keeps, 1.4 Welford on constant, 1.4 Welford survives
+// caught by: 1.4 one more value
+// hint: an integer division, which is 0
+namespace mc::welford_whole_division {
+void add(Moments& moments, double x) {
+  ++moments.count;
+  const double before = x - moments.mean;
+  moments.mean += before * static_cast<double>(1 / moments.count);
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::welford_whole_division

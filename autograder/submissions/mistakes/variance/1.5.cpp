@@ -1,0 +1,125 @@
+// Mistakes in task 1.5.
+#include "variance.hpp"
+
+#define merge right_merge
+#include "solutions/variance.cpp"
+#undef merge
+
+// mistake: adds the counts as doubles, which are rounded above 2^53
+// caught by: 1.5 merging very unequal
+// hint: the counts add up, as whole numbers of 64 bits
+namespace mc::merge_adds_counts_in_double {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  all.count =
+      static_cast<std::uint64_t>(static_cast<double>(a.count) + static_cast<double>(b.count));
+  return all;
+}
+}  // namespace mc::merge_adds_counts_in_double
+
+// mistake: measures both parts from their common mean, after rounding it
+// caught by: 1.5 merging very unequal and very long parts
+// hint: both parts were measured from the merged mean, which is rounded
+namespace mc::merge_by_rounded_mean {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  const double from_a = a.mean - all.mean;
+  const double from_b = b.mean - all.mean;
+  all.m2 = a.m2 + static_cast<double>(a.count) * from_a * from_a +  //
+           b.m2 + static_cast<double>(b.count) * from_b * from_b;
+  return all;
+}
+}  // namespace mc::merge_by_rounded_mean
+
+// mistake: adds the distance of the two means, not its square
+// caught by: 1.5 merging two parts, 1.5 parts of real data, 1.5 merging very unequal
+// hint: the distance of the means is squared
+namespace mc::merge_distance_not_squared {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  if (a.count == 0 || b.count == 0) return all;
+  const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
+  all.m2 = a.m2 + b.m2 + std::abs(b.mean - a.mean) * (n_a / (n_a + n_b) * n_b);
+  return all;
+}
+}  // namespace mc::merge_distance_not_squared
+
+// mistake: divides n_a n_b by n as integers
+// caught by: 1.5 merging two parts, 1.5 parts of real data, 1.5 merging very unequal
+// hint: n_a n_b / n was divided as whole numbers
+namespace mc::merge_divides_whole_counts {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  if (a.count == 0 || b.count == 0) return all;
+  const double apart = b.mean - a.mean;
+  all.m2 = a.m2 + b.m2 + apart * apart * static_cast<double>(a.count * b.count / all.count);
+  return all;
+}
+}  // namespace mc::merge_divides_whole_counts
+
+// mistake: averages the two means, whatever the counts
+// caught by: 1.5 merging two parts equals adding all values
+// caught by: 1.5 parts of real data merge to the whole
+// caught by: 1.5 merging very unequal and very long parts
+// hint: the mean of two means is right only for equal counts
+namespace mc::merge_mean_of_means {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  if (a.count > 0 && b.count > 0) all.mean = (a.mean + b.mean) / 2;
+  return all;
+}
+}  // namespace mc::merge_mean_of_means
+
+// mistake: multiplies the counts as integers, which overflow 64 bits
+// caught by: 1.5 merging very unequal and very long parts
+// hint: the counts were multiplied as 64-bit whole numbers
+namespace mc::merge_multiplies_whole_counts {
+Moments merge(const Moments& a, const Moments& b) {
+  if (a.count == 0) return b;
+  if (b.count == 0) return a;
+  const std::uint64_t count = a.count + b.count;
+  const auto n = static_cast<double>(count);
+  const double apart = b.mean - a.mean;
+  return {count, a.mean + apart * (static_cast<double>(b.count) / n),
+          a.m2 + b.m2 + apart * apart * static_cast<double>(a.count * b.count) / n};
+}
+}  // namespace mc::merge_multiplies_whole_counts
+
+// mistake: divides by n even if both parts are empty
+// caught by: 1.5 merging with an empty part changes nothing
+// caught by: 1.5 parts of real data merge to the whole
+// hint: 0/0 is NaN: look for an empty part first
+namespace mc::merge_nothing_is_nan {
+Moments merge(const Moments& a, const Moments& b) {
+  const auto n_a = static_cast<double>(a.count);
+  const auto n_b = static_cast<double>(b.count);
+  const double apart = b.mean - a.mean;
+  return {a.count + b.count, a.mean + apart * (n_b / (n_a + n_b)),
+          a.m2 + b.m2 + apart * apart * (n_a / (n_a + n_b) * n_b)};
+}
+}  // namespace mc::merge_nothing_is_nan
+
+// mistake: computes n_b / n as integers, which is 0
+// caught by: 1.5 merging two parts, 1.5 parts of real data, 1.5 merging very unequal
+// hint: this is the first part's mean alone
+namespace mc::merge_share_in_whole_numbers {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  if (all.count == 0) return all;
+  all.mean = a.mean + (b.mean - a.mean) * static_cast<double>(b.count / all.count);
+  return all;
+}
+}  // namespace mc::merge_share_in_whole_numbers
+
+// mistake: adds both m2 but not the variation between the two parts
+// caught by: 1.5 merging two parts equals adding all values
+// caught by: 1.5 parts of real data merge to the whole
+// caught by: 1.5 merging very unequal and very long parts
+// hint: two parts with different means vary between them too
+namespace mc::merge_without_between {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  all.m2 = a.m2 + b.m2;
+  return all;
+}
+}  // namespace mc::merge_without_between

@@ -1,0 +1,87 @@
+// Mistakes in task 1.6.
+#include "variance.hpp"
+
+#define covariance right_covariance
+#include "solutions/variance.cpp"
+#undef covariance
+
+// mistake: returns the correlation instead of the covariance
+// caught by: 1.6 the covariance of pairs, 1.6 the covariance keeps its digits under
+// caught by: 1.6 the covariance keeps its digits at any scale
+// hint: this is the correlation
+namespace mc::correlation {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  return right_covariance(x, y) / std::sqrt(variance_two_pass(x) * variance_two_pass(y));
+}
+}  // namespace mc::correlation
+
+// mistake: computes the covariance from Var{X + Y}, in which the larger variance swamps the smaller
+// caught by: 1.6 the covariance keeps its digits at any scale
+// hint: Is it taken from Var{X + Y}?
+namespace mc::covariance_by_polarisation {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
+  std::vector<double> sum(x.begin(), x.end());
+  for (std::size_t i = 0; i < x.size(); ++i) sum[i] += y[i];
+  return (variance_two_pass(sum) - variance_two_pass(x) - variance_two_pass(y)) / 2;
+}
+}  // namespace mc::covariance_by_polarisation
+
+// mistake: uses E{XY} - E{X} E{Y}, the textbook formula of the covariance
+// caught by: 1.6 the covariance keeps its digits under
+// hint: E{XY} - E{X}E{Y} is the textbook formula again
+namespace mc::covariance_is_textbook {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  double products = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) products += x[i] * y[i];
+  return (products / n - mean(x) * mean(y)) * (n / (n - 1));
+}
+}  // namespace mc::covariance_is_textbook
+
+// mistake: uses the shorter size if the sizes differ
+// caught by: 1.6 lists of two sizes, 1.6 the refusal names
+// hint: misuse throws std::invalid_argument
+namespace mc::covariance_of_fewer_pairs {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  const std::size_t pairs = std::min(x.size(), y.size());
+  return right_covariance(x.first(pairs), y.first(pairs));
+}
+}  // namespace mc::covariance_of_fewer_pairs
+
+// mistake: divides by n instead of n - 1
+// caught by: 1.6 the covariance of pairs, 1.6 the covariance keeps its digits under
+// caught by: 1.6 the covariance keeps its digits at any scale
+// hint: this divides by n; a sample covariance divides by n - 1
+namespace mc::covariance_over_n {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  const auto n = static_cast<double>(x.size());
+  return right_covariance(x, y) * ((n - 1) / n);
+}
+}  // namespace mc::covariance_over_n
+
+// mistake: throws for different sizes with a message that does not name the argument
+// caught by: 1.6 the refusal names
+// hint: say in the exception's text which argument is wrong
+namespace mc::covariance_refuses_without_a_word {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  if (x.size() != y.size()) throw std::invalid_argument("bad");
+  return right_covariance(x, y);
+}
+}  // namespace mc::covariance_refuses_without_a_word
+
+// mistake: returns E{XY} without subtracting anything
+// caught by: 1.6 the covariance of pairs, 1.6 the covariance keeps its digits under
+// caught by: 1.6 the covariance keeps its digits at any
+// hint: the means are not in it
+namespace mc::covariance_without_means {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
+  if (x.size() < 2) return nan;
+  double products = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) products += x[i] * y[i];
+  return products / static_cast<double>(x.size() - 1);
+}
+}  // namespace mc::covariance_without_means

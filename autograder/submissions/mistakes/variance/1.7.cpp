@@ -1,0 +1,136 @@
+// Mistakes in task 1.7.
+#include "variance.hpp"
+
+#define dependence right_dependence
+#include "solutions/variance.cpp"
+#undef dependence
+
+// mistake: takes the weights for probabilities
+// caught by: 1.7 the dependence of a joint table, 1.7 independent variables have dependence zero
+// caught by: 1.7 the circle
+// hint: the weights are no probabilities yet: divide by their total
+namespace mc::dependence_not_normalised {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  right_dependence(joint, columns);  // for what it throws
+  std::vector<double> p_x(joint.size() / columns), p_y(columns);
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    p_x[i / columns] += joint[i];
+    p_y[i % columns] += joint[i];
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    largest = std::max(largest, std::abs(joint[i] - p_x[i / columns] * p_y[i % columns]));
+  }
+  return largest;
+}
+}  // namespace mc::dependence_not_normalised
+
+// mistake: sums the differences of all cells
+// caught by: 1.7 the dependence of a joint table, 1.7 independent variables, 1.7 the circle
+// hint: this is the sum of all cells' differences
+namespace mc::dependence_of_all_cells {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  right_dependence(joint, columns);  // for what it throws
+  double total = 0, sum = 0;
+  for (double weight : joint) total += weight;
+  std::vector<double> p_x(joint.size() / columns), p_y(columns);
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    p_x[i / columns] += joint[i] / total;
+    p_y[i % columns] += joint[i] / total;
+  }
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    sum += std::abs(joint[i] / total - p_x[i / columns] * p_y[i % columns]);
+  }
+  return sum;
+}
+}  // namespace mc::dependence_of_all_cells
+
+// mistake: returns the largest p(x,y) - p(x)p(y), without the absolute value
+// caught by: 1.7 the dependence of a joint table, 1.7 the circle
+// hint: abs()
+namespace mc::dependence_one_sided {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  right_dependence(joint, columns);  // for what it throws
+  double total = 0;
+  for (double weight : joint) total += weight;
+  std::vector<double> p_x(joint.size() / columns), p_y(columns);
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    p_x[i / columns] += joint[i] / total;
+    p_y[i % columns] += joint[i] / total;
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    largest = std::max(largest, joint[i] / total - p_x[i / columns] * p_y[i % columns]);
+  }
+  return largest;
+}
+}  // namespace mc::dependence_one_sided
+
+// mistake: throws with a message that does not name the argument
+// caught by: 1.7 each refusal
+// hint: say in the exception's text which argument is wrong
+namespace mc::dependence_refuses_without_a_word {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  try {
+    return right_dependence(joint, columns);
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument("");
+  }
+}
+}  // namespace mc::dependence_refuses_without_a_word
+
+// mistake: skips empty cells, as an entropy would
+// caught by: 1.7 the dependence of a joint table, 1.7 the circle
+// hint: the largest difference is in an empty cell
+namespace mc::dependence_skips_empty_cells {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  right_dependence(joint, columns);  // for what it throws
+  double total = 0;
+  for (double weight : joint) total += weight;
+  std::vector<double> p_x(joint.size() / columns), p_y(columns);
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    p_x[i / columns] += joint[i] / total;
+    p_y[i % columns] += joint[i] / total;
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    if (joint[i] == 0) continue;
+    largest = std::max(largest, std::abs(joint[i] / total - p_x[i / columns] * p_y[i % columns]));
+  }
+  return largest;
+}
+}  // namespace mc::dependence_skips_empty_cells
+
+// mistake: swaps rows and columns, as if the table were stored column by column
+// caught by: 1.7 the dependence of a joint table, 1.7 independent variables have dependence zero
+// hint: rows and columns are swapped
+namespace mc::dependence_swaps_marginals {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  right_dependence(joint, columns);  // for what it throws
+  return right_dependence(joint, joint.size() / columns);
+}
+}  // namespace mc::dependence_swaps_marginals
+
+// mistake: accepts negative and NaN weights
+// caught by: 1.7 what is no distribution, 1.7 each refusal names
+// hint: misuse throws std::invalid_argument
+namespace mc::dependence_takes_any_weights {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  std::vector<double> weights(joint.begin(), joint.end());
+  for (double& weight : weights) weight = weight > 0 ? weight : 0;
+  return right_dependence(weights, columns);
+}
+}  // namespace mc::dependence_takes_any_weights
+
+// mistake: throws std::domain_error
+// caught by: 1.7 what is no distribution, 1.7 each refusal
+// hint: threw another exception
+namespace mc::dependence_throws_domain_error {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  try {
+    return right_dependence(joint, columns);
+  } catch (const std::invalid_argument& error) {
+    throw std::domain_error(error.what());
+  }
+}
+}  // namespace mc::dependence_throws_domain_error

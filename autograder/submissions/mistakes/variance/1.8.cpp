@@ -1,0 +1,212 @@
+// Mistakes in task 1.8.
+#include "variance.hpp"
+
+#define moments right_moments
+#include "solutions/variance.cpp"
+#undef moments
+
+// mistake: uses the textbook formula, because one pass is fast
+// caught by: 1.8 the moments keep their digits on hard data
+// hint: these are the digits that E{X^2} - E{X}^2 gives
+namespace mc::moments_are_textbook {
+Moments moments(std::span<const double> x) {
+  if (x.empty()) return {};
+  const auto n = static_cast<double>(x.size());
+  double sum = 0;
+  double sum_of_squares = 0;
+  for (double value : x) {
+    sum += value;
+    sum_of_squares += value * value;
+  }
+  return {x.size(), sum / n, sum_of_squares - sum * sum / n};
+}
+}  // namespace mc::moments_are_textbook
+
+// mistake: uses Welford's update, whose running mean is rounded at the scale of the data
+// caught by: 1.8 the moments keep their digits on hard data
+// hint: these are the digits of a running mean
+namespace mc::moments_are_welford {
+Moments moments(std::span<const double> x) {
+  Moments all;
+  for (double value : x) add(all, value);
+  return all;
+}
+}  // namespace mc::moments_are_welford
+
+// mistake: skips the values that do not fill a last block of 16
+// caught by: 1.8 the moments of a list of any length
+// caught by: 1.8 the moments keep their digits on hard data
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: also those in a last, shorter block
+namespace mc::moments_drop_the_last_block {
+Moments moments(std::span<const double> x) {
+  return right_moments(x.first(x.size() / 16 * 16));
+}
+}  // namespace mc::moments_drop_the_last_block
+
+// mistake: limits m2 by std::max(0.0, m2), which is 0 for NaN
+// caught by: 1.8 the moments keep their digits on hard data
+// hint: is it std::max(0.0, NaN), which is 0?
+namespace mc::moments_hide_nan {
+Moments moments(std::span<const double> x) {
+  Moments all = right_moments(x);
+  all.m2 = std::max(0.0, all.m2);
+  return all;
+}
+}  // namespace mc::moments_hide_nan
+
+// mistake: sums in float lanes, twice as many per register
+// caught by: 1.8 the moments of a list of any length
+// caught by: 1.8 the moments keep their digits on hard data
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: Is any sum a float?
+namespace mc::moments_in_float_lanes {
+Moments moments(std::span<const double> x) {
+  if (x.empty()) return {};
+  float sum = 0, m2 = 0;
+  for (double value : x) sum += static_cast<float>(value - x[0]);
+  const float offset = sum / static_cast<float>(x.size());
+  for (double value : x) {
+    const float deviation = static_cast<float>(value - x[0]) - offset;
+    m2 += deviation * deviation;
+  }
+  return {x.size(), x[0] + offset, m2};
+}
+}  // namespace mc::moments_in_float_lanes
+
+// mistake: shifts the data but does not shift the mean back
+// caught by: 1.8 the moments of a list of any length
+// caught by: 1.8 the moments keep their digits on hard data
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: was the shift put back
+namespace mc::moments_leave_the_shift {
+Moments moments(std::span<const double> x) {
+  Moments all = right_moments(x);
+  if (!x.empty()) all.mean -= shift_near(x);
+  return all;
+}
+}  // namespace mc::moments_leave_the_shift
+
+// mistake: merges blocks by their means, each rounded at the scale of the data
+// caught by: 1.8 the moments keep their digits on hard data
+// hint: is a mean rounded here before it is compared
+namespace mc::moments_merge_rounded_means {
+Moments moments(std::span<const double> x) {
+  Moments all;
+  for (std::size_t first = 0; first < x.size(); first += block_size) {
+    const auto block = x.subspan(first, std::min(block_size, x.size() - first));
+    all = merge(all, right_moments(block));
+  }
+  return all;
+}
+}  // namespace mc::moments_merge_rounded_means
+
+// mistake: returns mean and m2 with a count of 0
+// caught by: 1.8 the moments of a list of any length
+// caught by: 1.8 the moments keep their digits on hard data
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: count is never set
+namespace mc::moments_never_count {
+Moments moments(std::span<const double> x) {
+  const Moments all = right_moments(x);
+  return {0, all.mean, all.m2};
+}
+}  // namespace mc::moments_never_count
+
+// mistake: divides by the count even if it is 0
+// caught by: 1.8 the moments of no values
+// hint: nothing to add, nothing to divide by
+namespace mc::moments_of_nothing_are_nan {
+Moments moments(std::span<const double> x) {
+  return x.empty() ? Moments{0, nan, nan} : right_moments(x);
+}
+}  // namespace mc::moments_of_nothing_are_nan
+
+// mistake: uses one pass about the median of three values, all of which may be far from the others
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: far from all others
+namespace mc::moments_shift_by_one_of_three {
+Moments moments(std::span<const double> x) {
+  if (x.empty()) return {};
+  const auto n = static_cast<double>(x.size());
+  const double first = x.front(), middle = x[x.size() / 2], last = x.back();
+  const double shift = std::max(std::min(first, middle), std::min(std::max(first, middle), last));
+  double sum = 0;
+  double sum_of_squares = 0;
+  for (double value : x) {
+    sum += value - shift;
+    sum_of_squares += (value - shift) * (value - shift);
+  }
+  return {x.size(), shift + sum / n, std::max(sum_of_squares - sum * sum / n, 0.0)};
+}
+}  // namespace mc::moments_shift_by_one_of_three
+
+// mistake: uses one pass about the first value, which may be far from the others
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: these are the digits of sums about the first value
+namespace mc::moments_shift_by_the_first {
+Moments moments(std::span<const double> x) {
+  if (x.empty()) return {};
+  const auto n = static_cast<double>(x.size());
+  const double shift = x[0];
+  double sum = 0;
+  double sum_of_squares = 0;
+  for (double value : x) {
+    sum += value - shift;
+    sum_of_squares += (value - shift) * (value - shift);
+  }
+  return {x.size(), shift + sum / n, sum_of_squares - sum * sum / n};
+}
+}  // namespace mc::moments_shift_by_the_first
+
+// mistake: sums in blocks and lanes about the first value, which may be far from the others
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: is everything measured from a value that may lie far
+namespace mc::moments_shift_by_the_first_in_blocks {
+Moments moments(std::span<const double> x) {
+  if (x.empty()) return {};
+  Moments all;
+  for (std::size_t first = 0; first < x.size(); first += block_size) {
+    const std::size_t size = std::min(block_size, x.size() - first);
+    all = merge(all, moments_from(x[0], x.subspan(first, size)));
+  }
+  all.mean += x[0];
+  return all;
+}
+}  // namespace mc::moments_shift_by_the_first_in_blocks
+
+// mistake: uses one pass about the last value, which may be far from the others
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: is everything measured from a value that may lie far
+namespace mc::moments_shift_by_the_last {
+Moments moments(std::span<const double> x) {
+  if (x.empty()) return {};
+  const auto n = static_cast<double>(x.size());
+  const double shift = x.back();
+  double sum = 0;
+  double sum_of_squares = 0;
+  for (double value : x) {
+    sum += value - shift;
+    sum_of_squares += (value - shift) * (value - shift);
+  }
+  return {x.size(), shift + sum / n, sum_of_squares - sum * sum / n};
+}
+}  // namespace mc::moments_shift_by_the_last
+
+// mistake: uses one pass about the middle value, which may be far from the others
+// caught by: 1.8 the moments keep their digits beside outliers
+// hint: is everything measured from a value that may lie far
+namespace mc::moments_shift_by_the_middle {
+Moments moments(std::span<const double> x) {
+  if (x.empty()) return {};
+  const auto n = static_cast<double>(x.size());
+  const double shift = x[x.size() / 2];
+  double sum = 0;
+  double sum_of_squares = 0;
+  for (double value : x) {
+    sum += value - shift;
+    sum_of_squares += (value - shift) * (value - shift);
+  }
+  return {x.size(), shift + sum / n, sum_of_squares - sum * sum / n};
+}
+}  // namespace mc::moments_shift_by_the_middle

@@ -1,0 +1,120 @@
+#include "tests/self_test/catalog.hpp"
+
+#include <cxxabi.h>
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <memory>
+
+#include "grader/context/errors.hpp"
+#include "runner/text.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::self_test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The functions of namespace mc that objects define or need: mangled names by readable ones.
+std::map<std::string, std::string> functions(const std::vector<fs::path>& objects,
+                                             const std::string& which) {
+  std::vector<std::string> command{"nm", "-P", which};
+  for (const fs::path& object : objects) command.push_back(object.string());
+  const sandbox::ProcessResult run = sandbox::run_process(command);
+  if (!run.succeeded()) throw grader::MachineError("nm: " + run.errors);
+  std::map<std::string, std::string> mangled;
+  for (const std::string_view line : text::split(run.output, '\n')) {
+    const std::string name(line.substr(0, line.find(' ')));
+    const std::unique_ptr<char, decltype(&std::free)> readable(
+        abi::__cxa_demangle(name.c_str(), nullptr, nullptr, nullptr), &std::free);
+    if (readable && std::string_view(readable.get()).starts_with("mc::")) {
+      mangled[readable.get()] = name;
+    }
+  }
+  return mangled;
+}
+
+}  // namespace
+
+bool is_catalog(const fs::path& file) {
+  return std::isdigit(static_cast<unsigned char>(file.filename().string()[0])) != 0;
+}
+
+std::vector<Subject> subjects_in(const fs::path& file) {
+  if (!is_catalog(file)) return {{file, ""}};
+  std::vector<Subject> subjects;
+  std::ifstream text(file);
+  for (std::string line; std::getline(text, line);) {
+    const std::string start = "namespace mc::";
+    if (!line.starts_with(start) || !line.ends_with(" {")) continue;
+    subjects.push_back({file, line.substr(start.size(), line.size() - start.size() - 2)});
+  }
+  return subjects;
+}
+
+std::vector<std::string> said(const Subject& subject, const std::string& key) {
+  const std::string start = "// " + key + ": ";
+  const bool names_checks = key == "caught by" || key == "fails";
+  std::vector<std::string> values;
+  std::ifstream file(subject.file);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(start)) {
+      const std::string value = line.substr(start.size());
+      if (names_checks) {
+        for (const std::string_view name : text::split(value, ',')) {
+          values.emplace_back(name.substr(name.find_first_not_of(' ')));
+        }
+      } else {
+        values.push_back(value);
+      }
+    }
+    if (line.starts_with("//")) continue;
+    if (subject.mistake.empty() || line == "namespace mc::" + subject.mistake + " {") return values;
+    values.clear();
+  }
+  throw grader::UsageError(subject.file.string() + " has no mistake " + subject.mistake);
+}
+
+CatalogLock::CatalogLock(const fs::path& slot) {
+  fs::create_directories(slot);
+  lock_ = sandbox::Descriptor(open((slot / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644),
+                              "opening the lock");
+  flock(lock_.get(), LOCK_EX);
+}
+
+std::vector<Definition> definitions_of(const grader::Layout& layout, const grader::Lab& lab,
+                                       const fs::path& object, const Subject& subject) {
+  std::vector<fs::path> callers = layout.objects.at(lab.name);
+  callers.push_back(object);
+  const auto defined = functions({object}, "--defined-only");
+  std::vector<Definition> definitions;
+  bool differs = false;
+  for (const auto& [name, symbol] : functions(callers, "--undefined-only")) {
+    const std::string function = name.substr(std::string_view("mc::").size());
+    const auto mistaken = defined.find("mc::" + subject.mistake + "::" + function);
+    const auto right = defined.find("mc::right_" + function);
+    const bool is_mistaken = mistaken != defined.end();
+    if (!is_mistaken && right == defined.end()) continue;
+    differs = differs || is_mistaken;
+    definitions.push_back({symbol, (is_mistaken ? mistaken : right)->second, is_mistaken});
+  }
+  if (!differs) throw grader::UsageError(subject.mistake + " replaces no function of the lab");
+  return definitions;
+}
+
+std::vector<std::string> linker_flags(const std::vector<Definition>& definitions,
+                                      const std::string& instead) {
+  std::vector<std::string> flags;
+  for (const Definition& one : definitions) {
+    const bool replaced = one.is_mistaken && !instead.empty();
+    flags.push_back("-Wl,--defsym=" + one.function + '=' + (replaced ? instead : one.replacement));
+  }
+  return flags;
+}
+
+}  // namespace mc::self_test

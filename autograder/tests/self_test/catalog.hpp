@@ -1,0 +1,56 @@
+#pragma once
+// Catalogs: files of mistakes that are compiled once. Each mistake is a namespace with the functions
+// that differ from the solution's; the linker puts them in place.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/context/labs.hpp"
+#include "grader/context/layout.hpp"
+#include "sandbox/descriptor.hpp"
+
+namespace mc::self_test {
+
+/// A submission of the repository: a file, or one mistake of a catalog.
+struct Subject {
+  std::filesystem::path file;
+  std::string mistake = {};  ///< its namespace; empty for a whole file
+};
+
+/// A file of mistakes that is named for a task, `mistakes/halton/5.1.cpp`, is a catalog.
+bool is_catalog(const std::filesystem::path& file);
+
+/// The mistakes of a catalog; of any other file, the file itself.
+std::vector<Subject> subjects_in(const std::filesystem::path& file);
+
+/// The values of "// key: value" in the comment that a file begins with, or that is above a mistake
+/// of a catalog. Names of checks are separated by commas.
+std::vector<std::string> said(const Subject& subject, const std::string& key);
+
+/// One process at a time: the first compiles a catalog, the others wait for it.
+class CatalogLock {
+ public:
+  explicit CatalogLock(const std::filesystem::path& slot);
+
+ private:
+  sandbox::Descriptor lock_;
+};
+
+/// A public function of the lab that the catalog has renamed, and what defines it instead.
+struct Definition {
+  std::string function;      ///< mangled, as are the others
+  std::string replacement;   ///< of the mistake's namespace, or else the solution's right_function
+  bool is_mistaken = false;  ///< the former
+};
+
+/// All of them for one mistake. Throws UsageError where it replaces none.
+std::vector<Definition> definitions_of(const grader::Layout& layout, const grader::Lab& lab,
+                                       const std::filesystem::path& object, const Subject& subject);
+
+/// The linker's flags that put them in place, or that put `instead` in the place of what is
+/// mistaken.
+std::vector<std::string> linker_flags(const std::vector<Definition>& definitions,
+                                      const std::string& instead = {});
+
+}  // namespace mc::self_test
