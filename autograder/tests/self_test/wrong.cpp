@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -171,8 +172,8 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   std::erase_if(expected, [&](const std::string& name) { return !again.contains(name); });
   compare_limits(subject, first);
   std::uint64_t seed = 2;
-  const Kept kept(proof);
-  if (seeds > 1) seed = std::max<std::uint64_t>(2, kept.resume([](const auto&) {}) + 1);
+  std::optional<Kept> kept;
+  if (seeds > 1) seed = std::max(seed, kept.emplace(proof).resume([](const auto&) {}) + 1);
   LabVerdict shown = first;
   std::uint64_t seed_shown = 1;
   for (; seed <= seeds && complaints() == before; ++seed) {
@@ -183,7 +184,7 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
       shown = verdict;
       seed_shown = seed;
     } else {
-      kept.keep(rejections(verdict));
+      kept->keep(rejections(verdict));
     }
   }
   if (complaints() == before) fmt::print("the same fate with {} seeds\n", seeds);

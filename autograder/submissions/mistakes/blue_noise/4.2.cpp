@@ -5,30 +5,59 @@
 #include "solutions/blue_noise.cpp"
 #undef best_candidate
 
+namespace mc {
+namespace {
+
+double right_count(double c, std::size_t i) {
+  return std::ceil(c * static_cast<double>(i)) + 1;
+}
+
+/// The distance of a candidate from the nearest of the first i points.
+double distance_to_all(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate) {
+  double nearest = 1;
+  for (std::size_t p = 0; p < i; ++p) {
+    nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
+  }
+  return nearest;
+}
+
+/// Point i is the one of count(c, i) candidates whose distance(x, y, i, candidate) is the largest.
+template <class Count, class Distance>
+void choose(std::span<double> x, std::span<double> y, double c, Rng& rng, Count count,
+            Distance distance) {
+  require_pairs(x.size(), y.size());
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double candidates = count(c, i);
+    double best = -1;
+    for (double k = 0; k < candidates; ++k) {
+      const Point2 candidate = uniform_point(rng);
+      const double nearest = distance(x, y, i, candidate);
+      if (nearest <= best) continue;
+      best = nearest;
+      x[i] = candidate.x;
+      y[i] = candidate.y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: compares candidates within the square, so points crowd at its edges
 // caught by: 4.2 each point is the best of its candidates, 4.2 best candidates are blue
 // hint: these are the best candidates within the square
 namespace mc::candidates_in_the_square {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i; ++p) {
-        nearest = std::min(nearest, (candidate.x - x[p]) * (candidate.x - x[p]) +
-                                        (candidate.y - y[p]) * (candidate.y - y[p]));
-      }
-      if (nearest > best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
+double distance(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate) {
+  double nearest = 1;
+  for (std::size_t p = 0; p < i; ++p) {
+    nearest = std::min(nearest, (candidate.x - x[p]) * (candidate.x - x[p]) +
+                                    (candidate.y - y[p]) * (candidate.y - y[p]));
   }
+  return nearest;
+}
+void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
+  choose(x, y, c, rng, right_count, distance);
 }
 }  // namespace mc::candidates_in_the_square
 
@@ -102,24 +131,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // limit: time
 namespace mc::compares_with_all {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i; ++p) {
-        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-      }
-      if (nearest > best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-  }
+  choose(x, y, c, rng, right_count, distance_to_all);
 }
 }  // namespace mc::compares_with_all
 
@@ -128,24 +140,8 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // hint: does not depend on c
 namespace mc::deaf_to_c {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = static_cast<double>(i) + 1;
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i; ++p) {
-        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-      }
-      if (nearest > best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-  }
+  const auto count = [](double, std::size_t i) { return static_cast<double>(i) + 1; };
+  choose(x, y, c, rng, count, distance_to_all);
 }
 }  // namespace mc::deaf_to_c
 
@@ -154,25 +150,11 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // hint: these candidates are far from the last point
 namespace mc::farthest_from_the_last {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i; ++p) {
-        nearest =
-            std::min(nearest, p + 1 == i ? toroidal_distance_squared(candidate, {x[p], y[p]}) : 1);
-      }
-      if (nearest > best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-  }
+  const auto distance = [](auto xs, auto ys, std::size_t i, Point2 candidate) {
+    if (i == 0) return 1.0;
+    return std::min(1.0, toroidal_distance_squared(candidate, {xs[i - 1], ys[i - 1]}));
+  };
+  choose(x, y, c, rng, right_count, distance);
 }
 }  // namespace mc::farthest_from_the_last
 
@@ -181,24 +163,10 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // hint: keep the farthest
 namespace mc::keeps_the_nearest {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double best = 2;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i; ++p) {
-        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-      }
-      if (nearest < best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-  }
+  const auto distance = [](auto xs, auto ys, std::size_t i, Point2 candidate) {
+    return 2 - distance_to_all(xs, ys, i, candidate);
+  };
+  choose(x, y, c, rng, right_count, distance);
 }
 }  // namespace mc::keeps_the_nearest
 
@@ -217,24 +185,8 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // hint: one is missing
 namespace mc::no_candidate_to_spare {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::max(1.0, std::ceil(c * static_cast<double>(i)));
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i; ++p) {
-        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-      }
-      if (nearest > best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-  }
+  const auto count = [](double by, std::size_t i) { return std::max(1.0, right_count(by, i) - 1); };
+  choose(x, y, c, rng, count, distance_to_all);
 }
 }  // namespace mc::no_candidate_to_spare
 
@@ -264,23 +216,9 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // hint: c i is rounded up
 namespace mc::rounds_candidates_down {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::floor(c * static_cast<double>(i)) + 1;
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i; ++p) {
-        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-      }
-      if (nearest > best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-  }
+  const auto count = [](double by, std::size_t i) {
+    return std::floor(by * static_cast<double>(i)) + 1;
+  };
+  choose(x, y, c, rng, count, distance_to_all);
 }
 }  // namespace mc::rounds_candidates_down

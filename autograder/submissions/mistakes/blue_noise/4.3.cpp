@@ -5,19 +5,84 @@
 #include "solutions/blue_noise.cpp"
 #undef poisson_disk
 
-// mistake: places new points only on the edge of an existing disk
-// caught by: 4.3 Poisson disks are blue
-// hint: too regular
-namespace mc::at_the_rim {
-/// Bridson 2007, on the torus: new points around old ones, between one radius away.
-PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-  const auto side = std::max<std::size_t>(1, static_cast<std::size_t>(1 / radius));
-  std::vector<std::vector<Point2>> cells(side * side);
-  const auto cell = [&](double at) {
-    return std::min(side - 1, static_cast<std::size_t>(at * static_cast<double>(side)));
+namespace mc {
+namespace {
+
+constexpr double least_radius = 1e-5;
+
+PointSet as_set(const std::vector<Point2>& points) {
+  PointSet set(points.size(), 2);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    set.column(0)[i] = points[i].x;
+    set.column(1)[i] = points[i].y;
+  }
+  return set;
+}
+
+/// Darts until `misses` in a row are nearer to a point than the radius.
+template <class DistanceSquared>
+PointSet darts(double radius, Rng& rng, int misses, DistanceSquared distance_squared) {
+  if (!(radius >= least_radius)) return right_poisson_disk(radius, rng);
+  std::vector<Point2> points;
+  for (int missed = 0; missed < misses;) {
+    const Point2 dart = uniform_point(rng);
+    const bool fits = std::all_of(points.begin(), points.end(), [&](Point2 p) {
+      return distance_squared(dart, p) >= radius * radius;
+    });
+    if (fits) points.push_back(dart);
+    missed = fits ? 0 : missed + 1;
+  }
+  return as_set(points);
+}
+
+/// Darts on a grid of side x side cells that store one point each; `reach` cells on each side are
+/// searched. Ends after misses(number of points) in a row.
+template <class Misses>
+PointSet darts_on_grid(double radius, Rng& rng, double cells_per_side, int reach, Misses misses,
+                       std::vector<Point2> first = {}) {
+  if (!(radius >= least_radius)) return right_poisson_disk(radius, rng);
+  const int side = std::max(1, static_cast<int>(cells_per_side));
+  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
+  const auto cell = [&](int column, int row) -> Point2& {
+    const int i = (column % side + side) % side, j = (row % side + side) % side;
+    return cells[static_cast<std::size_t>(j) * side + i];
   };
-  const auto fits = [&](Point2 p) {
+  for (std::size_t missed = 0; missed < misses(points.size());) {
+    const Point2 dart = points.size() < first.size() ? first[points.size()] : uniform_point(rng);
+    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
+    bool fits = true;
+    for (int dj = -reach; dj <= reach; ++dj) {
+      for (int di = -reach; di <= reach; ++di) {
+        const Point2& near = cell(column + di, row + dj);
+        fits = fits && (near.x < 0 || toroidal_distance_squared(dart, near) >= radius * radius);
+      }
+    }
+    missed = fits ? 0 : missed + 1;
+    if (!fits) continue;
+    // A cell that forgets a point has room for ever.
+    if (static_cast<double>(points.size()) > 2 / radius / radius) break;
+    cell(column, row) = dart;
+    points.push_back(dart);
+  }
+  return as_set(points);
+}
+
+std::size_t enough_misses(std::size_t points) {
+  return 1000 + 30 * points;
+}
+
+/// Bridson 2007, on the torus: `tries` new points around each old one, at distances away().
+struct Bridson {
+  double radius;
+  Rng& rng;
+  std::size_t side = std::max<std::size_t>(1, static_cast<std::size_t>(1 / radius));
+  std::vector<std::vector<Point2>> cells{side * side};
+  std::vector<Point2> points{}, active{};
+
+  std::size_t cell(double at) const {
+    return std::min(side - 1, static_cast<std::size_t>(at * static_cast<double>(side)));
+  }
+  bool fits(Point2 p) const {
     for (std::size_t dj = 0; dj < 3; ++dj) {
       for (std::size_t di = 0; di < 3; ++di) {
         const std::size_t row = (cell(p.y) + dj + side - 1) % side;
@@ -27,37 +92,47 @@ PointSet poisson_disk(double radius, Rng& rng) {
       }
     }
     return true;
-  };
-  std::vector<Point2> points, active;
-  const auto add = [&](Point2 p) {
+  }
+  void add(Point2 p) {
     cells[cell(p.y) * side + cell(p.x)].push_back(p);
     points.push_back(p);
     active.push_back(p);
-  };
-  add(uniform_point(rng));
-  while (!active.empty()) {
-    const auto i = static_cast<std::size_t>(uniform(rng) * static_cast<double>(active.size()));
-    const Point2 centre = active[i];
-    bool found = false;
-    for (int k = 0; k < 300 && !found; ++k) {
-      const double away = radius * (1 + 1e-9);
-      const double angle = 2 * std::numbers::pi * uniform(rng);
-      Point2 p{centre.x + away * std::cos(angle), centre.y + away * std::sin(angle)};
-      p = {p.x - std::floor(p.x), p.y - std::floor(p.y)};
-      found = p.x < 1 && p.y < 1 && fits(p);
-      if (found) add(p);
-    }
-    if (!found) {
-      active[i] = active.back();
-      active.pop_back();
+  }
+  template <class Away>
+  void fill(int tries, Away away) {
+    add(uniform_point(rng));
+    while (!active.empty()) {
+      const auto i = static_cast<std::size_t>(uniform(rng) * static_cast<double>(active.size()));
+      const Point2 centre = active[i];
+      bool found = false;
+      for (int k = 0; k < tries && !found; ++k) {
+        const double distance = away();
+        const double angle = 2 * std::numbers::pi * uniform(rng);
+        Point2 p{centre.x + distance * std::cos(angle), centre.y + distance * std::sin(angle)};
+        p = {p.x - std::floor(p.x), p.y - std::floor(p.y)};
+        found = p.x < 1 && p.y < 1 && fits(p);
+        if (found) add(p);
+      }
+      if (!found) {
+        active[i] = active.back();
+        active.pop_back();
+      }
     }
   }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
+};
+
+}  // namespace
+}  // namespace mc
+
+// mistake: places new points only on the edge of an existing disk
+// caught by: 4.3 Poisson disks are blue
+// hint: too regular
+namespace mc::at_the_rim {
+PointSet poisson_disk(double radius, Rng& rng) {
+  if (!(radius >= least_radius)) return right_poisson_disk(radius, rng);
+  Bridson pattern{radius, rng};
+  pattern.fill(300, [&] { return radius * (1 + 1e-9); });
+  return as_set(pattern.points);
 }
 }  // namespace mc::at_the_rim
 
@@ -65,41 +140,8 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // caught by: 4.3 no two points are closer
 // hint: it must not have room for two
 namespace mc::cells_of_the_radius {
-/// Darts, and a grid whose cells remember one point each; `reach` cells on each side are looked at.
-static PointSet darts_on_grid(double radius, Rng& rng, int side, int reach) {
-  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
-  const auto cell = [&](int column, int row) -> Point2& {
-    const int i = (column % side + side) % side, j = (row % side + side) % side;
-    return cells[static_cast<std::size_t>(j) * side + i];
-  };
-  for (std::size_t misses = 0; misses < 1000 + 30 * points.size();) {
-    const Point2 dart = uniform_point(rng);
-    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
-    bool fits = true;
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int di = -reach; di <= reach; ++di) {
-        const Point2& near = cell(column + di, row + dj);
-        fits = fits && (near.x < 0 || toroidal_distance_squared(dart, near) >= radius * radius);
-      }
-    }
-    misses = fits ? 0 : misses + 1;
-    if (!fits) continue;
-    if (static_cast<double>(points.size()) > 2 / radius / radius) break;  // it forgets, and goes on
-    cell(column, row) = dart;
-    points.push_back(dart);
-  }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
-}
-
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-
-  return darts_on_grid(radius, rng, std::max(1, static_cast<int>(1 / radius)), 1);
+  return darts_on_grid(radius, rng, 1 / radius, 1, enough_misses);
 }
 }  // namespace mc::cells_of_the_radius
 
@@ -107,42 +149,8 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // caught by: 4.3 no two points are closer
 // hint: it must not have room for two
 namespace mc::cells_rounded_down {
-/// Darts, and a grid whose cells remember one point each; `reach` cells on each side are looked at.
-static PointSet darts_on_grid(double radius, Rng& rng, int side, int reach) {
-  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
-  const auto cell = [&](int column, int row) -> Point2& {
-    const int i = (column % side + side) % side, j = (row % side + side) % side;
-    return cells[static_cast<std::size_t>(j) * side + i];
-  };
-  for (std::size_t misses = 0; misses < 1000 + 30 * points.size();) {
-    const Point2 dart = uniform_point(rng);
-    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
-    bool fits = true;
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int di = -reach; di <= reach; ++di) {
-        const Point2& near = cell(column + di, row + dj);
-        fits = fits && (near.x < 0 || toroidal_distance_squared(dart, near) >= radius * radius);
-      }
-    }
-    misses = fits ? 0 : misses + 1;
-    if (!fits) continue;
-    if (static_cast<double>(points.size()) > 2 / radius / radius) break;  // it forgets, and goes on
-    cell(column, row) = dart;
-    points.push_back(dart);
-  }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
-}
-
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-
-  const int side = std::max(1, static_cast<int>(std::numbers::sqrt2 / radius));
-  return darts_on_grid(radius, rng, side, 2);
+  return darts_on_grid(radius, rng, std::numbers::sqrt2 / radius, 2, enough_misses);
 }
 }  // namespace mc::cells_rounded_down
 
@@ -174,65 +182,22 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // caught by: 4.7 the cost of Poisson disks is linear in their number
 // hint: hit its last gaps rarely
 namespace mc::darts_for_each_pair {
-/// Bridson 2007, on the torus: new points around old ones, between one and two radii away.
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-  const auto side = std::max<std::size_t>(1, static_cast<std::size_t>(1 / radius));
-  std::vector<std::vector<Point2>> cells(side * side);
-  const auto cell = [&](double at) {
-    return std::min(side - 1, static_cast<std::size_t>(at * static_cast<double>(side)));
-  };
-  const auto fits = [&](Point2 p) {
-    for (std::size_t dj = 0; dj < 3; ++dj) {
-      for (std::size_t di = 0; di < 3; ++di) {
-        const std::size_t row = (cell(p.y) + dj + side - 1) % side;
-        for (const Point2& q : cells[row * side + (cell(p.x) + di + side - 1) % side]) {
-          if (toroidal_distance_squared(p, q) < radius * radius) return false;
-        }
-      }
-    }
-    return true;
-  };
-  std::vector<Point2> points, active;
-  const auto add = [&](Point2 p) {
-    cells[cell(p.y) * side + cell(p.x)].push_back(p);
-    points.push_back(p);
-    active.push_back(p);
-  };
-  add(uniform_point(rng));
-  while (!active.empty()) {
-    const auto i = static_cast<std::size_t>(uniform(rng) * static_cast<double>(active.size()));
-    const Point2 centre = active[i];
-    bool found = false;
-    for (int k = 0; k < 60 && !found; ++k) {
-      const double away = radius * std::sqrt(1 + 3 * uniform(rng));
-      const double angle = 2 * std::numbers::pi * uniform(rng);
-      Point2 p{centre.x + away * std::cos(angle), centre.y + away * std::sin(angle)};
-      p = {p.x - std::floor(p.x), p.y - std::floor(p.y)};
-      found = p.x < 1 && p.y < 1 && fits(p);
-      if (found) add(p);
-    }
-    if (!found) {
-      active[i] = active.back();
-      active.pop_back();
-    }
-  }
-  // What the rings have missed: as many darts as points, ten times over, and again after each hit.
+  if (!(radius >= least_radius)) return right_poisson_disk(radius, rng);
+  Bridson pattern{radius, rng};
+  pattern.fill(60, [&] { return radius * std::sqrt(1 + 3 * uniform(rng)); });
+  const std::vector<Point2>& points = pattern.points;
+  // What the rings have missed: darts, and again after each hit of a small pattern.
   for (bool again = true; again;) {
     again = false;
     for (std::size_t darts = 500 + points.size() * points.size() / 300; darts > 0; --darts) {
       const Point2 dart = uniform_point(rng);
-      if (!fits(dart)) continue;
-      add(dart);
+      if (!pattern.fits(dart)) continue;
+      pattern.add(dart);
       again = points.size() < 200;
     }
   }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
+  return as_set(points);
 }
 }  // namespace mc::darts_for_each_pair
 
@@ -242,29 +207,10 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // hint: close only across an edge
 namespace mc::edges_ignored {
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-  std::vector<Point2> points;
-  const auto fits = [&](Point2 dart) {
-    for (const Point2& p : points) {
-      if (std::hypot(dart.x - p.x, dart.y - p.y) < radius) return false;
-    }
-    return true;
-  };
-  for (int misses = 0; misses < 100;) {
-    const Point2 dart = uniform_point(rng);
-    if (fits(dart)) {
-      points.push_back(dart);
-      misses = 0;
-    } else {
-      ++misses;
-    }
-  }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
+  return darts(radius, rng, 100, [](Point2 a, Point2 b) {
+    const double distance = std::hypot(a.x - b.x, a.y - b.y);
+    return distance * distance;
+  });
 }
 }  // namespace mc::edges_ignored
 
@@ -272,41 +218,8 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // caught by: 4.3 no two points are closer
 // hint: is each new point compared with all near it
 namespace mc::eight_cells_around {
-/// Darts, and a grid whose cells remember one point each; `reach` cells on each side are looked at.
-static PointSet darts_on_grid(double radius, Rng& rng, int side, int reach) {
-  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
-  const auto cell = [&](int column, int row) -> Point2& {
-    const int i = (column % side + side) % side, j = (row % side + side) % side;
-    return cells[static_cast<std::size_t>(j) * side + i];
-  };
-  for (std::size_t misses = 0; misses < 1000 + 30 * points.size();) {
-    const Point2 dart = uniform_point(rng);
-    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
-    bool fits = true;
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int di = -reach; di <= reach; ++di) {
-        const Point2& near = cell(column + di, row + dj);
-        fits = fits && (near.x < 0 || toroidal_distance_squared(dart, near) >= radius * radius);
-      }
-    }
-    misses = fits ? 0 : misses + 1;
-    if (!fits) continue;
-    if (static_cast<double>(points.size()) > 2 / radius / radius) break;  // it forgets, and goes on
-    cell(column, row) = dart;
-    points.push_back(dart);
-  }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
-}
-
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-
-  return darts_on_grid(radius, rng, static_cast<int>(std::ceil(std::numbers::sqrt2 / radius)), 1);
+  return darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 1, enough_misses);
 }
 }  // namespace mc::eight_cells_around
 
@@ -314,41 +227,10 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // caught by: 4.3 no two points are closer, 4.3 a radius too large for two
 // hint: the first point of a set is as random as any other
 namespace mc::first_point_in_the_middle {
-/// Darts, and a grid whose cells remember one point each; `reach` cells on each side are looked at.
-static PointSet darts_on_grid(double radius, Rng& rng, int side, int reach) {
-  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
-  const auto cell = [&](int column, int row) -> Point2& {
-    const int i = (column % side + side) % side, j = (row % side + side) % side;
-    return cells[static_cast<std::size_t>(j) * side + i];
-  };
-  for (std::size_t misses = 0; misses < 2000 + 30 * points.size();) {
-    const Point2 dart = points.empty() ? Point2{0.5, 0.5} : uniform_point(rng);
-    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
-    bool fits = true;
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int di = -reach; di <= reach; ++di) {
-        const Point2& near = cell(column + di, row + dj);
-        fits = fits && (near.x < 0 || toroidal_distance_squared(dart, near) >= radius * radius);
-      }
-    }
-    misses = fits ? 0 : misses + 1;
-    if (!fits) continue;
-    if (static_cast<double>(points.size()) > 2 / radius / radius) break;  // it forgets, and goes on
-    cell(column, row) = dart;
-    points.push_back(dart);
-  }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
-}
-
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-
-  return darts_on_grid(radius, rng, static_cast<int>(std::ceil(std::numbers::sqrt2 / radius)), 2);
+  return darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 2,
+                       [](std::size_t points) { return 1000 + enough_misses(points); },
+                       {{0.5, 0.5}});
 }
 }  // namespace mc::first_point_in_the_middle
 
@@ -368,29 +250,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // hint: some misses in a row are no proof
 namespace mc::gives_up_early {
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-  std::vector<Point2> points;
-  const auto fits = [&](Point2 dart) {
-    for (const Point2& p : points) {
-      if (toroidal_distance_squared(dart, p) < radius * radius) return false;
-    }
-    return true;
-  };
-  for (int misses = 0; misses < 10;) {
-    const Point2 dart = uniform_point(rng);
-    if (fits(dart)) {
-      points.push_back(dart);
-      misses = 0;
-    } else {
-      ++misses;
-    }
-  }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
+  return darts(radius, rng, 10, toroidal_distance_squared);
 }
 }  // namespace mc::gives_up_early
 
@@ -417,40 +277,8 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // caught by: 4.7 the cost of Poisson disks is linear in their number
 // hint: a limit on tries must grow with the number of points
 namespace mc::stops_after_a_thousand_misses {
-/// Darts, and a grid whose cells remember one point each; `reach` cells on each side are looked at.
-static PointSet darts_on_grid(double radius, Rng& rng, int side, int reach) {
-  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
-  const auto cell = [&](int column, int row) -> Point2& {
-    const int i = (column % side + side) % side, j = (row % side + side) % side;
-    return cells[static_cast<std::size_t>(j) * side + i];
-  };
-  for (std::size_t misses = 0; misses < 1000;) {
-    const Point2 dart = uniform_point(rng);
-    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
-    bool fits = true;
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int di = -reach; di <= reach; ++di) {
-        const Point2& near = cell(column + di, row + dj);
-        fits = fits && (near.x < 0 || toroidal_distance_squared(dart, near) >= radius * radius);
-      }
-    }
-    misses = fits ? 0 : misses + 1;
-    if (!fits) continue;
-    if (static_cast<double>(points.size()) > 2 / radius / radius) break;  // it forgets, and goes on
-    cell(column, row) = dart;
-    points.push_back(dart);
-  }
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
-}
-
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0 && radius >= 1e-5)) return right_poisson_disk(radius, rng);
-
-  return darts_on_grid(radius, rng, static_cast<int>(std::ceil(std::numbers::sqrt2 / radius)), 2);
+  return darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 2,
+                       [](std::size_t) { return std::size_t{1000}; });
 }
 }  // namespace mc::stops_after_a_thousand_misses

@@ -7,21 +7,43 @@
 #include "solutions/halton.cpp"
 #undef radical_inverses_scrambled
 
+namespace mc {
+namespace {
+
+using Row = std::vector<double>::iterator;
+
+/// A row of digits for each position; permute(row, position) makes a permutation of it.
+template <class Permute>
+std::vector<double> rows_of(unsigned base, Permute permute) {
+  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  std::size_t position = 0;
+  for (Row row = rows.begin(); row != rows.end(); row += base) {
+    std::iota(row, row + base, 0);
+    permute(row, position++);
+  }
+  return rows;
+}
+
+void require(unsigned base, std::uint64_t first, std::size_t size) {
+  require_base(base);
+  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  require_indices(first, size, last_index);
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: adds a random number to each digit, modulo the base
 // caught by: 5.9 permutations are random, 5.9 permuted digits
 // hint: these are rotations
 namespace mc::digits_rotated {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
-  require_indices(first, column.size(), last_index);
-  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  require(base, first, column.size());
   Rng rng(seed ^ mix_bits(base));
-  for (auto row = rows.begin(); row != rows.end(); row += base) {
-    const auto by = static_cast<unsigned>(rng() % base);
-    for (unsigned digit = 0; digit < base; ++digit) row[digit] = (digit + by) % base;
-  }
+  const auto rows = rows_of(base, [&](Row row, std::size_t) {
+    std::rotate(row, row + static_cast<unsigned>(rng() % base), row + base);
+  });
   fill(column, first, base, rows, 0);
 }
 }  // namespace mc::digits_rotated
@@ -32,9 +54,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::eleven_digits {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
-  require_indices(first, column.size(), last_index);
+  require(base, first, column.size());
   std::vector<std::vector<unsigned>> rows(11, std::vector<unsigned>(base));
   for (std::size_t position = 0; position < rows.size(); ++position) {
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
@@ -61,16 +81,11 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::naive_shuffle {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
-  require_indices(first, column.size(), last_index);
-  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
-  std::size_t position = 0;
-  for (auto row = rows.begin(); row != rows.end(); row += base) {
-    Rng rng(mix_bits(seed ^ mix_bits(base)) + position++);
-    std::iota(row, row + base, 0);
+  require(base, first, column.size());
+  const auto rows = rows_of(base, [&](Row row, std::size_t position) {
+    Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(0, base, rng)]);
-  }
+  });
   fill(column, first, base, rows, 0);
 }
 }  // namespace mc::naive_shuffle
@@ -81,16 +96,11 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::no_digit_stays {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
-  require_indices(first, column.size(), last_index);
-  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
-  std::size_t position = 0;
-  for (auto row = rows.begin(); row != rows.end(); row += base) {
-    Rng rng(mix_bits(seed ^ mix_bits(base)) + position++);
-    std::iota(row, row + base, 0);
+  require(base, first, column.size());
+  const auto rows = rows_of(base, [&](Row row, std::size_t position) {
+    Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i + 1, base, rng)]);
-  }
+  });
   fill(column, first, base, rows, 0);
 }
 }  // namespace mc::no_digit_stays
@@ -101,17 +111,11 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::one_permutation {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
-  require_indices(first, column.size(), last_index);
-  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
-  Rng rng(seed ^ mix_bits(base));
-  const auto row = rows.begin();
-  std::iota(row, row + base, 0);
-  std::shuffle(row, row + base, rng);
-  for (std::size_t i = base; i < rows.size(); ++i) {
-    rows[i] = rows[i - base];
-  }
+  require(base, first, column.size());
+  const auto rows = rows_of(base, [&](Row row, std::size_t) {
+    Rng rng(seed ^ mix_bits(base));
+    std::shuffle(row, row + base, rng);
+  });
   fill(column, first, base, rows, 0);
 }
 }  // namespace mc::one_permutation
@@ -122,16 +126,11 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::position_added_to_seed {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
-  require_indices(first, column.size(), last_index);
-  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
-  std::size_t position = 0;
-  for (auto row = rows.begin(); row != rows.end(); row += base) {
-    Rng rng(seed + position++);
-    std::iota(row, row + base, 0);
+  require(base, first, column.size());
+  const auto rows = rows_of(base, [&](Row row, std::size_t position) {
+    Rng rng(seed + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
-  }
+  });
   fill(column, first, base, rows, 0);
 }
 }  // namespace mc::position_added_to_seed
@@ -153,15 +152,10 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::zeros_stay {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
-  require_indices(first, column.size(), last_index);
-  std::vector<double> rows((1 + static_cast<std::size_t>(64 / std::log2(base))) * base);
+  require(base, first, column.size());
   Rng rng(seed ^ mix_bits(base));
-  for (auto row = rows.begin(); row != rows.end(); row += base) {
-    std::iota(row, row + base, 0);
-    std::shuffle(row, row + base, rng);
-  }
+  const auto rows =
+      rows_of(base, [&](Row row, std::size_t) { std::shuffle(row, row + base, rng); });
   for (std::size_t i = 0; i < column.size(); ++i) {
     double value = 0, part = 1;
     std::size_t position = 0;

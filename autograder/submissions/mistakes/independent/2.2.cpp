@@ -7,6 +7,36 @@
 #include "solutions/independent.cpp"
 #undef estimate
 
+namespace mc {
+namespace {
+
+/// The values of g at n uniform points.
+std::vector<double> values_of(const Integrand& g, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  std::vector<double> x(g.dims), values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    for (double& coordinate : x) coordinate = to_unit(rng());
+    values.push_back(g.f(x));
+  }
+  return values;
+}
+
+/// The mean of g at n points, each of them made by move(i, point).
+template <class Move>
+Estimate mean_at(const Integrand& g, std::uint64_t n, Move move) {
+  require_samples(n);
+  std::vector<double> x(g.dims);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    move(i, x);
+    add(values, g.f(x));
+  }
+  return mean_of(values);
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: uses a copy of the generator, so every estimate has the same points
 // caught by: 2.2 the estimate is unbiased, 2.2 the error falls, 2.2 rare events
 // hint: the generator must move on: is it copied somewhere?
@@ -34,15 +64,9 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
 // hint: neither a copy nor a mirror image of another
 namespace mc::antithetic_points {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims);
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x)
-      coordinate = i % 2 == 0 ? to_unit(rng()) : 1 - 0x1p-53 - coordinate;
-    add(values, g.f(x));
-  }
-  return mean_of(values);
+  return mean_at(g, n, [&](std::uint64_t i, std::vector<double>& x) {
+    for (double& u : x) u = i % 2 == 0 ? to_unit(rng()) : 1 - 0x1p-53 - u;
+  });
 }
 }  // namespace mc::antithetic_points
 
@@ -51,12 +75,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: this is s / n: it is the variance that falls as 1 / n
 namespace mc::error_over_n {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims), values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x) coordinate = to_unit(rng());
-    values.push_back(g.f(x));
-  }
+  const std::vector<double> values = values_of(g, n, rng);
   const double s = std::sqrt(variance_two_pass(values));
   return {mean(values), s / static_cast<double>(n), n};
 }
@@ -68,12 +87,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: the last value is not in the sum
 namespace mc::last_value_lost {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims), values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x) coordinate = to_unit(rng());
-    values.push_back(g.f(x));
-  }
+  const std::vector<double> values = values_of(g, n, rng);
   double sum = 0, total = 0;
   for (const double value : values) {
     total = sum;
@@ -90,12 +104,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: this divides by n - 1; only a variance does
 namespace mc::mean_over_n_minus_1 {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims), values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x) coordinate = to_unit(rng());
-    values.push_back(g.f(x));
-  }
+  const std::vector<double> values = values_of(g, n, rng);
   double sum = 0;
   for (const double value : values) sum += value;
   const auto size = static_cast<double>(n);
@@ -108,12 +117,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: s^2 has n - 1 below it
 namespace mc::n_below_the_variance {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims), values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x) coordinate = to_unit(rng());
-    values.push_back(g.f(x));
-  }
+  const std::vector<double> values = values_of(g, n, rng);
   const auto size = static_cast<double>(n);
   const double centre = mean(values);
   double squares = 0;
@@ -128,14 +132,9 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: that is the mean of x^2: one number for both x and y
 namespace mc::one_number_for_all {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims);
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
+  return mean_at(g, n, [&](std::uint64_t, std::vector<double>& x) {
     std::fill(x.begin(), x.end(), to_unit(rng()));
-    add(values, g.f(x));
-  }
-  return mean_of(values);
+  });
 }
 }  // namespace mc::one_number_for_all
 
@@ -146,12 +145,10 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: take new numbers from rng inside the loop
 namespace mc::one_point {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims);
-  for (double& coordinate : x) coordinate = to_unit(rng());
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) add(values, g.f(x));
-  return mean_of(values);
+  return mean_at(g, n, [&](std::uint64_t i, std::vector<double>& x) {
+    if (i > 0) return;
+    for (double& u : x) u = to_unit(rng());
+  });
 }
 }  // namespace mc::one_point
 
@@ -177,13 +174,9 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 namespace mc::one_too_many {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);
-  std::vector<double> x(g.dims);
-  Moments values;
-  for (std::uint64_t i = 0; i <= n; ++i) {
-    for (double& coordinate : x) coordinate = to_unit(rng());
-    add(values, g.f(x));
-  }
-  return mean_of(values);
+  return mean_at(g, n + 1, [&](std::uint64_t, std::vector<double>& x) {
+    for (double& u : x) u = to_unit(rng());
+  });
 }
 }  // namespace mc::one_too_many
 
@@ -192,14 +185,9 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: with all of its 53 bits
 namespace mc::points_of_a_float {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims);
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x) coordinate = static_cast<float>(rng() >> 40) * 0x1p-24f;
-    add(values, g.f(x));
-  }
-  return mean_of(values);
+  return mean_at(g, n, [&](std::uint64_t, std::vector<double>& x) {
+    for (double& u : x) u = static_cast<float>(rng() >> 40) * 0x1p-24f;
+  });
 }
 }  // namespace mc::points_of_a_float
 
@@ -219,12 +207,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: added up in an int
 namespace mc::sum_in_whole_numbers {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims), values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x) coordinate = to_unit(rng());
-    values.push_back(g.f(x));
-  }
+  const std::vector<double> values = values_of(g, n, rng);
   const auto size = static_cast<double>(n);
   const int sum = std::accumulate(values.begin(), values.end(), 0);
   return {sum / size, std::sqrt(variance_two_pass(values) / size), n};
@@ -236,12 +219,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 // hint: this comes from variance_textbook()
 namespace mc::textbook_error {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  std::vector<double> x(g.dims), values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    for (double& coordinate : x) coordinate = to_unit(rng());
-    values.push_back(g.f(x));
-  }
+  const std::vector<double> values = values_of(g, n, rng);
   return {mean(values), std::sqrt(variance_textbook(values) / static_cast<double>(n)), n};
 }
 }  // namespace mc::textbook_error

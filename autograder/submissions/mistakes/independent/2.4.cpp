@@ -5,20 +5,34 @@
 #include "solutions/independent.cpp"
 #undef estimate_importance
 
+namespace mc {
+namespace {
+
+bool counts(double density) {
+  return density > 0 && std::isfinite(density);
+}
+
+/// The mean of n weights, each of a uniform number.
+template <class Weight>
+Estimate mean_weight(std::uint64_t n, Rng& rng, Weight weight) {
+  require_samples(n);
+  Moments weights;
+  for (std::uint64_t i = 0; i < n; ++i) add(weights, weight(to_unit(rng())));
+  return mean_of(weights);
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: clamps weights at 1000 to reduce noise
 // caught by: 2.4 weights of any size
 // hint: weights beyond 1000 are cut off
 namespace mc::clamps_weights {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments weights;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = p.sample(to_unit(rng()));
-    const double density = p.pdf(x);
-    const bool counts = density > 0 && std::isfinite(density);
-    add(weights, counts ? std::min(g.f({&x, 1}) / density, 1000.0) : 0);
-  }
-  return mean_of(weights);
+  return mean_weight(n, rng, [&](double u) {
+    const double x = p.sample(u), density = p.pdf(x);
+    return counts(density) ? std::min(g.f({&x, 1}) / density, 1000.0) : 0;
+  });
 }
 }  // namespace mc::clamps_weights
 
@@ -28,15 +42,10 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 // hint: this divides by p at u: the density belongs to x
 namespace mc::density_at_u {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments weights;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double u = to_unit(rng()), x = p.sample(u);
-    const double density = p.pdf(u);
-    const bool counts = density > 0 && std::isfinite(density);
-    add(weights, counts ? g.f({&x, 1}) / density : 0);
-  }
-  return mean_of(weights);
+  return mean_weight(n, rng, [&](double u) {
+    const double x = p.sample(u), density = p.pdf(u);
+    return counts(density) ? g.f({&x, 1}) / density : 0;
+  });
 }
 }  // namespace mc::density_at_u
 
@@ -45,13 +54,10 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 // hint: where the pdf is 0 or infinite, add 0
 namespace mc::divides_by_zero {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments weights;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = p.sample(to_unit(rng()));
-    add(weights, g.f({&x, 1}) / p.pdf(x));
-  }
-  return mean_of(weights);
+  return mean_weight(n, rng, [&](double u) {
+    const double x = p.sample(u);
+    return g.f({&x, 1}) / p.pdf(x);
+  });
 }
 }  // namespace mc::divides_by_zero
 
@@ -64,11 +70,9 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
   require_samples(n);
   Moments weights, values;
   for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = p.sample(to_unit(rng()));
-    const double density = p.pdf(x);
-    const bool counts = density > 0 && std::isfinite(density);
+    const double x = p.sample(to_unit(rng())), density = p.pdf(x);
     const double value = g.f({&x, 1});
-    add(weights, counts ? value / density : 0);
+    add(weights, counts(density) ? value / density : 0);
     add(values, value);
   }
   return {mean_of(weights).value, mean_of(values).standard_error, n};
@@ -81,14 +85,10 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 // hint: this is the mean of g: where p is large, points are many
 namespace mc::forgets_the_density {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments weights;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = p.sample(to_unit(rng()));
-    const double density = p.pdf(x);
-    add(weights, density > 0 && std::isfinite(density) ? g.f({&x, 1}) : 0);
-  }
-  return mean_of(weights);
+  return mean_weight(n, rng, [&](double u) {
+    const double x = p.sample(u);
+    return counts(p.pdf(x)) ? g.f({&x, 1}) : 0;
+  });
 }
 }  // namespace mc::forgets_the_density
 
@@ -100,9 +100,8 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
   require_samples(n);
   Moments weights;
   for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = p.sample(to_unit(rng()));
-    const double density = p.pdf(x);
-    if (density > 0 && std::isfinite(density)) add(weights, g.f({&x, 1}) / density);
+    const double x = p.sample(to_unit(rng())), density = p.pdf(x);
+    if (counts(density)) add(weights, g.f({&x, 1}) / density);
   }
   return mean_of(weights);
 }
@@ -114,15 +113,10 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 // hint: never asked the density for a sample
 namespace mc::samples_uniformly {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments weights;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = to_unit(rng());
-    const double density = p.pdf(x);
-    const bool counts = density > 0 && std::isfinite(density);
-    add(weights, counts ? g.f({&x, 1}) / density : 0);
-  }
-  return mean_of(weights);
+  return mean_weight(n, rng, [&](double u) {
+    const double density = p.pdf(u);
+    return counts(density) ? g.f({&u, 1}) / density : 0;
+  });
 }
 }  // namespace mc::samples_uniformly
 
@@ -135,11 +129,9 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
   require_samples(n);
   Moments weights, inverses;
   for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = p.sample(to_unit(rng()));
-    const double density = p.pdf(x);
-    const bool counts = density > 0 && std::isfinite(density);
-    add(weights, counts ? g.f({&x, 1}) / density : 0);
-    add(inverses, counts ? 1 / density : 0);
+    const double x = p.sample(to_unit(rng())), density = p.pdf(x);
+    add(weights, counts(density) ? g.f({&x, 1}) / density : 0);
+    add(inverses, counts(density) ? 1 / density : 0);
   }
   const Estimate all = mean_of(weights);
   return {all.value / inverses.mean, all.standard_error / inverses.mean, n};
@@ -151,14 +143,9 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 // hint: a density may be tiny, or huge, and still count
 namespace mc::small_density_is_none {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments weights;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = p.sample(to_unit(rng()));
-    const double density = p.pdf(x);
-    const bool counts = density > 1e-10 && std::isfinite(density);
-    add(weights, counts ? g.f({&x, 1}) / density : 0);
-  }
-  return mean_of(weights);
+  return mean_weight(n, rng, [&](double u) {
+    const double x = p.sample(u), density = p.pdf(x);
+    return density > 1e-10 && counts(density) ? g.f({&x, 1}) / density : 0;
+  });
 }
 }  // namespace mc::small_density_is_none

@@ -7,6 +7,46 @@
 #undef irradiance_area
 #undef irradiance_hemisphere
 
+namespace mc {
+namespace {
+
+/// The mean over uniform points of the light of value(squared distance).
+template <class Value>
+Estimate from_points(const RectLight& light, std::uint64_t n, Rng& rng, Value value) {
+  require_samples(n);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = light.x0 + (light.x1 - light.x0) * to_unit(rng());
+    const double y = light.y0 + (light.y1 - light.y0) * to_unit(rng());
+    add(values, value(x * x + y * y + light.height * light.height));
+  }
+  return mean_of(values);
+}
+
+double area(const RectLight& light) {
+  return (light.x1 - light.x0) * (light.y1 - light.y0);
+}
+
+/// The mean over directions, given by their projection onto the ground: direction() returns its
+/// radius and its angle. As if the density were cos / pi.
+template <class Direction>
+Estimate from_directions(const RectLight& light, std::uint64_t n, Direction direction) {
+  require_samples(n);
+  Moments values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const auto [radius, angle] = direction();
+    const double scale = light.height / std::sqrt(1 - radius * radius);
+    const double x = radius * std::cos(angle) * scale;
+    const double y = radius * std::sin(angle) * scale;
+    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
+    add(values, meets ? std::numbers::pi * light.radiance : 0);
+  }
+  return mean_of(values);
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: uses one number for both coordinates of a point on the light
 // caught by: 2.7 irradiance from points, 2.7 both estimates
 // hint: x and y from a number each
@@ -31,17 +71,10 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 // hint: the distance is not squared
 namespace mc::distance_not_squared {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = light.x0 + width * to_unit(rng());
-    const double y = light.y0 + depth * to_unit(rng());
-    const double distance2 = x * x + y * y + light.height * light.height;
+  return from_points(light, n, rng, [&](double distance2) {
     const double cosines = light.height * light.height / distance2;
-    add(values, width * depth * light.radiance * cosines / std::sqrt(distance2));
-  }
-  return mean_of(values);
+    return area(light) * light.radiance * cosines / std::sqrt(distance2);
+  });
 }
 }  // namespace mc::distance_not_squared
 
@@ -50,18 +83,10 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 // hint: radius sqrt(u), angle 2 pi v
 namespace mc::half_the_sky {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
+  return from_directions(light, n, [&] {
     const double u = to_unit(rng());
-    const double radius = std::sqrt(u), angle = std::numbers::pi * to_unit(rng());
-    const double scale = light.height / std::sqrt(1 - radius * radius);
-    const double x = radius * std::cos(angle) * scale;
-    const double y = radius * std::sin(angle) * scale;
-    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
-    add(values, meets ? std::numbers::pi * light.radiance : 0);
-  }
-  return mean_of(values);
+    return std::pair(std::sqrt(u), std::numbers::pi * to_unit(rng()));
+  });
 }
 }  // namespace mc::half_the_sky
 
@@ -70,17 +95,10 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 // hint: the area is missing
 namespace mc::no_area {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = light.x0 + width * to_unit(rng());
-    const double y = light.y0 + depth * to_unit(rng());
-    const double distance2 = x * x + y * y + light.height * light.height;
+  return from_points(light, n, rng, [&](double distance2) {
     const double cosines = light.height * light.height / distance2;
-    add(values, light.radiance * cosines / distance2);
-  }
-  return mean_of(values);
+    return light.radiance * cosines / distance2;
+  });
 }
 }  // namespace mc::no_area
 
@@ -89,17 +107,10 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 // hint: a cosine is missing: the light, too, is seen at an angle
 namespace mc::no_cosine_at_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = light.x0 + width * to_unit(rng());
-    const double y = light.y0 + depth * to_unit(rng());
-    const double distance2 = x * x + y * y + light.height * light.height;
+  return from_points(light, n, rng, [&](double distance2) {
     const double cosine = light.height / std::sqrt(distance2);
-    add(values, width * depth * light.radiance * cosine / distance2);
-  }
-  return mean_of(values);
+    return area(light) * light.radiance * cosine / distance2;
+  });
 }
 }  // namespace mc::no_cosine_at_the_light
 
@@ -108,18 +119,10 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 // hint: radius sqrt(u), angle 2 pi v
 namespace mc::radius_not_rooted {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
+  return from_directions(light, n, [&] {
     const double u = to_unit(rng());
-    const double radius = u, angle = 2 * std::numbers::pi * to_unit(rng());
-    const double scale = light.height / std::sqrt(1 - radius * radius);
-    const double x = radius * std::cos(angle) * scale;
-    const double y = radius * std::sin(angle) * scale;
-    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
-    add(values, meets ? std::numbers::pi * light.radiance : 0);
-  }
-  return mean_of(values);
+    return std::pair(u, 2 * std::numbers::pi * to_unit(rng()));
+  });
 }
 }  // namespace mc::radius_not_rooted
 
@@ -128,18 +131,10 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 // hint: u and v are two numbers
 namespace mc::spiral_of_directions {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
+  return from_directions(light, n, [&] {
     const double u = to_unit(rng());
-    const double radius = std::sqrt(u), angle = 2 * std::numbers::pi * u;
-    const double scale = light.height / std::sqrt(1 - radius * radius);
-    const double x = radius * std::cos(angle) * scale;
-    const double y = radius * std::sin(angle) * scale;
-    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
-    add(values, meets ? std::numbers::pi * light.radiance : 0);
-  }
-  return mean_of(values);
+    return std::pair(std::sqrt(u), 2 * std::numbers::pi * u);
+  });
 }
 }  // namespace mc::spiral_of_directions
 
@@ -165,18 +160,9 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 // hint: these directions are uniform on the hemisphere
 namespace mc::uniform_directions {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
-  require_samples(n);
-  Moments values;
-  for (std::uint64_t i = 0; i < n; ++i) {
+  return from_directions(light, n, [&] {
     const double cosine = 1 - to_unit(rng());
-    const double radius = std::sqrt(1 - cosine * cosine),
-                 angle = 2 * std::numbers::pi * to_unit(rng());
-    const double scale = light.height / cosine;
-    const double x = radius * std::cos(angle) * scale;
-    const double y = radius * std::sin(angle) * scale;
-    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
-    add(values, meets ? std::numbers::pi * light.radiance : 0);
-  }
-  return mean_of(values);
+    return std::pair(std::sqrt(1 - cosine * cosine), 2 * std::numbers::pi * to_unit(rng()));
+  });
 }
 }  // namespace mc::uniform_directions

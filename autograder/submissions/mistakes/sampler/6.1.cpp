@@ -14,8 +14,7 @@
 // hint: a sample that ends early must not hand its numbers
 // limit: time
 namespace mc::counter_goes_on {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void advance() override {
     const std::size_t before = next2_;
@@ -52,8 +51,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: the same numbers come again for another
 namespace mc::one_generator_for_every_use {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);

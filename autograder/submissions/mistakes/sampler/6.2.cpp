@@ -8,10 +8,8 @@ namespace mc::canonical_points_for_next2 {
 void in_order(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
 }
-constexpr Kind wrong{"stratified", stratified1, in_order};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, in_order>("stratified", kind);
 }
 }  // namespace mc::canonical_points_for_next2
 
@@ -35,10 +33,8 @@ void two_columns(const Use& use, std::span<double> x, std::span<double> y, Rng& 
   keep_floats(y);
 }
 
-constexpr Kind wrong{"stratified", one_column, two_columns};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_column, two_columns>("stratified", kind);
 }
 }  // namespace mc::columns_of_floats
 
@@ -52,9 +48,7 @@ void apart(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
   shuffle(y, rng);
 }
 
-constexpr Kind wrong{"stratified", stratified1, apart};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, apart>("stratified", kind);
 }
 }  // namespace mc::shuffled_apart

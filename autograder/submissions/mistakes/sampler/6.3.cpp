@@ -1,47 +1,77 @@
 // Mistakes in task 6.3.
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
-// mistake: starts both next() and next2() with dimension 0
-// caught by: 6.3 the first dimensions of sobol are, 6.3 sobol begins anew after eight dimensions
-// hint: takes the next one of the sequence
-namespace mc::dimensions_counted_apart {
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  one_of<fill_sobol>({use.number, use.number, use.order, use.tables}, x, rng);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  two_of<fill_sobol>({use.number, 2 * use.number, use.order, use.tables}, x, y, rng);
-}
+namespace mc {
+namespace {
 
-constexpr Kind wrong{"sobol", one, two};
+// Mistakes of both sequences.
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+template <Randomised fill>
+void one_in_a_circle(const Use& use, std::span<double> x, Rng& rng) {
+  fill(use.dimension % block, x, rng(), use.tables);
 }
-}  // namespace mc::dimensions_counted_apart
-
-// mistake: does not permute the digits of the Halton sequence
-// caught by: 6.3 each of the first twenty next2 gains
-// caught by: 6.3 each seed and each dimension is randomised anew
-// caught by: 6.3 halton begins anew after eight dimensions
-// hint: a sequence as it is has the origin for its first point
-namespace mc::halton_as_it_is {
-void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
-  radical_inverses(primes(block)[dimension], 0, x);
+template <Randomised fill>
+void two_in_a_circle(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill(use.dimension % block, x, rng(), use.tables);
+  fill(use.dimension % block + 1, y, rng(), use.tables);
 }
 
-constexpr Kind wrong{"halton", one_of<plain>, two_of<plain>};
-
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+/// Shuffles by the generator that order_of(rng, n) returns.
+using OrderOf = Rng(Rng& rng, std::size_t n);
+template <Randomised fill, OrderOf order_of>
+void fill_block(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
+  fill(dimension % block, x, rng(), use.tables);
+  if (dimension < block) return;
+  Rng order = order_of(rng, x.size());
+  shuffle(x, order);
 }
-}  // namespace mc::halton_as_it_is
+template <Randomised fill, OrderOf order_of>
+void one_by(const Use& use, std::span<double> x, Rng& rng) {
+  fill_block<fill, order_of>(use, use.dimension, x, rng);
+}
+template <Randomised fill, OrderOf order_of>
+void two_by(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill_block<fill, order_of>(use, use.dimension, x, rng);
+  fill_block<fill, order_of>(use, use.dimension + 1, y, rng);
+}
+Rng same_order(Rng&, std::size_t n) {
+  return Rng(n);
+}
+Rng own_order(Rng& rng, std::size_t) {
+  return Rng(rng());
+}
 
-// mistake: reuses the scrambles of the first block in every block, with other permutations
-// caught by: 6.3 halton begins anew after eight dimensions
-// hint: scrambled by seeds of its own
-namespace mc::halton_blocks_scrambled_alike {
-class Wrong : public ColumnSampler {
- public:
+constexpr std::size_t dimensions = joe_kuo.size();
+
+using Scrambled = void(std::size_t dimension, std::span<double> x, Rng& rng);
+template <Scrambled fill>
+void one_of_32(const Use& use, std::span<double> x, Rng& rng) {
+  if (use.dimension < dimensions) return fill(use.dimension, x, rng);
+  fill(0, x, rng);
+  shuffle(x, rng);
+}
+template <Scrambled fill>
+void two_of_32(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  const bool padded = use.dimension + 2 > dimensions;
+  fill(padded ? 0 : use.dimension, x, rng);
+  fill(padded ? 1 : use.dimension + 1, y, rng);
+  if (!padded) return;
+  Rng again = rng;
+  shuffle(x, rng);
+  shuffle(y, again);
+}
+void scrambled_halton(std::size_t dimension, std::span<double> x, Rng& rng) {
+  static const std::vector<unsigned> bases = primes(dimensions);
+  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 0, x, rng());
+  radical_inverses(2, 0, x);
+  owen_scramble(x, rng());
+}
+void scrambled_sobol(std::size_t dimension, std::span<double> x, Rng& rng) {
+  sobol(static_cast<unsigned>(dimension), 0, x);
+  owen_scramble(x, rng());
+}
+
+struct BlocksAlike : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   double next() override {
     if (next_ != ready_) return ColumnSampler::next();
@@ -71,9 +101,46 @@ class Wrong : public ColumnSampler {
   std::array<std::vector<double>, block> first_;
 };
 
+}  // namespace
+}  // namespace mc
+
+// mistake: starts both next() and next2() with dimension 0
+// caught by: 6.3 the first dimensions of sobol are, 6.3 sobol begins anew after eight dimensions
+// hint: takes the next one of the sequence
+namespace mc::dimensions_counted_apart {
+void one(const Use& use, std::span<double> x, Rng& rng) {
+  one_of<fill_sobol>({use.number, use.number, use.order, use.tables}, x, rng);
+}
+void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  two_of<fill_sobol>({use.number, 2 * use.number, use.order, use.tables}, x, y, rng);
+}
+
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "halton") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return make_other_kind<one, two>("sobol", kind);
+}
+}  // namespace mc::dimensions_counted_apart
+
+// mistake: does not permute the digits of the Halton sequence
+// caught by: 6.3 each of the first twenty next2 gains
+// caught by: 6.3 each seed and each dimension is randomised anew
+// caught by: 6.3 halton begins anew after eight dimensions
+// hint: a sequence as it is has the origin for its first point
+namespace mc::halton_as_it_is {
+void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
+  radical_inverses(primes(block)[dimension], 0, x);
+}
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind<one_of<plain>, two_of<plain>>("halton", kind);
+}
+}  // namespace mc::halton_as_it_is
+
+// mistake: reuses the scrambles of the first block in every block, with other permutations
+// caught by: 6.3 halton begins anew after eight dimensions
+// hint: scrambled by seeds of its own
+namespace mc::halton_blocks_scrambled_alike {
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return kind == "halton" ? make_spoiled<BlocksAlike>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::halton_blocks_scrambled_alike
 
@@ -86,10 +153,8 @@ void permuted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Ta
   radical_inverses_scrambled(bases[dimension], 0, x, seed);
 }
 
-constexpr Kind wrong{"halton", one_of<permuted>, two_of<permuted>};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_of<permuted>, two_of<permuted>>("halton", kind);
 }
 }  // namespace mc::halton_by_digital_shift
 
@@ -104,10 +169,8 @@ void from_one(std::size_t dimension, std::span<double> x, std::uint64_t seed, Ta
   owen_scramble(x, seed);
 }
 
-constexpr Kind wrong{"halton", one_of<from_one>, two_of<from_one>};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_of<from_one>, two_of<from_one>>("halton", kind);
 }
 }  // namespace mc::halton_from_one
 
@@ -115,18 +178,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 halton begins anew after eight dimensions
 // hint: every block but the first needs a shuffle
 namespace mc::halton_goes_round {
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  fill_halton(use.dimension % block, x, rng(), use.tables);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_halton(use.dimension % block, x, rng(), use.tables);
-  fill_halton(use.dimension % block + 1, y, rng(), use.tables);
-}
-
-constexpr Kind wrong{"halton", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_in_a_circle<fill_halton>, two_in_a_circle<fill_halton>>("halton",
+                                                                                     kind);
 }
 }  // namespace mc::halton_goes_round
 
@@ -134,24 +188,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 halton begins anew after eight dimensions
 // hint: each block needs a random permutation of its own
 namespace mc::halton_padded_in_one_order {
-template <Randomised fill>
-void same_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng(), use.tables);
-  Rng always(x.size());
-  if (dimension >= block) shuffle(x, always);
-}
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  same_order<fill_halton>(use, use.dimension, x, rng);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  same_order<fill_halton>(use, use.dimension, x, rng);
-  same_order<fill_halton>(use, use.dimension + 1, y, rng);
-}
-
-constexpr Kind wrong{"halton", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_by<fill_halton, same_order>, two_by<fill_halton, same_order>>("halton",
+                                                                                           kind);
 }
 }  // namespace mc::halton_padded_in_one_order
 
@@ -160,23 +199,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 each of the first twenty next2 gains
 // hint: all dimensions of a block share one permutation
 namespace mc::halton_shuffled_apart {
-template <Randomised fill>
-void own_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng(), use.tables);
-  if (dimension >= block) shuffle(x, rng);
-}
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  own_order<fill_halton>(use, use.dimension, x, rng);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  own_order<fill_halton>(use, use.dimension, x, rng);
-  own_order<fill_halton>(use, use.dimension + 1, y, rng);
-}
-
-constexpr Kind wrong{"halton", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_by<fill_halton, own_order>, two_by<fill_halton, own_order>>("halton",
+                                                                                         kind);
 }
 }  // namespace mc::halton_shuffled_apart
 
@@ -186,33 +211,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: these are dimensions 8 to 15
 // hint: high dimensions of a sequence are poor pairs
 namespace mc::halton_without_blocks {
-constexpr std::size_t dimensions = joe_kuo.size();
-
-void fill(std::size_t dimension, std::span<double> x, Rng& rng) {
-  static const std::vector<unsigned> bases = primes(dimensions);
-  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 0, x, rng());
-  radical_inverses(2, 0, x);
-  owen_scramble(x, rng());
-}
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  if (use.dimension < dimensions) return fill(use.dimension, x, rng);
-  fill(0, x, rng);
-  shuffle(x, rng);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  const bool padded = use.dimension + 2 > dimensions;
-  fill(padded ? 0 : use.dimension, x, rng);
-  fill(padded ? 1 : use.dimension + 1, y, rng);
-  if (!padded) return;
-  Rng again = rng;
-  shuffle(x, rng);
-  shuffle(y, again);
-}
-
-constexpr Kind wrong{"halton", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_of_32<scrambled_halton>, two_of_32<scrambled_halton>>("halton", kind);
 }
 }  // namespace mc::halton_without_blocks
 
@@ -220,8 +220,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 sobol begins anew after eight dimensions
 // hint: that is left out
 namespace mc::last_dimension_and_first {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   Point2 next2() override {
     if (next2_ == ready2_ && dimension_ % block == block - 1) {
@@ -242,8 +241,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "sobol") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "sobol" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::last_dimension_and_first
 
@@ -251,8 +249,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 the first dimensions of halton are, 6.3 halton begins anew after eight dimensions
 // hint: takes the next one of the sequence
 namespace mc::next2_takes_one_dimension {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   Point2 next2() override {
     if (next2_ != ready2_) return ColumnSampler::next2();
@@ -263,8 +260,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "halton") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "halton" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::next2_takes_one_dimension
 
@@ -272,22 +268,16 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
 // hint: dimension: there are only 32
 namespace mc::no_more_than_32_dimensions {
-void fill(std::size_t dimension, std::span<double> x, Rng& rng) {
-  sobol(static_cast<unsigned>(dimension), 0, x);
-  owen_scramble(x, rng());
-}
 void one(const Use& use, std::span<double> x, Rng& rng) {
-  fill(use.dimension, x, rng);
+  scrambled_sobol(use.dimension, x, rng);
 }
 void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill(use.dimension, x, rng);
-  fill(use.dimension + 1, y, rng);
+  scrambled_sobol(use.dimension, x, rng);
+  scrambled_sobol(use.dimension + 1, y, rng);
 }
 
-constexpr Kind wrong{"sobol", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one, two>("sobol", kind);
 }
 }  // namespace mc::no_more_than_32_dimensions
 
@@ -297,8 +287,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.7 the first next2 is blue noise
 // hint: count the calls of next() and those of next2() in counters of their own
 namespace mc::one_counter {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   double next() override { return next2().x; }
 };
@@ -318,10 +307,8 @@ void same_seed(const Use& use, std::span<double> x, std::span<double> y, Rng& rn
   fill_in_order<fill_sobol>(use, use.dimension + 1, y, again);
 }
 
-constexpr Kind wrong{"sobol", one_of<fill_sobol>, same_seed};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_of<fill_sobol>, same_seed>("sobol", kind);
 }
 }  // namespace mc::one_scramble_for_both_axes
 
@@ -335,10 +322,8 @@ void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
   sobol(static_cast<unsigned>(dimension), 0, x);
 }
 
-constexpr Kind wrong{"sobol", one_of<plain>, two_of<plain>};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_of<plain>, two_of<plain>>("sobol", kind);
 }
 }  // namespace mc::sobol_as_it_is
 
@@ -346,40 +331,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 sobol begins anew after eight dimensions
 // hint: scrambled by seeds of its own
 namespace mc::sobol_blocks_scrambled_alike {
-class Wrong : public ColumnSampler {
- public:
-  using ColumnSampler::ColumnSampler;
-  double next() override {
-    if (next_ != ready_) return ColumnSampler::next();
-    ColumnSampler::next();
-    alike(ones_[ready_ - 1], dimension_ - 1);
-    return ones_[ready_ - 1][sample_];
-  }
-  Point2 next2() override {
-    if (next2_ != ready2_) return ColumnSampler::next2();
-    ColumnSampler::next2();
-    Pair& pair = twos_[ready2_ - 1];
-    alike(pair.x, dimension_ - 2);
-    alike(pair.y, dimension_ - 1);
-    return {pair.x[sample_], pair.y[sample_]};
-  }
-
- private:
-  /// Keeps a column of the first block, and repeats it in every other.
-  void alike(std::vector<double>& x, std::size_t dimension) {
-    std::vector<double>& first = first_[dimension % block];
-    if (dimension < block) first = x;
-    if (dimension < block || first.size() != x.size()) return;
-    x = first;
-    Rng order = order_;
-    shuffle(x, order);
-  }
-  std::array<std::vector<double>, block> first_;
-};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "sobol") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "sobol" ? make_spoiled<BlocksAlike>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::sobol_blocks_scrambled_alike
 
@@ -395,10 +348,8 @@ void shifted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tab
   }
 }
 
-constexpr Kind wrong{"sobol", one_of<shifted>, two_of<shifted>};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_of<shifted>, two_of<shifted>>("sobol", kind);
 }
 }  // namespace mc::sobol_by_digital_shift
 
@@ -406,18 +357,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 sobol begins anew after eight dimensions
 // hint: every block but the first needs a shuffle
 namespace mc::sobol_goes_round {
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  fill_sobol(use.dimension % block, x, rng(), use.tables);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_sobol(use.dimension % block, x, rng(), use.tables);
-  fill_sobol(use.dimension % block + 1, y, rng(), use.tables);
-}
-
-constexpr Kind wrong{"sobol", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_in_a_circle<fill_sobol>, two_in_a_circle<fill_sobol>>("sobol", kind);
 }
 }  // namespace mc::sobol_goes_round
 
@@ -425,24 +366,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 sobol begins anew after eight dimensions
 // hint: each block needs a random permutation of its own
 namespace mc::sobol_padded_in_one_order {
-template <Randomised fill>
-void same_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng(), use.tables);
-  Rng always(x.size());
-  if (dimension >= block) shuffle(x, always);
-}
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  same_order<fill_sobol>(use, use.dimension, x, rng);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  same_order<fill_sobol>(use, use.dimension, x, rng);
-  same_order<fill_sobol>(use, use.dimension + 1, y, rng);
-}
-
-constexpr Kind wrong{"sobol", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_by<fill_sobol, same_order>, two_by<fill_sobol, same_order>>("sobol",
+                                                                                         kind);
 }
 }  // namespace mc::sobol_padded_in_one_order
 
@@ -450,23 +376,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
 // hint: all dimensions of a block share one permutation
 namespace mc::sobol_shuffled_apart {
-template <Randomised fill>
-void own_order(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng(), use.tables);
-  if (dimension >= block) shuffle(x, rng);
-}
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  own_order<fill_sobol>(use, use.dimension, x, rng);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  own_order<fill_sobol>(use, use.dimension, x, rng);
-  own_order<fill_sobol>(use, use.dimension + 1, y, rng);
-}
-
-constexpr Kind wrong{"sobol", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_by<fill_sobol, own_order>, two_by<fill_sobol, own_order>>("sobol",
+                                                                                       kind);
 }
 }  // namespace mc::sobol_shuffled_apart
 
@@ -475,30 +387,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: these are dimensions 8 to 15
 // hint: high dimensions of a sequence are poor pairs
 namespace mc::sobol_without_blocks {
-constexpr std::size_t dimensions = joe_kuo.size();
-
-void fill(std::size_t dimension, std::span<double> x, Rng& rng) {
-  sobol(static_cast<unsigned>(dimension), 0, x);
-  owen_scramble(x, rng());
-}
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  if (use.dimension < dimensions) return fill(use.dimension, x, rng);
-  fill(0, x, rng);
-  shuffle(x, rng);
-}
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  const bool padded = use.dimension + 2 > dimensions;
-  fill(padded ? 0 : use.dimension, x, rng);
-  fill(padded ? 1 : use.dimension + 1, y, rng);
-  if (!padded) return;
-  Rng again = rng;
-  shuffle(x, rng);
-  shuffle(y, again);
-}
-
-constexpr Kind wrong{"sobol", one, two};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<one_of_32<scrambled_sobol>, two_of_32<scrambled_sobol>>("sobol", kind);
 }
 }  // namespace mc::sobol_without_blocks

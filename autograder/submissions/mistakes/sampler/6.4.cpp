@@ -12,8 +12,7 @@
 // caught by: 6.4 two samplers at once share nothing
 // hint: no clock, no global generator
 namespace mc::clock_decides {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
@@ -30,8 +29,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 a sample may ask for less than the one before
 // hint: make a whole column, also for the samples before
 namespace mc::columns_begin_late {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
@@ -58,8 +56,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: columns of that size or of another
 namespace mc::columns_never_shrink {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
@@ -93,10 +90,8 @@ void centred(const Use& use, std::span<double> x, std::span<double> y, Rng& rng)
   }
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, centred};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, centred>("blue_noise", kind);
 }
 }  // namespace mc::first_point_in_the_middle
 
@@ -104,8 +99,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 the same seed gives the same numbers
 // hint: what is left over from the integration before?
 namespace mc::goes_on_with_its_generator {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     const Rng before = rng_;
@@ -124,8 +118,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 no samples and too many are refused
 // hint: memory for a column of them
 namespace mc::memory_decides {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     const std::vector<double> column(samples > most_samples ? samples : 0);
@@ -142,8 +135,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 no samples and too many are refused
 // hint: there must be samples
 namespace mc::no_samples_are_fine {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples > 0) return ColumnSampler::generate(samples, seed);
@@ -160,8 +152,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 the same seed gives the same numbers
 // hint: what is left over from the integration before?
 namespace mc::old_columns {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     const bool same = samples == samples_ && sample_ < samples_;
@@ -182,8 +173,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 the same seed gives the same numbers
 // hint: Counters, columns of that size
 namespace mc::old_counters {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     const std::size_t before = next_;
@@ -193,8 +183,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "stratified") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "stratified" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::old_counters
 
@@ -202,8 +191,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 the same seed gives the same numbers
 // hint: what is left over from the integration before?
 namespace mc::old_order {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   double next() override {
     if (next_ != ready_ || ready_ >= 4) return ColumnSampler::next();
@@ -228,8 +216,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "stratified") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "stratified" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::old_order
 
@@ -237,8 +224,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 the same seed gives the same numbers
 // hint: Counters, columns of that size
 namespace mc::old_sample_number {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     const std::size_t before = sample_;
@@ -262,10 +248,8 @@ void kept(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   best_candidate(x, y, 1, always);
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, kept};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, kept>("blue_noise", kind);
 }
 }  // namespace mc::one_blue_pattern
 
@@ -274,8 +258,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 next and next2 are counted apart
 // hint: must not hand its numbers to the next one
 namespace mc::one_stream {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   double next() override {
     require_sample();
@@ -288,8 +271,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "independent") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::one_stream
 
@@ -297,8 +279,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 there are numbers for N samples and no others
 // hint: next() and next2() need a sample
 namespace mc::round_and_round {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void advance() override {
     next_ = next2_ = 0;
@@ -315,8 +296,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 neighbouring seeds have nothing in common
 // hint: mix the bits of the seed
 namespace mc::seed_is_the_state {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
 
   void generate(std::size_t samples, std::uint64_t seed) override {
@@ -333,8 +313,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "independent") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::seed_is_the_state
 
@@ -342,8 +321,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 neighbouring seeds have nothing in common
 // hint: was the seed cut to 32 bits?
 namespace mc::seed_of_32_bits {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, static_cast<unsigned>(seed));
@@ -359,8 +337,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 neighbouring seeds have nothing in common
 // hint: their sum, say, is the same
 namespace mc::seed_plus_counter {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
@@ -382,8 +359,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "independent") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::seed_plus_counter
 
@@ -391,8 +367,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 neighbouring seeds have nothing in common
 // hint: their sum, say, is the same
 namespace mc::seed_plus_use {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
@@ -422,8 +397,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 namespace mc::static_generator {
 Rng shared(0);
 
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
@@ -457,8 +431,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: next() to another sample dimension?
 namespace mc::takes_from_the_next_sample {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
@@ -485,8 +458,7 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "independent") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::takes_from_the_next_sample
 
@@ -494,8 +466,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 there are numbers for N samples and no others
 // hint: advance() never throws
 namespace mc::throws_at_the_end {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void advance() override {
     require_sample();
@@ -512,8 +483,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 a sample may ask for less than the one before
 // hint: a sample dimension may first be asked for by a later sample
 namespace mc::uses_of_the_first_sample {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   double next() override {
     if (sample_ > 0 && next_ == ready_) throw std::out_of_range("more than the first sample");
@@ -534,8 +504,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // caught by: 6.4 there are numbers for N samples and no others
 // hint: next() and next2() need a sample
 namespace mc::zero_after_the_end {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   double next() override { return sample_ < samples_ ? ColumnSampler::next() : 0; }
   Point2 next2() override { return sample_ < samples_ ? ColumnSampler::next2() : Point2{}; }

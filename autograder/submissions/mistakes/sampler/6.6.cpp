@@ -5,25 +5,37 @@
 #include "solutions/sampler.cpp"
 #undef render
 
+namespace mc {
+namespace {
+
+/// The solution's loop, with any seeds for the pixels.
+template <class SeedOf>
+Image render_with(const PixelScene& scene, Sampler& sampler, std::size_t spp, SeedOf seed_of) {
+  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: more pixels than memory may hold");
+  }
+  Image image{scene.width, scene.height, {}};
+  for (std::size_t row = 0; row < scene.height; ++row) {
+    for (std::size_t column = 0; column < scene.width; ++column) {
+      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
+      image.pixels.push_back(integrate(pixel, sampler, spp, seed_of(column, row)));
+    }
+  }
+  return image;
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: uses one seed for all pixels of a row
 // caught by: 6.6 no two pixels have the same random numbers
 // caught by: 6.6 the noise of a picture is white across pixels
 // hint: the same pattern in every pixel shows as a pattern
 namespace mc::a_seed_for_each_row {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
-  Rng seeds(seed);
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, mix_bits(seed + mix_bits(row))));
-    }
-  }
-  return image;
+  return render_with(scene, sampler, spp,
+                     [=](std::size_t, std::size_t row) { return mix_bits(seed + mix_bits(row)); });
 }
 }  // namespace mc::a_seed_for_each_row
 
@@ -33,18 +45,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: the same pattern in every pixel shows as a pattern
 namespace mc::one_pattern_for_all_pixels {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, seed));
-    }
-  }
-  return image;
+  return render_with(scene, sampler, spp, [=](std::size_t, std::size_t) { return seed; });
 }
 }  // namespace mc::one_pattern_for_all_pixels
 
@@ -71,19 +72,8 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: was the seed cut to 32 bits?
 namespace mc::picture_seed_of_32_bits {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
   Rng seeds(static_cast<unsigned>(seed));
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, seeds()));
-    }
-  }
-  return image;
+  return render_with(scene, sampler, spp, [&](std::size_t, std::size_t) { return seeds(); });
 }
 }  // namespace mc::picture_seed_of_32_bits
 
@@ -92,19 +82,11 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: rows and columns have changed places
 namespace mc::rows_and_columns_swapped {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
-  Rng seeds(seed);
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(row, column, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, seeds()));
-    }
-  }
-  return image;
+  PixelScene turned = scene;
+  turned.sample = [&](std::size_t column, std::size_t row, Sampler& s) {
+    return scene.sample(row, column, s);
+  };
+  return right_render(turned, sampler, spp, seed);
 }
 }  // namespace mc::rows_and_columns_swapped
 
@@ -113,18 +95,9 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: their sum, say, is the same
 namespace mc::seed_plus_pixel {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, seed + row * scene.width + column));
-    }
-  }
-  return image;
+  return render_with(scene, sampler, spp, [&](std::size_t column, std::size_t row) {
+    return seed + row * scene.width + column;
+  });
 }
 }  // namespace mc::seed_plus_pixel
 
@@ -133,18 +106,9 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: their sum, say, is the same
 namespace mc::seed_plus_primes {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, seed + 1973 * column + 9277 * row));
-    }
-  }
-  return image;
+  return render_with(scene, sampler, spp, [=](std::size_t column, std::size_t row) {
+    return seed + 1973 * column + 9277 * row;
+  });
 }
 }  // namespace mc::seed_plus_primes
 
@@ -153,19 +117,9 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: the same pattern in every pixel shows as a pattern
 namespace mc::seeds_repeat_after_128_pixels {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
-      image.pixels.push_back(integrate(
-          pixel, sampler, spp, mix_bits(mix_bits(seed) ^ (column % 128 + 128 * (row % 128)))));
-    }
-  }
-  return image;
+  return render_with(scene, sampler, spp, [=](std::size_t column, std::size_t row) {
+    return mix_bits(mix_bits(seed) ^ (column % 128 + 128 * (row % 128)));
+  });
 }
 }  // namespace mc::seeds_repeat_after_128_pixels
 
@@ -193,19 +147,9 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: a counter of pixels say
 namespace mc::static_pixel_counter {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
   static std::uint64_t pixels = 0;
-  Image image{scene.width, scene.height, {}};
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{scene.uses, [&](Sampler& s) { return scene.sample(column, row, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, mix_bits(mix_bits(seed) + ++pixels)));
-    }
-  }
-  return image;
+  return render_with(scene, sampler, spp,
+                     [=](std::size_t, std::size_t) { return mix_bits(mix_bits(seed) + ++pixels); });
 }
 }  // namespace mc::static_pixel_counter
 
@@ -232,19 +176,10 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // hint: the first row is the top one
 namespace mc::upside_down {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
-  if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
-  }
-  Image image{scene.width, scene.height, {}};
-  Rng seeds(seed);
-  for (std::size_t row = 0; row < scene.height; ++row) {
-    for (std::size_t column = 0; column < scene.width; ++column) {
-      const Scene pixel{
-          scene.uses, [&](Sampler& s) { return scene.sample(column, scene.height - 1 - row, s); }};
-      image.pixels.push_back(integrate(pixel, sampler, spp, seeds()));
-    }
-  }
-  return image;
+  PixelScene turned = scene;
+  turned.sample = [&](std::size_t column, std::size_t row, Sampler& s) {
+    return scene.sample(column, scene.height - 1 - row, s);
+  };
+  return right_render(turned, sampler, spp, seed);
 }
 }  // namespace mc::upside_down

@@ -13,10 +13,8 @@ void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   shuffle(y, again);
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, blue};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, blue>("blue_noise", kind);
 }
 }  // namespace mc::blue_in_every_use
 
@@ -29,10 +27,8 @@ void apart(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   if (use.number == 0) shuffle(y, rng);
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, apart};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, apart>("blue_noise", kind);
 }
 }  // namespace mc::blue_shuffled_apart
 
@@ -45,10 +41,8 @@ void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   best_candidate(x, y, 1, rng);
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, blue};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, blue>("blue_noise", kind);
 }
 }  // namespace mc::blue_where_it_is_first
 
@@ -66,10 +60,8 @@ void anchored(const Use& use, std::span<double> x, std::span<double> y, Rng& rng
   }
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, anchored};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, anchored>("blue_noise", kind);
 }
 }  // namespace mc::blue_with_a_fixed_point
 
@@ -84,10 +76,8 @@ void twins(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   y.back() = y[y.size() - 2];
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, twins};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, twins>("blue_noise", kind);
 }
 }  // namespace mc::blue_with_a_twin
 
@@ -111,10 +101,8 @@ void cut(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   std::copy_n(points.column(1).begin(), y.size(), y.begin());
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, cut};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, cut>("blue_noise", kind);
 }
 }  // namespace mc::poisson_disk_cut
 
@@ -133,10 +121,8 @@ void filled(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) 
   }
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, filled};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, filled>("blue_noise", kind);
 }
 }  // namespace mc::poisson_disk_filled
 
@@ -162,9 +148,7 @@ void ten(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   }
 }
 
-constexpr Kind wrong{"blue_noise", stratified1, ten};
-
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind(wrong, kind);
+  return make_other_kind<stratified1, ten>("blue_noise", kind);
 }
 }  // namespace mc::ten_candidates

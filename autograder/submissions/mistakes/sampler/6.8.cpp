@@ -5,8 +5,7 @@
 // caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: columns are made when they are asked for, and none was
 namespace mc::eager_columns {
-class Wrong : public ColumnSampler {
- public:
+struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
@@ -16,7 +15,6 @@ class Wrong : public ColumnSampler {
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  if (kind == "stratified") return make_spoiled<Wrong>(kind);
-  return right_make_sampler(kind);
+  return kind == "stratified" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
 }  // namespace mc::eager_columns

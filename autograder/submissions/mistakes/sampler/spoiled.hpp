@@ -28,10 +28,11 @@ std::unique_ptr<Sampler> make_spoiled(std::string_view kind) {
   return right_make_sampler(kind);
 }
 
-/// The solution's sampler, but for the kind that has the name of `wrong`.
-[[maybe_unused]] std::unique_ptr<Sampler> make_other_kind(const Kind& wrong,
-                                                          std::string_view kind) {
-  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
+/// The solution's sampler, but one kind of it fills columns by other functions.
+template <auto one, auto two>
+std::unique_ptr<Sampler> make_other_kind(std::string_view other, std::string_view kind) {
+  static const Kind wrong{other, one, two};
+  if (kind == other) return std::make_unique<ColumnSampler>(wrong);
   return right_make_sampler(kind);
 }
 

@@ -5,6 +5,24 @@
 #include "solutions/variance.cpp"
 #undef variance_two_pass
 
+namespace mc {
+namespace {
+
+/// One pass about `shift`.
+double variance_about(std::span<const double> x, double shift) {
+  const auto n = static_cast<double>(x.size());
+  double sum = 0, squares = 0;
+  for (double value : x) {
+    const double d = value - shift;
+    sum += d;
+    squares += d * d;
+  }
+  return std::max(squares - sum * sum / n, 0.0) / (n - 1);
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: returns the standard deviation instead of the variance
 // caught by: 1.3 the variance of constant data is zero, 1.3 the two-pass variance of tame data
 // caught by: 1.3 two passes keep their digits under a large mean, 1.3 two passes on hard cases
@@ -113,15 +131,7 @@ double variance_two_pass(std::span<const double> x) {
 // hint: is everything measured from a value that may lie far
 namespace mc::two_pass_shift_by_first {
 double variance_two_pass(std::span<const double> x) {
-  if (x.size() < 2) return nan;
-  const auto n = static_cast<double>(x.size());
-  double sum = 0, squares = 0;
-  for (double value : x) {
-    const double d = value - x.front();
-    sum += d;
-    squares += d * d;
-  }
-  return std::max(squares - sum * sum / n, 0.0) / (n - 1);
+  return x.size() < 2 ? nan : variance_about(x, x.front());
 }
 }  // namespace mc::two_pass_shift_by_first
 
@@ -130,15 +140,7 @@ double variance_two_pass(std::span<const double> x) {
 // hint: is everything measured from a value that may lie far
 namespace mc::two_pass_shift_by_last {
 double variance_two_pass(std::span<const double> x) {
-  if (x.size() < 2) return nan;
-  const auto n = static_cast<double>(x.size());
-  double sum = 0, squares = 0;
-  for (double value : x) {
-    const double d = value - x.back();
-    sum += d;
-    squares += d * d;
-  }
-  return std::max(squares - sum * sum / n, 0.0) / (n - 1);
+  return x.size() < 2 ? nan : variance_about(x, x.back());
 }
 }  // namespace mc::two_pass_shift_by_last
 
@@ -147,15 +149,7 @@ double variance_two_pass(std::span<const double> x) {
 // hint: is everything measured from a value that may lie far
 namespace mc::two_pass_shift_by_middle {
 double variance_two_pass(std::span<const double> x) {
-  if (x.size() < 2) return nan;
-  const auto n = static_cast<double>(x.size());
-  double sum = 0, squares = 0;
-  for (double value : x) {
-    const double d = value - x[x.size() / 2];
-    sum += d;
-    squares += d * d;
-  }
-  return std::max(squares - sum * sum / n, 0.0) / (n - 1);
+  return x.size() < 2 ? nan : variance_about(x, x[x.size() / 2]);
 }
 }  // namespace mc::two_pass_shift_by_middle
 

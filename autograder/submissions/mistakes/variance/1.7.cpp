@@ -1,9 +1,35 @@
 // Mistakes in task 1.7.
 #include "variance.hpp"
 
+#include <numeric>
+
 #define dependence right_dependence
 #include "solutions/variance.cpp"
 #undef dependence
+
+namespace mc {
+namespace {
+
+/// p(x,y) - p(x) p(y) of each cell, for weights of this total.
+std::vector<double> differences(std::span<const double> joint, std::size_t columns, double total) {
+  right_dependence(joint, columns);  // for its exceptions
+  std::vector<double> p_x(joint.size() / columns), p_y(columns), all(joint.size());
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    p_x[i / columns] += joint[i] / total;
+    p_y[i % columns] += joint[i] / total;
+  }
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    all[i] = joint[i] / total - p_x[i / columns] * p_y[i % columns];
+  }
+  return all;
+}
+
+double sum(std::span<const double> joint) {
+  return std::accumulate(joint.begin(), joint.end(), 0.0);
+}
+
+}  // namespace
+}  // namespace mc
 
 // mistake: takes the weights for probabilities
 // caught by: 1.7 the dependence of a joint table, 1.7 independent variables have dependence zero
@@ -11,16 +37,8 @@
 // hint: the weights are no probabilities yet: divide by their total
 namespace mc::dependence_not_normalised {
 double dependence(std::span<const double> joint, std::size_t columns) {
-  right_dependence(joint, columns);  // for what it throws
-  std::vector<double> p_x(joint.size() / columns), p_y(columns);
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    p_x[i / columns] += joint[i];
-    p_y[i % columns] += joint[i];
-  }
   double largest = 0;
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    largest = std::max(largest, std::abs(joint[i] - p_x[i / columns] * p_y[i % columns]));
-  }
+  for (double d : differences(joint, columns, 1)) largest = std::max(largest, std::abs(d));
   return largest;
 }
 }  // namespace mc::dependence_not_normalised
@@ -30,18 +48,9 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 // hint: this is the sum of all cells' differences
 namespace mc::dependence_of_all_cells {
 double dependence(std::span<const double> joint, std::size_t columns) {
-  right_dependence(joint, columns);  // for what it throws
-  double total = 0, sum = 0;
-  for (double weight : joint) total += weight;
-  std::vector<double> p_x(joint.size() / columns), p_y(columns);
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    p_x[i / columns] += joint[i] / total;
-    p_y[i % columns] += joint[i] / total;
-  }
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    sum += std::abs(joint[i] / total - p_x[i / columns] * p_y[i % columns]);
-  }
-  return sum;
+  double all = 0;
+  for (double d : differences(joint, columns, sum(joint))) all += std::abs(d);
+  return all;
 }
 }  // namespace mc::dependence_of_all_cells
 
@@ -50,18 +59,8 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 // hint: abs()
 namespace mc::dependence_one_sided {
 double dependence(std::span<const double> joint, std::size_t columns) {
-  right_dependence(joint, columns);  // for what it throws
-  double total = 0;
-  for (double weight : joint) total += weight;
-  std::vector<double> p_x(joint.size() / columns), p_y(columns);
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    p_x[i / columns] += joint[i] / total;
-    p_y[i % columns] += joint[i] / total;
-  }
   double largest = 0;
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    largest = std::max(largest, joint[i] / total - p_x[i / columns] * p_y[i % columns]);
-  }
+  for (double d : differences(joint, columns, sum(joint))) largest = std::max(largest, d);
   return largest;
 }
 }  // namespace mc::dependence_one_sided
@@ -84,18 +83,10 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 // hint: the largest difference is in an empty cell
 namespace mc::dependence_skips_empty_cells {
 double dependence(std::span<const double> joint, std::size_t columns) {
-  right_dependence(joint, columns);  // for what it throws
-  double total = 0;
-  for (double weight : joint) total += weight;
-  std::vector<double> p_x(joint.size() / columns), p_y(columns);
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    p_x[i / columns] += joint[i] / total;
-    p_y[i % columns] += joint[i] / total;
-  }
+  const std::vector<double> all = differences(joint, columns, sum(joint));
   double largest = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
-    if (joint[i] == 0) continue;
-    largest = std::max(largest, std::abs(joint[i] / total - p_x[i / columns] * p_y[i % columns]));
+    if (joint[i] > 0) largest = std::max(largest, std::abs(all[i]));
   }
   return largest;
 }

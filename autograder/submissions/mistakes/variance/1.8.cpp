@@ -5,20 +5,29 @@
 #include "solutions/variance.cpp"
 #undef moments
 
+namespace mc {
+namespace {
+
+/// One pass about `shift`.
+Moments moments_about(std::span<const double> x, double shift) {
+  const auto n = static_cast<double>(x.size());
+  double sum = 0, squares = 0;
+  for (double value : x) {
+    sum += value - shift;
+    squares += (value - shift) * (value - shift);
+  }
+  return {x.size(), shift + sum / n, squares - sum * sum / n};
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: uses the textbook formula, because one pass is fast
 // caught by: 1.8 the moments keep their digits on hard data
 // hint: these are the digits that E{X^2} - E{X}^2 gives
 namespace mc::moments_are_textbook {
 Moments moments(std::span<const double> x) {
-  if (x.empty()) return {};
-  const auto n = static_cast<double>(x.size());
-  double sum = 0;
-  double sum_of_squares = 0;
-  for (double value : x) {
-    sum += value;
-    sum_of_squares += value * value;
-  }
-  return {x.size(), sum / n, sum_of_squares - sum * sum / n};
+  return x.empty() ? Moments{} : moments_about(x, 0);
 }
 }  // namespace mc::moments_are_textbook
 
@@ -128,16 +137,11 @@ Moments moments(std::span<const double> x) {
 namespace mc::moments_shift_by_one_of_three {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
-  const auto n = static_cast<double>(x.size());
   const double first = x.front(), middle = x[x.size() / 2], last = x.back();
   const double shift = std::max(std::min(first, middle), std::min(std::max(first, middle), last));
-  double sum = 0;
-  double sum_of_squares = 0;
-  for (double value : x) {
-    sum += value - shift;
-    sum_of_squares += (value - shift) * (value - shift);
-  }
-  return {x.size(), shift + sum / n, std::max(sum_of_squares - sum * sum / n, 0.0)};
+  Moments all = moments_about(x, shift);
+  if (all.m2 < 0) all.m2 = 0;
+  return all;
 }
 }  // namespace mc::moments_shift_by_one_of_three
 
@@ -146,16 +150,7 @@ Moments moments(std::span<const double> x) {
 // hint: these are the digits of sums about the first value
 namespace mc::moments_shift_by_the_first {
 Moments moments(std::span<const double> x) {
-  if (x.empty()) return {};
-  const auto n = static_cast<double>(x.size());
-  const double shift = x[0];
-  double sum = 0;
-  double sum_of_squares = 0;
-  for (double value : x) {
-    sum += value - shift;
-    sum_of_squares += (value - shift) * (value - shift);
-  }
-  return {x.size(), shift + sum / n, sum_of_squares - sum * sum / n};
+  return x.empty() ? Moments{} : moments_about(x, x.front());
 }
 }  // namespace mc::moments_shift_by_the_first
 
@@ -180,16 +175,7 @@ Moments moments(std::span<const double> x) {
 // hint: is everything measured from a value that may lie far
 namespace mc::moments_shift_by_the_last {
 Moments moments(std::span<const double> x) {
-  if (x.empty()) return {};
-  const auto n = static_cast<double>(x.size());
-  const double shift = x.back();
-  double sum = 0;
-  double sum_of_squares = 0;
-  for (double value : x) {
-    sum += value - shift;
-    sum_of_squares += (value - shift) * (value - shift);
-  }
-  return {x.size(), shift + sum / n, sum_of_squares - sum * sum / n};
+  return x.empty() ? Moments{} : moments_about(x, x.back());
 }
 }  // namespace mc::moments_shift_by_the_last
 
@@ -198,15 +184,6 @@ Moments moments(std::span<const double> x) {
 // hint: is everything measured from a value that may lie far
 namespace mc::moments_shift_by_the_middle {
 Moments moments(std::span<const double> x) {
-  if (x.empty()) return {};
-  const auto n = static_cast<double>(x.size());
-  const double shift = x[x.size() / 2];
-  double sum = 0;
-  double sum_of_squares = 0;
-  for (double value : x) {
-    sum += value - shift;
-    sum_of_squares += (value - shift) * (value - shift);
-  }
-  return {x.size(), shift + sum / n, sum_of_squares - sum * sum / n};
+  return x.empty() ? Moments{} : moments_about(x, x[x.size() / 2]);
 }
 }  // namespace mc::moments_shift_by_the_middle
