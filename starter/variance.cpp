@@ -1,7 +1,7 @@
-// Lab 1 · variance. labs/1-variance/variance.hpp says what each function promises, and
-// labs/1-variance/README.md is the handout. Write the tasks in any order and try them with
+// Lab 1 · variance. labs/1-variance/variance.hpp states what each function promises, and
+// labs/1-variance/README.md is the handout. Write the tasks in any order and check them with
 //
-//   ./lab check variance              all of it
+//   ./lab check variance              the whole lab
 //   ./lab check variance --only 1.1   one task
 
 #include "variance.hpp"
@@ -11,7 +11,7 @@
 namespace mc {
 
 double mean(std::span<const double> /*x*/) {
-  throw todo("1.1");  // TODO(1.1): the mean; mind the sum that overflows where the mean does not
+  throw todo("1.1");  // TODO(1.1): the mean; the sum may overflow although the mean does not
 }
 
 double variance_textbook(std::span<const double> /*x*/) {
@@ -31,19 +31,19 @@ double variance(const Moments& /*moments*/) {
 }
 
 Moments merge(const Moments& /*a*/, const Moments& /*b*/) {
-  throw todo("1.5");  // TODO(1.5): what does the distance of the two means add to m2?
+  throw todo("1.5");  // TODO(1.5): how much does the difference of the two means add to m2?
 }
 
 double covariance(std::span<const double> /*x*/, std::span<const double> /*y*/) {
-  throw todo("1.6");  // TODO(1.6): the mean product of the deviations, over n - 1
+  throw todo("1.6");  // TODO(1.6): the sum of the products of deviations, over n - 1
 }
 
 double dependence(std::span<const double> /*joint*/, std::size_t /*columns*/) {
-  throw todo("1.7");  // TODO(1.7): normalise, sum rows and columns, compare p(x,y) with p(x) p(y)
+  throw todo("1.7");  // TODO(1.7): normalize, sum rows and columns, compare p(x,y) to p(x) p(y)
 }
 
 Moments moments(std::span<const double> /*x*/) {
-  throw todo("1.8");  // TODO(1.8): the speed task; a loop over add() is a beginning
+  throw todo("1.8");  // TODO(1.8): the speed task; a loop over add() is a start
 }
 
 }  // namespace mc

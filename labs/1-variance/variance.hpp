@@ -1,13 +1,15 @@
 #pragma once
-// Lab 1 · variance: what you implement, in starter/variance.cpp. The handout is README.md here.
+// Lab 1 · variance: what you implement in starter/variance.cpp. The handout is README.md in this
+// folder.
 //
-// Var{X} = E{(X - E{X})^2}: each function below is one way to compute it, or one of its facts.
+// Var{X} = E{(X - E{X})^2}: each function below computes it in one way, or is one of its facts.
 // Throughout:
 //
-// * What is undefined is a quiet NaN, and "variance" is the sample variance, over n - 1.
-// * An infinity or a NaN among the values is never hidden: what depends on it is infinite or NaN.
-// * Misuse throws std::invalid_argument, whose text names the argument. A function without a line
-//   `throws:` has no misuse. One without a line `cost:` takes time linear in the number of values.
+// * Undefined results are a quiet NaN. "Variance" is the sample variance, with divisor n - 1.
+// * An infinity or a NaN among the values is never hidden: the result is infinite or NaN.
+// * Misuse throws std::invalid_argument with a message that names the argument. A function without
+//   a `throws:` line never throws. A function without a `cost:` line takes time linear in the
+//   number of values.
 // * eps is 2^-52, and kappa is sqrt(1 + mean^2 / variance) of the values.
 
 #include <cstddef>
@@ -18,12 +20,12 @@ namespace mc {
 
 /// 1.1  The mean of `x`.
 /// requires: any number of values; NaN if there are none. Finite wherever the true mean is a
-///   double, so also for {1e308, 1e308} and {-1e308, -1e308}, whose sums are not.
+///   double, so also for {1e308, 1e308} and {-1e308, -1e308}, whose sums overflow.
 /// source: the definition.
 double mean(std::span<const double> x);
 
 /// 1.2  The sample variance by the handy fact Var{X} = E{X^2} - E{X}^2, times n / (n - 1).
-/// In double and uncorrected: a check asks that it loses all digits where the mean is large.
+/// In double and uncorrected: a check requires that it loses all digits where the mean is large.
 /// requires: any number of values; NaN for fewer than two.
 /// source: Chan, Golub, LeVeque 1983, "Algorithms for computing the sample variance", the textbook
 ///   algorithm.
@@ -50,40 +52,40 @@ struct Moments {
 ///   Knuth, "The art of computer programming", volume 2, section 4.2.2, eq. 15 and 16.
 void add(Moments& moments, double x);
 
-/// 1.4  The sample variance of all values that were added: m2 / (count - 1).
-/// requires: any count of 64 bits; NaN below two.
+/// 1.4  The sample variance of all values added so far: m2 / (count - 1).
+/// requires: any 64-bit count; NaN below two.
 /// cost: constant.
 /// source: as add.
 double variance(const Moments& moments);
 
 /// 1.5  The moments of two streams together, from their moments alone.
-/// requires: either may be empty, and one may be 10^15 times the other. The product of the counts
-///   may need more than 64 bits: multiply them as doubles. The sum of the counts fits.
+/// requires: either may be empty, and one may have 10^15 times as many values as the other. The
+///   product of the counts may need more than 64 bits: multiply them as doubles. Their sum fits.
 /// cost: constant.
 /// source: Chan, Golub, LeVeque 1983, eq. 2.1.
 Moments merge(const Moments& a, const Moments& b);
 
 /// 1.6  The sample covariance of the pairs (x[i], y[i]), over n - 1. Its error is at most
 /// 10 n eps (kappa_x + kappa_y) sigma_x sigma_y, at any scales of x and y.
-/// requires: as many x as y; NaN for fewer than two pairs.
-/// throws: std::invalid_argument where the sizes of x and y differ.
+/// requires: x and y of equal size; NaN for fewer than two pairs.
+/// throws: std::invalid_argument if the sizes of x and y differ.
 /// source: Schubert, Gertz 2018, "Numerically stable parallel computation of (co-)variance".
 double covariance(std::span<const double> x, std::span<const double> y);
 
 /// 1.7  How far a joint distribution is from independence: the largest |p(x,y) - p(x) p(y)|. At
 /// most 4 eps where X and Y are independent.
 /// requires: `joint` is a table of weights, row by row, `columns` wide: a row for each x, a column
-///   for each y. Their total is positive and a double; the function normalises them.
-/// throws: std::invalid_argument for no columns, for a size that is no multiple of `columns`, for a
-///   weight that is negative, infinite or NaN, and for a total that is not positive.
+///   for each y. Their total is positive and fits into a double; the function normalizes them.
+/// throws: std::invalid_argument if columns is 0, if the size is not a multiple of `columns`, if a
+///   weight is negative, infinite or NaN, and if the total is not positive.
 /// source: the definition of independence, p(x,y) = p(x) p(y).
 double dependence(std::span<const double> joint, std::size_t columns);
 
-/// 1.8  The speed task: the moments of `x`, as fast as you can. They keep the digits that 1.3 keeps
-/// for the same values, of which 15 count at most; one and a half of these may be lost. m2 is never
+/// 1.8  The speed task: the moments of `x`, as fast as you can. m2 has at most one and a half
+/// digits fewer than 1.3 has for the same values (or than 15, if 1.3 has more). It is never
 /// negative, and at most n (eps c)^2 for up to 4096 equal values c.
 /// requires: any number of values; Moments{} for none.
-/// source: Chan, Golub, LeVeque 1983, on data that are shifted.
+/// source: Chan, Golub, LeVeque 1983, on shifted data.
 Moments moments(std::span<const double> x);
 
 }  // namespace mc
