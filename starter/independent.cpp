@@ -1,8 +1,8 @@
-// Lab 2 · independent sampling. labs/2-independent/independent.hpp says what each function
+// Lab 2 · independent sampling. labs/2-independent/independent.hpp states what each function
 // promises, and labs/2-independent/README.md is the handout. Use your own functions of lab 1. Write
-// the tasks in any order and try them with
+// the tasks in any order and check them with
 //
-//   ./lab check independent              all of it
+//   ./lab check independent              the whole lab
 //   ./lab check independent --only 2.1   one task
 
 #include "independent.hpp"
@@ -53,11 +53,11 @@ Estimate irradiance_area(const RectLight& /*light*/, std::uint64_t /*n*/, Rng& /
 }
 
 Estimate irradiance_hemisphere(const RectLight& /*light*/, std::uint64_t /*n*/, Rng& /*rng*/) {
-  throw todo("2.7");  // TODO(2.7): pi * radiance where a direction meets the light
+  throw todo("2.7");  // TODO(2.7): pi * radiance if a direction hits the light, else 0
 }
 
 void uniforms(Rng& /*rng*/, std::span<double> /*out*/) {
-  throw todo("2.8");  // TODO(2.8): the speed task; a loop over to_unit(rng()) is right
+  throw todo("2.8");  // TODO(2.8): the speed task; a loop over to_unit(rng()) is correct
 }
 
 }  // namespace mc

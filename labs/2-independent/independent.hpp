@@ -1,14 +1,14 @@
 #pragma once
-// Lab 2 · independent sampling: what you implement, in starter/independent.cpp. The handout is
-// README.md here.
+// Lab 2 · independent sampling: what you implement in starter/independent.cpp. The handout is
+// README.md in this folder.
 //
-// G_N = 1/N sum g(x_i), with independent x_i: unbiased, of variance sigma^2 / N, and able to
-// estimate that variance itself. Lab 1's functions are at hand. Throughout:
+// G_N = 1/N sum g(x_i) with independent x_i is unbiased, has the variance sigma^2 / N, and can
+// estimate that variance itself. You may call the functions of lab 1. Throughout:
 //
-// * What is undefined is a quiet NaN. Misuse throws std::invalid_argument, whose text names the
-//   argument. A function without a line `throws:` has no misuse.
+// * Undefined results are a quiet NaN. Misuse throws std::invalid_argument with a message that
+//   names the argument. A function without a `throws:` line never throws.
 // * Random numbers come from the generator that is passed in, in any order, and from nowhere else.
-// * A function without a line `cost:` takes constant time for a number, or time linear in n.
+// * A function without a `cost:` line takes constant time per number, or time linear in n.
 
 #include <cstdint>
 #include <span>
@@ -21,7 +21,7 @@
 
 namespace mc {
 
-/// 2.1  The number in [0, 1) that the upper 53 bits of a word make: floor(bits / 2^11) 2^-53,
+/// 2.1  The number in [0, 1) given by the upper 53 bits of a word: floor(bits / 2^11) 2^-53,
 /// exactly. Never 1.
 /// requires: any word.
 /// source: Goualard 2020, "Generating random floating-point numbers by dividing integers".
@@ -40,49 +40,49 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng);
 /// is rate exp(-rate x) for x >= 0. Finite, non-decreasing in u, and within 4 ulp of -log1p(-u) /
 /// rate, also for the smallest u.
 /// requires: u in [0, 1), rate > 0.
-/// throws: std::invalid_argument where rate is not positive, or NaN.
+/// throws: std::invalid_argument if rate is not positive, or NaN.
 /// source: Pharr, Jakob, Humphreys 2023, section 2.3; Owen, chapter 4.
 double sample_exponential(double u, double rate);
 
 /// 2.3  The quantile function at `u` of the density (a + 1) x^a on [0, 1]. In [0, 1],
 /// non-decreasing in u, and within 4 ulp and the rounding of the exponent 1 / (a + 1).
 /// requires: u in [0, 1), a > -1.
-/// throws: std::invalid_argument where a is not above -1, or NaN.
+/// throws: std::invalid_argument if a is not above -1, or NaN.
 /// source: as sample_exponential.
 double sample_power(double u, double a);
 
 /// 2.3  The density that sample_exponential samples: rate exp(-rate x) for x >= 0, 0 below.
 /// requires: any x, rate > 0.
-/// throws: std::invalid_argument where rate is not positive, or NaN.
+/// throws: std::invalid_argument if rate is not positive, or NaN.
 /// source: as sample_exponential.
 double pdf_exponential(double x, double rate);
 
 /// 2.3  The density that sample_power samples: (a + 1) x^a on [0, 1] with both ends, 0 outside.
 /// requires: any x, a > -1.
-/// throws: std::invalid_argument where a is not above -1, or NaN.
+/// throws: std::invalid_argument if a is not above -1, or NaN.
 /// source: as sample_exponential.
 double pdf_power(double x, double a);
 
 /// 2.4  The integral of the one-dimensional `g` over the support of `p`, as the mean of g(x) / p(x)
 /// at `n` independent points x = p.sample(u). standard_error and Estimate::n are as in 2.2. A point
 /// at which the pdf is 0 or infinite adds 0 and is counted.
-/// requires: n >= 1; g.dims = 1; p.pdf is the density of what p.sample makes of a uniform u.
+/// requires: n >= 1; g.dims = 1; p.pdf is the density of p.sample(u) for a uniform u.
 /// throws: std::invalid_argument for n = 0.
 /// source: Pharr, Jakob, Humphreys 2023, section 2.2.2; Owen, chapter 9.
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng);
 
-/// 2.5  The interval around `estimate` that contains the true value with probability `level`, in
-/// the limit of many samples: normal_quantile((1 + level) / 2) standard errors to either side.
+/// 2.5  The interval around `estimate` that contains the true value with probability `level` in the
+/// limit of many samples: normal_quantile((1 + level) / 2) standard errors to either side.
 /// requires: a standard error that is not NaN; level in (0, 1).
-/// throws: std::invalid_argument where level is not inside (0, 1).
+/// throws: std::invalid_argument if level is not inside (0, 1).
 /// source: Owen, chapter 2.
 Interval confidence_interval(const Estimate& estimate, double level);
 
-/// 2.6  How many samples bring the standard error down to `target_error`, judging by a pilot run: n
-/// (standard error / target)^2, rounded up, and at least 1. One sample too many is accepted.
+/// 2.6  How many samples reduce the standard error to `target_error`, according to a pilot run:
+/// n (standard error / target)^2, rounded up, and at least 1. One sample too many is accepted.
 /// requires: a pilot with samples and a standard error; target_error > 0.
-/// throws: std::invalid_argument where target_error is not positive, or NaN; where the pilot has no
-///   samples, or its standard error is NaN; and where the answer does not fit into 64 bits.
+/// throws: std::invalid_argument if target_error is not positive, or NaN; if the pilot has n = 0
+///   or its standard error is NaN; and if the answer does not fit into 64 bits.
 /// source: Owen, chapter 2.
 std::uint64_t samples_for(const Estimate& pilot, double target_error);
 
@@ -94,17 +94,17 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error);
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng);
 
 /// 2.7  The same irradiance from `n` independent directions of the receiver's hemisphere, of
-/// density cos / pi: the mean of pi · radiance where a direction meets the light, and 0 elsewhere.
+/// density cos / pi: the mean of pi · radiance if a direction hits the light, and 0 if not.
 /// requires: as irradiance_area.
 /// throws: std::invalid_argument for n = 0.
 /// source: Pharr, Jakob, Humphreys 2023, section 4.2, and appendix A.5.3 for Malley's method.
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng);
 
 /// 2.8  The speed task: fills `out` with independent uniform numbers in [0, 1), as fast as you can
-/// and in any order. Each has 53 random bits or more. The generator moves on, so two calls have
-/// nothing in common; equal generators give equal numbers.
-/// requires: a span of any size, also empty; any generator, also one that returns one word for ever
-///   (then the numbers need only lie in [0, 1)).
+/// and in any order. Each has at least 53 random bits. The generator advances, so two calls are
+/// independent; equal generators give equal numbers.
+/// requires: a span of any size, also empty; any generator, also one that always returns the same
+///   word (then the numbers only have to lie in [0, 1)).
 /// source: Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators".
 void uniforms(Rng& rng, std::span<double> out);
 
