@@ -1,8 +1,8 @@
-// Lab 3 · stratification. labs/3-stratification/stratification.hpp says what each function
+// Lab 3 · stratification. labs/3-stratification/stratification.hpp states what each function
 // promises, and labs/3-stratification/README.md is the handout. Write the tasks in any order and
-// try them with
+// check them with
 //
-//   ./lab check stratification              all of it
+//   ./lab check stratification              the whole lab
 //   ./lab check stratification --only 3.1   one task
 
 #include "stratification.hpp"
@@ -24,11 +24,11 @@ void stratified_2d(std::span<double> /*x*/, std::span<double> /*y*/, Grid /*grid
 }
 
 void shuffle(std::span<double> /*x*/, Rng& /*rng*/) {
-  throw todo("3.4");  // TODO(3.4): swap each value with one of those not placed yet, or itself
+  throw todo("3.4");  // TODO(3.4): swap each value with itself or one not yet placed
 }
 
 void stratified(PointSet& /*points*/, Rng& /*rng*/) {
-  throw todo("3.4");  // TODO(3.4): a jittered grid for each two dimensions, shuffled by itself
+  throw todo("3.4");  // TODO(3.4): a jittered grid per pair of dimensions, shuffled
 }
 
 void stratified_nd(PointSet& /*points*/, std::size_t /*per_axis*/, Rng& /*rng*/) {
@@ -36,7 +36,7 @@ void stratified_nd(PointSet& /*points*/, std::size_t /*per_axis*/, Rng& /*rng*/)
 }
 
 void latin_hypercube(PointSet& /*points*/, Rng& /*rng*/) {
-  throw todo("3.6");  // TODO(3.6): every axis stratified, and shuffled by itself
+  throw todo("3.6");  // TODO(3.6): stratify every axis, and shuffle each independently
 }
 
 void multi_jittered(std::span<double> /*x*/, std::span<double> /*y*/, Grid /*grid*/, Rng& /*rng*/) {
@@ -48,7 +48,7 @@ Estimate estimate_replicated(const Integrand& /*g*/, const Generator& /*generato
   throw todo("3.8");  // TODO(3.8): the mean of the replicates' means, and its standard error
 }
 
-// TODO(3.9): the speed task. It has no function of its own: come back to 3.1 and 3.3 when they are
-// right, and make them cost no more than the random numbers that they use.
+// TODO(3.9): the speed task adds no function: come back to 3.1 and 3.3 when they are correct, and
+// make them cost no more than the random numbers that they use.
 
 }  // namespace mc

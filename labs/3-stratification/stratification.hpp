@@ -1,16 +1,16 @@
 #pragma once
-// Lab 3 · stratification: what you implement, in starter/stratification.cpp. The handout is
-// README.md here.
+// Lab 3 · stratification: what you implement in starter/stratification.cpp. The handout is
+// README.md in this folder.
 //
 // Cut the domain into N strata of equal volume and put one point into each. The variance of an
-// estimate is then the variance within the strata; the variance between them costs nothing.
+// estimate is then the variance within the strata; the variance between them does not contribute.
 // Throughout:
 //
 // * Points lie in [0,1)^d, whatever rounding does. Every value that is passed in is overwritten.
 // * Random numbers come from the generator that is passed in, in any order, and from nowhere else.
-// * Misuse throws std::invalid_argument, whose text names the argument. A function without a line
-//   `throws:` has no misuse. One without a line `cost:` takes time linear in the number of values
-//   that it writes.
+// * Misuse throws std::invalid_argument with a message that names the argument. A function without
+//   a `throws:` line never throws. A function without a `cost:` line takes time linear in the
+//   number of values that it writes.
 
 #include <cstddef>
 #include <cstdint>
@@ -32,8 +32,8 @@ namespace mc {
 void stratified_1d(std::span<double> x, Rng& rng);
 
 /// 3.2  The grid of n cells that is as square as n allows: nx * ny = n, and ny is the largest
-/// divisor of n that is at most sqrt(n). A prime n is n cells in a row.
-/// requires: n >= 1, up to 64 bits.
+/// divisor of n that is at most sqrt(n). A prime n gives a row of n cells.
+/// requires: n >= 1; any 64-bit number.
 /// throws: std::invalid_argument for n = 0.
 /// cost: about sqrt(n) divisions at worst.
 /// source: trial division, Knuth, "The art of computer programming", volume 2, section 4.5.4.
@@ -42,22 +42,22 @@ Grid strata(std::size_t n);
 /// 3.3  A jittered grid: one point (x[k], y[k]) in each cell of `grid`, uniform in it and
 /// independent of the others, x and y independent of each other. The cells come in any order.
 /// Containment holds in floating point, as in 3.1, with edges double(i) / nx and double(j) / ny.
-/// requires: as many x as y, nx * ny of them; nx and ny at least 1. The product nx * ny may need
-///   more than 64 bits, and then it is not the size.
-/// throws: std::invalid_argument where the sizes of x and y differ, where the grid has no cells,
-///   and where nx * ny is not the number of points.
+/// requires: x and y of size nx * ny; nx and ny at least 1. The product nx * ny may need more than
+///   64 bits; then it is not the size.
+/// throws: std::invalid_argument if the sizes of x and y differ, if the grid has no cells, and if
+///   nx * ny is not the number of points.
 /// source: Cook 1986.
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng);
 
 /// 3.4  Puts the values into random order: each of the N! permutations is equally likely.
-/// requires: any number of values, also none.
+/// requires: any number of values, also 0.
 /// source: Durstenfeld 1964, "Algorithm 235: random permutation".
 void shuffle(std::span<double> x, Rng& rng);
 
 /// 3.4  Stratified points of any number of dimensions, by padding: dimensions (0,1), (2,3), … are
 /// each a jittered grid of strata(N) cells, an odd last dimension is a pattern of 3.1. Each pattern
-/// is shuffled by itself, x and y of a point together, so that the permutations of the patterns are
-/// independent and any first n < N points are a fair sample. (Two 1D patterns are not a 2D
+/// is shuffled independently, x and y of a point together, so that the permutations of the patterns
+/// are independent and the first n < N points are an unbiased sample. (Two 1D patterns are not a 2D
 /// pattern.)
 /// requires: at least one point and one dimension.
 /// source: Pharr, Jakob, Humphreys 2023, section 8.5.
@@ -66,14 +66,14 @@ void stratified(PointSet& points, Rng& rng);
 /// 3.5  Full stratification: one point in each of the per_axis^dims cells of a grid over all
 /// dimensions at once, uniform in its cell, in any order.
 /// requires: per_axis^dims = points.size(); per_axis >= 1, dims >= 1. The power may need more than
-///   64 bits, and then it is not the size.
-/// throws: std::invalid_argument for per_axis = 0, and where per_axis^dims is not the number of
+///   64 bits; then it is not the size.
+/// throws: std::invalid_argument for per_axis = 0, and if per_axis^dims is not the number of
 ///   points.
 /// source: Owen, "Monte Carlo theory, methods and examples", chapter 10.
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng);
 
-/// 3.6  A Latin hypercube: every axis is stratified as in 3.1 and shuffled by itself, so that the
-/// permutations of the axes are independent.
+/// 3.6  A Latin hypercube: every axis is stratified as in 3.1 and shuffled independently of the
+/// others.
 /// requires: at least one point and one dimension.
 /// source: McKay, Beckman, Conover 1979, "A comparison of three methods for selecting values of
 ///   input variables in the analysis of output from a computer code".
@@ -82,25 +82,27 @@ void latin_hypercube(PointSet& points, Rng& rng);
 /// 3.7  Multi-jittered points: one point in each cell of `grid`, one x in each of the N strata of
 /// x, and one y in each of the N strata of y. Each point is uniform in its cell, so the canonical
 /// arrangement must be permuted at random; columns may share one permutation, and rows another.
-/// Points come in any order.
+/// The points come in any order.
 /// requires: as stratified_2d.
 /// throws: as stratified_2d.
 /// source: Chiu, Shirley, Wang 1994, "Multi-jittered sampling", Graphics Gems IV; Kensler 2013,
-///   "Correlated multi-jittered sampling", for permutations that are shared.
+///   "Correlated multi-jittered sampling", for shared permutations.
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng);
 
-/// 3.8  An estimate with an error bar for points that are not independent of each other: the mean
-/// of `replicates` means of g, each over a PointSet(n, g.dims) that `generator` made afresh, and
-/// the standard error of that mean, from the sample variance of the means. NaN for one replicate.
-/// Estimate::n is n * replicates, the number of evaluations.
+/// 3.8  An estimate with an error bar for points that are not identically distributed (jittered
+/// points are independent, but s^2 estimates the variance within plus that between the strata) or
+/// not independent (3.6, 3.7): the mean of `replicates` means of g, each over a fresh
+/// PointSet(n, g.dims) from `generator`, and the standard error of that mean, from the sample
+/// variance of the means. NaN for one replicate. Estimate::n is n * replicates, the number of
+/// evaluations.
 /// requires: n >= 1, replicates >= 1; a generator that writes every value, in one call.
 /// throws: std::invalid_argument for n = 0 and for replicates = 0.
-/// cost: one call of `generator` for a replicate, one evaluation of g for a point.
+/// cost: one call of `generator` per replicate, one evaluation of g per point.
 /// source: Owen, "Monte Carlo theory, methods and examples", chapter 17.
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng);
 
-/// 3.9  The speed task has no function of its own: make 3.1 and 3.3 cost no more than the random
-/// numbers that they use. Every promise above still holds, for every size.
+/// 3.9  The speed task adds no function: make 3.1 and 3.3 cost no more than the random numbers that
+/// they use. Every promise above still holds, for every size.
 
 }  // namespace mc
