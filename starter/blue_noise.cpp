@@ -1,7 +1,7 @@
-// Lab 4 · blue noise. What each function promises is in labs/4-blue-noise/blue_noise.hpp; the
-// handout is labs/4-blue-noise/README.md. Write the tasks in any order and try them with
+// Lab 4 · blue noise. labs/4-blue-noise/blue_noise.hpp states what each function promises, and
+// labs/4-blue-noise/README.md is the handout. Write the tasks in any order and check them with
 //
-//   ./lab check blue_noise              all of it
+//   ./lab check blue_noise              the whole lab
 //   ./lab check blue_noise --only 4.1   one task
 
 #include "blue_noise.hpp"
@@ -11,7 +11,7 @@
 namespace mc {
 
 double toroidal_distance_squared(Point2 /*a*/, Point2 /*b*/) {
-  throw todo("4.1");  // TODO(4.1): along each axis, the shorter of the two ways
+  throw todo("4.1");  // TODO(4.1): along each axis, the shorter of the two paths
 }
 
 void best_candidate(std::span<double> /*x*/, std::span<double> /*y*/, double /*c*/, Rng& /*rng*/) {
@@ -35,7 +35,7 @@ PointSet tile(const PointSet& /*pattern*/, int /*copies*/) {
   throw todo("4.6");  // TODO(4.6): copies side by side; every coordinate below 1
 }
 
-// TODO(4.7): the speed task. It has no function of its own: when 4.2 and 4.3 are right, lay a
-// grid over the square, so that only near points are looked at.
+// TODO(4.7): the speed task adds no function: when 4.2 and 4.3 are correct, lay a grid over the
+// square, so that each search visits nearby points only.
 
 }  // namespace mc
