@@ -1,8 +1,8 @@
-// Lab 5 · Halton and quasi-Monte Carlo. What each function promises is in
-// labs/5-halton/halton.hpp; the handout is labs/5-halton/README.md. Write the tasks in any order
-// and try them with
+// Lab 5 · Halton and quasi-Monte Carlo. labs/5-halton/halton.hpp states what each function
+// promises, and labs/5-halton/README.md is the handout. Write the tasks in any order and check them
+// with
 //
-//   ./lab check halton              all of it
+//   ./lab check halton              the whole lab
 //   ./lab check halton --only 5.1   one task
 
 #include "halton.hpp"
@@ -12,11 +12,11 @@
 namespace mc {
 
 double radical_inverse(unsigned /*base*/, std::uint64_t /*index*/) {
-  throw todo("5.1");  // TODO(5.1): the digits of the index, mirrored at the point
+  throw todo("5.1");  // TODO(5.1): the digits of the index, mirrored at the radix point
 }
 
 void radical_inverses(unsigned /*base*/, std::uint64_t /*first*/, std::span<double> /*column*/) {
-  throw todo("5.2");  // TODO(5.2): consecutive indices; a loop over 5.1 is right, but slow
+  throw todo("5.2");  // TODO(5.2): consecutive indices; a loop over 5.1 is correct, but slow
 }
 
 std::vector<unsigned> primes(std::size_t /*count*/) {
@@ -36,11 +36,11 @@ void sobol(unsigned /*dimension*/, std::uint64_t /*first*/, std::span<double> /*
 }
 
 double star_discrepancy(std::span<const double> /*x*/) {
-  throw todo("5.6");  // TODO(5.6): sort; the worst interval ends at a point: open or closed
+  throw todo("5.6");  // TODO(5.6): sort; the worst interval ends at a point, open or closed
 }
 
 double star_discrepancy(std::span<const double> /*x*/, std::span<const double> /*y*/) {
-  throw todo("5.6");  // TODO(5.6): boxes that end at points or at 1: open and closed
+  throw todo("5.6");  // TODO(5.6): boxes that end at points or at 1, open and closed
 }
 
 void random_shift(PointSet& /*points*/, Rng& /*rng*/) {
@@ -48,7 +48,7 @@ void random_shift(PointSet& /*points*/, Rng& /*rng*/) {
 }
 
 void owen_scramble(std::span<double> /*column*/, std::uint64_t /*seed*/) {
-  throw todo("5.8");  // TODO(5.8): flip each bit by a hash of seed and bits before it
+  throw todo("5.8");  // TODO(5.8): flip each bit by a hash of the seed and the bits before it
 }
 
 void radical_inverses_scrambled(unsigned /*base*/, std::uint64_t /*first*/,

@@ -1,11 +1,11 @@
 #pragma once
-// Lab 5 · Halton and quasi-Monte Carlo: what you implement, in starter/halton.cpp. The handout is
-// README.md here.
+// Lab 5 · Halton and quasi-Monte Carlo: what you implement in starter/halton.cpp. The handout is
+// README.md in this folder. This lab is not linked with labs 1 to 4.
 //
-// Low-discrepancy points, which are deterministic and fill boxes more evenly than random points do;
-// and ways to randomise them that keep this property. Indices, dimensions and positions of digits
+// Low-discrepancy points, which are deterministic and fill boxes more evenly than random points do,
+// and ways to randomize them that keep this property. Indices, dimensions and positions of digits
 // count from 0. Every coordinate that is written lies in [0, 1). Each `throws` below is a
-// std::invalid_argument whose text names the argument.
+// std::invalid_argument whose message names the argument.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,26 +18,26 @@
 
 namespace mc {
 
-/// 5.1  The radical inverse: the digits of `index` in `base`, mirrored at the point, so that
+/// 5.1  The radical inverse: the digits of `index` in `base`, mirrored at the radix point, so that
 /// 6 = 110 in base 2 becomes .011 = 3/8. Within 4 * 2^-53 of that fraction, and below 1, for every
-/// index of 64 bits and every base.
-/// throws:   base < 2.
+/// 64-bit index and every base.
+/// throws:   if base < 2.
 /// source:   van der Corput 1935, "Verteilungsfunktionen" (base 2); Halton 1960.
 double radical_inverse(unsigned base, std::uint64_t index);
 
 /// 5.2  The radical inverses of first, first + 1, …, one for each value of `column`, with the error
 /// bound of 5.1. A speed task.
-/// throws:   base < 2; a last index above 2^64 - 1.
+/// throws:   if base < 2; if the last index is above 2^64 - 1.
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column);
 
 /// 5.3  The first `count` primes: 2, 3, 5, …
-/// cost:     O(count^2) is good enough: trial division by the primes before.
+/// cost:     O(count^2) is good enough: trial division by the smaller primes.
 std::vector<unsigned> primes(std::size_t count);
 
 /// 5.3  Points first, first + 1, … of the Halton sequence: coordinate d is the radical inverse in
 /// the d-th prime, d from 0, within the bound of 5.1.
 /// requires: at least one point and one dimension.
-/// throws:   a last index above 2^64 - 1.
+/// throws:   if the last index is above 2^64 - 1.
 /// source:   Halton 1960, "On the efficiency of certain quasi-random sequences of points in
 ///           evaluating multi-dimensional integrals".
 void halton(PointSet& points, std::uint64_t first);
@@ -51,14 +51,14 @@ void hammersley(PointSet& points);
 /// 5.5  Coordinate `dimension` of points first, first + 1, … of the Sobol' sequence: the XOR of the
 /// direction numbers of those bits that are set in the index. Exact multiples of 2^-32, in the
 /// sequence's own order (not the Gray-code order); point 0 is the origin. A speed task.
-/// throws:   a dimension that joe_kuo does not have; a last index above 2^32 - 1.
+/// throws:   if joe_kuo has no such dimension; if the last index is above 2^32 - 1.
 /// source:   Bratley, Fox 1988, "Algorithm 659: implementing Sobol's quasirandom sequence
 ///           generator", equations 2 and 3; numbers from Joe, Kuo 2008.
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column);
 
-/// 5.6  The star discrepancy of N points of the line: the largest difference of the length of an
-/// interval [0, a) or [0, a], a <= 1, and the fraction of the points inside. Exact within 1e-14.
-/// throws:   no points; a value outside [0,1], or NaN.
+/// 5.6  The star discrepancy of N points of the line: the largest difference between the length of
+/// an interval [0, a) or [0, a], a <= 1, and the fraction of the points inside. Exact within 1e-14.
+/// throws:   if there are no points; if a value is outside [0,1], or NaN.
 /// cost:     O(N log N).
 /// source:   Niederreiter 1992, "Random number generation and quasi-Monte Carlo methods", theorem
 ///           2.6.
@@ -66,7 +66,8 @@ double star_discrepancy(std::span<const double> x);
 
 /// 5.6  The same in the plane: the area of a box at the origin and the fraction of the points
 /// inside, over all open and all closed boxes. Exact within 1e-14.
-/// throws:   no points; sizes of x and y that differ; a value outside [0,1], or NaN.
+/// throws:   if there are no points; if the sizes of x and y differ; if a value is outside [0,1],
+///           or NaN.
 /// cost:     at most O(N^2 log N).
 /// source:   Niederreiter 1972, "Discrepancy and convex programming"; de Clerck 1986, "A method for
 ///           exact calculation of the stardiscrepancy of plane sets applied to the sequences of
@@ -74,30 +75,30 @@ double star_discrepancy(std::span<const double> x);
 double star_discrepancy(std::span<const double> x, std::span<const double> y);
 
 /// 5.7  Cranley-Patterson rotation: shifts all points by one random vector, uniform in the unit
-/// cube, and wraps them around at 1. Each point by itself becomes uniform.
+/// cube, and wraps them around at 1. Each individual point becomes uniform.
 /// requires: at least one point and one dimension; coordinates in [0,1).
 /// source:   Cranley, Patterson 1976, "Randomization of number theoretic methods for multiple
 ///           integration".
 void random_shift(PointSet& points, Rng& rng);
 
 /// 5.8  Nested uniform scrambling in base 2: flips each of the 53 leading bits of a value, or not,
-/// by a random decision of its own for each string of bits that may stand before it. The decision
-/// is a hash of that string and of all 64 bits of `seed`: a function of value and seed alone, so
-/// equal values stay equal in any column, and a column can be made in parts. Each axis takes a seed
-/// of its own.
+/// by an independent random decision for each string of preceding bits. The decision is a hash of
+/// that string and of all 64 bits of `seed`: a function of value and seed alone, so equal values
+/// stay equal in any column, and a column can be computed in parts. Use a different seed for each
+/// axis.
 ///
-/// How random the hash is: any two values are scrambled independently behind the first bit in which
-/// they differ (then the variance is Owen's), and larger groups of values nearly so: the error of
-/// exp(x) with 1,024 points of the line is close to Gaussian, with a kurtosis near 3.
+/// How random the hash must be: any two values are scrambled independently after the first bit in
+/// which they differ (then the variance is Owen's), and larger groups of values nearly so: the
+/// error of exp(x) with 1,024 points of the line is close to Gaussian, with a kurtosis near 3.
 /// requires: values in [0,1), integer multiples of 2^-53.
 /// source:   Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences".
 void owen_scramble(std::span<double> column, std::uint64_t seed);
 
-/// 5.9  As 5.2, with the digit at each position of the radical inverse replaced by a random
-/// permutation of it: an independent permutation for each position, also for the infinitely many
-/// zeros behind the last digit (down to 2^-53). A function of base, index and seed alone. In base 2
-/// this is a digital shift.
-/// throws:   base < 2 or base > 2^16; a last index above 2^64 - 1.
+/// 5.9  As 5.2, with the digit at each position of the radical inverse mapped by a random
+/// permutation: an independent permutation for each position, also for the infinitely many trailing
+/// zeros (down to 2^-53). A function of base, index and seed alone. In base 2 this is a digital
+/// shift.
+/// throws:   if base < 2 or base > 2^16; if the last index is above 2^64 - 1.
 /// source:   Owen 2017, "A randomized Halton algorithm in R".
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed);
