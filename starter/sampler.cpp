@@ -1,7 +1,7 @@
-// Lab 6 · the sampler. What each function promises is in labs/6-sampler/sampler.hpp; the handout
-// is labs/6-sampler/README.md. Write the tasks in any order and try them with
+// Lab 6 · the sampler. labs/6-sampler/sampler.hpp states what each function promises, and
+// labs/6-sampler/README.md is the handout. Write the tasks in any order and check them with
 //
-//   ./lab check sampler              all of it
+//   ./lab check sampler              the whole lab
 //   ./lab check sampler --only 6.2   one task
 
 #include "sampler.hpp"
@@ -16,10 +16,10 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   if (kind == "halton") throw todo("6.3");       // TODO(6.3): dimensions in blocks of eight
   if (kind == "sobol") throw todo("6.3");
   if (kind == "blue_noise") throw todo("6.7");  // TODO(6.7): its first next2() is special
-  throw todo("6.1");                            // any other kind is refused
+  throw todo("6.1");                            // unknown kinds are refused
 }
 
-// TODO(6.4): the contract has no function of its own: it holds for every kind.
+// TODO(6.4): the contract adds no function: it holds for every kind.
 
 double integrate(const Scene& /*scene*/, Sampler& /*sampler*/, std::size_t /*samples*/,
                  std::uint64_t /*seed*/) {
@@ -28,10 +28,10 @@ double integrate(const Scene& /*scene*/, Sampler& /*sampler*/, std::size_t /*sam
 
 Image render(const PixelScene& /*scene*/, Sampler& /*sampler*/, std::size_t /*spp*/,
              std::uint64_t /*seed*/) {
-  throw todo("6.6");  // TODO(6.6): one integration for each pixel, with a seed of its own
+  throw todo("6.6");  // TODO(6.6): one integration per pixel, each with its own seed
 }
 
-// TODO(6.8): the speed task has no function of its own either. Measure where the time goes when a
-// picture has few samples per pixel, and when it has many.
+// TODO(6.8): the speed task adds no function either. Measure where the time goes when a picture has
+// few samples per pixel, and when it has many.
 
 }  // namespace mc

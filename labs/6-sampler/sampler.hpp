@@ -1,14 +1,15 @@
 #pragma once
-// Lab 6 · the sampler: what you implement, in starter/sampler.cpp. The handout is README.md here.
+// Lab 6 · the sampler: what you implement in starter/sampler.cpp. The handout is README.md in this
+// folder.
 //
 // A sample of a rendered picture is a point of a cube with as many dimensions as the sample needs
 // numbers: where in the pixel, when, through which point of the lens, to which point of the light.
-// The renderer asks for the coordinates one after the other, as it comes to need them. It does not
-// know what is behind them, random numbers or the point sets of labs 3 to 5: a sampler is a drop-in
+// The renderer asks for the coordinates one after the other, when it needs them. It does not know
+// where they come from, random numbers or the point sets of labs 3 to 5: a sampler is a drop-in
 // replacement for random().
 //
-// Every coordinate lies in [0,1). Each `throws` below is a std::invalid_argument whose text names
-// the argument, except where another exception is named.
+// Every coordinate lies in [0,1). Each `throws` below is a std::invalid_argument whose message
+// names the argument, except where another exception is named.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,41 +25,41 @@
 namespace mc {
 
 /// The largest number of samples of an integration, and of pixels of a picture: 2^27 doubles are
-/// 1 GiB, and a sampler may keep one for each of its coordinates.
+/// 1 GiB, and a sampler may store one per sample and sample dimension.
 inline constexpr std::size_t most_samples = std::size_t{1} << 27;
 
-/// Hands out the coordinates of N samples, sample by sample, coordinate by coordinate.
+/// Provides the coordinates of N samples, sample by sample, coordinate by coordinate.
 ///
-/// The k-th next() of every sample is one *sample dimension* (say: the time at which the shutter is
-/// hit), the k-th next2() is a pair of them. The two are counted apart, from 0 for every sample. A
-/// sample dimension is a column of N numbers, one for each sample, and each kind of sampler says
-/// how a column is filled: that it is stratified, say. Different columns are independent of each
-/// other, or (halton, sobol) different dimensions of one point set.
+/// The k-th next() of every sample is one *sample dimension* (for example, the time at which the
+/// shutter is open), the k-th next2() is a pair of them. next() and next2() are counted separately,
+/// from 0 for every sample. A sample dimension is a column of N numbers, one for each sample, and
+/// each kind of sampler defines how a column is filled: for example, stratified. Different columns
+/// are independent of each other, or (halton, sobol) different dimensions of one point set.
 ///
 /// 6.4  The contract of every kind: a sample may ask for fewer numbers than the one before it, or
 /// for none. The value of sample i in a sample dimension depends on the seed, on the number of
 /// samples, and, if you like, on the order in which sample dimensions were first asked for. It
-/// depends on nothing else: not on what other samples ask for, not on what the same object was used
-/// for before, not on other samplers.
+/// depends on nothing else: not on what other samples ask for, not on earlier uses of the same
+/// object, not on other samplers.
 class Sampler {
  public:
   virtual ~Sampler() = default;
 
-  /// Begins a new integration with `samples` samples, and stands at sample 0. Equal seeds give
-  /// equal numbers; different seeds, even neighbours, give unrelated ones.
-  /// throws:   no samples, more than most_samples.
+  /// Begins a new integration with `samples` samples, at sample 0. Equal seeds give equal numbers;
+  /// different seeds, even consecutive ones, give unrelated numbers.
+  /// throws:   if samples is 0 or more than most_samples.
   virtual void generate(std::size_t samples, std::uint64_t seed) = 0;
 
   /// The next coordinate of this sample.
   /// throws:   std::out_of_range before the first generate(), and after N calls of advance().
   virtual double next() = 0;
 
-  /// Two coordinates that belong together, as a point of the pixel or of the lens: in the columns
-  /// of a next2() the points are well distributed in the plane, not on each axis only.
+  /// Two coordinates that belong together, such as a point of the pixel or of the lens: in the
+  /// columns of a next2() the points are well distributed in the plane, not only on each axis.
   /// throws:   as next().
   virtual Point2 next2() = 0;
 
-  /// Moves on to the next sample, whose coordinates begin with the first sample dimension again.
+  /// Moves to the next sample, whose coordinates start with the first sample dimension again.
   /// Never throws.
   virtual void advance() = 0;
 };
@@ -69,12 +70,12 @@ class Sampler {
 ///
 /// 6.2  "stratified": each next() has one number in each of N strata of [0,1). Each next2() has one
 /// point in each cell of strata(N), and one in each of N strata of either axis (multi-jittered,
-/// 3.7: so a prime N stratifies both axes). The samples of each next() and of each next2() are in a
-/// random permutation of their own.
+/// 3.7: so a prime N stratifies both axes). The samples of each next() and of each next2() are in
+/// an independent random permutation.
 ///
 /// 6.3  "halton" and "sobol": dimensions of the sequence, with the points from index 0 on. Sample
 /// dimensions take them in the order in which they are first asked for; a next2() takes two. Each
-/// is randomised by a seed of its own: Sobol' by nested scrambling (5.8), Halton by permuted digits
+/// is randomized by a different seed: Sobol' by nested scrambling (5.8), Halton by permuted digits
 /// (5.9), but in base 2 by nested scrambling too. Any number of sample dimensions, in blocks of
 /// eight: the first block is dimensions 0 to 7, in the sequence's own order. Each later block is
 /// dimensions 0 to 7 again, with new seeds, its points in a random permutation that all eight
@@ -82,25 +83,24 @@ class Sampler {
 /// takes two, that one is left out.
 ///
 /// 6.7  "blue_noise": the first next2() is a blue-noise pattern of exactly N points, as blue as
-/// best_candidate with c = 1. All else is as in "stratified".
+/// best_candidate with c = 1. Everything else is as in "stratified".
 ///
-/// 6.8  The speed task has no function of its own: a number should cost little more than the call
-/// that asks for it, also with few samples, and a sample dimension that nobody asks for costs no
-/// memory.
+/// 6.8  The speed task adds no function: a number should cost little more than the call that asks
+/// for it, also with few samples, and a sample dimension that is never asked for uses no memory.
 ///
-/// throws:   any other kind, with a text that lists the five.
+/// throws:   for any other kind, with a message that lists the five.
 /// source:   Pharr, Jakob, Humphreys 2023, "Physically based rendering", section 8.3 (interface);
 ///           Kollig, Keller 2002, "Efficient multidimensional sampling" (padding with scrambled
 ///           sets).
 std::unique_ptr<Sampler> make_sampler(std::string_view kind);
 
 /// 6.5  The renderer's loop: the mean of `scene` over `samples` samples of `sampler`.
-/// throws:   no samples.
+/// throws:   if samples is 0.
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed);
 
-/// 6.6  A picture with `spp` samples per pixel. Each pixel is an integration with a seed of its
-/// own, which no other pixel has, and no pixel of a picture with another `seed`.
-/// throws:   spp = 0; a `scene` of more than most_samples pixels.
+/// 6.6  A picture with `spp` samples per pixel. Each pixel is an integration with its own seed,
+/// which no other pixel has, and no pixel of a picture with another `seed`.
+/// throws:   if spp is 0; if `scene` has more than most_samples pixels.
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed);
 
 }  // namespace mc
