@@ -22,97 +22,86 @@ using grader::Status;
 
 namespace {
 
-/// The checks that have these names, or beginnings of names.
-std::set<std::string> checks_named(const LabVerdict& verdict,
-                                   const std::vector<std::string>& starts) {
-  std::set<std::string> names;
-  for (const std::string& start : starts) {
-    std::vector<std::string> found;
-    for (const CheckResult& result : verdict.checks) {
-      if (result.check.name.starts_with(start)) found.push_back(result.check.name);
+/// The tasks that a mistake or a library fails: those it names ("// fails: 5.1, 5.3"), and the one
+/// that its catalog is named for.
+std::set<std::string> failing_tasks(const Subject& subject) {
+  std::set<std::string> tasks;
+  for (const char* key : {"fails", "caught by"}) {
+    for (const std::string& name : said(subject, key)) tasks.insert(name.substr(0, name.find(' ')));
+  }
+  if (is_catalog(subject.file)) tasks.insert(subject.file.stem().string());
+  return tasks;
+}
+
+/// Each of the tasks has a check that fails, and no other task has; others may wait for them, or be
+/// unwritten. Returns the reports of what failed.
+std::string compare_failures(const LabVerdict& verdict, std::set<std::string> tasks,
+                             bool may_be_unwritten) {
+  std::string reports;
+  std::set<std::string> failed;
+  for (const CheckResult& result : verdict.checks) {
+    const bool excused = result.status == Status::passed || result.status == Status::waiting ||
+                         result.status == Status::withheld ||
+                         (may_be_unwritten && result.status == Status::not_written);
+    if (result.status == Status::failed || result.status == Status::withheld) {
+      reports += result.story + '\n';
     }
-    if (found.size() == 1) {
-      names.insert(found[0]);
-    } else {
-      complain(fmt::format("'{}' begins the names of {} checks", start, found.size()));
+    if (excused) continue;
+    if (result.status != Status::failed) {
+      complain(fmt::format("'{}' is {}", result.check.name, describe(result, verdict)));
+    }
+    if (!tasks.contains(result.check.task)) {
+      complain("fails a check of a task that it does not name: " + result.check.name);
+    }
+    failed.insert(result.check.task);
+  }
+  for (const std::string& task : tasks) {
+    if (!failed.contains(task)) complain("passes all checks of " + task);
+  }
+  return reports;
+}
+
+/// The checks that a mistake in these tasks can fail: those of the tasks, and of others those that
+/// do not wait for one of them. A slow check takes longer than all others together: it is asked
+/// where no other check of its task is left.
+std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::string>& tasks,
+                                      bool slow) {
+  const auto checks = grader::expected_checks(proof.layout, proof.lab);
+  const auto need_one_of = [](const grader::Check& check, const std::set<std::string>& some) {
+    return std::any_of(check.needs.begin(), check.needs.end(),
+                       [&](const std::string& need) { return some.contains(need); });
+  };
+  std::set<std::string> waited_for = tasks;
+  for (std::size_t size = 0; size != waited_for.size();) {
+    size = waited_for.size();
+    for (const grader::Check& check : checks) {
+      if (need_one_of(check, waited_for)) waited_for.insert(check.task);
+    }
+  }
+  std::set<std::string> names;
+  for (const grader::Check& check : checks) {
+    if (check.is_slow != slow) continue;
+    const bool is_affected =
+        (proof.affected.empty() || proof.affected.contains(check.name)) && !slow;
+    if (tasks.contains(check.task) || (is_affected && !waited_for.contains(check.task))) {
+      names.insert(check.name);
     }
   }
   return names;
 }
 
-bool begins_with_one_of(const std::string& name, const std::vector<std::string>& starts) {
-  return std::any_of(starts.begin(), starts.end(),
-                     [&](const std::string& start) { return name.starts_with(start); });
-}
-
-/// Those checks failed, and no others; others may wait for them, or be unwritten. Gives the stories
-/// of what failed.
-std::string compare_failures(const LabVerdict& verdict, const std::set<std::string>& expected,
-                             bool may_be_unwritten) {
-  std::string stories;
-  for (const CheckResult& result : verdict.checks) {
-    const bool excused = result.status == Status::passed || result.status == Status::waiting ||
-                         result.status == Status::withheld ||
-                         (may_be_unwritten && result.status == Status::not_written);
-    const bool is_expected = expected.contains(result.check.name);
-    if (!excused && result.status != Status::failed) {
-      complain(fmt::format("'{}' is {}", result.check.name, describe(result, verdict)));
-    }
-    if (!excused) stories += result.story + '\n';
-    if (!excused && !is_expected) {
-      complain(fmt::format("caught by a check it does not name: {}", result.check.name));
-    }
-    if (excused && is_expected) {
-      complain(fmt::format("not caught by: {} ({})", result.check.name, describe(result, verdict)));
-    }
-  }
-  return stories;
-}
-
-bool fails_more(const LabVerdict& verdict, const std::set<std::string>& expected) {
-  return std::any_of(verdict.checks.begin(), verdict.checks.end(), [&](const CheckResult& result) {
-    return result.status == Status::failed && !expected.contains(result.check.name);
-  });
-}
-
-/// With this seed, of these checks, those fail that the file names, and say its hints.
+/// With this seed the tasks fail, and say the hints.
 void judge_mistake(const Subject& subject, const LabVerdict& verdict,
-                   const std::set<std::string>& named) {
-  const std::string stories = compare_failures(verdict, named, false);
+                   const std::set<std::string>& tasks) {
+  const std::string reports = compare_failures(verdict, tasks, false);
   for (const std::string& hint : said(subject, "hint")) {
-    if (stories.find(hint) == std::string::npos) complain("no story says: " + hint);
+    if (reports.find(hint) == std::string::npos) complain("no report says: " + hint);
   }
 }
 
-/// The checks whose outcome says nothing of a mistake that fails these: each of them needs a task
-/// that fails, so it passes or waits, and either is right. Not those of a task that a judged check
-/// needs in turn: whether that check waits is to be seen.
-std::set<std::string> checks_that_wait(const std::vector<grader::Check>& checks,
-                                       const std::vector<std::string>& named) {
-  std::set<std::string> at_fault, waiting;
-  for (const grader::Check& check : checks) {  // what is an edge case holds nobody up
-    if (!check.is_edge && begins_with_one_of(check.name, named)) at_fault.insert(check.task);
-  }
-  const auto need_one_of = [](const grader::Check& check, const std::set<std::string>& tasks) {
-    return std::any_of(check.needs.begin(), check.needs.end(),
-                       [&](const std::string& need) { return tasks.contains(need); });
-  };
-  for (const grader::Check& check : checks) {
-    const bool waits = need_one_of(check, at_fault) && !begins_with_one_of(check.name, named);
-    if (waits) waiting.insert(check.name);
-  }
-  for (bool changed = true; changed;) {
-    std::set<std::string> needed;
-    for (const grader::Check& check : checks) {
-      if (!waiting.contains(check.name)) needed.insert(check.needs.begin(), check.needs.end());
-    }
-    changed = false;
-    for (const grader::Check& check : checks) {
-      const bool is_needed = !check.is_edge && needed.contains(check.task);
-      if (is_needed && waiting.erase(check.name) > 0) changed = true;
-    }
-  }
-  return waiting;
+bool has_failed(const LabVerdict& verdict) {
+  return std::any_of(verdict.checks.begin(), verdict.checks.end(),
+                     [](const CheckResult& result) { return result.status == Status::failed; });
 }
 
 /// Of each failed check the test that ended it, if it was a random one; `null` names the check.
@@ -139,60 +128,30 @@ void prove_starter(const Proof& proof) {
 }
 
 void prove_mistake(const Proof& proof, const Subject& subject) {
-  if (said(subject, "caught by").empty() || said(subject, "hint").empty()) {
-    complain("the file must say 'caught by:' and 'hint:'");
+  const std::set<std::string> tasks = failing_tasks(subject);
+  if (tasks.empty() || said(subject, "hint").empty()) {
+    complain("the file must say which tasks fail ('fails:') and the 'hint:'");
   }
   const int before = complaints();
   const std::uint64_t seeds = number_from("MC_MISTAKE_SEEDS", 1);
-  // A slow check takes longer than all others together: of those that a mistake does not name it is
-  // asked in --full only, and once, for it does not depend on the seed. With more seeds: the tasks
-  // at fault. To the others this is a right answer, and of those prove_right asks more; but where
-  // more fails than is named, it may wait for them, and all are asked. A check that waits for what
-  // fails is asked in --full only, too.
-  const auto named = said(subject, "caught by");
-  std::vector<std::string> tasks;
-  for (const std::string& start : named) tasks.push_back(start.substr(0, start.find(' ') + 1));
-  const auto checks = grader::expected_checks(proof.layout, proof.lab);
-  // A check that waits may be the one that meets the file's limit.
-  const bool has_limit = !said(subject, "limit").empty();
-  const auto waiting = has_limit ? std::set<std::string>{} : checks_that_wait(checks, named);
-  std::set<std::string> once, again, all;
-  for (const grader::Check& check : checks) {
-    const bool is_named = begins_with_one_of(check.name, named);
-    if (!is_named && !proof.affected.empty() && !proof.affected.contains(check.name)) continue;
-    const bool tells = !check.is_slow && !waiting.contains(check.name);
-    if (tells || is_named || seeds > 1) once.insert(check.name);
-    if (check.is_slow) continue;
-    all.insert(check.name);
-    if (begins_with_one_of(check.name, tasks)) again.insert(check.name);
-  }
-  const LabVerdict first = proof.judge(1, once);
-  auto expected = checks_named(first, named);
-  judge_mistake(subject, first, expected);
-  std::erase_if(expected, [&](const std::string& name) { return !again.contains(name); });
-  compare_limits(subject, first);
-  std::uint64_t seed = 2;
+  const std::set<std::string> checks = checks_to_judge(proof, tasks, false);
+  std::uint64_t seed = 1;
+  LabVerdict verdict = proof.judge(seed, checks);
+  if (!has_failed(verdict)) verdict = proof.judge(seed, checks_to_judge(proof, tasks, true));
+  judge_mistake(subject, verdict, tasks);
+  compare_limits(subject, verdict);
   std::optional<Kept> kept;
-  if (seeds > 1) seed = std::max(seed, kept.emplace(proof).resume([](const auto&) {}) + 1);
-  LabVerdict shown = first;
-  std::uint64_t seed_shown = 1;
-  for (; seed <= seeds && complaints() == before; ++seed) {
-    LabVerdict verdict = proof.judge(seed, again);
-    if (fails_more(verdict, expected)) verdict = proof.judge(seed, all);
-    judge_mistake(subject, verdict, expected);
-    if (complaints() > before) {
-      shown = verdict;
-      seed_shown = seed;
-    } else {
-      kept->keep(rejections(verdict));
-    }
+  if (seeds > 1) seed = std::max(seed, kept.emplace(proof).resume([](const auto&) {}));
+  while (seed < seeds && complaints() == before) {
+    verdict = proof.judge(++seed, checks);
+    judge_mistake(subject, verdict, tasks);
+    if (complaints() == before) kept->keep(rejections(verdict));
   }
-  if (complaints() == before) fmt::print("the same fate with {} seeds\n", seeds);
-  proof.show(shown, seed_shown);
+  if (complaints() == before) fmt::print("caught with {} seeds\n", seeds);
+  proof.show(verdict, seed);
 }
 
-/// Of a library nobody expects that it does what a lab asks for; but where it does not, that is
-/// known, and why.
+/// A library need not do what a lab asks for; but where it does not, that is known, and why.
 void prove_peer(const Proof& proof, const Subject& subject) {
   const std::uint64_t seed = 1;
   const LabVerdict verdict = proof.judge(seed);
@@ -200,7 +159,7 @@ void prove_peer(const Proof& proof, const Subject& subject) {
   if (said(subject, "fails").empty() != said(subject, "because").empty()) {
     complain("the file must say 'because:' where it says 'fails:'");
   }
-  compare_failures(verdict, checks_named(verdict, said(subject, "fails")), true);
+  compare_failures(verdict, failing_tasks(subject), true);
   compare_limits(subject, verdict);
   proof.show(verdict, seed);
 }
