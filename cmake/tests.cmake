@@ -7,7 +7,7 @@ own_target(grader_tests)
 in_parts(grader_tests 12)
 # Boost's headers take as much memory as all others of a part.
 set_source_files_properties(autograder/tests/boost_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-target_link_libraries(grader_tests PRIVATE grading working recording pages drawing benching measuring)
+target_link_libraries(grader_tests PRIVATE grading coursework measuring)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
 # The solutions, as programs have them: their faster ways are compared with their definitions.
@@ -18,14 +18,12 @@ with_warnings(solutions)
 target_sources(grader_tests PRIVATE $<TARGET_OBJECTS:solutions>)
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/self_test/*.cpp)
-add_executable(self_test EXCLUDE_FROM_ALL ${sources} autograder/checks/support/distributions.cpp
-  autograder/grader/reports/without_json.cpp)
+add_executable(self_test EXCLUDE_FROM_ALL ${sources} autograder/checks/support/distributions.cpp)
 own_target(self_test)
 target_link_libraries(self_test PRIVATE grading)
 
 # Mutation testing, by ./lab test --mutants LAB.
-add_executable(mutants EXCLUDE_FROM_ALL autograder/tests/mutants/main.cpp autograder/tests/mutants/mutate.cpp
-  autograder/grader/reports/without_json.cpp)
+add_executable(mutants EXCLUDE_FROM_ALL autograder/tests/mutants/main.cpp autograder/tests/mutants/mutate.cpp)
 own_target(mutants)
 target_link_libraries(mutants PRIVATE grading)
 
@@ -34,7 +32,7 @@ file(GLOB sources CONFIGURE_DEPENDS autograder/tests/gradebook/*.cpp)
 add_executable(gradebook_tests EXCLUDE_FROM_ALL ${sources})
 own_target(gradebook_tests)
 in_parts(gradebook_tests 8)
-target_link_libraries(gradebook_tests PRIVATE grading recording pages Catch2::Catch2WithMain)
+target_link_libraries(gradebook_tests PRIVATE grading coursework Catch2::Catch2WithMain)
 if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   add_executable(faulty_machine EXCLUDE_FROM_ALL autograder/tests/faulty_machine/main.cpp)
   own_target(faulty_machine)
@@ -45,7 +43,7 @@ if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   endif()
   add_dependencies(gradebook_tests faulty_machine)
 endif()
-add_dependencies(gradebook_tests gradebook checks_variance checks_independent
+add_dependencies(gradebook_tests course checks_variance checks_independent
   experiments_variance experiments_independent runner)
 
 # test_of(<name> <cost> <command>...): those that take long begin first. How long one may take at

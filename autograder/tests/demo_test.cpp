@@ -21,7 +21,7 @@ using namespace grader;
 namespace {
 
 sandbox::ProcessResult lab_demo(std::vector<std::string> words) {
-  words.insert(words.begin(), {(read_layout().build / "bin" / "pictures").string(), "demo"});
+  words.insert(words.begin(), {(read_layout().build / "bin" / "course").string(), "demo"});
   return sandbox::run_process(words);
 }
 

@@ -24,7 +24,7 @@ class Checkout {
   Checkout() {
     const Layout real = read_layout();
     fs::create_directories(place_.path() / "build" / "bin");
-    fs::copy_file(real.build / "bin" / "desk", place_.path() / "build" / "bin" / "desk");
+    fs::copy_file(real.build / "bin" / "grader", place_.path() / "build" / "bin" / "grader");
     std::string layout = read_text(real.build / "layout.txt");
     layout.replace(0, layout.find('\n'), "root=" + root().string());
     write_text(place_.path() / "build" / "layout.txt", layout);
@@ -43,7 +43,7 @@ class Checkout {
          "a step"});
   }
   sandbox::ProcessResult reset() const {
-    const fs::path grader = place_.path() / "build" / "bin" / "desk";
+    const fs::path grader = place_.path() / "build" / "bin" / "grader";
     return sandbox::run_process({grader.string(), "reset", "variance"}, {.environment = alone()});
   }
 

@@ -89,7 +89,7 @@ wait_until is_idle || { echo "Slurm does not start"; tail -n 5 "$place"/*.log; e
 
 # A class: two that are judged at once, two that run out of time in four tasks ---------------------
 
-lab() { "$build/bin/gradebook" "$@"; }
+lab() { "$build/bin/course" "$@"; }
 mkdir "$place/class"
 for student in ada bob; do
   mkdir "$place/class/$student"

@@ -37,7 +37,7 @@ std::string script_of(const Context& context, const SlurmTasks& tasks, const fs:
       "#!/bin/sh\n#SBATCH --mem=2G\n"
       "exec {} grade{} --csv {}/\"$SLURM_ARRAY_TASK_ID\".csv --shard \"$SLURM_ARRAY_TASK_ID\"/{} "
       "--seed {} --resume --no-plots -j \"${{SLURM_CPUS_PER_TASK:-1}}\" --{}\n",
-      as_word((context.layout.build / "bin" / "gradebook").string()), options,
+      as_word((context.layout.build / "bin" / "course").string()), options,
       as_word(place.string()), tasks.count, tasks.seed, words);
 }
 

@@ -88,6 +88,6 @@ std::string as_results(const Verdict& verdict, const ForGradescope& wanted) {
 
 }  // namespace
 
-const JsonReporter report_json = as_results;
+[[maybe_unused]] const bool is_set = (report_json = as_results) != nullptr;
 
 }  // namespace mc::grader

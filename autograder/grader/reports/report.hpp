@@ -48,8 +48,8 @@ struct ForGradescope {
 
 /// Gradescope's results.json: every check, its points, its story; complete whatever happened. It is
 /// read by a student in a checkout of one's own: commands name no directory.
-/// Null in a program without it (without_json.cpp): then the gradebook is asked.
+/// Null in `grader`, which does without the JSON library: `course` sets it (json.cpp).
 using JsonReporter = std::string (*)(const Verdict& verdict, const ForGradescope& wanted);
-extern const JsonReporter report_json;
+inline JsonReporter report_json = nullptr;
 
 }  // namespace mc::grader

@@ -48,9 +48,9 @@ const Verb* find_verb(std::string_view name) {
   return nullptr;
 }
 
-/// Becomes another of the programs.
-[[noreturn]] void hand_over(const Layout& layout, std::string_view name, char** words) {
-  const std::string program = (layout.build / "bin" / name).string();
+/// Becomes the program that has all verbs.
+[[noreturn]] void run_course(const Layout& layout, char** words) {
+  const std::string program = (layout.build / "bin" / course_program).string();
   execv(program.c_str(), words);
   throw MachineError(fmt::format("{} is not built: run ./lab setup", program));
 }
@@ -73,7 +73,7 @@ int dispatch(char** argv) {
         fmt::format("./lab {} is about {}, which is not here", entry.name, entry.about));
   }
   const Verb* const verb = find_verb(entry.name);
-  if (verb == nullptr) hand_over(context.layout, entry.program, argv);
+  if (verb == nullptr) run_course(context.layout, argv);
   const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
   if (!rest.empty() && (rest[0] == "--help" || rest[0] == "-h")) {
     fmt::print("usage: ./lab {}\n\n{}.\n{}", verb->usage, entry.description, verb->details);
@@ -81,7 +81,7 @@ int dispatch(char** argv) {
   }
   const bool wants_json = std::any_of(
       rest.begin(), rest.end(), [](const std::string& word) { return word.starts_with("--json"); });
-  if (wants_json && report_json == nullptr) hand_over(context.layout, gradebook, argv);
+  if (wants_json && report_json == nullptr) run_course(context.layout, argv);
   const Arguments arguments = parse_arguments(rest, verb->options, verb->words_before_verbatim);
   context.labs = find_labs(context.layout);
   return verb->run(context, arguments);

@@ -49,7 +49,7 @@ std::vector<Lab> labs_asked_for(const Context& context, const Arguments& argumen
 /// Draws with the program that can: its pictures are listed.
 void show_plots(const Context& context, const Submission& submission,
                 const std::vector<Lab>& labs) {
-  const std::string program = (context.layout.build / "bin" / "pictures").string();
+  const std::string program = (context.layout.build / "bin" / "course").string();
   for (const Lab& lab : labs) {
     const auto file = submission.files.find(lab.name);
     if (file == submission.files.end()) continue;

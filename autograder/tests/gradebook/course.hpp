@@ -39,7 +39,7 @@ struct Course : Scratch {
 
   sandbox::ProcessResult run(std::vector<std::string> words,
                              const sandbox::ProcessOptions& options = {}) const {
-    words.insert(words.begin(), (layout.build / "bin" / "gradebook").string());
+    words.insert(words.begin(), (layout.build / "bin" / "course").string());
     return sandbox::run_process(words, options);
   }
   sandbox::ProcessResult grade(const std::vector<std::string>& more,

@@ -37,7 +37,7 @@ struct Course : Scratch {
                  text_of(layout.solutions()) + fmt::format("// {} {}\n", getpid(), i));
     }
     fs::create_directories(build / "bin");
-    for (const char* name : {"bin/gradebook", "bin/checks_variance", "layout.txt"}) {
+    for (const char* name : {"bin/course", "bin/checks_variance", "layout.txt"}) {
       fs::copy_file(layout.build / name, build / name);
     }
     if (fs::exists(layout.build / "precompiled")) {  // or the first to come would wait for it
@@ -50,7 +50,7 @@ struct Course : Scratch {
   fs::path json() const { return path() / "results.json"; }
 
   Words grade(const fs::path& where, const std::string& what, const Words& more) const {
-    Words words{(where / "bin" / "gradebook").string(),
+    Words words{(where / "bin" / "course").string(),
                 "grade",
                 (path() / what).string(),
                 "--lab",

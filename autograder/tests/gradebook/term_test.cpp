@@ -182,7 +182,7 @@ struct Term : Course {
 
   /// Grades, and is killed once a few rows are there.
   void grade_and_kill(const fs::path& table, const std::string& seed) const {
-    const std::string program = (layout.build / "bin" / "gradebook").string();
+    const std::string program = (layout.build / "bin" / "course").string();
     std::vector<std::string> words = grading(table, {"--seed", seed});
     words.insert(words.begin(), program);
     std::vector<char*> pointers;
