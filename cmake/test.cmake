@@ -14,6 +14,9 @@ set(seconds 600)
 if(DEFINED ENV{MC_SEEDS} OR DEFINED ENV{MC_MISTAKE_SEEDS})
   set(seconds 36000)
 endif()
+execute_process(COMMAND ctest --test-dir ${BUILD} -N ${which} OUTPUT_VARIABLE listed)
+string(REGEX MATCH "Total Tests: ([0-9]+)" listed "${listed}")
+message("${CMAKE_MATCH_1} tests; on two idle cores about a second each")
 execute_process(COMMAND ctest --test-dir ${BUILD} -j ${jobs} --timeout ${seconds} ${which}
   --output-on-failure --output-log ${log}
   RESULT_VARIABLE failed)

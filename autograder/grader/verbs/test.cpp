@@ -11,7 +11,8 @@ namespace mc::grader {
 namespace {
 
 int test(const Context& context, const Arguments& arguments) {
-  if (!arguments.words.empty()) throw UsageError("usage: ./lab test [--quick | --full] [--power]");
+  if (!arguments.words.empty())
+    throw UsageError("usage: ./lab test [--quick | --all | --full] [--power]");
   const std::string programs = (context.layout.build / "bin").string() + '/';
   if (arguments.has("mutants")) {
     const auto text = [&](const char* option, std::uint64_t otherwise) {
@@ -22,6 +23,7 @@ int test(const Context& context, const Arguments& arguments) {
   if (arguments.has("power") && !arguments.has("full")) {
     become({programs + "self_test", "power"});
   }
+  if (arguments.has("all") || arguments.has("full")) setenv("MC_UNCHANGED_TOO", "1", 1);
   if (arguments.has("full")) {
     setenv("MC_SEEDS", "1000", 1);
     setenv("MC_MISTAKE_SEEDS", "200", 1);
@@ -35,11 +37,13 @@ int test(const Context& context, const Arguments& arguments) {
 
 const RegisterVerb test_verb{
     {"test",
-     "test [--quick | --full] [--power] [--mutants LAB]",
-     {"quick", "full", "power", "mutants=", "sample=", "seed="},
+     "test [--quick | --all | --full] [--power] [--mutants LAB]",
+     {"quick", "all", "full", "power", "mutants=", "sample=", "seed="},
      "Every submission of the repository is judged: the starters, the solutions, the mistakes, "
      "the\n"
-     "alternatives, the attacks.\n"
+     "alternatives, the attacks; those that passed only if they, the checks or the grader\n"
+     "changed since.\n"
+     "  --all     all of them\n"
      "  --quick   a minute: the grader's own tests, without those that build a checkout or\n"
      "            measure, and one submission of every kind and lab\n"
      "  --full    right ones with 1,000 seeds (their checks that are not random with 2,000),\n"

@@ -30,6 +30,18 @@ class Kept {
   std::filesystem::path file_;
 };
 
+/// The proof of a submission, with the checks and the self-test that there are now: one that went
+/// well once need not be repeated until any of them changes.
+class Passed {
+ public:
+  Passed(const Proof& proof, const Subject& subject);
+  bool before() const { return std::filesystem::exists(file_); }
+  void keep() const;
+
+ private:
+  std::filesystem::path file_;
+};
+
 /// Prints what is kept: for each submission its seeds, and the sum of its alphas or the p-value by
 /// which it was all but missed.
 void print_power();
