@@ -16,9 +16,6 @@ inline constexpr int records_descriptor = 11;
 // The run's seed; a check's own is a hash of it and of its name.
 inline constexpr const char* seed_variable = "MC_SEED";
 
-// Experiments that ran out of time in this task before, separated by blanks: not asked for again.
-inline constexpr const char* timed_out_variable = "MC_TIMED_OUT";
-
 // Of hidden cases: the directory for the data of plots, the file for rows (rows.hpp), the speed
 // tasks to be timed, and the picture to be rendered (render.hpp).
 inline constexpr const char* plot_data_variable = "MC_PLOT_DATA";

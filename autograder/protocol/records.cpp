@@ -8,7 +8,7 @@ namespace mc::protocol {
 namespace {
 
 /// In the order of RecordKind.
-constexpr std::array<std::string_view, 7> names{"printed", "todo", "timed_out", "p_value",
+constexpr std::array<std::string_view, 6> names{"printed", "todo", "p_value",
                                                 "call",    "cost", "machine"};
 
 std::string escaped(std::string_view text) {

@@ -11,7 +11,6 @@ namespace mc::protocol {
 enum class RecordKind {
   printed,    ///< what the submission wrote to standard output
   todo,       ///< a task that is not written yet
-  timed_out,  ///< an experiment that ran out of time
   p_value,    ///< of a random test (PValue)
   call,       ///< what was asked last before a check failed: an experiment, its arguments as typed
   cost,       ///< of the dearest measurement so far: seconds of CPU time, the experiment

@@ -198,8 +198,13 @@ Outcome interpret(const Watch& child, const Limits& limits) {
   outcome.cpu_seconds = seconds(child.used.ru_utime) + seconds(child.used.ru_stime);
   outcome.peak_memory = static_cast<std::size_t>(child.used.ru_maxrss) * rusage_memory_unit;
 
-  const std::string too_much_memory =
-      fmt::format("wanted more than {} MB of memory", limits.memory >> 20);
+  // Which limit a runaway program meets first depends on the machine; the report must not.
+  const auto over_limit = [&] {
+    outcome.answered = false;
+    outcome.failure = fmt::format("did not end within {} s of CPU time and {} MB of memory",
+                                  limits.cpu_seconds, limits.memory >> 20);
+    outcome.end = End::over_limit;
+  };
   const bool signaled = WIFSIGNALED(child.status);
   const int signal = signaled ? WTERMSIG(child.status) : 0;
   if (child.printed_too_much) {
@@ -208,16 +213,14 @@ Outcome interpret(const Watch& child, const Limits& limits) {
     outcome.failure = fmt::format("sent a result of more than {} MB", wire::longest_result >> 20);
   } else if (signal == SIGXCPU || outcome.cpu_seconds > std::ceil(limits.cpu_seconds)) {
     // Also where it caught the signal and came to an end by itself in the second until SIGKILL.
-    outcome.failure = fmt::format("stopped after {} s of CPU time", limits.cpu_seconds);
-    outcome.timed_out = true;
+    over_limit();
   } else if (child.out_of_time && jail_is_complete()) {
     // In there nothing can wait but for the processor.
     throw std::system_error(ETIMEDOUT, std::generic_category(),
                             fmt::format("the machine is too busy: {:.1f} s of CPU time in {} s",
                                         outcome.cpu_seconds, limits.wall_seconds));
   } else if (child.out_of_time) {
-    outcome.failure = fmt::format("stopped after {} s", limits.wall_seconds);
-    outcome.timed_out = true;
+    over_limit();
   } else if (signaled) {
     outcome.failure = crash(signal);
     outcome.end = signal == SIGSYS ? End::other : End::crashed;
@@ -226,11 +229,8 @@ Outcome interpret(const Watch& child, const Limits& limits) {
   } else if (code != 0 || !read_response(child.response_bytes, outcome)) {
     outcome.failure = "sent something that is not a result";
   } else if (outcome.status == wire::Status::other_exception && outcome.bytes == "std::bad_alloc") {
-    outcome.answered = false;
-    outcome.failure = too_much_memory;
-    outcome.end = End::out_of_memory;
+    over_limit();
   }
-  if (outcome.timed_out) outcome.end = End::out_of_time;
   return outcome;
 }
 

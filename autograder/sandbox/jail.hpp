@@ -19,17 +19,17 @@ struct Limits {
   std::size_t printed = std::size_t{64} << 10;  ///< on standard output and standard error together
 };
 
-/// How a program came to its end without an answer.
-enum class End { out_of_time, out_of_memory, crashed, other };
+/// How a program ended without an answer.
+enum class End { over_limit, crashed, other };
 
 /// How a measurement ended.
 struct Outcome {
   bool answered = false;                      ///< a complete response came; else see `failure`
   wire::Status status = wire::Status::value;  ///< when answered: a value, or which exception
   std::string bytes;     ///< when answered: the result, or the exception's text, as one short line
-  std::string failure;   ///< when not: one line, "stopped after 2 s of CPU time"
+  std::string failure;   ///< when not: one line, "called exit(3) instead of returning"
   End end = End::other;  ///< when not
-  bool timed_out = false;
+  bool over_limit() const { return !answered && end == End::over_limit; }
   std::string printed;     ///< what it wrote to standard output and standard error, made printable
   double cpu_seconds = 0;  ///< as the kernel counted it, from start to end
   std::size_t peak_memory = 0;  ///< resident, in bytes; of the judge's own at least

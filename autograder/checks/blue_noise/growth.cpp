@@ -18,7 +18,7 @@ namespace {
 /// The result, unless it ran out of time: that is growth, too.
 template <class Result>
 Measured<Result> in_time(const Call& call, const std::string& hint) {
-  if (call.outcome.timed_out) {
+  if (call.outcome.over_limit()) {
     expect_that(false, fmt::format("{} {}", call.text, call.outcome.failure), "an answer in time",
                 "a grid needs a twentieth of that", hint);
   }

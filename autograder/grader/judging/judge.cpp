@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -102,14 +103,16 @@ void find_waiting(std::vector<CheckResult>& results) {
   }
 }
 
-/// A refusal or an edge case that happens to be right is worth nothing where the task is not done.
+/// What an answer that ignores the task happens to do right is worth nothing: every check of a task
+/// counts only if the task's main check passes.
 void withhold(std::vector<CheckResult>& results) {
+  std::set<std::string> undone;
+  for (const CheckResult& result : results) {
+    if (result.check.is_main && result.status != Status::passed) undone.insert(result.check.task);
+  }
   for (CheckResult& result : results) {
-    if (result.status != Status::passed || !result.check.is_edge) continue;
-    for (const CheckResult& other : results) {
-      const bool stands = other.status == Status::passed || !other.check.is_main;
-      if (other.check.task == result.check.task && !stands) result.status = Status::withheld;
-    }
+    if (result.status != Status::passed || !undone.contains(result.check.task)) continue;
+    result.status = Status::withheld;
   }
 }
 

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <set>
 #include <thread>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "grader/judging/catch_xml.hpp"
 #include "protocol/environment.hpp"
@@ -72,7 +70,6 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
               const JudgeOptions& options, const std::vector<CheckResult*>& checks,
               const std::function<void()>& done) {
   double left = task_cpu_seconds;
-  std::set<std::string> timed_out;
   for (CheckResult* const result : checks) {
     if (options.budget != nullptr && (options.budget->is_used_up() || options.budget->is_late())) {
       const bool used_up = options.budget->is_used_up();
@@ -92,7 +89,6 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
     sandbox::ProcessOptions process;
     process.environment = {
         {protocol::seed_variable, std::to_string(options.seed)},
-        {protocol::timed_out_variable, fmt::format("{}", fmt::join(timed_out, " "))},
         {protocol::program_variable, std::to_string(protocol::program_descriptor)},
         {protocol::records_variable, std::to_string(protocol::records_descriptor)}};
     process.descriptors = {{program.descriptor.get(), protocol::program_descriptor},
@@ -119,9 +115,6 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
           break;
         case protocol::RecordKind::todo:
           todo = true;
-          break;
-        case protocol::RecordKind::timed_out:
-          timed_out.insert(record.text);
           break;
         case protocol::RecordKind::p_value:
           result->p_values.push_back(protocol::p_value_in(record.text));

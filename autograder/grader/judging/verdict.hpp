@@ -30,7 +30,7 @@ struct Check {
   std::vector<std::string> needs;  ///< tasks ("1.1") and labs ("3") without which it cannot pass
   double points = 0;
   bool is_main = false;  ///< of its task: what the task is about
-  bool is_edge = false;  ///< refusals, edge cases, speed: counts only where the main check passes
+  bool is_edge = false;  ///< refusals, edge cases, speed: other tasks do not wait for it
   bool is_slow = false;  ///< takes a good part of the lab's time: begun first, beside the others
 };
 

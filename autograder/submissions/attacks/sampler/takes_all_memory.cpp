@@ -1,5 +1,5 @@
 // attack: takes memory as long as there is any
-// says: wanted more than 512 MB of memory
+// says: did not end within 2 s of CPU time and 512 MB of memory
 // limit: memory
 
 #include "common/todo.hpp"

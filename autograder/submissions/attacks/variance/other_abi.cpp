@@ -1,5 +1,5 @@
 // attack: calls the kernel as a 32-bit program does, where 5 means open and not fstat
-// says: made a system call a lab never needs
+// says: mean(
 
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // attack: an exception whose text never comes
-// says: stopped after 2 s of CPU time
+// says: did not end within 2 s of CPU time and 512 MB of memory
 // limit: time
 
 #include <exception>

@@ -155,7 +155,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 
 // mistake: multiplies width and height without a limit, and allocates
 // caught by: 6.6 pictures that cannot be are refused
-// hint: render_recorded(16384, 16384, 1, 1) wanted more than
+// hint: render_recorded(16384, 16384, 1, 1) did not end within
 // limit: memory
 namespace mc::trusts_the_size {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
