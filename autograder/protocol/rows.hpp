@@ -13,8 +13,6 @@
 //   memory       an algorithm                          bytes, at their most
 //   speed        a speed task ("1.8 moments")          nanoseconds a value, for check and grade
 //   speed unit   a speed task                          nanoseconds of one addition of a running sum
-//   speed wrong  a speed task, what was wrong when it     0
-//                was timed
 //   speed error  a speed task, an integrand            RMSE of its points
 //   table TITLE  a row of a table, a column of it      whatever the title says
 

@@ -6,7 +6,6 @@
 
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
-#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -261,17 +260,15 @@ std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t 
   return all;
 }
 
-std::vector<double> repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds,
-                                  std::uint64_t seed, std::vector<std::uint64_t> shown) {
+double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds,
+                     std::uint64_t seed) {
   Source from(source, seed);
-  std::vector<double> block(size, unwritten), all;
-  runner::Shown is_shown(shown);
+  std::vector<double> block(size, unwritten);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     from.seed(seed + round);
     from.fill(block);
-    if (is_shown(round)) all.insert(all.end(), block.begin(), block.end());
   }
-  return all;
+  return block.empty() ? unwritten : block.back();
 }
 
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds) {
@@ -326,8 +323,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(means_of, "source size seed replicates",
                     "2.8  means of numbers by mt19937_64 (0), to_unit (1), uniforms (2)",
                     {.columns = "mean"}),
-      MC_EXPERIMENT(repeat_source, "source size rounds seed shown",
-                    "2.8  numbers, rounds times; those of the rounds shown (timing)",
+      MC_EXPERIMENT(repeat_source, "source size rounds seed",
+                    "2.8  numbers, rounds times; the last one (timing)",
                     {.columns = "u", .points = "size"}),
       MC_EXPERIMENT(repeat_irradiance, "way n rounds",
                     "2.7  by area (0) or hemisphere (1), rounds times (timing)"),

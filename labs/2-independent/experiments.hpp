@@ -112,11 +112,9 @@ std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t 
                              std::uint64_t replicates);
 
 /// For timing: `size` numbers by a source, `rounds` times; round r has a generator of its own, of
-/// seed `seed` + r (but source 0, whose seeding takes long: one for all). The numbers of the rounds
-/// `shown`. And 2.7 by way of the area (0) or the hemisphere (1) with n samples, `rounds` times:
-/// what came last.
-std::vector<double> repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds,
-                                  std::uint64_t seed, std::vector<std::uint64_t> shown);
+/// seed `seed` + r (but source 0, whose seeding takes long: one for all). The last number. And 2.7
+/// by way of the area (0) or the hemisphere (1) with n samples, `rounds` times: the last estimate.
+double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds, std::uint64_t seed);
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);
 
 }  // namespace mc::experiments

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
-#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -297,18 +296,15 @@ std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n,
   return picture;
 }
 
-std::vector<double> repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds,
-                           std::uint64_t seed, std::vector<std::uint64_t> shown) {
+double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds,
+              std::uint64_t seed) {
   PointSet points(n, dims);
   clear(points);
-  std::vector<double> all;
-  runner::Shown is_shown(shown);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     Rng rng(seed + round);
     make_points(task, points, rng);
-    if (is_shown(round)) append(all, points);
   }
-  return all;
+  return points.column(0).empty() ? unwritten : points.column(0).back();
 }
 
 double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds) {
@@ -368,9 +364,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "3.8  replicated estimates of g by points of task 3.task"),
       MC_EXPERIMENT(shadow, "task width n seed", "a soft shadow by points of task 3.task",
                     {.columns = "pixel", .width = "width"}),
-      MC_EXPERIMENT(repeat, "task n dims rounds seed shown",
-                    "for timing: points of task 3.task, again and again; of the rounds shown",
-                    {.dims = "dims", .sets = "shown"}),
+      MC_EXPERIMENT(repeat, "task n dims rounds seed",
+                    "points of task 3.task, again and again; the last x (timing)"),
       MC_EXPERIMENT(repeat_textbook, "dims n rounds",
                     "for timing: jittered points by a textbook's loop and std::mt19937_64"),
   };

@@ -115,9 +115,9 @@ ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t d
 std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n, std::uint64_t seed);
 
 /// For timing: n points of `dims` dimensions as in estimates(), `rounds` times, round r with a
-/// generator of seed `seed` + r; of the rounds `shown`, what they made, column by column.
-std::vector<double> repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds,
-                           std::uint64_t seed, std::vector<std::uint64_t> shown);
+/// generator of seed `seed` + r. The last x.
+double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds,
+              std::uint64_t seed);
 
 /// For timing: the same points, jittered in 1 or 2 dimensions by the loop of a textbook, with
 /// std::mt19937_64 and std::uniform_real_distribution.

@@ -51,8 +51,7 @@ Points tile(std::vector<double> x, std::vector<double> y, int copies);
 Points tile_of(std::uint64_t size, std::uint64_t dims, int copies);
 
 /// For timing: 4.2 with c = 1 (task 2) or 4.3 (task 3), about n points, `rounds` times, round r
-/// with a generator of seed `seed` + r; of the rounds `shown`, what they made.
-Patterns repeat(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_t seed,
-                std::vector<std::uint64_t> shown);
+/// with a generator of seed `seed` + r. The last x.
+double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_t seed);
 
 }  // namespace mc::experiments

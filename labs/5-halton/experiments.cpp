@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "runner/experiment.hpp"
-#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -136,12 +135,10 @@ std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_
   return values;
 }
 
-std::vector<double> repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n,
-                           std::uint64_t rounds, std::uint64_t seed,
-                           std::vector<std::uint64_t> shown) {
+double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds,
+              std::uint64_t seed) {
   const unsigned of = base_or_dimension;
-  std::vector<double> column(n, unwritten), all;
-  runner::Shown is_shown(shown);
+  std::vector<double> column(n, unwritten);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     const std::uint64_t its_seed = seed + round, first = 4096 * (its_seed % 4096);
     switch (task) {
@@ -164,9 +161,8 @@ std::vector<double> repeat(unsigned task, unsigned base_or_dimension, std::uint6
       default:
         throw std::out_of_range("task: 1, 2, 5, 8 or 9");
     }
-    if (is_shown(round)) all.insert(all.end(), column.begin(), column.end());
   }
-  return all;
+  return column.empty() ? unwritten : column.back();
 }
 
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
@@ -215,9 +211,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(scrambled_one_by_one, "base indices seed",
                     "5.9  scrambled radical inverses of indices, each in a column of its own",
                     {.columns = "x", .index = "index", .beside = "indices"}),
-      MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed shown",
-                    "a column of task 5.task, rounds times; of the rounds shown (timing)",
-                    {.columns = "x", .sets = "shown"}),
+      MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed",
+                    "a column of task 5.task, rounds times; the last x (timing)"),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",
                     "points of task 5.task, rounds times (timing)"),
   };

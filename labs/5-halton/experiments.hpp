@@ -50,10 +50,9 @@ std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_
 /// For timing: a column of n values, `rounds` times, by task 5.`task`: 1 and 2 radical inverses, 9
 /// scrambled ones, in that base; 5 Sobol', 8 Sobol' scrambled, in that dimension. Round r has the
 /// seed s = `seed` + r, by which it scrambles; it begins at index 4096 (s mod 4096), below 2^24, so
-/// that no column can be had from one before (task 1 at 0). The columns of the rounds `shown`.
-std::vector<double> repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n,
-                           std::uint64_t rounds, std::uint64_t seed,
-                           std::vector<std::uint64_t> shown);
+/// that no column can be had from one before (task 1 at 0). The last x.
+double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds,
+              std::uint64_t seed);
 
 /// For timing: n points of `dims` dimensions, `rounds` times, by task 5.`task`: 3 Halton points, 5
 /// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled. They are made in blocks of

@@ -8,7 +8,6 @@
 #include "6-sampler/named_scenes.hpp"
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
-#include "runner/shown.hpp"
 
 namespace mc::experiments {
 namespace {
@@ -247,32 +246,26 @@ double sum_of(Sampler& sampler, unsigned by, std::uint64_t dims, std::uint64_t a
 
 }  // namespace
 
-std::vector<double> repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
-                           std::uint64_t rounds, std::uint64_t seed,
-                           std::vector<std::uint64_t> shown) {
+double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
+              std::uint64_t rounds, std::uint64_t seed) {
   const auto sampler = mc::make_sampler(kind);
-  std::vector<double> sums;
-  runner::Shown is_shown(shown);
+  double sum = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
     sampler->generate(samples, seed + round);
-    const double sum = sum_of(*sampler, by, dims, by == 0 ? 1 : samples);
-    if (is_shown(round)) sums.push_back(sum);
+    sum = sum_of(*sampler, by, dims, by == 0 ? 1 : samples);
   }
-  return sums;
+  return sum;
 }
 
-std::vector<double> repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
-                                 std::uint64_t rounds, std::uint64_t seed,
-                                 std::vector<std::uint64_t> shown) {
+double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
+                    std::uint64_t rounds, std::uint64_t seed) {
   const Scene seen = named(scenes, scene).with({});
   const auto sampler = mc::make_sampler(kind);
-  std::vector<double> integrals;
-  runner::Shown is_shown(shown);
+  double integral = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    const double integral = mc::integrate(seen, *sampler, samples, seed + round);
-    if (is_shown(round)) integrals.push_back(integral);
+    integral = mc::integrate(seen, *sampler, samples, seed + round);
   }
-  return integrals;
+  return integral;
 }
 
 double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds) {
@@ -315,12 +308,9 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "what a sample of a scene asks for: 1 is next, 2 next2", {.columns = "use"}),
       MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for",
                     {.columns = "use"}),
-      MC_EXPERIMENT(repeat, "kind by dims samples rounds seed shown",
-                    "6.8  for timing: by next (1), by next2 (2), or generation alone (0)",
-                    {.columns = "sum", .index = "round", .beside = "shown"}),
-      MC_EXPERIMENT(repeat_scene, "kind scene samples rounds seed shown",
-                    "6.8  for timing: integrate",
-                    {.columns = "integral", .index = "round", .beside = "shown"}),
+      MC_EXPERIMENT(repeat, "kind by dims samples rounds seed",
+                    "6.8  for timing: by next (1), by next2 (2), or generation alone (0)"),
+      MC_EXPERIMENT(repeat_scene, "kind scene samples rounds seed", "6.8  for timing: integrate"),
       MC_EXPERIMENT(repeat_textbook, "dims samples rounds",
                     "6.8  for timing: numbers of std::mt19937_64"),
   };

@@ -94,16 +94,14 @@ std::vector<unsigned> uses_of_picture(std::string picture);
 
 /// For timing: generate() and then `dims` coordinates for each of `samples`, by next() (`by` 1), by
 /// next2() (`by` 2), or none, only the first of each use (`by` 0: what generation costs alone);
-/// `rounds` times, round r with the seed `seed` + r. Of each of the rounds `shown`, the sum.
-std::vector<double> repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
-                           std::uint64_t rounds, std::uint64_t seed,
-                           std::vector<std::uint64_t> shown);
+/// `rounds` times, round r with the seed `seed` + r. The sum of the last round.
+double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
+              std::uint64_t rounds, std::uint64_t seed);
 
 /// For timing: integrate() of a scene as it stands in its file, with one sampler; round r with the
-/// seed `seed` + r. The integrals of the rounds `shown`.
-std::vector<double> repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
-                                 std::uint64_t rounds, std::uint64_t seed,
-                                 std::vector<std::uint64_t> shown);
+/// seed `seed` + r. The last integral.
+double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
+                    std::uint64_t rounds, std::uint64_t seed);
 
 /// For timing: as many numbers of std::mt19937_64 and std::uniform_real_distribution.
 double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds);

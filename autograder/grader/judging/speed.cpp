@@ -99,14 +99,9 @@ std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict
   const auto ratios = kept_ratios(ratios_file(layout, verdict.lab));
   std::vector<Speed> speed;
   for (const protocol::Row& row : own) {
-    if (row.kind != "speed" && row.kind != "speed wrong") continue;
+    if (row.kind != "speed") continue;
     Speed one;
     one.name = row.what;
-    if (row.kind == "speed wrong") {
-      one.wrong = row.on;
-      speed.push_back(std::move(one));
-      continue;
-    }
     one.nanoseconds = row.value;
     if (const auto* unit = find(own, "speed unit", row.what)) one.addition = unit->value;
     if (const auto* other = find(reference, "speed", row.what)) {

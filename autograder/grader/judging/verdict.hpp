@@ -59,8 +59,7 @@ struct Speed {
   std::optional<double> reference_error;  ///< of the solution's, as many points
   std::uint64_t points = 0;
   std::string integrand;
-  double addition = 0;     ///< nanoseconds of one addition of a running sum, measured beside it
-  std::string wrong = {};  ///< what was wrong when it was timed: then there is no figure
+  double addition = 0;  ///< nanoseconds of one addition of a running sum, measured beside it
 };
 
 struct LabVerdict {

@@ -132,11 +132,6 @@ std::string speed_table(const LabVerdict& lab) {
                  : std::string("<td class=\"number\">not measured</td>");
   };
   for (const Speed& one : lab.speed) {
-    if (!one.wrong.empty()) {
-      all += fmt::format("<tr><td>{}</td><td colspan=\"4\">wrong when timed: {}</td></tr>\n",
-                         html_escaped(one.name), html_escaped(one.wrong));
-      continue;
-    }
     all +=
         fmt::format("<tr><td>{}</td>{}{}{}{}</tr>\n", html_escaped(one.name), cell(one.nanoseconds),
                     cell(one.reference), cell(one.error), cell(one.reference_error));

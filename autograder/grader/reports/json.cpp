@@ -32,7 +32,6 @@ nlohmann::ordered_json as_json(const Speed& speed) {
   const auto number = [](const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
   };
-  if (!speed.wrong.empty()) return {{"name", speed.name}, {"wrong", speed.wrong}};
   return {{"name", speed.name},
           {"nanoseconds", speed.nanoseconds},
           {"reference", number(speed.reference)},

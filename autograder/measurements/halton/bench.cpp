@@ -28,7 +28,7 @@ TEST_CASE("bench growth", "[.bench-growth]") {
                                        {"5.9 scrambled radical inverses, base 3", 9u, 3u}}) {
     bench_growth(name, 1, 100'000'000,
                  [task = task, of = of](std::uint64_t n, std::uint64_t rounds) {
-                   return used_by(TRY_MEASURE_WITH(large, repeat, task, of, n, rounds, 1, {}));
+                   return used_by(TRY_MEASURE_WITH(large, repeat, task, of, n, rounds, 1));
                  });
   }
 }

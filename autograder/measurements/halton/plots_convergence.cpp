@@ -149,7 +149,7 @@ TEST_CASE("plot error against time", "[.plot]") {
     return nanoseconds([=](auto rounds) { return TRY_MEASURE(repeat_points, task, n, 2, rounds); });
   };
   const auto inverses_of = [](unsigned base) {
-    return nanoseconds([=](auto rounds) { return TRY_MEASURE(repeat, 1, base, n, rounds, 1, {}); });
+    return nanoseconds([=](auto rounds) { return TRY_MEASURE(repeat, 1, base, n, rounds, 1); });
   };
   const Number x = inverses_of(2), y = inverses_of(3);
   plot_row(file, std::array{Number(1), x && y ? Number(*x + *y) : Number{}, error(halton, plane)});

@@ -5,7 +5,6 @@
 #include "2-independent/experiments.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/rect_light_exact.hpp"
-#include "measurements/independent/timed.hpp"
 #include "measurements/support/bench_data.hpp"
 
 namespace mc::checks {
@@ -25,7 +24,7 @@ std::vector<BenchSampler> samplers() {
     return PointSets{n, dims, *values};
   };
   independent.rounds = [](std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
-    return seconds_of_uniforms(n, dims * rounds);
+    return cpu_seconds_of(TRY_MEASURE(repeat_source, 2, n, dims * rounds, 1));
   };
   return {independent};
 }
@@ -70,7 +69,7 @@ TEST_CASE("bench time", "[.bench-time]") {
 TEST_CASE("bench growth", "[.bench-growth]") {
   for (const BenchSampler& sampler : samplers()) bench_growth_of_dims(sampler);
   bench_growth("independent", 1, 100'000'000, [](std::uint64_t n, std::uint64_t rounds) {
-    return used_by(TRY_MEASURE_WITH(large, repeat_source, 2, n, rounds, 1, {}));
+    return used_by(TRY_MEASURE_WITH(large, repeat_source, 2, n, rounds, 1));
   });
 }
 

@@ -145,7 +145,7 @@ TEST_CASE("plot time against error of three sources", "[.plot]") {
   for (const unsigned source : {0u, 1u, 2u}) {
     const std::uint64_t block = 4096;  // 32 KB: in the first-level cache
     const auto round = plotted_seconds([&](std::uint64_t rounds) -> std::optional<double> {
-      const auto got = TRY_MEASURE(repeat_source, source, block, rounds, 1, {});
+      const auto got = TRY_MEASURE(repeat_source, source, block, rounds, 1);
       if (!got) return {};
       return got->cpu_seconds;
     });

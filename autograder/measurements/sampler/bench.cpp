@@ -61,7 +61,7 @@ TEST_CASE("bench time", "[.bench-time]") {
     for (const Benched& kind : benched) {
       for (std::uint64_t n = 16; n <= kind.most; n *= 16) {
         const auto round = seconds_once([&](std::uint64_t rounds) {
-          return seconds_of_integrals(kind.kind, scene, n, rounds);
+          return cpu_seconds_of(TRY_MEASURE(repeat_scene, kind.kind, scene, n, rounds, 1));
         });
         if (!round) break;
         bench_row({"time", kind.name, scene, dims_of_scene(scene), n,
@@ -78,11 +78,11 @@ TEST_CASE("bench growth", "[.bench-growth]") {
     BenchSampler sampler;
     sampler.name = name;
     sampler.rounds = [&](std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
-      return cpu_seconds_of(TRY_MEASURE(repeat, kind.kind, 1, dims, n, rounds, 1, {}));
+      return cpu_seconds_of(TRY_MEASURE(repeat, kind.kind, 1, dims, n, rounds, 1));
     };
     bench_growth_of_dims(sampler);
     bench_growth(name, 2, 10'000'000, [&](std::uint64_t n, std::uint64_t rounds) {
-      return used_by(TRY_MEASURE_WITH(large, repeat, kind.kind, 2, 2, n, rounds, 1, {}));
+      return used_by(TRY_MEASURE_WITH(large, repeat, kind.kind, 2, 2, n, rounds, 1));
     });
   }
 }

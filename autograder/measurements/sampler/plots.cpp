@@ -50,7 +50,7 @@ Number microseconds_of(const std::string& kind, const std::string& scene, std::u
   const std::uint64_t rounds = std::max<std::uint64_t>(
       2, is_blue(kind) ? (1 << 18) / (n * n) : (std::uint64_t{1} << 18) / n);
   const Number seconds = seconds_of_a_round(rounds, [&](std::uint64_t count) {
-    return TRY_MEASURE(repeat_scene, kind, scene, n, count, 1, {});
+    return TRY_MEASURE(repeat_scene, kind, scene, n, count, 1);
   });
   return seconds ? Number(1e6 * *seconds) : Number{};
 }
@@ -164,7 +164,7 @@ TEST_CASE("plot the variance by order", "[.plot]") {
 Number nanoseconds(const std::string& kind, unsigned by, std::uint64_t dims, std::uint64_t n) {
   const std::uint64_t numbers = is_blue(kind) ? (1 << 22) / n : 1 << 20;
   const Number round = seconds_of_a_round(2 + numbers / (n * dims), [&](std::uint64_t rounds) {
-    return TRY_MEASURE(repeat, kind, by, dims, n, rounds, 1, {});
+    return TRY_MEASURE(repeat, kind, by, dims, n, rounds, 1);
   });
   return round ? Number(1e9 * *round / static_cast<double>(n * dims)) : Number{};
 }

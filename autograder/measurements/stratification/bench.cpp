@@ -29,7 +29,7 @@ TEST_CASE("bench growth", "[.bench-growth]") {
     bench_growth(name, dims, most, [=](std::uint64_t n, std::uint64_t rounds) {
       // A square number near it, where a square is wanted.
       const std::uint64_t size = task == 3 || task == 7 ? root(n, 2) * root(n, 2) : n;
-      return used_by(TRY_MEASURE_WITH(large, repeat, task, size, dims, rounds, 1, {}));
+      return used_by(TRY_MEASURE_WITH(large, repeat, task, size, dims, rounds, 1));
     });
   };
   grow("jittered", 1, 1, 100'000'000);

@@ -218,8 +218,8 @@ TEST_CASE("plot time against error", "[.plot]") {
   plot_row(file, std::array<Maybe, 2>{textbook, error_of(3, one, n, n)});
   for (const unsigned task : {0u, 3u, 4u, 5u, 6u, 7u}) {
     const auto time = nanoseconds([&](std::uint64_t rounds) {
-      return patiently(
-          task, [&] { return cpu_seconds_of(TRY_MEASURE(repeat, task, n, 2, rounds, 1, {})); });
+      return patiently(task,
+                       [&] { return cpu_seconds_of(TRY_MEASURE(repeat, task, n, 2, rounds, 1)); });
     });
     plot_row(file, std::array<Maybe, 2>{time, error_of(task, one, n, n)});
   }

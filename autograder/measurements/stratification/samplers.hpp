@@ -61,20 +61,10 @@ inline std::optional<PointSets> points_of(unsigned task, std::uint64_t n, std::u
   }
 }
 
-/// CPU time of making the points of task 3.`task`: each round made what its seed gives elsewhere.
+/// CPU time of making the points of task 3.`task`.
 inline std::optional<double> seconds_of_points(unsigned task, std::uint64_t n, std::uint64_t dims,
                                                std::uint64_t rounds) {
-  const ShownRounds some = shown_rounds(rounds, n * dims);
-  const auto timed = TRY_MEASURE(repeat, task, n, dims, rounds, some.seed, some.shown);
-  if (!timed) return {};
-  std::vector<double> judged;
-  for (const std::uint64_t seed : some.seeds) {
-    const auto points = points_of(task, n, dims, 1, seed);
-    if (!points) return {};
-    judged.insert(judged.end(), points->values.begin(), points->values.end());
-  }
-  expect_as_judged(some, timed->if_exactly(judged.size(), unit), judged);
-  return timed->cpu_seconds;
+  return cpu_seconds_of(TRY_MEASURE(repeat, task, n, dims, rounds, 1));
 }
 
 inline BenchSampler sampler(unsigned task, std::string name, std::vector<std::uint64_t> dims) {

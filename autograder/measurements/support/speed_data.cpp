@@ -8,8 +8,6 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
-#include <random>
-#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -24,12 +22,6 @@ namespace {
 bool is_asked_for(const std::string& task) {
   const char* tasks = std::getenv(protocol::speed_tasks_variable);
   return tasks != nullptr && fmt::format(" {} ", tasks).find(' ' + task + ' ') != std::string::npos;
-}
-
-/// Fresh in every run, and not the seed that the report tells.
-Rng& judges_own() {
-  static Rng rng{std::uint64_t{std::random_device()()} << 32 | std::random_device()()};
-  return rng;
 }
 
 /// Nanoseconds a number of a running sum: what every machine does about as fast as its clock says.
@@ -102,36 +94,7 @@ std::optional<double> seconds_by_difference(const Rounds& run, std::uint64_t& ro
 void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
                  const Rounds& rounds) {
   if (!is_asked_for(task)) return;
-  try {
-    time_speed(task + ' ' + name, values, rounds);
-  } catch (const WrongWhenTimed& wrong) {
-    bench_row({"speed wrong", task + ' ' + name, wrong.what, 0, values, 0});
-  }
-}
-
-ShownRounds shown_rounds(std::uint64_t rounds, std::uint64_t values) {
-  constexpr std::uint64_t most_values = std::uint64_t{1} << 20;
-  const auto count = std::min({std::uint64_t{4}, rounds, most_values / values});
-  Rng& rng = judges_own();
-  std::set<std::uint64_t> shown;
-  while (shown.size() < count) shown.insert(rng() % rounds);
-  ShownRounds all{rng(), {shown.begin(), shown.end()}, {}};
-  for (const std::uint64_t round : shown) all.seeds.push_back(all.seed + round);
-  return all;
-}
-
-void expect_as_judged(const ShownRounds& rounds, const std::vector<double>* timed,
-                      const std::vector<double>& judged) {
-  if (timed == nullptr || timed->size() != judged.size()) {
-    throw WrongWhenTimed{
-        "not the numbers, as many and each in its range, that there are when judged"};
-  }
-  for (std::size_t i = 0; i < judged.size(); ++i) {
-    if ((*timed)[i] == judged[i]) continue;
-    const std::size_t which = i / (judged.size() / rounds.seeds.size());
-    throw WrongWhenTimed{fmt::format("{:.6g} with seed {}, which gives {:.6g} when judged",
-                                     (*timed)[i], rounds.seeds.at(which), judged[i])};
-  }
+  time_speed(task + ' ' + name, values, rounds);
 }
 
 void bench_speed_error(

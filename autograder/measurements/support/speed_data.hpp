@@ -15,32 +15,8 @@ namespace mc::checks {
 /// Appends to the file that ./lab bench reads, and tells it at once.
 void bench_row(const protocol::Row& row);
 
-/// CPU time of so many rounds; nothing where the task is not written. Throws WrongWhenTimed.
+/// CPU time of so many rounds; nothing where the task is not written.
 using Rounds = std::function<std::optional<double>(std::uint64_t)>;
-
-/// What a program gave back when it was timed is not what is right, or what it gives when it is
-/// judged.
-struct WrongWhenTimed {
-  std::string what;
-};
-
-/// What a timed program is told beside how many rounds there are: round r is made by the seed
-/// `seed` + r, and some rounds, which nobody foresees, are shown: what they made comes back.
-struct ShownRounds {
-  std::uint64_t seed;
-  std::vector<std::uint64_t> shown;  ///< in rising order
-  std::vector<std::uint64_t> seeds;  ///< of those
-};
-
-/// Four of so many rounds, or fewer where the `values` of four would fill the wire; other ones in
-/// every measurement. Who cheats in half of the rounds is seen in one measurement with 94 %, in one
-/// of six with all but 6e-8.
-ShownRounds shown_rounds(std::uint64_t rounds, std::uint64_t values);
-
-/// Throws WrongWhenTimed unless the rounds shown made, number by number, what their seeds give
-/// where the program is judged.
-void expect_as_judged(const ShownRounds& rounds, const std::vector<double>* timed,
-                      const std::vector<double>& judged);
 
 template <class Measured>
 std::optional<double> cpu_seconds_of(const Measured& measured) {
@@ -58,8 +34,7 @@ std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted);
 std::optional<double> seconds_by_difference(const Rounds& run, std::uint64_t& rounds);
 
 /// Rows of kind speed, if `task` is one that MC_SPEED_TASKS names (the grader does: those that
-/// passed): `rounds` makes `values` numbers or points each time. A seventh of a second. A row of
-/// kind speed wrong instead, where what came back was wrong: nobody is as fast as a wrong answer.
+/// passed): `rounds` makes `values` numbers or points each time. A seventh of a second.
 void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
                  const Rounds& rounds);
 

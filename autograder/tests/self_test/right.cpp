@@ -72,11 +72,10 @@ class PValues {
   std::vector<double> all_;
 };
 
-/// Each measurement costs a right answer a tenth of what it may use: then a slow machine, or a
-/// plainer answer, is no fault. On cores that others share CPU time is off by a factor of two: so
-/// much is allowed here, and the figure printed.
-void judge_cost(const LabVerdict& verdict) {
-  constexpr double most = 0.2;
+/// Prints what the most expensive measurement takes. 0.2 s, a tenth of the limit, is the goal: then
+/// a slower machine or a plainer answer passes, too. No test asserts it, for it depends on the
+/// machine.
+void print_cost(const LabVerdict& verdict) {
   double worst = 0;
   std::string which = "nothing above 0.02";
   for (const CheckResult& result : verdict.checks) {
@@ -85,17 +84,7 @@ void judge_cost(const LabVerdict& verdict) {
     worst = seconds;
     which = fmt::format("{} in '{}'", result.dearest, result.check.name);
   }
-  fmt::print("dearest measurement, in seconds of CPU time: {}\n", which);
-  if (worst > 2 * most) complain(fmt::format("a measurement of more than {} s", most));
-}
-
-/// What a right answer gives when it is timed is right, too: it has a figure.
-void judge_speed(const Proof& proof, const LabVerdict& verdict) {
-  for (const grader::Speed& one :
-       grader::measure_speed(proof.layout, verdict, *proof.built.program)) {
-    if (one.wrong.empty()) continue;
-    complain(fmt::format("a right answer that is wrong when timed: {}: {}", one.name, one.wrong));
-  }
+  fmt::print("most expensive measurement, in seconds of CPU time: {}\n", which);
 }
 
 }  // namespace
@@ -125,8 +114,7 @@ void prove_right(const Proof& proof) {
     if (result.check.is_slow) continue;  // those depend on no seed
     (result.p_values.empty() ? fresh : random).insert(result.check.name);
   }
-  judge_cost(first);
-  if (is_reference || is_full) judge_speed(proof, first);
+  print_cost(first);
   for (; seed == 1 || choose(); ++seed) {
     const LabVerdict verdict = seed == 1 ? first : proof.judge(seed, checks);
     if (verdict.earned() != verdict.points()) {

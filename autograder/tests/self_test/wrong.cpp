@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "grader/judging/judge.hpp"
-#include "grader/judging/speed.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 #include "tests/self_test/kept.hpp"
@@ -164,31 +163,7 @@ void prove_peer(const Proof& proof, const Subject& subject) {
   proof.show(verdict, seed);
 }
 
-/// A right answer as long as it is judged, and something faster when it is timed: it may pass every
-/// check, but there is no figure for what it forges.
-void prove_forgery(const Proof& proof, const Subject& subject) {
-  const std::uint64_t seed = 1;
-  LabVerdict verdict = proof.judge(seed);
-  verdict.speed = grader::measure_speed(proof.layout, verdict, *proof.built.program);
-  for (const std::string& forged : said(subject, "forges")) {
-    const auto found =
-        std::find_if(verdict.speed.begin(), verdict.speed.end(),
-                     [&](const grader::Speed& one) { return one.name.starts_with(forged); });
-    if (found == verdict.speed.end()) {
-      complain("it was not timed, for it fails a check of the task: " + forged);
-    } else if (found->wrong.empty()) {
-      complain(fmt::format("a forged figure: {} takes {:.3g} ns", found->name, found->nanoseconds));
-    } else {
-      for (const std::string& word : said(subject, "says")) {
-        if (found->wrong.find(word) == std::string::npos) complain("no speed line says: " + word);
-      }
-    }
-  }
-  proof.show(verdict, seed);
-}
-
 void prove_attack(const Proof& proof, const Subject& subject) {
-  if (!said(subject, "forges").empty() && proof.built.program) return prove_forgery(proof, subject);
   const std::uint64_t seed = 1;
   const LabVerdict verdict = proof.judge(seed);
   compare_limits(subject, verdict);
