@@ -66,7 +66,7 @@ PointSet tile(const PointSet& pattern, int copies);
 
 /// 4.7  The speed task adds no function. In 4.2, find the nearest of i points without looking at
 /// all of them, so that the cost of a candidate does not depend on the number of points: 4,096
-/// points with c = 1 then take a fraction of a second. In 4.3, use time and random numbers in
-/// proportion to the number of points: 100,000 then take well below a second.
+/// points with c = 1 then take a fraction of a second. In 4.3, use time in proportion to the number
+/// of points: 100,000 then take well below a second.
 
 }  // namespace mc

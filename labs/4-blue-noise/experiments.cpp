@@ -12,16 +12,6 @@ namespace {
 
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
-/// How often a generator was called since it was as `before`: its words never repeat, so its next
-/// one says where it stands. `most` where it was called more often than that.
-std::uint64_t draws_between(Rng before, Rng after) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 27;
-  const std::uint64_t next = after();
-  std::uint64_t draws = 0;
-  while (draws < most && before() != next) ++draws;
-  return draws;
-}
-
 void append(Patterns& all, std::span<const double> x, std::span<const double> y) {
   all.x.insert(all.x.end(), x.begin(), x.end());
   all.y.insert(all.y.end(), y.begin(), y.end());
@@ -63,13 +53,11 @@ Points best_candidate_into(std::uint64_t size_x, std::uint64_t size_y, double c)
 
 Patterns poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed) {
   Rng rng(seed);
-  const Rng before = rng;
   Patterns all;
   for (std::uint64_t set = 0; set < sets; ++set) {
     const PointSet points = mc::poisson_disk(radius, rng);
     append(all, points.column(0), points.column(1));
   }
-  all.draws = draws_between(before, rng);
   return all;
 }
 

@@ -16,14 +16,12 @@ struct Points {
 };
 MC_FIELDS(Points, x, y)
 
-/// Sets of points that are not all of one size: how many each of them has, and how often the
-/// generator was called for all.
+/// Sets of points that are not all of one size: how many each of them has.
 struct Patterns {
   std::vector<double> x, y;
   std::vector<std::uint64_t> sizes;
-  std::uint64_t draws = 0;
 };
-MC_FIELDS(Patterns, x, y, sizes, draws)
+MC_FIELDS(Patterns, x, y, sizes)
 
 /// 4.1: from each point (ax[i], ay[i]) to (bx[i], by[i]).
 std::vector<double> toroidal_distances_squared(std::vector<double> ax, std::vector<double> ay,

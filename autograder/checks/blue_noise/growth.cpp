@@ -1,11 +1,17 @@
 // 4.7
 //
-// What grows is judged, not how fast a machine is: the CPU time of one large set over that of as
-// many small ones as cost the same, if the time grows as it should. Other work on the machine lends
-// a ratio of two such times a factor of 1.5 at the worst; it is measured up to three times, and the
-// least one counts.
+// Cost is judged in a unit that a submission cannot change: the CPU time of one distance on the
+// torus, which the judge measures on the same machine at the same time. The sizes are so large that
+// the limits are far from both sides; each cost is measured up to three times. In distances, the
+// reference, the slowest alternative, the limit, and the fastest algorithm of the next order (an
+// estimate for points: 60 tries each, which stop at the first of 12,000 points that is too near):
+//
+//   one of 2,000,000 best candidates      28      35      512     4,900
+//   one of 12,000 points of a pattern  1,400   8,000   36,864   240,000
 
 #include <algorithm>
+#include <array>
+#include <ctime>
 
 #include "checks/blue_noise/nearness.hpp"
 #include "checks/blue_noise/poisson_disks.hpp"
@@ -15,106 +21,139 @@
 namespace mc::checks {
 namespace {
 
-/// The result, unless it ran out of time: that is growth, too.
-template <class Result>
-Measured<Result> in_time(const Call& call, const std::string& hint) {
-  if (call.outcome.over_limit()) {
-    expect_that(false, fmt::format("{} {}", call.text, call.outcome.failure), "an answer in time",
-                "a grid needs a twentieth of that", hint);
+/// CPU time of one squared distance on the torus, in a loop that looks for the least of a thousand:
+/// the least of five measurements of about 5 ms.
+double seconds_per_distance() {
+  Rng rng = check_rng();
+  const Points points = uniform_points(rng, 1000);
+  const double* const x = points.x.data();
+  const double* const y = points.y.data();
+  double least_time = infinity, sum = 0;
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    constexpr int rounds = 4000;
+    const std::clock_t start = std::clock();
+    for (int round = 0; round < rounds; ++round) {
+      const double at = round * (1.0 / rounds);
+      double nearest = 1;
+      for (int i = 0; i < 1000; ++i) {
+        double dx = at - x[i], dy = 0.5 - y[i];
+        dx = dx < 0 ? -dx : dx;
+        dy = dy < 0 ? -dy : dy;
+        dx = dx < 1 - dx ? dx : 1 - dx;
+        dy = dy < 1 - dy ? dy : 1 - dy;
+        const double squared = dx * dx + dy * dy;
+        nearest = squared < nearest ? squared : nearest;
+      }
+      sum += nearest;
+    }
+    const auto ticks = static_cast<double>(std::clock() - start);
+    least_time = std::min(least_time, ticks / CLOCKS_PER_SEC / rounds / 1000);
   }
-  require_value(call);
-  try {
-    wire::Reader from(call.outcome.bytes);
-    auto result = from.get<Result>();
-    from.end();
-    return {std::move(result), call.text, call.outcome.cpu_seconds, call.outcome.peak_memory};
-  } catch (const wire::malformed&) {
-    fail("measured  " + call.text + " sent something that is not a result");
+  return sum > 0 ? least_time : 0;  // the sum is used: no loop is left out
+}
+
+/// What may be spent: `most` distances for each of `count` things.
+struct Budget {
+  double count, most;
+  std::string what;     ///< "candidate"
+  std::string because;  ///< where the limit comes from
+  std::string hint;
+};
+
+/// The first answer to a request whose cost is within its budget in one of three attempts.
+/// `request` makes one, with given limits.
+template <class Result, class Request>
+Measured<Result> within_budget(const Budget& budget, Request request) {
+  const double unit_cost = seconds_per_distance() * budget.count;
+  sandbox::Limits limits;
+  limits.cpu_seconds = std::max(1.0, std::ceil(unit_cost * budget.most));
+  const std::string expected =
+      fmt::format("at most the time of {} distances for each {}", budget.most, budget.what);
+  for (int attempt = 0;; ++attempt) {
+    const Call call = request(limits);
+    if (call.outcome.over_limit()) {
+      fail(Failure{fmt::format("{} {}: more than {:.0f} distances for each {}", call.text,
+                               call.outcome.failure, limits.cpu_seconds / unit_cost, budget.what),
+                   expected, budget.because, budget.hint});
+    }
+    const double cost = call.outcome.cpu_seconds / unit_cost;
+    if (cost > budget.most && attempt < 2) continue;
+    auto got = result_of<Result>(call);
+    if (cost > budget.most) {
+      fail(Failure{fmt::format("{}: each {} takes the CPU time of {:.0f} distances", call.text,
+                               budget.what, cost),
+                   expected, budget.because, budget.hint});
+    }
+    return got;
   }
 }
 
-void expect_growth(const std::string& large, const std::string& small, double ratio, double limit,
-                   const std::string& because, const std::string& likely) {
-  expect_that(ratio <= limit,
-              fmt::format("{} takes {:.1f} times the CPU time of {}", large, ratio, small),
-              fmt::format("about as long; {:.0f} times that at most", limit), because, likely);
+/// The points of a pattern in a corner, a sixteenth of the square, as points of the square.
+Points corner_of(const Set& set) {
+  Points corner;
+  for (std::size_t i = 0; i < set.x.size(); ++i) {
+    if (set.x[i] >= 0.25 || set.y[i] >= 0.25) continue;
+    corner.x.push_back(4 * set.x[i]);
+    corner.y.push_back(4 * set.y[i]);
+  }
+  return corner;
 }
 
 }  // namespace
 
 CHECK_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][needs:4.2]") {
   Rng rng = check_rng();
-  const std::string grid =
-      "each candidate is compared with all points: lay a grid over the square and look at the "
-      "cells around the candidate";
-  // 64 sets of 256 have as many candidates as one of 2048. Compared with all points, each of these
-  // costs 8 times as much.
-  constexpr std::size_t n = 2048, few = 256, sets = 64;
-  std::vector<Nearness> parts;
-  double ratio = infinity;
-  for (int attempt = 0; attempt < 3 && ratio > 3; ++attempt) {
-    const std::uint64_t seed = fresh_seed(rng);
-    const auto small = in_time<Points>(MEASURE_OUTCOME(best_candidate, few, 1, sets, seed), grid);
-    sets_of(small, few, sets);
-    const auto large = in_time<Points>(MEASURE_OUTCOME(best_candidate, n, 1, 1, seed + 1), grid);
-    const Set set = sets_of(large, n, 1)[0];
-    ratio = std::min(ratio, large.cpu_seconds / small.cpu_seconds);
-    if (attempt > 0) continue;
-    for (std::size_t i = 3; i < n; i += i < 200 ? 6 : 9) {
-      parts.push_back(nearness(set, i, 300, rng));
+  const double c = uniform(rng, 0.008, 0.012), candidates = 2e6;
+  const auto n = static_cast<std::size_t>(std::sqrt(2 * candidates / c));
+  const Budget budget{candidates, 512, "candidate",
+                      fmt::format("a candidate costs the same whatever the number of points, up to "
+                                  "{} here; a grid needs about 30 distances",
+                                  n),
+                      "each candidate is compared with all points: lay a grid over the square and "
+                      "look at the cells around the candidate"};
+  const auto large = within_budget<Points>(budget, [&](const sandbox::Limits& limits) {
+    return MEASURE_OUTCOME_WITH(limits, best_candidate, n, c, 1, fresh_seed(rng));
+  });
+  const std::string missed =
+      "near points are missed, or far ones called near: a search ends when nothing that was not "
+      "looked at can be nearer, round the torus";
+  const auto judge = [&](const Measured<Points>& got, std::size_t size, double rate,
+                         std::size_t step, std::size_t rows) {
+    const Set set = sets_of(got, size, 1)[0];
+    std::vector<Nearness> parts;
+    for (std::size_t i = 3; i < size; i += i < 200 ? 6 : step) {
+      parts.push_back(nearness(set, i, rows, rng));
     }
-    expect_candidates(large.call, parts, 1,
-                      "near points are missed, or far ones called near: a search ends when "
-                      "nothing that was not looked at can be nearer, round the torus");
-  }
-  expect_growth("one set of 2048", "64 sets of 256", ratio, 3,
-                "they have as many candidates, 2.1 million, and each costs the same whatever the "
-                "number of points",
-                grid);
+    expect_candidates(got.call, parts, rate, missed);
+  };
+  judge(large, n, c, n / 50, 500);
+  judge(MEASURE(best_candidate, 2048, 1, 1, fresh_seed(rng)), 2048, 1, 9, 300);
 }
 
 CHECK_CASE("4.7 the cost of Poisson disks is linear in their number",
            "[4.7][points:7][needs:4.1][needs:4.3]") {
   Rng rng = check_rng();
-  const std::string grid =
-      "each new point is compared with all others: lay a grid of radius / sqrt(2) over the square, "
-      "whose cells hold one point at most";
-  constexpr double few = 1024, many = 16384;  // few: what speed.cpp times
-  constexpr std::size_t sets = 16;
-  const double small_radius = radius_for(few), radius = radius_for(many);
-  double ratio = infinity;
-  for (int attempt = 0; attempt < 3 && ratio > 4; ++attempt) {
-    const std::uint64_t seed = fresh_seed(rng);
-    const auto small =
-        in_time<Patterns>(MEASURE_OUTCOME(poisson_disk, small_radius, sets, seed), grid);
-    const auto small_sets = sets_of(small, small_radius, sets);
-    const auto large = in_time<Patterns>(MEASURE_OUTCOME(poisson_disk, radius, 1, seed + 1), grid);
-    const Set set = sets_of(large, radius, 1)[0];
-    ratio = std::min(ratio, large.cpu_seconds / small.cpu_seconds);
-    if (attempt > 0) continue;
-    for (const Set& one : small_sets) expect_apart(small.call, one, small_radius);
-    expect_apart(large.call, set, radius);
-    // Darts until 1,000 in a row have missed leave 0.54 % +- 0.11 % here.
-    const double uncovered = uncovered_area(set.x, set.y, radius, 3000, uniform(rng));
-    expect_that(uncovered <= 0.003,
-                fmt::format("{}: {:.3g} % of the square is uncovered", large.call, 100 * uncovered),
-                "0.3 % at most", "", "a limit on tries must grow with the number of points");
-    expect_no_lattice(small.call, mean_spectrum(std::span(small_sets).first(1), few), 1);
-    // Draws a point are a mean over thousands of points: they vary by a per cent or two. In
-    // proportion to N log N they would grow by 1.4, to N^1.1 by 1.32.
-    const double before = draws_a_point(small, small_radius, sets);
-    const double here = draws_a_point(large, radius, 1);
-    expect_that(here <= 1.25 * before,
-                fmt::format("{}: {:.1f} random numbers a point; {:.1f} with 16 times fewer points",
-                            large.call, here, before),
-                "as many random numbers a point, or 1.25 times that", "linear in N means that",
-                "darts at the whole square hit its last gaps rarely, and the more rarely the more "
-                "points there are: throw them where gaps are left");
-  }
-  expect_growth("one pattern of 16,000 points", "16 of 1,000", ratio, 4,
-                "time in proportion to the points is the same for both; compared with all points, "
-                "each of these costs 16 times as much",
-                grid);
+  const double n = uniform(rng, 11500, 12500), radius = radius_for(n);
+  const Budget budget{n, 36864, "point",
+                      "the time per point does not depend on the number of points: some hundred "
+                      "tries for a point, each of which looks at some cells, are a tenth of this",
+                      "compare a new point only with those in the cells around it (a cell of width "
+                      "radius / sqrt(2) holds one point at most), and do not throw darts at the "
+                      "whole square until the last gaps are hit: the more points there are, the "
+                      "more rarely that happens"};
+  const auto got = within_budget<Patterns>(budget, [&](const sandbox::Limits& limits) {
+    return MEASURE_OUTCOME_WITH(limits, poisson_disk, radius, 1, fresh_seed(rng));
+  });
+  const Set set = sets_of(got, radius, 1)[0];
+  expect_apart(got.call, set, radius);
+  // Darts until 1,000 in a row have missed leave 0.54 % +- 0.11 % here.
+  const double uncovered = uncovered_area(set.x, set.y, radius, 3000, uniform(rng));
+  expect_that(uncovered <= 0.003,
+              fmt::format("{}: {:.3g} % of the square is uncovered", got.call, 100 * uncovered),
+              "0.3 % at most", "", "a limit on tries must grow with the number of points");
+  const Points corner = corner_of(set);
+  const std::array<Set, 1> part{Set{corner.x, corner.y}};
+  expect_no_lattice(got.call + ", a quarter of each axis", mean_spectrum(part, n / 16), 1);
 }
 
 }  // namespace mc::checks

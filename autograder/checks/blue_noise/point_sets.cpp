@@ -91,12 +91,6 @@ std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size
   return parts;
 }
 
-double draws_a_point(const Measured<Patterns>& got, double radius, std::size_t sets) {
-  const auto [x, y, sizes] = patterns_due(radius, sets);
-  const Patterns& all = got.list_by_list({x, y, sizes});
-  return static_cast<double>(all.draws) / static_cast<double>(all.x.size());
-}
-
 void expect_distinct(const std::string& call, std::span<const Set> sets) {
   struct Place {
     double x, y;

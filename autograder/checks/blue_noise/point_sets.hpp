@@ -53,9 +53,6 @@ std::vector<Set> sets_of(const Measured<Points>& got, std::size_t n, std::size_t
 /// `got`.
 std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size_t sets);
 
-/// How often the generator was called for each of their points.
-double draws_a_point(const Measured<Patterns>& got, double radius, std::size_t sets);
-
 /// No point stands in two sets, or twice in one: random points never do.
 void expect_distinct(const std::string& call, std::span<const Set> sets);
 

@@ -34,6 +34,9 @@
 #define MEASURE_OUTCOME(experiment, ...)                                   \
   ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::outcome( \
       #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
+#define MEASURE_OUTCOME_WITH(limits, experiment, ...)                      \
+  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::outcome( \
+      #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
 /// A measurement that may be missing: empty where the task is not written, or fails. Of a plot, the
 /// reason is written beside its data (measurements/support/plot_data.hpp).
 #define TRY_MEASURE(experiment, ...) TRY_MEASURE_WITH({}, experiment __VA_OPT__(, ) __VA_ARGS__)
@@ -182,6 +185,21 @@ std::string shown_call(std::string_view experiment, const Arguments&... argument
   }
 }
 
+/// The value that the call brought; ends the check where there is none.
+template <class Result>
+Measured<Result> result_of(const Call& call) {
+  require_value(call);
+  try {
+    wire::Reader from(call.outcome.bytes);
+    auto result = from.get<Result>();
+    from.end();
+    return Measured<Result>{std::move(result), call.text, call.outcome.cpu_seconds,
+                            call.outcome.peak_memory};
+  } catch (const wire::malformed&) {
+    fail("measured  " + call.text + " sent something that is not a result");
+  }
+}
+
 template <class Function>
 struct Measure;
 
@@ -205,9 +223,7 @@ struct Measure<Result(Parameters...)> {
   static Measured<Result> value(
       std::string_view experiment, const sandbox::Limits& limits,
       std::type_identity_t<std::remove_cvref_t<Parameters>>... arguments) {
-    const Call call = outcome(experiment, limits, std::move(arguments)...);
-    require_value(call);
-    return read(call);
+    return result_of<Result>(outcome(experiment, limits, std::move(arguments)...));
   }
 
   static std::optional<Measured<Result>> value_if_any(
@@ -218,20 +234,7 @@ struct Measure<Result(Parameters...)> {
       if (on_missing != nullptr) on_missing(experiment, call);
       return {};
     }
-    return read(call);
-  }
-
- private:
-  static Measured<Result> read(const Call& call) {
-    try {
-      wire::Reader from(call.outcome.bytes);
-      auto result = from.get<Result>();
-      from.end();
-      return Measured<Result>{std::move(result), call.text, call.outcome.cpu_seconds,
-                              call.outcome.peak_memory};
-    } catch (const wire::malformed&) {
-      fail("measured  " + call.text + " sent something that is not a result");
-    }
+    return result_of<Result>(call);
   }
 };
 

@@ -6,7 +6,6 @@
 #undef toroidal_distance_squared
 
 // mistake: returns the distance, not its square
-// caught by: 4.1 the distance to the nearest copy
 // hint: this is the distance: its square is asked for
 namespace mc::distance_not_squared {
 double toroidal_distance_squared(Point2 a, Point2 b) {
@@ -15,7 +14,6 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 }  // namespace mc::distance_not_squared
 
 // mistake: wraps around the torus along x but not along y
-// caught by: 4.1 the distance to the nearest copy
 // hint: x goes round the torus, y does not
 namespace mc::only_x_goes_round {
 double toroidal_distance_squared(Point2 a, Point2 b) {
@@ -26,7 +24,6 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 }  // namespace mc::only_x_goes_round
 
 // mistake: adds the two coordinate differences, not their squares
-// caught by: 4.1 the distance to the nearest copy
 // hint: this is the sum of both ways
 namespace mc::sum_of_both_ways {
 double toroidal_distance_squared(Point2 a, Point2 b) {
@@ -36,7 +33,6 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 }  // namespace mc::sum_of_both_ways
 
 // mistake: measures distances within the square, not on the torus
-// caught by: 4.1 the distance to the nearest copy
 // hint: the way across an edge is shorter
 namespace mc::within_the_square {
 double toroidal_distance_squared(Point2 a, Point2 b) {

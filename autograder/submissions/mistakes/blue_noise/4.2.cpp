@@ -45,7 +45,6 @@ void choose(std::span<double> x, std::span<double> y, double c, Rng& rng, Count 
 }  // namespace mc
 
 // mistake: compares candidates within the square, so points crowd at its edges
-// caught by: 4.2 each point is the best of its candidates, 4.2 best candidates are blue
 // hint: these are the best candidates within the square
 namespace mc::candidates_in_the_square {
 double distance(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate) {
@@ -61,82 +60,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }
 }  // namespace mc::candidates_in_the_square
 
-// mistake: searches the nine cells around a candidate and treats everything beyond as equally far
-// caught by: 4.7 thousands of best candidates
-// hint: near points are missed
-namespace mc::cells_around_only {
-// Up to 256 points it compares with all. From there on it knows cells of a fixed grid, too fine.
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const std::size_t plain = std::min<std::size_t>(x.size(), 256);
-  if (x.size() != y.size() || x.size() <= plain) return right_best_candidate(x, y, c, rng);
-  right_best_candidate(x.first(plain), y.first(plain), c, rng);
-  constexpr std::size_t side = 64;
-  std::vector<std::vector<std::size_t>> cells(side * side);
-  const auto cell = [](double at) { return static_cast<std::size_t>(at * side); };
-  for (std::size_t p = 0; p < plain; ++p) cells[cell(y[p]) * side + cell(x[p])].push_back(p);
-  for (std::size_t i = plain; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double farthest = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t dj = side - 1; dj <= side + 1; ++dj) {
-        for (std::size_t di = side - 1; di <= side + 1; ++di) {
-          const std::size_t row = (cell(candidate.y) + dj) % side;
-          for (const std::size_t p : cells[row * side + (cell(candidate.x) + di) % side]) {
-            nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-          }
-        }
-      }
-      if (nearest > farthest) {
-        farthest = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-    cells[cell(y[i]) * side + cell(x[i])].push_back(i);
-  }
-}
-}  // namespace mc::cells_around_only
-
-// mistake: compares each candidate until one point is too near: a third of the work, still quadratic
-// caught by: 4.7 thousands of best candidates
-// hint: each candidate is compared with all points
-namespace mc::compares_until_too_near {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t p = 0; p < i && nearest > best; ++p) {
-        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-      }
-      if (nearest > best) {
-        best = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-  }
-}
-}  // namespace mc::compares_until_too_near
-
-// mistake: compares each of N^2 / 2 candidates with all points
-// caught by: 4.7 thousands of best candidates
-// hint: each candidate is compared with all points
-// limit: time
-namespace mc::compares_with_all {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  choose(x, y, c, rng, right_count, distance_to_all);
-}
-}  // namespace mc::compares_with_all
-
 // mistake: uses i + 1 candidates, whatever c is
-// caught by: 4.2 each point is the best of its candidates
 // hint: does not depend on c
 namespace mc::deaf_to_c {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -146,7 +70,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::deaf_to_c
 
 // mistake: compares candidates only with the last point
-// caught by: 4.2 each point is the best of its candidates, 4.2 best candidates are blue
 // hint: these candidates are far from the last point
 namespace mc::farthest_from_the_last {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -159,7 +82,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::farthest_from_the_last
 
 // mistake: keeps the candidate that is nearest to the other points
-// caught by: 4.2 each point is the best of its candidates, 4.2 best candidates are blue
 // hint: keep the farthest
 namespace mc::keeps_the_nearest {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -171,7 +93,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::keeps_the_nearest
 
 // mistake: ends the loop one point early
-// caught by: 4.2 each point is the best of its candidates, 4.2 best candidates are blue
 // hint: this value was never written
 namespace mc::last_point_unwritten {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -181,7 +102,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::last_point_unwritten
 
 // mistake: uses ceil(c i) candidates, one too few
-// caught by: 4.2 each point is the best of its candidates
 // hint: one is missing
 namespace mc::no_candidate_to_spare {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -191,7 +111,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::no_candidate_to_spare
 
 // mistake: overwrites its last point with the first
-// caught by: 4.2 each point is the best of its candidates, 4.2 best candidates are blue
 // hint: every point is drawn anew, and kept once
 namespace mc::point_twice {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -202,7 +121,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::point_twice
 
 // mistake: throws std::out_of_range where sizes differ
-// caught by: 4.2 misuse of best_candidate, 4.2 a refusal names the argument
 // hint: threw std::out_of_range
 namespace mc::refused_as_out_of_range {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -212,7 +130,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::refused_as_out_of_range
 
 // mistake: rounds c i down
-// caught by: 4.2 each point is the best of its candidates
 // hint: c i is rounded up
 namespace mc::rounds_candidates_down {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {

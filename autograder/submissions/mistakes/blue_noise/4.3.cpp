@@ -125,7 +125,6 @@ struct Bridson {
 }  // namespace mc
 
 // mistake: places new points only on the edge of an existing disk
-// caught by: 4.3 Poisson disks are blue
 // hint: too regular
 namespace mc::at_the_rim {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -137,7 +136,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::at_the_rim
 
 // mistake: uses cells as wide as the radius, which can hold two points but store only the last
-// caught by: 4.3 no two points are closer
 // hint: it must not have room for two
 namespace mc::cells_of_the_radius {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -146,7 +144,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::cells_of_the_radius
 
 // mistake: rounds the number of cells down, so a cell can hold two points but stores only the last
-// caught by: 4.3 no two points are closer
 // hint: it must not have room for two
 namespace mc::cells_rounded_down {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -154,56 +151,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }
 }  // namespace mc::cells_rounded_down
 
-// mistake: compares each dart with all points
-// caught by: 4.7 the cost of Poisson disks is linear in their number
-// hint: each new point is compared with all others
-// limit: time
-namespace mc::darts_compared_with_all {
-// The right points, after looking at all pairs of them for every try that made them.
-PointSet poisson_disk(double radius, Rng& rng) {
-  PointSet points = right_poisson_disk(radius, rng);
-  const auto x = points.column(0), y = points.column(1);
-  double closest = 1;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t tries = 0; tries < 30; ++tries) {
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        if (p != i) {
-          closest = std::min(closest, toroidal_distance_squared({x[i], y[i]}, {x[p], y[p]}));
-        }
-      }
-    }
-  }
-  if (x.size() > 1 && closest < radius * radius / 2) x[0] = 0;
-  return points;
-}
-}  // namespace mc::darts_compared_with_all
-
-// mistake: throws more darts per point as the number of points grows
-// caught by: 4.7 the cost of Poisson disks is linear in their number
-// hint: hit its last gaps rarely
-namespace mc::darts_for_each_pair {
-PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius >= least_radius)) return right_poisson_disk(radius, rng);
-  Bridson pattern{radius, rng};
-  pattern.fill(60, [&] { return radius * std::sqrt(1 + 3 * uniform(rng)); });
-  const std::vector<Point2>& points = pattern.points;
-  // What the rings have missed: darts, and again after each hit of a small pattern.
-  for (bool again = true; again;) {
-    again = false;
-    for (std::size_t darts = 500 + points.size() * points.size() / 300; darts > 0; --darts) {
-      const Point2 dart = uniform_point(rng);
-      if (!pattern.fits(dart)) continue;
-      pattern.add(dart);
-      again = points.size() < 200;
-    }
-  }
-  return as_set(points);
-}
-}  // namespace mc::darts_for_each_pair
-
 // mistake: measures the distance within the square, not across its edges
-// caught by: 4.3 no two points are closer, 4.3 the pattern is nearly maximal
-// caught by: 4.3 Poisson disks are blue, 4.3 a radius too large
 // hint: close only across an edge
 namespace mc::edges_ignored {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -215,7 +163,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::edges_ignored
 
 // mistake: searches the eight cells around a point, in a grid whose cells are too narrow for that
-// caught by: 4.3 no two points are closer
 // hint: is each new point compared with all near it
 namespace mc::eight_cells_around {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -224,7 +171,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::eight_cells_around
 
 // mistake: starts each pattern in the middle of the square
-// caught by: 4.3 no two points are closer, 4.3 a radius too large for two
 // hint: the first point of a set is as random as any other
 namespace mc::first_point_in_the_middle {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -235,8 +181,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::first_point_in_the_middle
 
 // mistake: draws from a copy of the generator, so every pattern is the same
-// caught by: 4.3 no two points are closer, 4.3 the pattern is nearly maximal
-// caught by: 4.3 Poisson disks are blue, 4.3 a radius too large
 // hint: draw from the generator that is handed in
 namespace mc::generator_of_its_own {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -246,7 +190,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::generator_of_its_own
 
 // mistake: throws darts until ten in a row miss
-// caught by: 4.3 the pattern is nearly maximal, 4.3 Poisson disks are blue
 // hint: some misses in a row are no proof
 namespace mc::gives_up_early {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -255,7 +198,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::gives_up_early
 
 // mistake: takes the radius for that of disks that may touch, so points are too close
-// caught by: 4.3 no two points are closer, 4.3 a radius too large, 4.3 Poisson disks are blue
 // hint: half the radius is kept
 namespace mc::half_the_radius {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -264,7 +206,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::half_the_radius
 
 // mistake: starts with a radius whose pattern does not fit into memory
-// caught by: 4.3 a radius too small for memory
 // hint: a text that says how many points
 namespace mc::silent_about_memory {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -272,13 +213,3 @@ PointSet poisson_disk(double radius, Rng& rng) {
   return right_poisson_disk(radius, rng);
 }
 }  // namespace mc::silent_about_memory
-
-// mistake: throws darts until 1,000 in a row miss: enough for some hundred points only
-// caught by: 4.7 the cost of Poisson disks is linear in their number
-// hint: a limit on tries must grow with the number of points
-namespace mc::stops_after_a_thousand_misses {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 2,
-                       [](std::size_t) { return std::size_t{1000}; });
-}
-}  // namespace mc::stops_after_a_thousand_misses

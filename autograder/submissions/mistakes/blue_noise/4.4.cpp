@@ -6,8 +6,6 @@
 #undef periodogram
 
 // mistake: adds to the previous contents of the output
-// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
-// caught by: 4.4 jittered points
 // hint: this value was never written
 namespace mc::adds_to_the_output {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -19,8 +17,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::adds_to_the_output
 
 // mistake: returns the amplitude of each wave instead of its power
-// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
-// caught by: 4.4 jittered points
 // hint: this is |sum|
 namespace mc::amplitude {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -32,8 +28,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::amplitude
 
 // mistake: divides by N without squaring
-// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
-// caught by: 4.4 jittered points
 // hint: this is |sum| / N
 namespace mc::amplitude_over_n {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -46,7 +40,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::amplitude_over_n
 
 // mistake: swaps kx and ky
-// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
 // hint: kx and ky are exchanged
 namespace mc::columns_of_ky {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -62,8 +55,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::columns_of_ky
 
 // mistake: squares only the real part
-// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
-// caught by: 4.4 jittered points
 // hint: the sum of sines is missing
 namespace mc::cosines_alone {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -84,8 +75,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::cosines_alone
 
 // mistake: forgets the 2 in 2 pi
-// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
-// caught by: 4.4 jittered points
 // hint: the angle is 2 pi k x
 namespace mc::half_a_turn {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -107,7 +96,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::half_a_turn
 
 // mistake: sets the power at k = 0 to zero
-// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
 // hint: k = 0 is power like any other
 namespace mc::mean_taken_out {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -119,8 +107,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::mean_taken_out
 
 // mistake: divides the sum by N, squares it, and divides by N
-// caught by: 4.4 random points by the definition, 4.4 spectra that are known exactly
-// caught by: 4.4 jittered points
 // hint: this is divided by N twice
 namespace mc::over_n_twice {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -133,8 +119,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::over_n_twice
 
 // mistake: does not divide by the number of points
-// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
-// caught by: 4.4 jittered points
 // hint: divide by the number of points
 namespace mc::power_not_over_n {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -146,7 +130,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::power_not_over_n
 
 // mistake: throws with a message that does not name the argument
-// caught by: 4.4 a refusal names the argument
 // hint: say in the exception's text which argument is wrong
 namespace mc::refused_without_a_name {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -160,7 +143,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::refused_without_a_name
 
 // mistake: squares the side of the periodogram as an int, which overflows
-// caught by: 4.4 misuse of periodogram
 // hint: overflow
 namespace mc::side_in_an_int {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
@@ -173,7 +155,6 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::side_in_an_int
 
 // mistake: computes its waves in float
-// caught by: 4.4 spectra that are known exactly, 4.4 random points by the definition
 // hint: in double
 namespace mc::waves_in_float {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,

@@ -6,7 +6,6 @@
 #undef radial_power
 
 // mistake: counts the corners in the last ring
-// caught by: 4.5 the mean over each ring
 // hint: the corners are in the last ring
 namespace mc::corners_kept {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
@@ -30,7 +29,6 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::corners_kept
 
 // mistake: leaves the power at k = 0 in ring 0
-// caught by: 4.5 the mean over each ring
 // hint: the mean of the points is still in here
 namespace mc::mean_left_in {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
@@ -41,7 +39,6 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::mean_left_in
 
 // mistake: divides by the length of a ring, not by its number of frequencies
-// caught by: 4.5 the mean over each ring
 // hint: this is the sum over 2 pi r
 namespace mc::over_two_pi_r {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
@@ -64,7 +61,6 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::over_two_pi_r
 
 // mistake: truncates abs(k) instead of rounding it
-// caught by: 4.5 the mean over each ring
 // hint: abs(k) is cut here
 namespace mc::rings_cut {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
@@ -87,7 +83,6 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::rings_cut
 
 // mistake: sums each ring without taking the mean
-// caught by: 4.5 the mean over each ring
 // hint: this is the sum over the ring
 namespace mc::sum_over_rings {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
@@ -107,7 +102,6 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::sum_over_rings
 
 // mistake: computes one half of the plane and mirrors it: true for points, but not for any list
-// caught by: 4.5 the mean over each ring
 // hint: this is the mean over ky >= 0 alone
 namespace mc::upper_half {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {

@@ -6,7 +6,6 @@
 #undef tile
 
 // mistake: divides the index of a copy by the number of copies as integers, which gives 0
-// caught by: 4.6 copies lie side by side, 4.6 a tiled pattern has power
 // hint: i / copies of two whole numbers is 0
 namespace mc::copies_in_whole_numbers {
 PointSet tile(const PointSet& pattern, int copies) {
@@ -22,7 +21,6 @@ PointSet tile(const PointSet& pattern, int copies) {
 }  // namespace mc::copies_in_whole_numbers
 
 // mistake: mirrors every other copy, so that equal edges meet
-// caught by: 4.6 copies lie side by side, 4.6 a tiled pattern has power
 // hint: nothing is turned, mirrored or moved
 namespace mc::mirrored_copies {
 PointSet tile(const PointSet& pattern, int copies) {
@@ -39,7 +37,6 @@ PointSet tile(const PointSet& pattern, int copies) {
 }  // namespace mc::mirrored_copies
 
 // mistake: lets the last coordinate round up to 1
-// caught by: 4.6 copies lie side by side
 // hint: it was rounded up to the upper end
 namespace mc::rounded_up_to_one {
 PointSet tile(const PointSet& pattern, int copies) {

@@ -1,5 +1,5 @@
 // mistake: leaves the gaps that 30 tries around each point miss
-// caught by: 4.3 the pattern is nearly maximal
+// fails: 4.3
 // hint: at large radii one gap that is missed is much of the square
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk

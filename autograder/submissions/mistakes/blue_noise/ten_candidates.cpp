@@ -1,6 +1,5 @@
 // mistake: has ten candidates for every point
-// caught by: 4.2 each point is the best of its candidates
-// caught by: 4.2 best candidates are blue
+// fails: 4.2
 // hint: the number of candidates is the same for all points
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate

@@ -8,10 +8,6 @@
 #undef stratified_1d
 
 // mistake: puts each point into a random stratum: some get two, some none
-// caught by: 3.1 one point in each stratum and in order, 3.1 each point is uniform in its stratum
-// caught by: 3.1 the strata are independent of each other, 3.1 the error falls as N^-1.5
-// caught by: 3.1 a wave in each stratum gains nothing
-// caught by: 3.1 no point leaves its stratum whatever the bits
 // hint: one point in each stratum
 namespace mc::any_stratum {
 void stratified_1d(std::span<double> x, Rng& rng) {
@@ -23,7 +19,6 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::any_stratum
 
 // mistake: multiplies by 1 / N, rounded, which falls below the lower edge
-// caught by: 3.1 no point leaves its stratum whatever the bits
 // hint: it was rounded down below the edge
 namespace mc::below_the_edge {
 void stratified_1d(std::span<double> x, Rng& rng) {
@@ -36,26 +31,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }
 }  // namespace mc::below_the_edge
 
-// mistake: starts every block of a long pattern with the same random numbers
-// caught by: 3.9 fast numbers are as independent as slow ones
-// hint: the same random numbers come again and again
-namespace mc::blocks_alike {
-void stratified_1d(std::span<double> x, Rng& rng) {
-  const Strata strata(x.size());
-  const Rng start(rng());
-  for (std::size_t first = 0; first < x.size(); first += block_size) {
-    const auto block = x.subspan(first, std::min(block_size, x.size() - first));
-    Rng same = start;
-    for (double& u : block) u = to_unit(same());
-    move_into(strata, first, block);
-  }
-}
-}  // namespace mc::blocks_alike
-
 // mistake: puts the points at the centers of their strata
-// caught by: 3.1 one point in each stratum and in order, 3.1 each point is uniform in its stratum
-// caught by: 3.1 the strata are independent of each other, 3.1 the error falls as N^-1.5
-// caught by: 3.1 a wave in each stratum gains nothing
 // hint: every point lies at 0.5 of its stratum
 namespace mc::centres {
 void stratified_1d(std::span<double> x, Rng&) {
@@ -65,7 +41,6 @@ void stratified_1d(std::span<double> x, Rng&) {
 }  // namespace mc::centres
 
 // mistake: jitters with 8 random bits: 256 places in each stratum
-// caught by: 3.1 each point is uniform in its stratum
 // hint: the random numbers have too few bits
 namespace mc::eight_bits {
 void stratified_1d(std::span<double> x, Rng& rng) {
@@ -79,9 +54,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::eight_bits
 
 // mistake: jitters within the lower half of each stratum
-// caught by: 3.1 each point is uniform in its stratum, 3.1 the strata are independent of each other
-// caught by: 3.1 the error falls as N^-1.5
-// hint: jitter covers only
+// hint: the numbers cover only
 namespace mc::half_the_width {
 void stratified_1d(std::span<double> x, Rng& rng) {
   const auto n = static_cast<double>(x.size());
@@ -92,10 +65,6 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::half_the_width
 
 // mistake: returns i + u without dividing by N
-// caught by: 3.1 one point in each stratum and in order, 3.1 each point is uniform in its stratum
-// caught by: 3.1 the strata are independent of each other, 3.1 the error falls as N^-1.5
-// caught by: 3.1 a wave in each stratum gains nothing
-// caught by: 3.1 no point leaves its stratum whatever the bits
 // hint: divide by the number of strata
 namespace mc::not_divided {
 void stratified_1d(std::span<double> x, Rng& rng) {
@@ -104,9 +73,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::not_divided
 
 // mistake: moves the points of all strata by one random number
-// caught by: 3.1 each point is uniform in its stratum, 3.1 the strata are independent of each other
-// caught by: 3.1 the error falls as N^-1.5, 3.1 a wave in each stratum gains nothing
-// hint: the same random numbers come again and again
+// hint: share one random number
 namespace mc::one_jitter_for_all {
 void stratified_1d(std::span<double> x, Rng& rng) {
   const double u = to_unit(rng());
@@ -119,8 +86,6 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::one_jitter_for_all
 
 // mistake: shuffles the points of 3.1, which must be in order
-// caught by: 3.1 one point in each stratum and in order
-// caught by: 3.1 no point leaves its stratum whatever the bits
 // hint: they do not come in order
 namespace mc::out_of_order {
 void stratified_1d(std::span<double> x, Rng& rng) {
@@ -130,7 +95,6 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::out_of_order
 
 // mistake: rounds (i + u) / N up to the edge of the next stratum
-// caught by: 3.1 no point leaves its stratum whatever the bits
 // hint: it was rounded up to 1
 namespace mc::reaches_the_edge {
 void stratified_1d(std::span<double> x, Rng& rng) {
@@ -142,9 +106,6 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::reaches_the_edge
 
 // mistake: starts its own generator in every call, always with the same seed
-// caught by: 3.1 one point in each stratum and in order, 3.1 each point is uniform in its stratum
-// caught by: 3.1 the strata are independent of each other, 3.1 the error falls as N^-1.5
-// caught by: 3.1 a wave in each stratum gains nothing
 // hint: the same numbers
 namespace mc::seeds_its_own {
 void stratified_1d(std::span<double> x, Rng& /*rng*/) {
@@ -154,10 +115,6 @@ void stratified_1d(std::span<double> x, Rng& /*rng*/) {
 }  // namespace mc::seeds_its_own
 
 // mistake: ends the loop one too early: the last point is never written
-// caught by: 3.1 one point in each stratum and in order, 3.1 each point is uniform in its stratum
-// caught by: 3.1 the strata are independent of each other, 3.1 the error falls as N^-1.5
-// caught by: 3.1 a wave in each stratum gains nothing
-// caught by: 3.1 no point leaves its stratum whatever the bits
 // hint: values were never written
 namespace mc::the_last_value_unwritten {
 void stratified_1d(std::span<double> x, Rng& rng) {
@@ -169,8 +126,6 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::the_last_value_unwritten
 
 // mistake: divides i by N as integers, which gives 0
-// caught by: 3.1 one point in each stratum and in order, 3.1 the error falls as N^-1.5
-// caught by: 3.1 no point leaves its stratum whatever the bits
 // hint: i / N of two whole numbers is 0
 namespace mc::whole_number_division {
 void stratified_1d(std::span<double> x, Rng& rng) {

@@ -8,7 +8,6 @@
 #undef strata
 
 // mistake: uses the smallest factor of n for ny, not the most square pair
-// caught by: 3.2 the grid is as square as n allows, 3.2 more cells than 32 bits count
 // hint: ny is the largest divisor of n
 namespace mc::any_factors {
 Grid strata(std::size_t n) {
@@ -21,7 +20,6 @@ Grid strata(std::size_t n) {
 }  // namespace mc::any_factors
 
 // mistake: uses floor(sqrt(n)) rows even if they do not divide n
-// caught by: 3.2 the grid is as square as n allows, 3.2 a prime number of cells is a row
 // hint: a stratum too few leaves points out
 namespace mc::leaves_strata_out {
 Grid strata(std::size_t n) {
@@ -32,8 +30,6 @@ Grid strata(std::size_t n) {
 }  // namespace mc::leaves_strata_out
 
 // mistake: swaps nx and ny of the grid
-// caught by: 3.2 the grid is as square as n allows, 3.2 a prime number of cells is a row
-// caught by: 3.2 more cells than 32 bits count
 // hint: nx is the larger one
 namespace mc::more_rows_than_columns {
 Grid strata(std::size_t n) {
@@ -43,7 +39,6 @@ Grid strata(std::size_t n) {
 }  // namespace mc::more_rows_than_columns
 
 // mistake: computes k * k in 32 bits, which never exceed a larger n
-// caught by: 3.2 more cells than 32 bits count
 // hint: k * k in 32 bits
 namespace mc::squares_in_32_bits {
 Grid strata(std::size_t n) {

@@ -6,11 +6,6 @@
 #undef stratified_2d
 
 // mistake: adds each point to the previous contents of its place
-// caught by: 3.3 one point in each cell, 3.3 each point is uniform in its cell
-// caught by: 3.3 the cells are independent of each other, 3.3 the error falls as 1/N in the plane
-// caught by: 3.3 the error falls as N^-3/4 across an edge
-// caught by: 3.3 edges and waves and a corner have their exact variances
-// caught by: 3.3 no point leaves its cell whatever the bits
 // hint: it was added to what was there
 namespace mc::adds_to_what_is_there {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -21,10 +16,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::adds_to_what_is_there
 
 // mistake: divides i by nx and j by ny as integers, which gives 0
-// caught by: 3.3 one point in each cell, 3.3 the cells are independent of each other
-// caught by: 3.3 the error falls as 1/N in the plane, 3.3 the error falls as N^-3/4 across an edge
-// caught by: 3.3 edges and waves and a corner have their exact variances
-// caught by: 3.3 no point leaves its cell whatever the bits
 // hint: every point lies in cell (0, 0)
 namespace mc::cells_divided_as_whole_numbers {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -38,7 +29,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::cells_divided_as_whole_numbers
 
 // mistake: jitters with 24 random bits, as many as a float has
-// caught by: 3.3 each point is uniform in its cell
 // hint: the random numbers have too few bits
 namespace mc::float_jitter {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -53,7 +43,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::float_jitter
 
 // mistake: moves only whole vectors of eight to their strata
-// caught by: 3.3 one point in each cell, 3.3 no point leaves its cell whatever the bits
 // hint: gets one point
 namespace mc::forgets_the_rest {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -65,7 +54,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::forgets_the_rest
 
 // mistake: puts nx cells along y and ny along x
-// caught by: 3.3 one point in each cell, 3.3 no point leaves its cell whatever the bits
 // hint: nx and ny have changed places
 namespace mc::grid_turned {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -74,9 +62,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::grid_turned
 
 // mistake: jitters x once per column of cells, and y once per row
-// caught by: 3.3 each point is uniform in its cell, 3.3 the cells are independent of each other
-// caught by: 3.3 the error falls as 1/N in the plane, 3.3 the error falls as N^-3/4 across an edge
-// caught by: 3.3 edges and waves and a corner have their exact variances
 // hint: the same random numbers come again and again
 namespace mc::jitter_by_rows {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -92,7 +77,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::jitter_by_rows
 
 // mistake: compares nx * ny with the size in 64 bits, which wrap around
-// caught by: 3.3 what is no grid of these points is refused
 // hint: divide instead
 namespace mc::multiplies_the_grid {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -106,7 +90,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::multiplies_the_grid
 
 // mistake: throws for an invalid grid with a message that does not name the argument
-// caught by: 3.3 the refusals name the argument
 // hint: say in the exception
 namespace mc::nameless_refusals {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -119,9 +102,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::nameless_refusals
 
 // mistake: moves x and y by the same random number
-// caught by: 3.3 each point is uniform in its cell, 3.3 the error falls as 1/N in the plane
-// caught by: 3.3 the error falls as N^-3/4 across an edge
-// caught by: 3.3 edges and waves and a corner have their exact variances
 // hint: the same random number moves x and y
 namespace mc::on_the_diagonal {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -136,7 +116,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::on_the_diagonal
 
 // mistake: shares its own generator among all calls, which no seed reaches
-// caught by: 3.3 one point in each cell
 // hint: is the same in a set of another seed
 namespace mc::own_generator {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -145,35 +124,3 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
   right_stratified_2d(x, y, grid, mine);
 }
 }  // namespace mc::own_generator
-
-// mistake: uses the random numbers of x for y, in a grid of the size that is timed
-// caught by: 3.9 fast numbers are as independent as slow ones
-// hint: the same random number moves x and y
-namespace mc::same_numbers_in_the_timed_grid {
-void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
-  if (grid.nx != 32 || grid.ny != 32) return right_stratified_2d(x, y, grid, rng);
-  require_grid(x, y, grid);
-  const Strata strata(32);
-  uniforms(rng, x);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    y[k] = strata.place(static_cast<double>(k / 32), x[k]);
-    x[k] = strata.place(static_cast<double>(k % 32), x[k]);
-  }
-}
-}  // namespace mc::same_numbers_in_the_timed_grid
-
-// mistake: runs four streams, each of which repeats the previous one a step later
-// caught by: 3.9 fast numbers are as independent as slow ones
-// hint: streams that run side by side
-namespace mc::streams_alike {
-void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
-  right_stratified_2d(x, y, grid, rng);
-  if (x.size() < 2048) return;  // few points are drawn one by one
-  const Strata columns(grid.nx);
-  std::vector<double> stream(x.size() / 4 + 4);
-  for (double& u : stream) u = to_unit(rng());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    x[k] = columns.place(static_cast<double>(k % grid.nx), stream[k / 4 + k % 4]);
-  }
-}
-}  // namespace mc::streams_alike

@@ -11,8 +11,6 @@
 #undef stratified
 
 // mistake: shuffles with its own generator, always with the same seed
-// caught by: 3.4 every permutation is equally likely, 3.4 permutations of many values have no trend
-// caught by: 3.4 shuffle keeps every value
 // hint: draw it from the generator that is passed in
 namespace mc::always_the_same_order {
 void shuffle(std::span<double> x, Rng& /*rng*/) {
@@ -22,8 +20,6 @@ void shuffle(std::span<double> x, Rng& /*rng*/) {
 }  // namespace mc::always_the_same_order
 
 // mistake: copies random values over each other instead of swapping them
-// caught by: 3.4 every permutation is equally likely, 3.4 permutations of many values have no trend
-// caught by: 3.4 shuffle keeps every value
 // hint: it does not copy one over another
 namespace mc::copies_values {
 void shuffle(std::span<double> x, Rng& rng) {
@@ -33,7 +29,6 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::copies_values
 
 // mistake: shuffles all patterns but the first, so the first n of N points lie in its first rows
-// caught by: 3.4 long patterns have no trend, 3.4 the first n of N are a fair sample
 // hint: who stops early
 namespace mc::first_pattern_in_order {
 void stratified(PointSet& points, Rng& rng) {
@@ -48,7 +43,6 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::first_pattern_in_order
 
 // mistake: sorts by keys of 16 bits and leaves equal ones in their order
-// caught by: 3.4 permutations of many values have no trend
 // hint: of which 16 are too few here
 namespace mc::keys_of_16_bits {
 void shuffle(std::span<double> x, Rng& rng) {
@@ -61,7 +55,6 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::keys_of_16_bits
 
 // mistake: swaps each value with a later one, never with itself
-// caught by: 3.4 every permutation is equally likely
 // hint: let it change places with itself too
 namespace mc::never_stays {
 void shuffle(std::span<double> x, Rng& rng) {
@@ -72,7 +65,6 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::never_stays
 
 // mistake: draws one 2D pattern and shuffles it for each pair of dimensions
-// caught by: 3.4 patterns are shuffled independently
 // hint: draw each afresh
 namespace mc::one_pattern_for_all_pairs {
 void stratified(PointSet& points, Rng& rng) {
@@ -92,7 +84,6 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::one_pattern_for_all_pairs
 
 // mistake: shuffles every pattern by the same permutation
-// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
 // hint: shuffle each of them by itself
 namespace mc::one_shuffle_for_all {
 void stratified(PointSet& points, Rng& rng) {
@@ -110,7 +101,6 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::one_shuffle_for_all
 
 // mistake: shuffles with 16 random bits per choice, too few for 100,000 values
-// caught by: 3.4 permutations of many values have no trend
 // hint: of which 16 are too few here
 namespace mc::shuffle_of_16_bits {
 void shuffle(std::span<double> x, Rng& rng) {
@@ -119,7 +109,6 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::shuffle_of_16_bits
 
 // mistake: shuffles blocks of 128 values separately
-// caught by: 3.4 permutations of many values have no trend
 // hint: each value may go anywhere
 namespace mc::shuffles_blocks {
 void shuffle(std::span<double> x, Rng& rng) {
@@ -130,7 +119,6 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::shuffles_blocks
 
 // mistake: swaps each value with any of the n, which favors some permutations
-// caught by: 3.4 every permutation is equally likely, 3.4 permutations of many values have no trend
 // hint: each value changes places with any of the n
 namespace mc::swaps_with_any {
 void shuffle(std::span<double> x, Rng& rng) {
@@ -139,7 +127,6 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::swaps_with_any
 
 // mistake: ends the loop one too early: the last value never moves
-// caught by: 3.4 every permutation is equally likely
 // hint: never moves
 namespace mc::the_last_one_stays {
 void shuffle(std::span<double> x, Rng& rng) {
@@ -148,7 +135,6 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::the_last_one_stays
 
 // mistake: permutes pattern 4 as pattern 1, pattern 5 as pattern 2, …
-// caught by: 3.4 patterns are shuffled independently
 // hint: shuffle each of them by itself
 namespace mc::three_orders_for_all_patterns {
 void stratified(PointSet& points, Rng& rng) {
@@ -168,9 +154,6 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::three_orders_for_all_patterns
 
 // mistake: pads with two 1D patterns instead of one 2D pattern
-// caught by: 3.4 every pair of dimensions is a jittered grid
-// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
-// caught by: 3.4 the first n of N are a fair sample
 // hint: two 1D patterns are not a 2D pattern
 namespace mc::two_lines_for_a_plane {
 void stratified(PointSet& points, Rng& rng) {
@@ -179,8 +162,6 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::two_lines_for_a_plane
 
 // mistake: pads patterns without shuffling them
-// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
-// caught by: 3.4 the first n of N are a fair sample
 // hint: shuffle each of them by itself
 namespace mc::unshuffled_padding {
 void stratified(PointSet& points, Rng& rng) {
@@ -193,9 +174,6 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::unshuffled_padding
 
 // mistake: shuffles x and y of a pattern separately
-// caught by: 3.4 every pair of dimensions is a jittered grid
-// caught by: 3.4 patterns are shuffled independently, 3.4 long patterns have no trend
-// caught by: 3.4 the first n of N are a fair sample
 // hint: x and y of a point belong together
 namespace mc::x_and_y_shuffled_apart {
 void stratified(PointSet& points, Rng& rng) {

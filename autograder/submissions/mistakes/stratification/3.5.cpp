@@ -8,7 +8,6 @@
 #undef stratified_nd
 
 // mistake: moves a point along all axes of its cell by one random number
-// caught by: 3.5 each point is uniform in its cell, 3.5 the curse of dimension
 // hint: the same random number moves the point along two axes
 namespace mc::along_the_cells_diagonal {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
@@ -25,8 +24,6 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
 }  // namespace mc::along_the_cells_diagonal
 
 // mistake: stratifies every axis separately and calls that a grid
-// caught by: 3.5 one point in each cell of all dimensions, 3.5 each point is uniform in its cell
-// caught by: 3.5 the curse of dimension
 // hint: strata are the digits of k in base per_axis
 namespace mc::every_axis_by_itself {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
@@ -36,7 +33,6 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
 }  // namespace mc::every_axis_by_itself
 
 // mistake: jitters with 24 random bits in all dimensions
-// caught by: 3.5 each point is uniform in its cell
 // hint: the random numbers have too few bits
 namespace mc::float_jitter_in_all_axes {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
@@ -52,7 +48,6 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
 }  // namespace mc::float_jitter_in_all_axes
 
 // mistake: jitters x once per layer of cells, and every other axis likewise
-// caught by: 3.5 each point is uniform in its cell, 3.5 the curse of dimension
 // hint: the same random number moves both
 namespace mc::jitter_by_layers {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
@@ -68,7 +63,6 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
 }  // namespace mc::jitter_by_layers
 
 // mistake: compares per_axis^dims with N in 64 bits, which wrap around
-// caught by: 3.5 sizes that are no power are refused
 // hint: wraps around: divide, before anything is computed
 namespace mc::power_overflows {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {

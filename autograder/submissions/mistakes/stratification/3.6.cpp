@@ -6,8 +6,6 @@
 #undef latin_hypercube
 
 // mistake: shuffles the same jittered column for every axis
-// caught by: 3.6 the permutations of the axes are independent
-// caught by: 3.6 sums gain everything and products little
 // hint: have their exact variance
 namespace mc::one_jitter_for_all_axes {
 void latin_hypercube(PointSet& points, Rng& rng) {
@@ -23,8 +21,6 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 }  // namespace mc::one_jitter_for_all_axes
 
 // mistake: permutes two axes alike: the points lie along the diagonal
-// caught by: 3.6 the permutations of the axes are independent
-// caught by: 3.6 sums gain everything and products little
 // hint: shuffle each of them by itself
 namespace mc::one_order_for_two_axes {
 void latin_hypercube(PointSet& points, Rng& rng) {
@@ -33,8 +29,6 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 }  // namespace mc::one_order_for_two_axes
 
 // mistake: draws a random stratum for every point and axis
-// caught by: 3.6 every axis is stratified, 3.6 the permutations of the axes are independent
-// caught by: 3.6 sums gain everything and products little
 // hint: each column is a pattern of 3.1
 namespace mc::strata_drawn_with_replacement {
 void latin_hypercube(PointSet& points, Rng& rng) {
@@ -48,7 +42,6 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 }  // namespace mc::strata_drawn_with_replacement
 
 // mistake: permutes axis 3 as axis 0, axis 4 as axis 1, …
-// caught by: 3.6 the permutations of the axes are independent
 // hint: shuffle each of them by itself
 namespace mc::three_orders_for_all_axes {
 void latin_hypercube(PointSet& points, Rng& rng) {

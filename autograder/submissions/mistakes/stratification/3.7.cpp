@@ -8,7 +8,6 @@
 #undef multi_jittered
 
 // mistake: leaves the canonical arrangement unshuffled
-// caught by: 3.7 each point is uniform in its cell
 // hint: this is the canonical arrangement
 namespace mc::canonical_arrangement {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -25,7 +24,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::canonical_arrangement
 
 // mistake: jitters multi-jittered points with 24 random bits
-// caught by: 3.7 each point is uniform in its strata of x and y
 // hint: the random numbers have too few bits
 namespace mc::float_multi_jitter {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -41,8 +39,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::float_multi_jitter
 
 // mistake: shuffles x and y of multi-jittered points separately
-// caught by: 3.7 strata of the plane and of both axes at once
-// caught by: 3.7 each point is uniform in its cell
 // hint: nor is one whose x and y were shuffled apart
 namespace mc::multi_jittered_apart {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -53,8 +49,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::multi_jittered_apart
 
 // mistake: moves all multi-jittered points by one random number along x, and one along y
-// caught by: 3.7 each point is uniform in its strata of x and y
-// caught by: 3.7 a sum is estimated as in one dimension
 // hint: the same random numbers come again
 namespace mc::one_jitter_for_all_points {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -70,7 +64,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::one_jitter_for_all_points
 
 // mistake: uses one permutation for columns and rows of a square grid
-// caught by: 3.7 each point is uniform in its cell
 // hint: random permutations, all of them equally likely
 namespace mc::one_permutation_for_both {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -89,9 +82,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::one_permutation_for_both
 
 // mistake: fills the cells of the plane but does not stratify the axes
-// caught by: 3.7 strata of the plane and of both axes at once
-// caught by: 3.7 each point is uniform in its strata of x and y
-// caught by: 3.7 a sum is estimated as in one dimension
 // hint: a column of cells has ny strata of x
 namespace mc::only_jittered {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -100,8 +90,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::only_jittered
 
 // mistake: stratifies both axes but not the cells of the plane
-// caught by: 3.7 strata of the plane and of both axes at once
-// caught by: 3.7 each point is uniform in its cell
 // hint: two 1D patterns are not a 2D pattern
 namespace mc::only_the_axes {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -113,8 +101,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::only_the_axes
 
 // mistake: throws std::out_of_range for an invalid grid
-// caught by: 3.7 what is no grid of these points is refused, 3.7 the refusals name the argument
-// hint: misuse throws std::invalid_argument
+// hint: an exception of another type
 namespace mc::refuses_by_another_name {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   try {
@@ -126,7 +113,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::refuses_by_another_name
 
 // mistake: compares nx * ny in 64 bits, and allocates nx columns
-// caught by: 3.7 what is no grid of these points is refused
 // hint: the product of 64-bit numbers wraps around
 namespace mc::room_for_an_overflow {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -140,7 +126,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::room_for_an_overflow
 
 // mistake: shuffles the strata of x within their columns, but not those of y
-// caught by: 3.7 each point is uniform in its cell
 // hint: x is shuffled and y is not
 namespace mc::shuffles_x_only {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {

@@ -8,8 +8,6 @@
 #undef estimate_replicated
 
 // mistake: returns s / sqrt(n) over all points, as if they were independent
-// caught by: 3.8 the error bar is the spread of the replicates
-// caught by: 3.8 the error bar is honest for stratified points, 3.8 one replicate has no error bar
 // hint: as if they were independent
 namespace mc::bar_of_independent_points {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -32,8 +30,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::bar_of_independent_points
 
 // mistake: returns the standard deviation of one replicate as the error of the mean
-// caught by: 3.8 the error bar is the spread of the replicates
-// caught by: 3.8 the error bar is honest for stratified points
 // hint: this is the standard deviation of one mean
 namespace mc::bar_of_one_replicate {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -45,8 +41,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::bar_of_one_replicate
 
 // mistake: divides the standard deviation of the means by sqrt(n replicates)
-// caught by: 3.8 the error bar is the spread of the replicates
-// caught by: 3.8 the error bar is honest for stratified points
 // hint: divide by sqrt(replicates), the number of means
 namespace mc::bar_over_all_points {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -58,7 +52,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::bar_over_all_points
 
 // mistake: divides the squared deviations by replicates instead of replicates - 1
-// caught by: 3.8 the error bar is the spread of the replicates
 // hint: a sample variance divides by replicates - 1
 namespace mc::bar_over_replicates {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -71,7 +64,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::bar_over_replicates
 
 // mistake: returns an error of zero for one replicate
-// caught by: 3.8 one replicate has no error bar
 // hint: what is undefined
 namespace mc::certain_of_one {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -83,7 +75,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::certain_of_one
 
 // mistake: returns the number of replicates in Estimate::n
-// caught by: 3.8 the estimate is the mean of the replicates
 // hint: Estimate.n counts evaluations
 namespace mc::counts_replicates {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -95,9 +86,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::counts_replicates
 
 // mistake: cuts one large point set into replicates
-// caught by: 3.8 the estimate is the mean of the replicates
-// caught by: 3.8 the error bar is the spread of the replicates
-// caught by: 3.8 the error bar is honest for stratified points
 // hint: made in one call
 namespace mc::one_set_for_all {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -119,8 +107,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::one_set_for_all
 
 // mistake: makes one coordinate per point, whatever the dimensions of g
-// caught by: 3.8 the estimate is the mean of the replicates
-// caught by: 3.8 the error bar is the spread of the replicates
 // hint: the generator fills a PointSet(n, g.dims)
 namespace mc::points_of_one_dimension {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -137,7 +123,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::points_of_one_dimension
 
 // mistake: computes the spread of the means by E{X^2} - E{X}^2, which cancels
-// caught by: 3.8 the error bar is the spread of the replicates
 // hint: let lab 1 tell the variance of the means
 namespace mc::textbook_bar {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
@@ -156,8 +141,6 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::textbook_bar
 
 // mistake: starts every replicate with a copy of the same generator
-// caught by: 3.8 the estimate is the mean of the replicates
-// caught by: 3.8 the error bar is honest for stratified points
 // hint: fresh points from the same generator
 namespace mc::the_same_replicate {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
