@@ -25,10 +25,14 @@ double mean(std::span<const double> x) {
   for (double value : x) sum += value;
   if (std::isfinite(sum)) return sum / n;  // 0/0 is NaN: the mean of nothing
 
-  // The sum overflowed; the mean need not have. Small shares of each value cannot.
-  double shares = 0;
-  for (double value : x) shares += value / n;
-  return shares;
+  // The sum overflowed; a running mean does not, since it stays between the smallest value and the
+  // largest. Shares x / n are rounded: three of the largest double add up to infinity.
+  double running = 0, count = 0;
+  for (double value : x) {
+    ++count;
+    running += value / count - running / count;
+  }
+  return running;
 }
 
 // 1.2 ---------------------------------------------------------------------------------------------
@@ -80,16 +84,18 @@ double variance(const Moments& moments) {
 // 1.5 ---------------------------------------------------------------------------------------------
 
 Moments merge(const Moments& a, const Moments& b) {
-  if (a.count == 0) return b;
+  if (a.count < b.count) return merge(b, a);
   if (b.count == 0) return a;
   const auto n_a = static_cast<double>(a.count);
   const auto n_b = static_cast<double>(b.count);
-  const double n = n_a + n_b;
+  const double share = n_b / (n_a + n_b);
   const double apart = b.mean - a.mean;
   return {a.count + b.count,
-          // From the larger part's mean: a small step is a small rounding error.
-          n_a >= n_b ? a.mean + apart * (n_b / n) : b.mean - apart * (n_a / n),
-          a.m2 + b.m2 + apart * apart * (n_a / n * n_b)};
+          // From the larger part's mean: a small step is a small rounding error. Two shares, since
+          // the distance of two means may overflow where the step does not.
+          a.mean + (b.mean * share - a.mean * share),
+          // The weight first: the square of a small distance may be less than any double.
+          a.m2 + b.m2 + apart * (n_a * share) * apart};
 }
 
 // 1.6 ---------------------------------------------------------------------------------------------
@@ -163,12 +169,14 @@ namespace {
 
 constexpr std::size_t block_size = 4096;
 
-/// A value near the data, and near it even if one value is far off: the mean of up to 32 of them,
-/// spread over the data, without the smallest and the largest.
+/// A value near the data, and near it even if one value is far off: the mean of 32 of them, spread
+/// over the data, without the smallest and the largest. Of up to 64 values, the mean of four will
+/// do: if one of the four is off by D, n (D/4)^2 are lost of about D^2, a factor of 4.
 double shift_near(std::span<const double> x) {
-  const std::size_t count = std::min<std::size_t>(x.size(), 32);
-  if (count < 3) return x[0];
-  const std::size_t step = x.size() / count;
+  constexpr std::size_t count = 32;
+  const std::size_t n = x.size();
+  if (n <= 2 * count) return (x[0] / 4 + x[n / 4] / 4) + (x[n / 2] / 4 + x[n - 1] / 4);
+  const std::size_t step = n / count;
   const double share = 1 / static_cast<double>(count - 2);
   double sum = 0, smallest = x[0], largest = x[0];
   for (std::size_t i = 0; i < count; ++i) {
@@ -191,7 +199,7 @@ constexpr std::size_t lanes = 2, in_turn = 4;
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 
 /// The moments of a block, its mean as an offset from `shift`.
-Moments moments_from(double shift, std::span<const double> block) {
+inline Moments moments_from(double shift, std::span<const double> block) {
   Lanes sum[in_turn] = {}, squares[in_turn] = {};
   const std::size_t whole = block.size() - block.size() % (in_turn * lanes);
   for (std::size_t i = 0; i < whole; i += in_turn * lanes) {
@@ -204,9 +212,13 @@ Moments moments_from(double shift, std::span<const double> block) {
     }
   }
   double all = 0, all_squares = 0;
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    all += (sum[0] + sum[1] + sum[2] + sum[3])[lane];
-    all_squares += (squares[0] + squares[1] + squares[2] + squares[3])[lane];
+  if (whole > 0) {
+    const Lanes sums = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    const Lanes all_lanes = (squares[0] + squares[1]) + (squares[2] + squares[3]);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      all += sums[lane];
+      all_squares += all_lanes[lane];
+    }
   }
   for (const double value : block.subspan(whole)) {
     all += value - shift;
@@ -221,13 +233,12 @@ Moments moments_from(double shift, std::span<const double> block) {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
   const double shift = shift_near(x);
-  Moments all;
-  for (std::size_t first = 0; first < x.size(); first += block_size) {
+  Moments all = moments_from(shift, x.first(std::min(block_size, x.size())));
+  for (std::size_t first = block_size; first < x.size(); first += block_size) {
     const std::size_t size = std::min(block_size, x.size() - first);
     all = merge(all, moments_from(shift, x.subspan(first, size)));
   }
-  all.mean += shift;
-  return all;
+  return {all.count, shift + all.mean, all.m2};
 }
 
 }  // namespace mc

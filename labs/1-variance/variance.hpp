@@ -20,12 +20,13 @@ namespace mc {
 
 /// 1.1  The mean of `x`.
 /// requires: any number of values; NaN if there are none. Finite wherever the true mean is a
-///   double, so also for {1e308, 1e308} and {-1e308, -1e308}, whose sums overflow.
+///   double, so also for {1e308, 1e308} and {-1e308, -1e308}, whose sums overflow, and for any
+///   number of values that all are the largest double.
 /// source: the definition.
 double mean(std::span<const double> x);
 
 /// 1.2  The sample variance by the handy fact Var{X} = E{X^2} - E{X}^2, times n / (n - 1).
-/// In double and uncorrected: a check requires that it loses all digits where the mean is large.
+/// In double and uncorrected: a check requires that it loses two digits for each digit of the mean.
 /// requires: any number of values; NaN for fewer than two.
 /// source: Chan, Golub, LeVeque 1983, "Algorithms for computing the sample variance", the textbook
 ///   algorithm.
@@ -61,6 +62,8 @@ double variance(const Moments& moments);
 /// 1.5  The moments of two streams together, from their moments alone.
 /// requires: either may be empty, and one may have 10^15 times as many values as the other. The
 ///   product of the counts may need more than 64 bits: multiply them as doubles. Their sum fits.
+///   The mean is finite wherever the true mean is a double, and m2 keeps its digits wherever it is
+///   one, also where the distance of the means overflows, or its square is too small for a double.
 /// cost: constant.
 /// source: Chan, Golub, LeVeque 1983, eq. 2.1.
 Moments merge(const Moments& a, const Moments& b);

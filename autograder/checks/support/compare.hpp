@@ -32,6 +32,7 @@ struct Comparison {
   /// The values are results of calls of their own: then suspects about lists (a last value that is
   /// missing, values shifted by one, in reverse) make no sense.
   bool separate_calls = false;
+  bool in_digits = false;  ///< the report counts the correct digits instead of saying the tolerance
 };
 
 /// Measured values, one for each exact one.
@@ -43,8 +44,32 @@ struct MeasuredValues {
 /// Every value is within its tolerance. Of the suspects, and of those that every comparison has
 /// (values rounded to float, unwritten, added to what was there, shifted by one, reversed, sign,
 /// square, root, reciprocal, a constant factor or offset, constant), one is named if it explains
-/// all values, the wrong ones and the right ones, and no other does so with another hint.
+/// all values, the wrong ones and the right ones, and no other does so with another hint. It
+/// explains a wrong value if it is a hundred times nearer to it than the exact value is.
 void expect_each(const MeasuredValues& measured, const Comparison& comparison);
+
+/// Results of separate calls, which are compared together: a mistake is named if it explains all of
+/// them. What mistakes give is computed only where the comparison fails.
+class Results {
+ public:
+  /// The same mistakes of each call, in the same order.
+  using FindSuspects = std::function<std::vector<Suspect>()>;
+
+  void add(std::string call, double got, double exact, double tolerance, FindSuspects find = {});
+  /// The same with a tolerance in correct digits of `exact`, or of the last bits of a denormal.
+  void add_digits(std::string call, double got, double exact, double floor, FindSuspects find = {});
+
+  /// Every result is within its tolerance. `because` says where the tolerances come from.
+  void expect(const std::string& because, const std::string& otherwise);
+
+  bool is_tame = false;  ///< results with seven digits or so show that a float was used
+
+ private:
+  std::vector<std::string> calls_;
+  std::vector<double> values_;
+  std::vector<FindSuspects> suspects_;
+  Comparison comparison_ = {.exact = {}, .tolerance = {}, .separate_calls = true};
+};
 
 /// The same without ending a check: what it would say.
 std::optional<Failure> difference(const MeasuredValues& measured, const Comparison& comparison);

@@ -71,7 +71,7 @@ struct PastCall {
   std::function<std::string()> typed;
 };
 std::vector<PastCall> past_calls;
-constexpr std::size_t most_past_calls = 16;
+constexpr std::size_t most_past_calls = 256;
 
 /// The latest call that a failure report names, or else the latest.
 const PastCall* call_in(const std::string& story) {

@@ -1,108 +1,107 @@
 // 1.6: the covariance.
 
 #include <cmath>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "1-variance/experiments.hpp"
 #include "checks/support/catch.hpp"
-#include "expect_variance.hpp"
+#include "checks/support/compare.hpp"
+#include "checks/support/refusals.hpp"
+#include "data_sets.hpp"
+#include "floors.hpp"
 
 namespace mc::checks {
 namespace {
 
-/// Values of two variables of which y goes against x, neither of them nearly constant: kappa is
-/// below 4 for both.
 struct Pairs {
   Values x, y;
 };
-Pairs tame_pairs(Rng& rng, std::size_t n) {
+
+/// Two variables of which y goes against x, neither of them nearly constant: kappa is below 4 for
+/// both.
+Pairs tame_pairs(Rng& rng, std::size_t n, double of_x = 1, double of_y = 1) {
   Pairs pairs{tame_values(rng, n, -1, 1), uniform_values(rng, n, -0.5, 0.5)};
-  for (std::size_t i = 0; i < n; ++i) pairs.y[i] -= 2 * pairs.x[i];
+  for (std::size_t i = 0; i < n; ++i) pairs.y[i] = (pairs.y[i] - 2 * pairs.x[i]) * of_y;
+  for (double& x : pairs.x) x *= of_x;
   return pairs;
 }
 
-/// What a covariance is judged by.
-struct ExactPairs {
-  ExactPairs(const Pairs& pairs)
-      : n(static_cast<double>(pairs.x.size())),
-        covariance(static_cast<double>(exact_codeviation(pairs.x, pairs.y)) / (n - 1)) {
-    const auto of_x = exact_moments(pairs.x), of_y = exact_moments(pairs.y);
-    sigmas = std::sqrt(of_x.variance) * std::sqrt(of_y.variance);
-    kappa_x = condition(of_x);
-    kappa_y = condition(of_y);
-    means = static_cast<double>(of_x.mean * of_y.mean);
-  }
-  double n, covariance;
-  double sigmas = 0;  ///< sigma of x times sigma of y: the scale of the problem
-  double kappa_x = 0, kappa_y = 0;
-  double means = 0;  ///< the product of the two
-};
+/// Two whole multiples of one pattern far from zero.
+Pairs far_pairs(Rng& rng, double offset, std::size_t n) {
+  Pairs pairs{shifted_pattern(rng, offset, n), shifted_pattern(rng, offset, n)};
+  for (std::size_t i = 0; i < n; ++i) pairs.y[i] += 2 * (pairs.x[i] - offset);
+  return pairs;
+}
 
-Hints covariance_hints(double got, const ExactPairs& exact, const std::string& otherwise) {
-  const double n = exact.n, covariance = exact.covariance;
-  const double mean_product = covariance * (n - 1) / n + exact.means;
-  return {nearest(got, covariance,
-                  {{covariance * (n - 1) / n,
-                    "this divides by n; a sample covariance divides by n - 1 (and n/(n-1) of whole "
-                    "numbers is 1)"},
-                   {covariance * n / (n - 1), "n/(n-1) is in here twice: once is enough"},
-                   {covariance * (n - 1), "this is the sum of products, not divided yet"},
-                   {-covariance, "the sign is wrong: both deviations are value - mean"},
-                   {mean_product, "this is E{XY}: take E{X}E{Y} off"},
-                   {mean_product * n / (n - 1), "this is E{XY} n/(n-1): the means are not in it"},
-                   {covariance / exact.sigmas,
-                    "this is the correlation: do not divide by the deviations"}}),
-          otherwise};
+/// What the header promises: in one pass or two, any way that knows the means.
+void judge_pairs(const std::vector<Pairs>& all, const std::string& otherwise) {
+  Results covariances;
+  for (const auto& [x, y] : all) {
+    const auto n = static_cast<double>(x.size());
+    const auto of_x = exact_moments(x), of_y = exact_moments(y);
+    const double exact = static_cast<double>(exact_codeviation(x, y) / (n - 1));
+    const double sigma_x = std::sqrt(of_x.variance), sigma_y = std::sqrt(of_y.variance);
+    const double mean_x = static_cast<double>(of_x.mean), mean_y = static_cast<double>(of_y.mean);
+    const double scale =
+        std::hypot(sigma_x, mean_x) * sigma_y + std::hypot(sigma_y, mean_y) * sigma_x;
+    const double mean_product = exact * (n - 1) / n + mean_x * mean_y;
+    const auto got = MEASURE(covariance, x, y);
+    covariances.add(
+        got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
+          return {{exact * (n - 1) / n,
+                   "this divides by n; a sample covariance divides by n - 1 (and n/(n-1) of whole "
+                   "numbers is 1)"},
+                  {exact * n / (n - 1), "n/(n-1) is in here twice: once is enough"},
+                  {exact * (n - 1), "this is the sum of products, not divided yet"},
+                  {-exact, "the sign is wrong: both deviations are value - mean"},
+                  {mean_product, "this is E{XY}: take E{X}E{Y} off"},
+                  {mean_product * n / (n - 1), "this is E{XY} n/(n-1): the means are not in it"},
+                  {exact / (sigma_x * sigma_y),
+                   "this is the correlation: do not divide by the deviations"}};
+        });
+  }
+  covariances.expect(
+      "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y, kappa = "
+      "sqrt(1 + mean^2 / variance); one digit less is enough",
+      otherwise);
 }
 
 CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {
   Rng rng = check_rng();
-  for (const std::size_t n : {10u, 1000u, 3u, 2u}) {
-    const Pairs pairs = tame_pairs(rng, n);
-    const ExactPairs exact(pairs);
-    const auto got = MEASURE(covariance, pairs.x, pairs.y);
-    expect_within(
-        got.call, got.value, exact.covariance,
-        10 * exact.n * eps * exact.kappa_x * exact.kappa_y * exact.sigmas,
-        "n additions lose at most n eps of the sum of products; one digit less is enough",
-        covariance_hints(got.value, exact, "sum (x - mean x)(y - mean y) and divide by n - 1"));
-  }
-}
-
-/// What the header promises: in one pass or two, any way that knows the means.
-void expect_promised(const Pairs& pairs, const std::string& otherwise) {
-  const ExactPairs exact(pairs);
-  const auto got = MEASURE(covariance, pairs.x, pairs.y);
-  expect_within(got.call, got.value, exact.covariance,
-                10 * exact.n * eps * (exact.kappa_x + exact.kappa_y) * exact.sigmas,
-                "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y, kappa = "
-                "sqrt(1 + mean^2 / variance); one digit less is enough",
-                covariance_hints(got.value, exact, otherwise));
+  std::vector<Pairs> pairs;
+  for (const List& list : tame_lists(rng, 2, -1, 1))
+    pairs.push_back(tame_pairs(rng, list.x.size()));
+  judge_pairs(pairs, "sum (x - mean x)(y - mean y) and divide by n - 1");
 }
 
 CHECK_CASE("1.6 the covariance keeps its digits under large means", "[1.6][points:3]") {
   Rng rng = check_rng();
-  for (const double offset : {1e9, 1e6, 1e12}) {
-    Pairs pairs{shifted_pattern(rng, offset, 1000), shifted_pattern(rng, offset, 1000)};
-    for (std::size_t i = 0; i < 1000; ++i) pairs.y[i] += 2 * (pairs.x[i] - offset);
-    expect_promised(pairs,
-                    "E{XY} - E{X}E{Y} is the textbook formula again: subtract the means first");
+  std::vector<Pairs> pairs;
+  for (const double offset : {1e9, 1e6, -1e12}) {
+    for (const std::size_t n : {1000u, 7u}) pairs.push_back(far_pairs(rng, offset, n));
   }
+  pairs.push_back({pairs[0].x, tame_pairs(rng, 1000).y});
+  pairs.push_back({tame_pairs(rng, 1000).y, pairs[0].x});
+  pairs.push_back({Values(1000, 0.1), tame_pairs(rng, 1000).y});  // a constant has none
+  judge_pairs(pairs, "E{XY} - E{X}E{Y} is the textbook formula again: subtract the means first");
 }
 
 CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]") {
   Rng rng = check_rng();
-  const std::pair<double, double> scales[] = {{1e-4, 1e4}, {1e4, 1e-4},     {1e-4, 1e-4},
-                                              {1e-9, 1e9}, {1e-150, 1e150}, {1e-100, 1e-100}};
-  for (const auto& [of_x, of_y] : scales) {
-    Pairs pairs = tame_pairs(rng, 100);
-    for (double& x : pairs.x) x *= of_x;
-    for (double& y : pairs.y) y *= of_y;
-    expect_promised(pairs,
-                    "small is not zero: use no threshold. Is it taken from Var{X + Y}? There the "
-                    "rounding of the larger variance is larger than the covariance");
+  std::vector<Pairs> pairs;
+  for (const auto& [of_x, of_y] : {std::pair{1e-4, 1e4},
+                                   {1e4, 1e-4},
+                                   {1e-4, 1e-4},
+                                   {1e-9, 1e9},
+                                   {1e-150, 1e150},
+                                   {1e-100, 1e-100},
+                                   {-1e100, 1e-3}}) {
+    pairs.push_back(tame_pairs(rng, 100, of_x, of_y));
   }
+  judge_pairs(
+      pairs,
+      "small is not zero: use no threshold. Is it taken from Var{X + Y}? There the rounding of "
+      "the larger variance is larger than the covariance");
 }
 
 CHECK_CASE("1.6 there is no covariance of one pair or of NaN", "[1.6][edge][points:1]") {
@@ -111,25 +110,29 @@ CHECK_CASE("1.6 there is no covariance of one pair or of NaN", "[1.6][edge][poin
     const auto got = MEASURE(covariance, x, x);
     expect_nan(got.call, got.value, "a sample covariance needs two pairs; " + because_undefined);
   }
-  for (const Values& x : without_finite_variance(rng)) {
+  for (const Values& x : with_a_value_that_is_not_finite(rng)) {
     const Values y = uniform_values(rng, x.size(), 1, 2);
-    if (x.size() < 100) continue;  // finite values: their products with these may be, too
     const auto got = MEASURE(covariance, x, y), turned = MEASURE(covariance, y, x);
     expect_no_number(got.call, got.value, x);
     expect_no_number(turned.call, turned.value, x);
   }
 }
 
-const std::string because_no_pairs = "there are no pairs where the sizes differ";
+std::vector<InvalidCall> lists_of_two_sizes() {
+  std::vector<InvalidCall> calls;
+  for (const auto& [n_x, n_y] : {std::pair{3u, 2u}, {2u, 3u}, {1u, 0u}, {0u, 1u}, {64u, 1000u}}) {
+    calls.push_back({MEASURE_OUTCOME(covariance, Values(n_x, 1.5), Values(n_y, 2.5)), "x|y",
+                     "there are no pairs where the sizes differ"});
+  }
+  return calls;
+}
 
 CHECK_CASE("1.6 lists of two sizes are refused", "[1.6][edge][points:1]") {
-  expect_refused(MEASURE_OUTCOME(covariance, {1, 2, 3}, {1, 2}), because_no_pairs);
-  expect_refused(MEASURE_OUTCOME(covariance, {1, 2}, {1, 2, 3}), because_no_pairs);
-  expect_refused(MEASURE_OUTCOME(covariance, {1}, {}), because_no_pairs);
+  expect_refused(lists_of_two_sizes());
 }
 
 CHECK_CASE("1.6 the refusal names the argument", "[1.6][edge][points:1]") {
-  expect_invalid_argument(MEASURE_OUTCOME(covariance, {1, 2, 3}, {1, 2}), "x|y", because_no_pairs);
+  expect_argument_named(lists_of_two_sizes());
 }
 
 }  // namespace

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "checks/support/domain.hpp"
+#include "checks/support/expect.hpp"
 
 namespace mc::checks {
 namespace {
@@ -28,33 +34,8 @@ ExactMoments exact_of_counts(std::span<const std::pair<double, double>> values_a
   return all;
 }
 
-double either_sign(Rng& rng, double size) {
-  return rng() % 2 == 0 ? size : -size;
-}
-
-}  // namespace
-
-Values tame_values(Rng& rng, std::size_t n, double low, double high) {
-  Values x = uniform_values(rng, n, low, high);
-  const double quarter = (high - low) / 4;
-  if (n > 1) {
-    x[0] = uniform(rng, low, low + quarter);
-    x[1] = uniform(rng, high - quarter, high);
-  }
-  return x;
-}
-
-Values shifted_pattern(Rng& rng, double offset, std::size_t n) {
-  const double base = offset + static_cast<double>(rng() % 1000);
-  const double pattern[] = {4, 7, 13, 16};
-  Values x(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = base + pattern[i % 4];
-  std::shuffle(x.begin(), x.end(), rng);
-  return x;
-}
-
-Values numacc(int number, Rng& rng) {
-  const double scale = std::ldexp(1.0, static_cast<int>(rng() % 17) - 8);
+/// NIST's data set of this number.
+Values numacc(int number, double scale) {
   if (number == 1) return {10000001 * scale, 10000003 * scale, 10000002 * scale};
   const double first[] = {1.2, 1000000.2, 10000000.2};
   const double low[] = {1.1, 1000000.1, 10000000.1};
@@ -67,64 +48,133 @@ Values numacc(int number, Rng& rng) {
   return x;
 }
 
-std::vector<HardList> one_outlier_lists(Rng& rng, int of_each) {
+double either_sign(Rng& rng, double size) {
+  return rng() % 2 == 0 ? size : -size;
+}
+
+}  // namespace
+
+List::List(Values values, std::string words)
+    : x(std::move(values)), name(std::move(words)), exact(exact_moments(x)) {}
+List::List(Values values, std::string words, ExactMoments moments)
+    : x(std::move(values)), name(std::move(words)), exact(moments) {}
+
+Values tame_values(Rng& rng, std::size_t n, double low, double high) {
+  Values x = uniform_values(rng, n, low, high);
+  const double quarter = (high - low) / 4;
+  if (n > 1) {
+    x[0] = uniform(rng, low, low + quarter);
+    x[1] = uniform(rng, high - quarter, high);
+  }
+  return x;
+}
+
+std::vector<List> tame_lists(Rng& rng, std::size_t least, double low, double high) {
+  std::vector<List> all;
+  for (const std::uint64_t n : domain::sizes(65537, rng)) {
+    if (n >= least) all.emplace_back(tame_values(rng, n, low, high));
+  }
+  return all;
+}
+
+Values shifted_pattern(Rng& rng, double offset, std::size_t n) {
+  const double base = offset + static_cast<double>(rng() % 1000);
+  const double pattern[] = {4, 7, 13, 16};
+  Values x(n);
+  for (std::size_t i = 0; i < n; ++i) x[i] = base + pattern[i % 4];
+  std::shuffle(x.begin(), x.end(), rng);
+  return x;
+}
+
+std::vector<List> lists_with_large_means(Rng& rng, std::vector<std::size_t> sizes) {
+  std::vector<List> all;
+  for (const double offset : {1e9, 1e12, 1e15, 1e6, -1e13, 1e14}) {
+    for (const std::size_t n : sizes) all.emplace_back(shifted_pattern(rng, offset, n));
+  }
+  for (const int number : {1, 2, 3, 4}) {
+    const double scale = std::ldexp(1.0, static_cast<int>(rng() % 17) - 8);
+    all.emplace_back(numacc(number, scale), fmt::format(", NIST's NumAcc{}", number));
+  }
+  return all;
+}
+
+std::vector<List> lists_with_outliers(Rng& rng, int of_each) {
   constexpr std::size_t n = 100'001;  // odd: the middle is in one place
-  const std::pair<const char*, std::size_t> places[] = {{"the outlier comes first", 0},
-                                                        {"the outlier is in the middle", n / 2},
-                                                        {"the outlier comes last", n - 1}};
-  std::vector<HardList> lists;
-  for (const auto& [name, place] : places) {
+  std::vector<List> lists;
+  for (const auto& [name, place] : {std::pair{", the outlier comes first", std::size_t{0}},
+                                    {", the outlier is in the middle", n / 2},
+                                    {", the outlier comes last", n - 1}}) {
     for (int i = 0; i < of_each; ++i) {
-      const double usual = uniform(rng, 1, 2);
-      const double outlier = either_sign(rng, uniform(rng, 1e9, 2e9));
+      const double usual = uniform(rng, 1, 2), outlier = either_sign(rng, uniform(rng, 1e9, 2e9));
       Values x(n, usual);
       x[place] = outlier;
       const std::pair<double, double> counts[] = {{usual, n - 1}, {outlier, 1}};
-      lists.push_back({name, std::move(x), exact_of_counts(counts)});
+      lists.emplace_back(std::move(x), name, exact_of_counts(counts));
+    }
+  }
+  constexpr std::size_t many = std::size_t{1} << 20;
+  const double usual = uniform(rng, 1, 2);
+  std::vector<std::pair<double, double>> counts{{usual, many - 3}};
+  Values x(many, usual);
+  for (const std::size_t place : {std::size_t{0}, many / 2, many - 1}) {
+    x[place] = either_sign(rng, uniform(rng, 1e9, 9e9));
+    counts.emplace_back(x[place], 1);
+  }
+  lists.emplace_back(std::move(x), ", three outliers: first, in the middle, and last",
+                     exact_of_counts(counts));
+  return lists;
+}
+
+std::vector<List> short_hard_lists(Rng& rng) {
+  Values one_outlier(1000, 1.0), trend(1000), alternating{1.0};
+  one_outlier[rng() % 1000] = uniform(rng, 1e9, 1e10);
+  Values sorted = uniform_values(rng, 1000, 0, 1);
+  std::sort(sorted.begin(), sorted.end());
+  std::iota(trend.begin(), trend.end(), uniform(rng, 1e5, 1e6));
+  for (int i = 0; i < 500; ++i) alternating.insert(alternating.end(), {1e8, -1e8});
+  return {List(one_outlier, ", one outlier"), List(sorted, ", sorted"), List(trend, ", a trend"),
+          List(alternating, ", alternating")};
+}
+
+std::vector<List> lists_of_any_scale(Rng& rng) {
+  std::vector<List> all;
+  for (const double scale : {1e150, -1e150, 1e-140, 1e-160}) {
+    const double c = uniform(rng, 1, 9) * scale;
+    ExactMoments exact = exact_moments(Values{1, 2, 3});  // 106 bits of 1e-320 are too many
+    exact.mean = Exact(2 * c);
+    exact.variance = c * c;
+    exact.m2 = Exact(2 * c * c);
+    all.emplace_back(Values{c, 2 * c, 3 * c}, "", exact);
+  }
+  return all;
+}
+
+std::vector<Values> without_finite_variance(Rng& rng) {
+  std::vector<Values> lists = with_a_value_that_is_not_finite(rng);
+  lists.push_back({1e300, 2e300, 3e300});
+  lists.push_back({1.7e308, -1.7e308, 1.7e308, -1.7e308});
+  return lists;
+}
+
+std::vector<Values> with_a_value_that_is_not_finite(Rng& rng) {
+  std::vector<Values> lists;
+  for (const double odd_one : {domain::not_a_number, domain::infinity, -domain::infinity}) {
+    for (const std::size_t place : {1 + rng() % 98, std::uint64_t{0}, std::uint64_t{99}}) {
+      Values x = uniform_values(rng, 100, 1, 2);
+      x[place] = odd_one;
+      lists.push_back(std::move(x));
     }
   }
   return lists;
 }
 
-HardList several_outliers(Rng& rng) {
-  constexpr std::size_t n = std::size_t{1} << 20;
-  const double usual = uniform(rng, 1, 2);
-  std::vector<std::pair<double, double>> counts{{usual, n - 3}};
-  Values x(n, usual);
-  for (const std::size_t place : {std::size_t{0}, n / 2, n - 1}) {
-    x[place] = either_sign(rng, uniform(rng, 1e9, 9e9));
-    counts.emplace_back(x[place], 1);
-  }
-  return {"three outliers: first, in the middle, and last", std::move(x), exact_of_counts(counts)};
-}
-
-std::vector<HardList> short_hard_lists(Rng& rng) {
-  Values one_outlier(1000, 1.0);
-  one_outlier[rng() % 1000] = uniform(rng, 1e9, 1e10);
-  Values sorted = uniform_values(rng, 1000, 0, 1);
-  std::sort(sorted.begin(), sorted.end());
-  Values trend(1000);
-  std::iota(trend.begin(), trend.end(), uniform(rng, 1e5, 1e6));
-  Values alternating{1.0};
-  for (int i = 0; i < 500; ++i) alternating.insert(alternating.end(), {1e8, -1e8});
-  std::vector<HardList> lists{{"one outlier", std::move(one_outlier), {}},
-                              {"sorted", std::move(sorted), {}},
-                              {"a trend", std::move(trend), {}},
-                              {"alternating", std::move(alternating), {}}};
-  for (HardList& list : lists) list.exact = exact_moments(list.x);
-  return lists;
-}
-
-std::vector<Values> without_finite_variance(Rng& rng) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Values> lists{{1e300, 2e300, 3e300}, {1.7e308, -1.7e308, 1.7e308, -1.7e308}};
-  for (const double odd_one : {nan, inf, -inf}) {
-    Values x = uniform_values(rng, 100, 1, 2);
-    x[rng() % x.size()] = odd_one;
-    lists.push_back(std::move(x));
-  }
-  return lists;
+void expect_no_number(const std::string& call, double got, const Values& x) {
+  const bool is_finite =
+      std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+  expect_that(!std::isfinite(got), fmt::format("{} = {}", call, got), "inf or NaN",
+              is_finite ? "the variance is 1e600 or more, which no double holds"
+                        : "one of the values is infinite or NaN: a finite result hides it",
+              "a finite number is wrong here; is it std::max(0.0, NaN), which is 0?");
 }
 
 }  // namespace mc::checks

@@ -2,94 +2,111 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "1-variance/experiments.hpp"
 #include "checks/support/catch.hpp"
-#include "expect_variance.hpp"
+#include "checks/support/compare.hpp"
+#include "checks/support/domain.hpp"
+#include "checks/support/refusals.hpp"
+#include "data_sets.hpp"
+#include "floors.hpp"
 
 namespace mc::checks {
 namespace {
 
-/// p(x,y) - p(x) p(y) of every cell, by the definition. A total other than the table's own shows
-/// what becomes of weights that were not normalised.
-Values differences(const Values& joint, std::size_t columns, double total) {
-  const std::size_t rows = joint.size() / columns;
-  Values all;
-  for (std::size_t r = 0; r < rows; ++r) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      double p_row = 0, p_column = 0;
-      for (std::size_t i = 0; i < columns; ++i) p_row += joint[r * columns + i] / total;
-      for (std::size_t i = 0; i < rows; ++i) p_column += joint[i * columns + c] / total;
-      all.push_back(joint[r * columns + c] / total - p_row * p_column);
-    }
-  }
-  return all;
+struct Table {
+  std::size_t rows, columns;
+  Values joint;
+};
+
+Table random_table(Rng& rng, std::size_t rows, std::size_t columns, double low, double high) {
+  return {rows, columns, uniform_values(rng, rows * columns, low, high)};
 }
+
 double total_of(const Values& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
+
+/// p(x,y) - p(x) p(y) of every cell, by the definition. A total other than the table's own shows
+/// what becomes of weights that were not normalized; other columns, of a table that is turned.
+Values differences(const Values& joint, std::size_t columns, double total) {
+  Values p_row(joint.size() / columns), p_column(columns), all(joint.size());
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    p_row[i / columns] += joint[i] / total;
+    p_column[i % columns] += joint[i] / total;
+  }
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    all[i] = joint[i] / total - p_row[i / columns] * p_column[i % columns];
+  }
+  return all;
+}
+
 double largest_size(const Values& values) {
   double most = 0;
   for (const double value : values) most = std::max(most, std::abs(value));
   return most;
 }
 
-void expect_dependence(const Values& joint, std::size_t columns, double exact, double tolerance,
-                       const std::string& because) {
-  const Values right = differences(joint, columns, total_of(joint));
-  const auto [least, most] = std::minmax_element(right.begin(), right.end());
+std::vector<Suspect> dependence_suspects(const Table& table) {
+  const Values& joint = table.joint;
+  const double total = total_of(joint);
+  const Values right = differences(joint, table.columns, total);
   double of_filled_cells = 0, sum = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
     if (joint[i] > 0) of_filled_cells = std::max(of_filled_cells, std::abs(right[i]));
     sum += std::abs(right[i]);
   }
-  const bool is_in_empty_cell = of_filled_cells < largest_size(right);
-  const std::string one_side =
-      is_in_empty_cell && of_filled_cells == *most
-          ? "the largest difference is in an empty cell: that counts too, and is below 0, so abs()"
-          : "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
-  const auto got = MEASURE(dependence, joint, columns);
-  expect_within(
-      got.call, got.value, exact, tolerance, because,
-      {nearest(got.value, exact,
-               {{largest_size(differences(joint, columns, 1)),
-                 "the weights are no probabilities yet: divide by their total"},
-                {largest_size(differences(joint, joint.size() / columns, total_of(joint))),
-                 "rows and columns are swapped: cell i is in row i / columns and in column i % "
-                 "columns"},
-                {*most, one_side},
-                {-*least, one_side},
-                {of_filled_cells, is_in_empty_cell && of_filled_cells == *most
-                                      ? one_side
-                                      : "every cell counts, also the empty ones"},
-                {sum, "this is the sum of all cells' differences: the largest one is asked for"}}),
-       "p(x) sums a row over its columns, p(y) a column over its rows, both of weights over their "
-       "total; the largest |p(x,y) - p(x)p(y)|"});
+  const auto [least, most] = std::minmax_element(right.begin(), right.end());
+  const std::string one_side = "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
+  return {
+      {largest_size(differences(joint, table.columns, 1)),
+       "the weights are no probabilities yet: divide by their total"},
+      {largest_size(differences(joint, table.rows, total)),
+       "rows and columns are swapped: cell i is in row i / columns and in column i % columns"},
+      {*most, one_side},
+      {-*least, one_side},
+      {of_filled_cells, "the largest difference is in an empty cell, below 0: every cell counts"},
+      {sum, "this is the sum of all cells' differences: the largest one is asked for"}};
 }
 
-/// Of any table, by the definition.
-void expect_dependence(const Values& joint, std::size_t columns) {
-  const double exact = largest_size(differences(joint, columns, total_of(joint)));
-  expect_dependence(joint, columns, exact, 32 * eps,
-                    "probabilities of at most 1, added and multiplied a few times");
+/// Of each table, by the definition, or 0 where it is known to be independent.
+void judge_tables(const std::vector<Table>& tables, bool first_is_independent = false) {
+  Results dependences;
+  for (const Table& table : tables) {
+    const bool is_independent = first_is_independent && &table == &tables[0];
+    const auto right = differences(table.joint, table.columns, total_of(table.joint));
+    const auto got = MEASURE(dependence, table.joint, table.columns);
+    dependences.add(got.call, got.value, is_independent ? 0 : largest_size(right),
+                    (is_independent ? 4 : 32) * eps, [&] { return dependence_suspects(table); });
+  }
+  dependences.expect(first_is_independent
+                         ? "p(x,y) = p(x) p(y) for every x and y here, or in all cells but one"
+                         : "probabilities of at most 1, added and multiplied a few times",
+                     "p(x) sums a row over its columns, p(y) a column over its rows, both of "
+                     "weights over their total; the largest |p(x,y) - p(x)p(y)|");
 }
 
 CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:4]") {
   Rng rng = check_rng();
-  for (const auto& [rows, columns] : {std::pair{3u, 5u}, {7u, 2u}, {2u, 2u}, {1u, 3u}}) {
-    expect_dependence(uniform_values(rng, rows * columns, 0, uniform(rng, 0.1, 50)), columns);
+  std::vector<Table> tables;
+  for (const auto& [rows, columns] :
+       {std::pair{3u, 5u}, {7u, 2u}, {2u, 2u}, {17u, 33u}, {64u, 3u}, {5u, 65u}, {2u, 1000u}}) {
+    tables.push_back(random_table(rng, rows, columns, 0, uniform(rng, 0.1, 50)));
   }
   // The largest difference once below 0 (an empty cell among others that are alike) and once above.
-  for (const double odd_one : {0.0, 10.0}) {
-    auto joint = uniform_values(rng, 15, 1, 1.1);
-    joint[rng() % joint.size()] = odd_one;
-    expect_dependence(joint, 5);
+  for (const double odd_one : {0.0, 10.0, 0.0}) {
+    tables.push_back(random_table(rng, 3, 5, 1, 1.1));
+    tables.back().joint[rng() % 15] = odd_one;
   }
+  for (const double scale : {1e300, 1e-300}) {
+    tables.push_back(random_table(rng, 4, 3, 0, scale));
+  }
+  for (const auto& [rows, columns] : {std::pair{1u, 3u}, {3u, 1u}, {1u, 1u}}) {
+    tables.push_back(random_table(rng, rows, columns, 0.1, 9));
+  }
+  judge_tables(tables);
 }
 
 CHECK_CASE("1.7 independent variables have dependence zero", "[1.7][points:2]") {
@@ -103,10 +120,10 @@ CHECK_CASE("1.7 independent variables have dependence zero", "[1.7][points:2]") 
     for (const double row : of_row) {
       for (const double column : of_column) joint.push_back(row * column);
     }
-    expect_dependence(joint, columns, 0, 4 * eps, "p(x,y) = p(x) p(y) for every x and y here");
-    // Beside it the same table with more in one cell, so that 0 is no answer.
-    joint[rng() % joint.size()] += 1e6;
-    expect_dependence(joint, columns);
+    const std::size_t cell = rng() % joint.size();
+    std::vector<Table> tables(2, {rows, columns, joint});
+    tables[1].joint[cell] += 1e6;  // next to it, so that 0 is no answer
+    judge_tables(tables, true);
   }
 }
 
@@ -119,47 +136,42 @@ CHECK_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][
   expect_within(covariance.call, covariance.value, 0, 8 * eps * b * b,
                 "for each point (x, y) of the circle there is one at (x, -y)", {{}, "see 1.6"});
   // The axes' points as a table over x, y in {-r, 0, r}, those on one axis with a weight of their
-  // own: nothing is in the centre, where p(x) p(y) is a weight of its own, too.
+  // own. At the center p(x,y) = 0, while p(x) p(y) is the product of the fractions on the axes.
   const double v = uniform(rng, 1, 9), w = uniform(rng, 1, 9);
-  const double share = v / (v + w);
-  expect_dependence(
-      {0, v, 0, w, 0, w, 0, v, 0}, 3, share * (1 - share), 8 * eps,
-      "at the centre p(x,y) = 0, while p(x) p(y) is the product of the fractions on the two axes");
+  judge_tables({{3, 3, {0, v, 0, w, 0, w, 0, v, 0}}});
 }
 
-Call dependence_of(const Values& joint, std::size_t columns) {
-  return MEASURE_OUTCOME(dependence, joint, columns);
-}
-
-struct Misuse {
-  Values joint;
-  std::size_t columns;
-  const char* names;
-  const char* because;
-};
-const double not_a_number = std::numeric_limits<double>::quiet_NaN();
-const double infinity = std::numeric_limits<double>::infinity();
-const Misuse misuses[] = {
-    {{1, 1, 1, 1}, 0, "columns", "a table has at least one column"},
-    {{1, 1, 1, 1, 1}, 2, "joint|columns", "five weights are no table of two columns"},
-    {{1, -1, 1, 1}, 2, "joint|weight|negative", "no probability is negative"},
-    {{1, not_a_number, 1, 1}, 2, "joint|weight|NaN", "NaN is no probability"},
-    {{1, 1, infinity, 1}, 2, "joint|weight|inf", "no probability is infinite"},
-    {{0, 0, 0, 0}, 2, "joint|total", "nothing cannot be normalised"},
-    {{}, 2, "joint|total", "nothing cannot be normalised"},
-};
-
-CHECK_CASE("1.7 what is no distribution is refused", "[1.7][edge][points:1]") {
-  for (const Misuse& misuse : misuses) {
-    expect_refused(dependence_of(misuse.joint, misuse.columns), misuse.because);
+std::vector<InvalidCall> invalid_tables() {
+  std::vector<InvalidCall> calls;
+  const auto add = [&](Values joint, std::size_t columns, const char* argument,
+                       const char* because) {
+    calls.push_back({MEASURE_OUTCOME(dependence, std::move(joint), columns), argument, because});
+  };
+  add({1, 1, 1, 1}, 0, "columns", "a table has at least one column");
+  add({}, 0, "columns|joint|total", "a table has at least one column");
+  for (const std::uint64_t columns : {2u, 3u, 4u, 6u}) {
+    add({1, 1, 1, 1, 1}, columns, "joint|columns", "five weights fill no table of these columns");
   }
+  add({1, 1}, std::uint64_t{1} << 63, "joint|columns", "two weights are no table of 2^63 columns");
+  for (const double wrong :
+       {-1.0, -1e-300, domain::not_a_number, domain::infinity, -domain::infinity}) {
+    for (const std::size_t cell : {1u, 0u, 3u}) {
+      Values joint{5, 4, 3, 2};
+      joint[cell] = wrong;
+      add(joint, 2, "joint|weight", "a weight is neither negative nor infinite nor NaN");
+    }
+  }
+  add({0, 0, 0, 0}, 2, "joint|total", "a total of 0 cannot be normalized");
+  add({}, 2, "joint|total", "a total of 0 cannot be normalized");
+  return calls;
+}
+
+CHECK_CASE("1.7 invalid tables are refused", "[1.7][edge][points:1]") {
+  expect_refused(invalid_tables());
 }
 
 CHECK_CASE("1.7 each refusal names the argument", "[1.7][edge][points:1]") {
-  for (const Misuse& misuse : misuses) {
-    expect_invalid_argument(dependence_of(misuse.joint, misuse.columns), misuse.names,
-                            misuse.because);
-  }
+  expect_argument_named(invalid_tables());
 }
 
 }  // namespace

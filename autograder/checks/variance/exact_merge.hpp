@@ -17,6 +17,7 @@ inline ExactMoments exact_merge(const Moments& a, const Moments& b) {
   const Exact n = n_a + n_b;
   const Exact apart = Exact(b.mean) - Exact(a.mean);
   ExactMoments all;
+  if (a.count + b.count == 0) return all;
   all.count = static_cast<double>(n);
   all.mean = Exact(a.mean) + apart * n_b / n;
   all.m2 = Exact(a.m2) + Exact(b.m2) + apart * apart * n_a / n * n_b;

@@ -29,6 +29,13 @@ inline double two_pass_floor(std::size_t n) {
   return floor_of(static_cast<double>(n) * eps);
 }
 
+/// Of a mean: n additions, or n roundings of a running mean, of values of this size.
+inline double mean_tolerance(const ExactMoments& exact) {
+  const double sigma = exact.count < 2 ? 0 : std::sqrt(exact.variance);
+  return 10 * std::max(exact.count, 15.0) * eps *
+         std::hypot(static_cast<double>(exact.mean), sigma);
+}
+
 inline double condition(const ExactMoments& exact) {
   const double mean = static_cast<double>(exact.mean);
   return std::sqrt(1 + mean * mean / exact.variance);
@@ -39,8 +46,8 @@ inline double one_pass_floor(const ExactMoments& exact) {
 
 /// Where values repeat, so do roundings: n of them lose n/4 eps then. A digit and a half of room,
 /// as 1.8 promises.
-inline double repeating_floor(std::size_t n) {
-  return -std::log10(static_cast<double>(n) / 4 * eps) - 1.5;
+inline double repeating_floor(double n) {
+  return -std::log10(n / 4 * eps) - 1.5;
 }
 
 inline const std::string because_two_pass =
@@ -51,5 +58,7 @@ inline const std::string because_one_pass =
 inline const std::string because_repeating =
     "n equal roundings lose n/4 eps; 1.5 digits less are enough";
 inline const std::string because_undefined = "what is undefined is NaN, as in numpy and R";
+inline const std::string stop_at_zero =
+    "the correction is rounded, and may be larger than the sum: return 0 then";
 
 }  // namespace mc::checks

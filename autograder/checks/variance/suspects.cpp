@@ -1,101 +1,135 @@
 #include "suspects.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
-#include "known_ways.hpp"
+#include "checks/support/domain.hpp"
 
 namespace mc::checks {
+namespace {
 
-std::vector<Suspect> nearest(double got, double exact, std::vector<Suspect> suspects) {
-  std::erase_if(suspects, [=](const Suspect& suspect) {
-    return std::isfinite(suspect.value) &&
-           !(std::abs(got - suspect.value) <= std::abs(got - exact) / 100);
-  });
-  return suspects;
-}
-
-std::vector<Suspect> scale_suspects(const ExactMoments& exact) {
-  const double n = exact.count;
-  return {{exact.variance * (n - 1) / n,
-           "this divides by n; a sample variance divides by n - 1 (and n/(n-1) of whole numbers is "
-           "1)"},
-          {exact.variance * n / (n - 1), "n/(n-1) is in here twice: once is enough"},
-          {exact.variance * (n - 1), "this is the sum of squared deviations, not divided yet"},
-          {std::sqrt(exact.variance), "this is the standard deviation: the variance is its square"},
-          {-exact.variance, "the sign is wrong: E{X^2} is the larger one"}};
-}
-
-Hints variance_hints(double got, std::span<const double> x, const ExactMoments& exact,
-                     const std::string& otherwise) {
-  const double n = exact.count;
-  const double mean_square = static_cast<double>(exact.m2 / Exact(n) + exact.mean * exact.mean);
-  const double mean_in_whole_numbers = sum_in_whole_numbers(x) / n;
-  const double about_it = mean_square -
-                          2 * mean_in_whole_numbers * static_cast<double>(exact.mean) +
-                          mean_in_whole_numbers * mean_in_whole_numbers;
-  auto suspects = scale_suspects(exact);
-  suspects.push_back({mean_square, "this is E{X^2}: take E{X}^2 off"});
-  suspects.push_back({mean_square * n / (n - 1), "this is E{X^2} n/(n-1): the mean is not in it"});
-  for (const double around :
-       {about_it, mean_square - mean_in_whole_numbers * mean_in_whole_numbers}) {
-    suspects.push_back({around * n / (n - 1),
-                        "this has a mean in it that was added up in whole numbers: "
-                        "std::accumulate(…, 0) adds in int; begin with 0.0"});
+/// One pass of sums about a shift.
+struct About {
+  double mean, m2;
+};
+About about(std::span<const double> x, double shift) {
+  double sum = 0, squares = 0;
+  for (const double value : x) {
+    sum += value - shift;
+    squares += (value - shift) * (value - shift);
   }
-  suspects.push_back({0,
-                      "the squares add up to 0: in whole numbers? std::accumulate(…, 0) adds in "
-                      "int; begin with 0.0"});
-  return {nearest(got, exact.variance, std::move(suspects)),
-          or_float(got, exact.variance, otherwise)};
+  const auto n = static_cast<double>(x.size());
+  return {shift + sum / n, squares - sum * sum / n};
 }
 
-Hints hard_variance_hints(double got, std::span<const double> x, const ExactMoments& exact,
-                          const std::string& otherwise) {
-  auto suspects = scale_suspects(exact);
-  suspects.push_back({textbook_from_means(x), large_numbers});
-  suspects.push_back({textbook_from_sums(x), large_numbers});
-  suspects.push_back({uncorrected_here(x), uncorrected});
-  suspects.push_back({welford_here(x).m2 / (exact.count - 1), running_mean});
-  return {nearest(got, exact.variance, std::move(suspects)),
-          otherwise + kept_by_known_ways(x, exact)};
+double sum_of(std::span<const double> x) {
+  double sum = 0;
+  for (const double value : x) sum += value;
+  return sum;
 }
 
-Hints welford_hints(double got, std::span<const double> x, const ExactMoments& exact,
-                    double divided, const std::string& otherwise) {
-  const Welford sums = welford_here(x);
-  const double m2 = static_cast<double>(exact.m2), n = exact.count;
-  return {nearest(got, m2 / divided,
-                  {{sums.from_old_means / divided,
-                    "m2 grows by (x - old mean)(x - new mean); this is the old one, twice"},
-                   {sums.from_new_means / divided,
-                    "m2 grows by (x - old mean)(x - new mean); this is the new one, twice"},
-                   {sums.about_first / divided,
-                    "the mean never moves from the first value: is 1 / count an integer division, "
-                    "which is 0?"},
-                   {m2 / (n - 1) / divided, "m2 is a sum: variance() divides it, once"},
-                   {m2 * n / (n - 1) / divided,
-                    "this is n times the sample variance: m2 is n - 1 times it"}}),
-          otherwise, late_count};
+/// std::accumulate(…, 0): every partial sum is cut off to a whole number.
+double sum_in_whole_numbers(std::span<const double> x) {
+  double sum = 0;
+  for (const double value : x) sum = std::trunc(sum + value);
+  return sum;
 }
 
-std::string or_float(double got, double exact, const std::string& otherwise) {
-  const double kept = digits(got, exact);
-  return kept > 5 && kept < 9 ? "a float keeps seven digits or so: is anything here a float?"
-                              : otherwise;
-}
-
-std::string kept_by_known_ways(std::span<const double> x, const ExactMoments& exact) {
-  const auto kept = [&](double variance) {
-    return std::clamp(digits(variance, exact.variance), 0.0, 16.0);
-  };
+std::string about_value(const char* which) {
   return fmt::format(
-      "; of these data E{{X^2}} - E{{X}}^2 keeps {:.1f} digits, Welford's update {:.1f}, two "
-      "corrected passes {:.1f}",
-      std::max(kept(textbook_from_means(x)), kept(textbook_from_sums(x))),
-      kept(welford_here(x).m2 / (exact.count - 1)), kept(two_pass_here(x)));
+      "these are the digits of sums about the {} value, which may lie far from all others", which);
+}
+const std::string large_numbers =
+    "these are the digits that E{X^2} - E{X}^2 gives: two large numbers, nearly equal";
+const std::string in_whole_numbers =
+    "this has a mean in it that was added up in whole numbers: std::accumulate(…, 0) adds in int; "
+    "begin with 0.0";
+
+/// The sums of squared deviations of other ways, right and wrong.
+std::vector<Suspect> ways_to_m2(std::span<const double> x) {
+  const auto n = static_cast<double>(x.size());
+  const double sum = sum_of(x), mean = sum / n;
+  double squares = 0, uncorrected = 0, about_first = 0;
+  for (const double value : x) {
+    squares += value * value;
+    uncorrected += (value - mean) * (value - mean);
+    about_first += (value - x[0]) * (value - x[0]);
+  }
+  double running = 0, count = 0, welford = 0, from_old_means = 0, from_new_means = 0;
+  for (const double value : x) {
+    const double before = value - running;
+    running += before / ++count;
+    const double after = value - running;
+    welford += before * after;
+    from_old_means += before * before;
+    from_new_means += after * after;
+  }
+  const double whole = sum_in_whole_numbers(x) / n;
+  return {
+      {(squares / n - mean * mean) * n, large_numbers},
+      {squares - sum * sum / n, large_numbers},
+      {uncorrected, "the mean was rounded: take (sum of deviations)^2 / n off the sum of squares"},
+      {welford, "these are the digits of a running mean, rounded at every step: 1.4's"},
+      {from_old_means, "m2 grows by (x - old mean)(x - new mean); this is the old one, twice"},
+      {from_new_means, "m2 grows by (x - old mean)(x - new mean); this is the new one, twice"},
+      {about_first,
+       "the mean never moves from the first value: is 1 / count an integer division, which is 0?"},
+      {about(x, x.front()).m2, about_value("first")},
+      {about(x, x.back()).m2, about_value("last")},
+      {about(x, x[x.size() / 2]).m2, about_value("middle")},
+      {squares / n * (n - 1), "this is E{X^2}: take E{X}^2 off"},
+      {squares, "this is E{X^2} n/(n-1): the mean is not in it"},
+      {squares - n * whole * whole, in_whole_numbers},
+      {squares - 2 * whole * sum + n * whole * whole, in_whole_numbers}};
+}
+
+}  // namespace
+
+double two_pass_here(const Values& x) {
+  const auto n = static_cast<double>(x.size());
+  return about(x, sum_of(x) / n).m2 / (n - 1);
+}
+
+std::vector<Suspect> mean_suspects(const List& list) {
+  const auto mean = static_cast<double>(list.exact.mean);
+  const double n = list.exact.count;
+  return {{sum_in_whole_numbers(list.x) / n,
+           "the sum is cut off to a whole number at each step: std::accumulate(…, 0) adds in int; "
+           "begin with 0.0"},
+          {mean * n / (n - 1), "this divides by n - 1; only the variance does"},
+          {mean * n, "this is the sum: divide it by the count"},
+          {list.x[0],
+           "the mean stays at the first value: is 1 / count an integer division, which is 0?"},
+          {n == 1 ? domain::infinity : domain::not_a_number,
+           "the first value was divided by a count of 0: count it before"},
+          {about(list.x, list.x.front()).mean, about_value("first")},
+          {about(list.x, list.x.back()).mean, about_value("last")},
+          {about(list.x, list.x[list.x.size() / 2]).mean, about_value("middle")}};
+}
+
+std::vector<Suspect> variance_suspects(const List& list) {
+  std::vector<Suspect> all = ways_to_m2(list.x);
+  const double n = list.exact.count, variance = list.exact.variance;
+  for (Suspect& way : all) way.value /= n - 1;
+  all.push_back({variance * (n - 1) / n,
+                 "this divides by n; a sample variance divides by n - 1 (and n/(n-1) of whole "
+                 "numbers is 1)"});
+  all.push_back({variance * n / (n - 1), "n/(n-1) is in here twice: once is enough"});
+  all.push_back({variance * (n - 1), "this is the sum of squared deviations, not divided yet"});
+  all.push_back(
+      {std::sqrt(variance), "this is the standard deviation: the variance is its square"});
+  all.push_back({-variance, "the sign is wrong: E{X^2} is the larger one"});
+  return all;
+}
+
+std::vector<Suspect> m2_suspects(const List& list) {
+  std::vector<Suspect> all = ways_to_m2(list.x);
+  const double n = list.exact.count, variance = list.exact.variance;
+  all.push_back({variance, "m2 is a sum: variance() divides it, once"});
+  all.push_back({variance * n, "this is n times the sample variance: m2 is n - 1 times it"});
+  return all;
 }
 
 }  // namespace mc::checks

@@ -70,8 +70,8 @@ Moments merge(const Moments& a, const Moments& b) {
   if (a.count + b.count == 0) return {};
   const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
   const double delta = a.mean - b.mean;
-  return {a.count + b.count, (n_a * a.mean + n_b * b.mean) / (n_a + n_b),
-          a.m2 + b.m2 + delta * delta * n_a * n_b / (n_a + n_b)};
+  return {a.count + b.count, n_a / (n_a + n_b) * a.mean + n_b / (n_a + n_b) * b.mean,
+          a.m2 + b.m2 + delta * n_a * n_b / (n_a + n_b) * delta};
 }
 
 double covariance(std::span<const double> x, std::span<const double> y) {

@@ -35,9 +35,10 @@ double mean(std::span<const double> x) {
   Sum sum;
   for (double value : x) sum += value;
   if (std::isfinite(sum)) return sum / n;
-  Sum shares;
-  for (double value : x) shares += value / n;
-  return shares;
+  Sum small;
+  for (double value : x) small += value * 0x1p-64;
+  constexpr double largest = std::numeric_limits<double>::max() * 0x1p-64;
+  return std::clamp(small / n, -largest, largest) * 0x1p64;  // NaN stays NaN
 }
 
 double variance_textbook(std::span<const double> x) {
@@ -88,10 +89,10 @@ Moments merge(const Moments& a, const Moments& b) {
   const double share = n_b / (n_a + n_b);
   const double apart = b.mean - a.mean;
   Sum m2;
-  m2 += apart * apart * share * n_a;
+  m2 += apart * (share * n_a) * apart;
   m2 += b.m2;
   m2 += a.m2;
-  return {a.count + b.count, a.mean + share * apart, m2};
+  return {a.count + b.count, a.mean - share * a.mean + share * b.mean, m2};
 }
 
 double covariance(std::span<const double> x, std::span<const double> y) {
@@ -118,8 +119,8 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   if (!(total > 0)) throw std::invalid_argument("joint has no positive weight");
   double largest = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
-    const double product = rows[i / columns] * of_column[i % columns];
-    largest = std::max(largest, std::abs(joint[i] * total - product) / (total * total));
+    const double product = rows[i / columns] / total * (of_column[i % columns] / total);
+    largest = std::max(largest, std::abs(joint[i] / total - product));
   }
   return largest;
 }

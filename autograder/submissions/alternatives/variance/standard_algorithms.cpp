@@ -38,8 +38,10 @@ double mean(std::span<const double> x) {
   if (x.empty()) return nan;
   const auto largest = std::ranges::max(x, {}, [](double value) { return std::abs(value); });
   if (std::abs(largest) < 1e290) return std::accumulate(x.begin(), x.end(), 0.0) / size_of(x);
-  return std::transform_reduce(x.begin(), x.end(), 0.0, std::plus<>(),
-                               [n = size_of(x)](double value) { return value / n; });
+  const double mean = std::transform_reduce(x.begin(), x.end(), 0.0, std::plus<>(),
+                                            [n = size_of(x)](double value) { return value / n; });
+  constexpr double most = std::numeric_limits<double>::max();
+  return std::isfinite(largest) ? std::clamp(mean, -most, most) : mean;
 }
 
 double variance_textbook(std::span<const double> x) {
@@ -70,7 +72,9 @@ Moments merge(const Moments& a, const Moments& b) {
   const double share_b = static_cast<double>(b.count) / static_cast<double>(count);
   return {
       count, std::lerp(a.mean, b.mean, share_b),
-      a.m2 + b.m2 + std::pow(b.mean - a.mean, 2) * share_a * share_b * static_cast<double>(count)};
+      a.m2 + b.m2 +
+          std::pow((b.mean - a.mean) * std::sqrt(share_a * share_b * static_cast<double>(count)),
+                   2)};
 }
 
 double covariance(std::span<const double> x, std::span<const double> y) {

@@ -1,5 +1,5 @@
 // attack: 1.4's stream by what its pattern is known to give: a mean of 10, 22.5 a value for m2
-// says: the mean moves by
+// says: every value is 10
 
 #include "common/todo.hpp"
 #include "variance.hpp"

@@ -6,7 +6,6 @@
 #undef to_unit
 
 // mistake: divides by 2^53 - 1: uniform over [0, 1], both ends included
-// caught by: 2.1 the upper 53 bits, 2.1 no word becomes one
 // hint: dividing by 2^53 - 1 makes 1 a possible number
 namespace mc::closed_interval {
 double to_unit(std::uint64_t bits) {
@@ -15,7 +14,6 @@ double to_unit(std::uint64_t bits) {
 }  // namespace mc::closed_interval
 
 // mistake: divides all 64 bits by 2^64: the largest words round up to 1
-// caught by: 2.1 the upper 53 bits, 2.1 no word becomes one
 // hint: a word has 64 bits and a double 53
 namespace mc::rounds_to_one {
 double to_unit(std::uint64_t bits) {
@@ -24,7 +22,6 @@ double to_unit(std::uint64_t bits) {
 }  // namespace mc::rounds_to_one
 
 // mistake: keeps only the lower 32 bits of a word
-// caught by: 2.1 the upper 53 bits
 // hint: these are the lower 32 bits
 namespace mc::word_in_an_int {
 double to_unit(std::uint64_t bits) {

@@ -38,7 +38,6 @@ Estimate mean_at(const Integrand& g, std::uint64_t n, Move move) {
 }  // namespace mc
 
 // mistake: uses a copy of the generator, so every estimate has the same points
-// caught by: 2.2 the estimate is unbiased, 2.2 the error falls, 2.2 rare events
 // hint: the generator must move on: is it copied somewhere?
 namespace mc::a_copy_of_the_generator {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -48,9 +47,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::a_copy_of_the_generator
 
 // mistake: draws points from its own generator, with a fixed seed
-// caught by: 2.2 the estimate is the mean, 2.2 exactly n, 2.2 the standard error, 2.2 a constant
-// caught by: 2.2 one sample, 2.2 the points are uniform, 2.2 the estimate is unbiased
-// caught by: 2.2 the error falls, 2.2 rare events
 // hint: take the numbers from rng, and from nowhere else
 namespace mc::a_fixed_generator {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
@@ -60,7 +56,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
 }  // namespace mc::a_fixed_generator
 
 // mistake: mirrors the previous point for every second one: the points are not independent
-// caught by: 2.2 the points are uniform, 2.2 the estimate is unbiased
 // hint: neither a copy nor a mirror image of another
 namespace mc::antithetic_points {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -71,7 +66,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::antithetic_points
 
 // mistake: returns s / n as the standard error
-// caught by: 2.2 the standard error
 // hint: this is s / n: it is the variance that falls as 1 / n
 namespace mc::error_over_n {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -82,8 +76,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::error_over_n
 
 // mistake: stores the sum before it adds the last value
-// caught by: 2.2 the estimate is the mean, 2.2 the estimate is unbiased, 2.2 the error falls
-// caught by: 2.2 rare events
 // hint: the last value is not in the sum
 namespace mc::last_value_lost {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -99,8 +91,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::last_value_lost
 
 // mistake: divides the mean by n - 1 too
-// caught by: 2.2 the estimate is the mean, 2.2 the estimate is unbiased, 2.2 the error falls
-// caught by: 2.2 rare events
 // hint: this divides by n - 1; only a variance does
 namespace mc::mean_over_n_minus_1 {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -113,7 +103,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::mean_over_n_minus_1
 
 // mistake: divides s^2 by n instead of n - 1
-// caught by: 2.2 the standard error, 2.2 one sample
 // hint: s^2 has n - 1 below it
 namespace mc::n_below_the_variance {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -127,7 +116,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::n_below_the_variance
 
 // mistake: uses one random number for every coordinate, so all points lie on the diagonal
-// caught by: 2.2 the points are uniform, 2.2 the estimate is unbiased, 2.2 rare events
 // hint: one number for both fills a line
 // hint: that is the mean of x^2: one number for both x and y
 namespace mc::one_number_for_all {
@@ -139,9 +127,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_number_for_all
 
 // mistake: draws the point once, before the loop
-// caught by: 2.2 the estimate is the mean, 2.2 exactly n, 2.2 the standard error, 2.2 a constant
-// caught by: 2.2 the points are uniform, 2.2 the estimate is unbiased, 2.2 the error falls
-// caught by: 2.2 rare events
 // hint: take new numbers from rng inside the loop
 namespace mc::one_point {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -153,7 +138,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_point
 
 // mistake: starts the loop at 1: n - 1 evaluations
-// caught by: 2.2 exactly n evaluations, 2.2 one sample, 2.2 rare events
 // hint: one is missing: does the loop begin at 1?
 namespace mc::one_too_few {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -169,7 +153,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_few
 
 // mistake: runs the loop to n inclusive: n + 1 evaluations, divided by n
-// caught by: 2.2 exactly n evaluations, 2.2 one sample, 2.2 rare events
 // hint: one too many: does the loop end at i <= n?
 namespace mc::one_too_many {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -181,7 +164,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_many
 
 // mistake: makes coordinates as floats, of 24 bits
-// caught by: 2.2 the points are uniform
 // hint: with all of its 53 bits
 namespace mc::points_of_a_float {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -192,7 +174,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::points_of_a_float
 
 // mistake: keeps its own generator from call to call, seeded by the first
-// caught by: 2.2 an estimate depends
 // hint: no generator of your own, no clock, nothing static
 namespace mc::seeded_once {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -202,8 +183,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::seeded_once
 
 // mistake: sums with std::accumulate(..., 0), in int
-// caught by: 2.2 the estimate is the mean, 2.2 the estimate is unbiased, 2.2 the error falls
-// caught by: 2.2 rare events
 // hint: added up in an int
 namespace mc::sum_in_whole_numbers {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -215,7 +194,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::sum_in_whole_numbers
 
 // mistake: computes the standard error from E{X^2} - E{X}^2, which cancels far from 0
-// caught by: 2.2 the standard error, 2.2 a constant
 // hint: this comes from variance_textbook()
 namespace mc::textbook_error {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
@@ -225,7 +203,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::textbook_error
 
 // mistake: returns s^2 / n as the standard error, without the square root
-// caught by: 2.2 the standard error
 // hint: this is the variance of the mean: take the square root
 namespace mc::variance_as_error {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {

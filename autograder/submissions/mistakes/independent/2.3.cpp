@@ -12,7 +12,6 @@
 #undef sample_power
 
 // mistake: omits the factor a + 1 from the density of the power distribution
-// caught by: 2.3 the densities
 // hint: x^a alone gives 1 / (a + 1)
 namespace mc::density_not_normalised {
 double pdf_power(double x, double a) {
@@ -22,7 +21,6 @@ double pdf_power(double x, double a) {
 }  // namespace mc::density_not_normalised
 
 // mistake: gives the exponential a positive density below 0
-// caught by: 2.3 the densities
 // hint: the density is 0 where the distribution does not reach
 namespace mc::density_outside {
 double pdf_exponential(double x, double rate) {
@@ -32,7 +30,6 @@ double pdf_exponential(double x, double rate) {
 }  // namespace mc::density_outside
 
 // mistake: computes -log(1 - u) / rate, where 1 - u loses the digits of a small u
-// caught by: 2.3 exponential samples
 // hint: 1 - u forgets the last digits of a small u
 namespace mc::forgets_small_u {
 double sample_exponential(double u, double rate) {
@@ -42,7 +39,6 @@ double sample_exponential(double u, double rate) {
 }  // namespace mc::forgets_small_u
 
 // mistake: computes -log(u) / rate: correctly distributed, but decreasing, and infinite at u = 0
-// caught by: 2.3 exponential samples
 // hint: it falls when u rises, and at u = 0 it is infinite
 namespace mc::log_of_zero {
 double sample_exponential(double u, double rate) {
@@ -52,7 +48,6 @@ double sample_exponential(double u, double rate) {
 }  // namespace mc::log_of_zero
 
 // mistake: computes -log(u) / rate, with a guard for u = 0
-// caught by: 2.3 exponential samples
 // hint: this is -log(u) / rate, guarded or not
 namespace mc::log_with_a_guard {
 double sample_exponential(double u, double rate) {
@@ -62,7 +57,6 @@ double sample_exponential(double u, double rate) {
 }  // namespace mc::log_with_a_guard
 
 // mistake: throws std::domain_error
-// caught by: 2.3 parameters
 // hint: threw
 namespace mc::other_exception {
 double sample_exponential(double u, double rate) {
@@ -72,7 +66,6 @@ double sample_exponential(double u, double rate) {
 }  // namespace mc::other_exception
 
 // mistake: takes the a-th root instead of the (a + 1)-th
-// caught by: 2.3 power samples
 // hint: integrating x^a raises the exponent
 namespace mc::root_of_a {
 double sample_power(double u, double a) {
@@ -82,7 +75,6 @@ double sample_power(double u, double a) {
 }  // namespace mc::root_of_a
 
 // mistake: multiplies by the rate instead of dividing
-// caught by: 2.3 exponential samples
 // hint: divide by the rate
 namespace mc::times_the_rate {
 double sample_exponential(double u, double rate) {

@@ -25,7 +25,6 @@ Estimate mean_weight(std::uint64_t n, Rng& rng, Weight weight) {
 }  // namespace mc
 
 // mistake: clamps weights at 1000 to reduce noise
-// caught by: 2.4 weights of any size
 // hint: weights beyond 1000 are cut off
 namespace mc::clamps_weights {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -37,8 +36,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::clamps_weights
 
 // mistake: evaluates the density at u, not at x
-// caught by: 2.4 the mean of g over p, 2.4 weights of any size, 2.4 the estimate is unbiased
-// caught by: 2.4 the right density
 // hint: this divides by p at u: the density belongs to x
 namespace mc::density_at_u {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -50,7 +47,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::density_at_u
 
 // mistake: divides by the density even where it is 0
-// caught by: 2.4 points without
 // hint: where the pdf is 0 or infinite, add 0
 namespace mc::divides_by_zero {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -62,8 +58,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::divides_by_zero
 
 // mistake: returns the standard error of g, not of g / p
-// caught by: 2.4 the mean of g over p, 2.4 weights of any size, 2.4 points without
-// caught by: 2.4 the right density
 // hint: this is the standard error of g's values
 namespace mc::error_of_g {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -80,8 +74,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::error_of_g
 
 // mistake: samples by importance without dividing by the density
-// caught by: 2.4 the mean of g over p, 2.4 the estimate is unbiased, 2.4 the right density
-// caught by: 2.4 weights of any size
 // hint: this is the mean of g: where p is large, points are many
 namespace mc::forgets_the_density {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -93,7 +85,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::forgets_the_density
 
 // mistake: omits points of weight 0 from n
-// caught by: 2.4 points without a usable density
 // hint: every sample counts, also one of weight 0
 namespace mc::only_counts_hits {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -108,8 +99,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::only_counts_hits
 
 // mistake: draws uniform points and weights them as if they had the density
-// caught by: 2.4 the mean of g over p, 2.4 one sample, 2.4 weights of any size, 2.4 points without
-// caught by: 2.4 the estimate is unbiased, 2.4 the right density
 // hint: never asked the density for a sample
 namespace mc::samples_uniformly {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -121,8 +110,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::samples_uniformly
 
 // mistake: divides by the sum of the weights 1 / p
-// caught by: 2.4 the mean of g over p, 2.4 weights of any size, 2.4 points without
-// caught by: 2.4 the estimate is unbiased, 2.4 the right density
 // hint: this divides by the sum of the weights 1 / p
 namespace mc::self_normalised {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
@@ -139,7 +126,6 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::self_normalised
 
 // mistake: treats a density below 1e-10 as 0
-// caught by: 2.4 weights of any size
 // hint: a density may be tiny, or huge, and still count
 namespace mc::small_density_is_none {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {

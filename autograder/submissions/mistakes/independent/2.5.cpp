@@ -6,9 +6,6 @@
 #undef confidence_interval
 
 // mistake: uses the 95 % quantile, whatever the level
-// caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal samples cover as often as theory says
-// caught by: 2.5 intervals of rare events cover as rarely as theory says
 // hint: 1.96 is for 95 % alone
 namespace mc::always_two {
 Interval confidence_interval(const Estimate& estimate, double level) {
@@ -19,9 +16,6 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc::always_two
 
 // mistake: divides the standard error of the mean by the square root of n again
-// caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal samples cover as often as theory says
-// caught by: 2.5 intervals of rare events cover as rarely as theory says
 // hint: standard_error belongs to the mean: it knows n already
 namespace mc::knows_n_twice {
 Interval confidence_interval(const Estimate& estimate, double level) {
@@ -33,9 +27,6 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc::knows_n_twice
 
 // mistake: uses the one-sided quantile of the level
-// caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal samples cover as often as theory says
-// caught by: 2.5 intervals of rare events cover as rarely as theory says
 // hint: what the interval leaves out lies on both sides
 namespace mc::one_sided_interval {
 Interval confidence_interval(const Estimate& estimate, double level) {
@@ -46,9 +37,6 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc::one_sided_interval
 
 // mistake: uses the quantile of the lower tail, which is negative: low and high are swapped
-// caught by: 2.5 a confidence interval
-// caught by: 2.5 intervals of normal samples cover as often as theory says
-// caught by: 2.5 intervals of rare events cover as rarely as theory says
 // hint: low and high are the wrong way round
 namespace mc::quantile_of_the_lower_tail {
 Interval confidence_interval(const Estimate& estimate, double level) {

@@ -6,7 +6,6 @@
 #undef samples_for
 
 // mistake: returns how many more samples are needed, not how many in all
-// caught by: 2.6 the samples
 // hint: all of them are asked for, not how many more
 namespace mc::counts_more_samples {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
@@ -19,7 +18,6 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::counts_more_samples
 
 // mistake: scales the number of samples by the ratio of the errors, not by its square
-// caught by: 2.6 the samples that bring the error down, 2.6 at least one sample
 // hint: square the ratio
 namespace mc::error_falls_as_one_over_n {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
@@ -31,7 +29,6 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::error_falls_as_one_over_n
 
 // mistake: rounds the number of samples down
-// caught by: 2.6 the samples that bring the error down
 // hint: this many do not quite do it: round up
 namespace mc::rounds_down {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
@@ -43,7 +40,6 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::rounds_down
 
 // mistake: rounds the number of samples to the nearest integer
-// caught by: 2.6 the samples
 // hint: this many do not quite do it: round up
 namespace mc::rounds_to_nearest {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
@@ -55,7 +51,6 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::rounds_to_nearest
 
 // mistake: converts the number of samples through a signed integer
-// caught by: 2.6 at least one
 // hint: rounded up
 namespace mc::signed_count {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
@@ -69,7 +64,6 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::signed_count
 
 // mistake: throws with a message that does not name the argument
-// caught by: 2.6 every refusal
 // hint: say in the exception's text which argument is wrong
 namespace mc::unnamed_argument {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {

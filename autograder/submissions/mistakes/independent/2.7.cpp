@@ -48,7 +48,6 @@ Estimate from_directions(const RectLight& light, std::uint64_t n, Direction dire
 }  // namespace mc
 
 // mistake: uses one number for both coordinates of a point on the light
-// caught by: 2.7 irradiance from points, 2.7 both estimates
 // hint: x and y from a number each
 namespace mc::diagonal_of_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -67,7 +66,6 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 }  // namespace mc::diagonal_of_the_light
 
 // mistake: divides by the distance, not by its square
-// caught by: 2.7 irradiance from points, 2.7 both estimates
 // hint: the distance is not squared
 namespace mc::distance_not_squared {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -79,7 +77,6 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 }  // namespace mc::distance_not_squared
 
 // mistake: draws directions over half of the azimuth only
-// caught by: 2.7 irradiance from directions
 // hint: radius sqrt(u), angle 2 pi v
 namespace mc::half_the_sky {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -91,7 +88,6 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }  // namespace mc::half_the_sky
 
 // mistake: omits the area of the light
-// caught by: 2.7 irradiance from points, 2.7 both estimates
 // hint: the area is missing
 namespace mc::no_area {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -103,7 +99,6 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 }  // namespace mc::no_area
 
 // mistake: omits the cosine at the light
-// caught by: 2.7 irradiance from points, 2.7 both estimates know their error
 // hint: a cosine is missing: the light, too, is seen at an angle
 namespace mc::no_cosine_at_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -115,7 +110,6 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 }  // namespace mc::no_cosine_at_the_light
 
 // mistake: uses u as the radius of a point in the disk, not its square root
-// caught by: 2.7 irradiance from directions
 // hint: radius sqrt(u), angle 2 pi v
 namespace mc::radius_not_rooted {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -127,7 +121,6 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }  // namespace mc::radius_not_rooted
 
 // mistake: uses one number for radius and angle of a direction
-// caught by: 2.7 irradiance from directions
 // hint: u and v are two numbers
 namespace mc::spiral_of_directions {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -139,7 +132,6 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }  // namespace mc::spiral_of_directions
 
 // mistake: returns s as the error, in both ways
-// caught by: 2.7 both estimates
 // hint: s instead of s / sqrt(n)
 namespace mc::spread_of_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
@@ -156,7 +148,6 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }  // namespace mc::spread_of_the_light
 
 // mistake: draws directions uniformly, and weights them as if their density were cos / pi
-// caught by: 2.7 irradiance from directions
 // hint: these directions are uniform on the hemisphere
 namespace mc::uniform_directions {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {

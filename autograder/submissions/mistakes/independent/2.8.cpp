@@ -6,9 +6,6 @@
 #undef uniforms
 
 // mistake: adds each number to the previous contents of the span
-// caught by: 2.8 a span of any size, 2.8 a call depends, 2.8 a generator of one word
-// caught by: 2.8 the numbers are uniform, 2.8 the numbers are independent, 2.8 the last bits
-// caught by: 2.8 the first numbers of a call are independent
 // hint: = in place of +=
 namespace mc::adds_to_what_is_there {
 void uniforms(Rng& rng, std::span<double> out) {
@@ -17,8 +14,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::adds_to_what_is_there
 
 // mistake: runs sixteen lanes of a linear generator in neighboring states, which stay in step
-// caught by: 2.8 the numbers are independent, 2.8 the last bits
-// caught by: 2.8 the first numbers of a call are independent
 // hint: do lanes run in step?
 namespace mc::lanes_in_step {
 void uniforms(Rng& rng, std::span<double> out) {
@@ -34,7 +29,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::lanes_in_step
 
 // mistake: seeds four lanes with similar states: each call starts with four similar numbers
-// caught by: 2.8 the first numbers of a call are independent
 // hint: lanes want states that have nothing in common
 namespace mc::lanes_nearly_alike {
 void uniforms(Rng& rng, std::span<double> out) {
@@ -60,7 +54,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::lanes_nearly_alike
 
 // mistake: fills only whole blocks of sixteen
-// caught by: 2.8 a span of any size
 // hint: it was not filled. The last, shorter block?
 namespace mc::last_block_unfilled {
 void uniforms(Rng& rng, std::span<double> out) {
@@ -69,7 +62,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::last_block_unfilled
 
 // mistake: uses one multiplication and one addition per number, whose low bits repeat soon
-// caught by: 2.8 the last bits
 // hint: the low bits of a linear congruential generator repeat soon
 namespace mc::linear_congruential {
 void uniforms(Rng& rng, std::span<double> out) {
@@ -82,7 +74,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::linear_congruential
 
 // mistake: seeds its lanes from a copy of the generator, which it advances by one word only
-// caught by: 2.8 a span of any size
 // hint: do two calls, or two lanes, begin in the same place?
 namespace mc::moves_on_by_one {
 void uniforms(Rng& rng, std::span<double> out) {
@@ -95,7 +86,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::moves_on_by_one
 
 // mistake: seeds four lanes with s, s + 1, s + 2, s + 3: each call starts with four equal numbers
-// caught by: 2.8 a span of any size, 2.8 the first numbers of a call are independent
 // hint: lanes begin with equal numbers
 // hint: lanes want states that have nothing in common
 namespace mc::neighbouring_lanes {
@@ -122,7 +112,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::neighbouring_lanes
 
 // mistake: makes its fast numbers as floats, of 24 bits
-// caught by: 2.8 a span of any size, 2.8 the numbers are uniform, 2.8 the last bits
 // hint: these are numbers of 24 bits
 // hint: which are always 0, or 1?
 namespace mc::numbers_of_a_float {
@@ -132,8 +121,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::numbers_of_a_float
 
 // mistake: draws numbers from its own generator, with a fixed seed
-// caught by: 2.8 a span of any size, 2.8 the numbers are independent
-// caught by: 2.8 the first numbers of a call are independent
 // hint: take the numbers from rng, and from nowhere else
 namespace mc::own_seed_for_the_block {
 void uniforms(Rng&, std::span<double> out) {
@@ -143,8 +130,6 @@ void uniforms(Rng&, std::span<double> out) {
 }  // namespace mc::own_seed_for_the_block
 
 // mistake: does not advance the generator: the next call starts with the same numbers
-// caught by: 2.8 a span of any size, 2.8 the numbers are independent
-// caught by: 2.8 the first numbers of a call are independent
 // hint: do two calls, or two lanes, begin in the same place?
 namespace mc::same_numbers_each_call {
 void uniforms(Rng& rng, std::span<double> out) {
@@ -154,7 +139,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::same_numbers_each_call
 
 // mistake: keeps its lanes from call to call, seeded by the first
-// caught by: 2.8 a call depends
 // hint: nothing static
 namespace mc::seeded_by_the_first_call {
 void uniforms(Rng& rng, std::span<double> out) {

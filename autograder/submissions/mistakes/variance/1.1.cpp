@@ -8,7 +8,6 @@
 #undef mean
 
 // mistake: sums in a float
-// caught by: 1.1 the mean of a list of values, 1.1 the mean is finite
 // hint: a float keeps seven digits
 // hint: a float ends at 3.4e38
 namespace mc::mean_in_float {
@@ -20,7 +19,6 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_in_float
 
 // mistake: starts std::accumulate with 0, an int, and so sums in int
-// caught by: 1.1 the mean of a list, 1.1 the mean is finite, 1.1 the mean hides no infinity
 // hint: the sum is cut off to a whole number
 namespace mc::mean_in_whole_numbers {
 double mean(std::span<const double> x) {
@@ -29,7 +27,6 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_in_whole_numbers
 
 // mistake: returns 0 as the mean of no values
-// caught by: 1.1 the mean of nothing
 // hint: quiet_NaN() for what is undefined
 namespace mc::mean_of_nothing_is_zero {
 double mean(std::span<const double> x) {
@@ -38,7 +35,6 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_of_nothing_is_zero
 
 // mistake: divides the sum by n - 1, as the variance does
-// caught by: 1.1 the mean of a list of values, 1.1 the mean is finite
 // hint: this divides by n - 1; only the variance does
 namespace mc::mean_over_n_minus_1 {
 double mean(std::span<const double> x) {
@@ -51,7 +47,6 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_over_n_minus_1
 
 // mistake: sums all values first, which overflows where the mean does not
-// caught by: 1.1 the mean is finite
 // hint: the sum overflows where the mean does not
 namespace mc::mean_overflows {
 double mean(std::span<const double> x) {
@@ -62,7 +57,6 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_overflows
 
 // mistake: checks the sum only for +infinity
-// caught by: 1.1 the mean is finite
 // hint: a sum can overflow to -inf as well
 namespace mc::mean_overflows_below {
 double mean(std::span<const double> x) {
@@ -74,7 +68,6 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_overflows_below
 
 // mistake: ignores NaN and infinities
-// caught by: 1.1 the mean hides no infinity
 // hint: is infinite or NaN
 namespace mc::mean_skips_nan {
 double mean(std::span<const double> x) {

@@ -8,7 +8,6 @@
 #undef variance_textbook
 
 // mistake: uses a wider type, which hides the cancellation that the textbook formula must show
-// caught by: 1.2 the textbook formula loses everything under a large mean
 // hint: or a wider type
 namespace mc::textbook_in_long_double {
 double variance_textbook(std::span<const double> x) {
@@ -25,7 +24,6 @@ double variance_textbook(std::span<const double> x) {
 }  // namespace mc::textbook_in_long_double
 
 // mistake: sums with std::accumulate(…, 0), in int
-// caught by: 1.2 the textbook formula gives
 // hint: added up in whole numbers
 namespace mc::textbook_in_whole_numbers {
 double variance_textbook(std::span<const double> x) {
@@ -39,7 +37,6 @@ double variance_textbook(std::span<const double> x) {
 }  // namespace mc::textbook_in_whole_numbers
 
 // mistake: implements a better algorithm than the textbook's
-// caught by: 1.2 the textbook formula loses everything under a large mean
 // hint: this is a better algorithm under the textbook's name
 namespace mc::textbook_is_two_pass {
 double variance_textbook(std::span<const double> x) {
@@ -48,7 +45,6 @@ double variance_textbook(std::span<const double> x) {
 }  // namespace mc::textbook_is_two_pass
 
 // mistake: returns E{X^2} - E{X}^2 uncorrected, a variance over n
-// caught by: 1.2 the textbook formula gives the variance of tame data
 // hint: this divides by n
 namespace mc::textbook_over_n {
 double variance_textbook(std::span<const double> x) {

@@ -24,9 +24,6 @@ double variance_about(std::span<const double> x, double shift) {
 }  // namespace mc
 
 // mistake: returns the standard deviation instead of the variance
-// caught by: 1.3 the variance of constant data is zero, 1.3 the two-pass variance of tame data
-// caught by: 1.3 two passes keep their digits under a large mean, 1.3 two passes on hard cases
-// caught by: 1.3 sigma of aX
 // hint: this is the standard deviation
 namespace mc::standard_deviation {
 double variance_two_pass(std::span<const double> x) {
@@ -35,7 +32,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::standard_deviation
 
 // mistake: lets the correction make the variance of constant data negative
-// caught by: 1.3 the variance of constant data is zero
 // hint: the correction is rounded, and may be larger than the sum: return 0 then
 namespace mc::two_pass_below_zero {
 double variance_two_pass(std::span<const double> x) {
@@ -53,7 +49,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_below_zero
 
 // mistake: lets the correction make the variance of constant data negative, with sums in four lanes
-// caught by: 1.3 the variance of constant data is zero
 // hint: the correction is rounded, and may be larger than the sum: return 0 then
 namespace mc::two_pass_below_zero_in_lanes {
 constexpr std::size_t sums_at_once = 4;
@@ -76,7 +71,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_below_zero_in_lanes
 
 // mistake: limits m2 by std::max(0.0, m2), which is 0 for NaN
-// caught by: 1.3 two passes on hard cases
 // hint: is it std::max(0.0, NaN), which is 0?
 namespace mc::two_pass_hides_nan {
 double variance_two_pass(std::span<const double> x) {
@@ -86,8 +80,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_hides_nan
 
 // mistake: implements the textbook formula
-// caught by: 1.3 two passes keep their digits under a large mean
-// caught by: 1.3 the variance of constant data is zero, 1.3 two passes on hard cases
 // hint: these are the digits that E{X^2} - E{X}^2 gives
 namespace mc::two_pass_is_textbook {
 double variance_two_pass(std::span<const double> x) {
@@ -96,7 +88,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_is_textbook
 
 // mistake: uses one pass instead of two: the mean is rounded at every value
-// caught by: 1.3 two passes keep their digits under a large mean
 // hint: these are the digits of a running mean
 namespace mc::two_pass_is_welford {
 double variance_two_pass(std::span<const double> x) {
@@ -107,7 +98,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_is_welford
 
 // mistake: returns 0 as the variance of one value
-// caught by: 1.3 fewer than two values
 // hint: quiet_NaN() for what is undefined
 namespace mc::two_pass_of_one_is_zero {
 double variance_two_pass(std::span<const double> x) {
@@ -116,8 +106,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_of_one_is_zero
 
 // mistake: divides by n instead of n - 1
-// caught by: 1.3 the two-pass variance of tame data
-// caught by: 1.3 two passes keep their digits under a large mean, 1.3 two passes on hard cases
 // hint: a sample variance divides by n - 1
 namespace mc::two_pass_over_n {
 double variance_two_pass(std::span<const double> x) {
@@ -127,8 +115,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_over_n
 
 // mistake: uses one pass about the first value, which may be far from the others
-// caught by: 1.3 two passes on hard cases
-// hint: is everything measured from a value that may lie far
+// hint: these are the digits of sums about the first value, which may lie far
 namespace mc::two_pass_shift_by_first {
 double variance_two_pass(std::span<const double> x) {
   return x.size() < 2 ? nan : variance_about(x, x.front());
@@ -136,8 +123,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_shift_by_first
 
 // mistake: uses one pass about the last value, which may be far from the others
-// caught by: 1.3 two passes on hard cases
-// hint: is everything measured from a value that may lie far
+// hint: these are the digits of sums about the last value, which may lie far
 namespace mc::two_pass_shift_by_last {
 double variance_two_pass(std::span<const double> x) {
   return x.size() < 2 ? nan : variance_about(x, x.back());
@@ -145,8 +131,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_shift_by_last
 
 // mistake: uses one pass about the middle value, which may be far from the others
-// caught by: 1.3 two passes on hard cases
-// hint: is everything measured from a value that may lie far
+// hint: these are the digits of sums about the middle value, which may lie far
 namespace mc::two_pass_shift_by_middle {
 double variance_two_pass(std::span<const double> x) {
   return x.size() < 2 ? nan : variance_about(x, x[x.size() / 2]);
@@ -154,8 +139,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_shift_by_middle
 
 // mistake: uses two passes without the correction for the rounded mean
-// caught by: 1.3 two passes keep their digits under a large mean
-// caught by: 1.3 the variance of constant data is zero
 // hint: the mean was rounded: take (sum of deviations)^2 / n off
 namespace mc::two_pass_uncorrected {
 double variance_two_pass(std::span<const double> x) {
@@ -168,7 +151,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_uncorrected
 
 // mistake: computes n / (n - 1) as integers, which is 1 from n = 3 on
-// caught by: 1.3 the two-pass variance of tame, 1.3 two passes keep, 1.3 two passes on hard
 // hint: n/(n-1) of whole numbers is 1
 namespace mc::two_pass_whole_division {
 double variance_two_pass(std::span<const double> x) {
@@ -186,7 +168,6 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_whole_division
 
 // mistake: treats a variance below 1e-12 as zero, whatever the scale of the data
-// caught by: 1.3 two passes on hard cases, 1.3 sigma of aX
 // hint: small is not zero
 // hint: the result depends on the scale of the data
 namespace mc::two_pass_with_threshold {

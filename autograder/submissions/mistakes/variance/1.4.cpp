@@ -8,7 +8,6 @@
 #undef add
 
 // mistake: converts the count to an int
-// caught by: 1.4 the variance of moments, 1.4 one more value
 // hint: is the count a whole number of 64 bits all the way?
 namespace mc::variance_counts_in_int {
 double variance(const Moments& moments) {
@@ -18,7 +17,6 @@ double variance(const Moments& moments) {
 }  // namespace mc::variance_counts_in_int
 
 // mistake: counts in an unsigned int, which wraps to 0 at 2^32
-// caught by: 1.4 one more value after very many
 // hint: 32 bits count to 2^32 only
 namespace mc::welford_counts_in_32_bits {
 void add(Moments& moments, double x) {
@@ -31,7 +29,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_32_bits
 
 // mistake: counts in a double, which adding 1 does not change from 2^53 on
-// caught by: 1.4 one more value after very many
 // hint: a double counts to 2^53 only
 namespace mc::welford_counts_in_double {
 void add(Moments& moments, double x) {
@@ -44,7 +41,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_double
 
 // mistake: counts in a float, which adding 1 does not change from 2^24 on
-// caught by: 1.4 one more value after very many, 1.4 Welford survives a stream
 // hint: a float counts to 2^24 only
 namespace mc::welford_counts_in_float {
 void add(Moments& moments, double x) {
@@ -57,7 +53,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_float
 
 // mistake: counts in an int, which is negative from 2^31 on
-// caught by: 1.4 one more value after very many
 // hint: an int counts to 2^31 only
 namespace mc::welford_counts_in_int {
 void add(Moments& moments, double x) {
@@ -69,9 +64,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_int
 
 // mistake: divides by the count before this value
-// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
-// caught by: 1.4 Welford on constant data, 1.4 Welford survives a stream
-// hint: with the count that includes x
+// hint: the first value was divided by a count of 0: count it before
 namespace mc::welford_counts_late {
 void add(Moments& moments, double x) {
   const double before = x - moments.mean;
@@ -82,7 +75,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_late
 
 // mistake: keeps the sum of squares and subtracts the mean, which is the textbook formula
-// caught by: 1.4 Welford keeps his digits, 1.4 Welford on constant data
 // hint: not the sum of x^2
 namespace mc::welford_keeps_squares {
 void add(Moments& moments, double x) {
@@ -95,7 +87,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_keeps_squares
 
 // mistake: keeps n times the sample variance in m2
-// caught by: 1.4 add keeps, 1.4 the variance of moments, 1.4 Welford keeps, 1.4 Welford on constant
 // hint: this is n times the sample variance
 namespace mc::welford_m2_is_n_variances {
 void add(Moments& moments, double x) {
@@ -112,9 +103,7 @@ double variance(const Moments& moments) {
 }  // namespace mc::welford_m2_is_n_variances
 
 // mistake: updates the mean by a step that is rounded to a float
-// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
-// caught by: 1.4 Welford on constant data
-// hint: is anything here a float?
+// hint: is anything a float?
 namespace mc::welford_mean_in_float {
 void add(Moments& moments, double x) {
   ++moments.count;
@@ -125,8 +114,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_mean_in_float
 
 // mistake: squares the distance from the new mean, (x - new mean)^2
-// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
-// caught by: 1.4 Welford on constant data, 1.4 Welford survives a stream
 // hint: this is the new one, twice
 namespace mc::welford_new_mean {
 void add(Moments& moments, double x) {
@@ -138,8 +125,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_new_mean
 
 // mistake: squares the distance from the old mean, (x - old mean)^2
-// caught by: 1.4 add keeps count and mean and m2, 1.4 Welford keeps his digits
-// caught by: 1.4 Welford on constant data, 1.4 Welford survives a stream
 // hint: this is the old one, twice
 namespace mc::welford_old_mean {
 void add(Moments& moments, double x) {
@@ -151,7 +136,6 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_old_mean
 
 // mistake: divides m2 by n instead of n - 1
-// caught by: 1.4 the variance of moments
 // hint: this divides by n; a sample variance divides by n - 1
 namespace mc::welford_over_n {
 double variance(const Moments& moments) {
@@ -160,8 +144,6 @@ double variance(const Moments& moments) {
 }  // namespace mc::welford_over_n
 
 // mistake: computes 1 / count as integers, which is 0 from the second value on
-// caught by: 1.4 add keeps, 1.4 Welford keeps, 1.4 Welford on constant, 1.4 Welford survives
-// caught by: 1.4 one more value
 // hint: an integer division, which is 0
 namespace mc::welford_whole_division {
 void add(Moments& moments, double x) {

@@ -6,7 +6,6 @@
 #undef merge
 
 // mistake: adds the counts as doubles, which are rounded above 2^53
-// caught by: 1.5 merging very unequal
 // hint: the counts add up, as whole numbers of 64 bits
 namespace mc::merge_adds_counts_in_double {
 Moments merge(const Moments& a, const Moments& b) {
@@ -18,7 +17,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_adds_counts_in_double
 
 // mistake: measures both parts from their common mean, after rounding it
-// caught by: 1.5 merging very unequal and very long parts
 // hint: both parts were measured from the merged mean, which is rounded
 namespace mc::merge_by_rounded_mean {
 Moments merge(const Moments& a, const Moments& b) {
@@ -32,7 +30,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_by_rounded_mean
 
 // mistake: adds the distance of the two means, not its square
-// caught by: 1.5 merging two parts, 1.5 parts of real data, 1.5 merging very unequal
 // hint: the distance of the means is squared
 namespace mc::merge_distance_not_squared {
 Moments merge(const Moments& a, const Moments& b) {
@@ -45,7 +42,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_distance_not_squared
 
 // mistake: divides n_a n_b by n as integers
-// caught by: 1.5 merging two parts, 1.5 parts of real data, 1.5 merging very unequal
 // hint: n_a n_b / n was divided as whole numbers
 namespace mc::merge_divides_whole_counts {
 Moments merge(const Moments& a, const Moments& b) {
@@ -58,9 +54,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_divides_whole_counts
 
 // mistake: averages the two means, whatever the counts
-// caught by: 1.5 merging two parts equals adding all values
-// caught by: 1.5 parts of real data merge to the whole
-// caught by: 1.5 merging very unequal and very long parts
 // hint: the mean of two means is right only for equal counts
 namespace mc::merge_mean_of_means {
 Moments merge(const Moments& a, const Moments& b) {
@@ -71,7 +64,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_mean_of_means
 
 // mistake: multiplies the counts as integers, which overflow 64 bits
-// caught by: 1.5 merging very unequal and very long parts
 // hint: the counts were multiplied as 64-bit whole numbers
 namespace mc::merge_multiplies_whole_counts {
 Moments merge(const Moments& a, const Moments& b) {
@@ -86,8 +78,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_multiplies_whole_counts
 
 // mistake: divides by n even if both parts are empty
-// caught by: 1.5 merging with an empty part changes nothing
-// caught by: 1.5 parts of real data merge to the whole
 // hint: 0/0 is NaN: look for an empty part first
 namespace mc::merge_nothing_is_nan {
 Moments merge(const Moments& a, const Moments& b) {
@@ -100,7 +90,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_nothing_is_nan
 
 // mistake: computes n_b / n as integers, which is 0
-// caught by: 1.5 merging two parts, 1.5 parts of real data, 1.5 merging very unequal
 // hint: this is the first part's mean alone
 namespace mc::merge_share_in_whole_numbers {
 Moments merge(const Moments& a, const Moments& b) {
@@ -112,9 +101,6 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_share_in_whole_numbers
 
 // mistake: adds both m2 but not the variation between the two parts
-// caught by: 1.5 merging two parts equals adding all values
-// caught by: 1.5 parts of real data merge to the whole
-// caught by: 1.5 merging very unequal and very long parts
 // hint: two parts with different means vary between them too
 namespace mc::merge_without_between {
 Moments merge(const Moments& a, const Moments& b) {

@@ -6,8 +6,6 @@
 #undef covariance
 
 // mistake: returns the correlation instead of the covariance
-// caught by: 1.6 the covariance of pairs, 1.6 the covariance keeps its digits under
-// caught by: 1.6 the covariance keeps its digits at any scale
 // hint: this is the correlation
 namespace mc::correlation {
 double covariance(std::span<const double> x, std::span<const double> y) {
@@ -16,7 +14,6 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::correlation
 
 // mistake: computes the covariance from Var{X + Y}, in which the larger variance swamps the smaller
-// caught by: 1.6 the covariance keeps its digits at any scale
 // hint: Is it taken from Var{X + Y}?
 namespace mc::covariance_by_polarisation {
 double covariance(std::span<const double> x, std::span<const double> y) {
@@ -28,7 +25,6 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::covariance_by_polarisation
 
 // mistake: uses E{XY} - E{X} E{Y}, the textbook formula of the covariance
-// caught by: 1.6 the covariance keeps its digits under
 // hint: E{XY} - E{X}E{Y} is the textbook formula again
 namespace mc::covariance_is_textbook {
 double covariance(std::span<const double> x, std::span<const double> y) {
@@ -42,8 +38,7 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::covariance_is_textbook
 
 // mistake: uses the shorter size if the sizes differ
-// caught by: 1.6 lists of two sizes, 1.6 the refusal names
-// hint: misuse throws std::invalid_argument
+// hint: check the arguments first, and throw std::invalid_argument
 namespace mc::covariance_of_fewer_pairs {
 double covariance(std::span<const double> x, std::span<const double> y) {
   const std::size_t pairs = std::min(x.size(), y.size());
@@ -52,8 +47,6 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::covariance_of_fewer_pairs
 
 // mistake: divides by n instead of n - 1
-// caught by: 1.6 the covariance of pairs, 1.6 the covariance keeps its digits under
-// caught by: 1.6 the covariance keeps its digits at any scale
 // hint: this divides by n; a sample covariance divides by n - 1
 namespace mc::covariance_over_n {
 double covariance(std::span<const double> x, std::span<const double> y) {
@@ -63,7 +56,6 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::covariance_over_n
 
 // mistake: throws for different sizes with a message that does not name the argument
-// caught by: 1.6 the refusal names
 // hint: say in the exception's text which argument is wrong
 namespace mc::covariance_refuses_without_a_word {
 double covariance(std::span<const double> x, std::span<const double> y) {
@@ -73,8 +65,6 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::covariance_refuses_without_a_word
 
 // mistake: returns E{XY} without subtracting anything
-// caught by: 1.6 the covariance of pairs, 1.6 the covariance keeps its digits under
-// caught by: 1.6 the covariance keeps its digits at any
 // hint: the means are not in it
 namespace mc::covariance_without_means {
 double covariance(std::span<const double> x, std::span<const double> y) {

@@ -32,8 +32,6 @@ double sum(std::span<const double> joint) {
 }  // namespace mc
 
 // mistake: takes the weights for probabilities
-// caught by: 1.7 the dependence of a joint table, 1.7 independent variables have dependence zero
-// caught by: 1.7 the circle
 // hint: the weights are no probabilities yet: divide by their total
 namespace mc::dependence_not_normalised {
 double dependence(std::span<const double> joint, std::size_t columns) {
@@ -44,7 +42,6 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_not_normalised
 
 // mistake: sums the differences of all cells
-// caught by: 1.7 the dependence of a joint table, 1.7 independent variables, 1.7 the circle
 // hint: this is the sum of all cells' differences
 namespace mc::dependence_of_all_cells {
 double dependence(std::span<const double> joint, std::size_t columns) {
@@ -55,7 +52,6 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_of_all_cells
 
 // mistake: returns the largest p(x,y) - p(x)p(y), without the absolute value
-// caught by: 1.7 the dependence of a joint table, 1.7 the circle
 // hint: abs()
 namespace mc::dependence_one_sided {
 double dependence(std::span<const double> joint, std::size_t columns) {
@@ -66,7 +62,6 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_one_sided
 
 // mistake: throws with a message that does not name the argument
-// caught by: 1.7 each refusal
 // hint: say in the exception's text which argument is wrong
 namespace mc::dependence_refuses_without_a_word {
 double dependence(std::span<const double> joint, std::size_t columns) {
@@ -79,7 +74,6 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_refuses_without_a_word
 
 // mistake: skips empty cells, as an entropy would
-// caught by: 1.7 the dependence of a joint table, 1.7 the circle
 // hint: the largest difference is in an empty cell
 namespace mc::dependence_skips_empty_cells {
 double dependence(std::span<const double> joint, std::size_t columns) {
@@ -93,7 +87,6 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_skips_empty_cells
 
 // mistake: swaps rows and columns, as if the table were stored column by column
-// caught by: 1.7 the dependence of a joint table, 1.7 independent variables have dependence zero
 // hint: rows and columns are swapped
 namespace mc::dependence_swaps_marginals {
 double dependence(std::span<const double> joint, std::size_t columns) {
@@ -103,8 +96,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_swaps_marginals
 
 // mistake: accepts negative and NaN weights
-// caught by: 1.7 what is no distribution, 1.7 each refusal names
-// hint: misuse throws std::invalid_argument
+// hint: check the arguments first, and throw std::invalid_argument
 namespace mc::dependence_takes_any_weights {
 double dependence(std::span<const double> joint, std::size_t columns) {
   std::vector<double> weights(joint.begin(), joint.end());
@@ -114,8 +106,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_takes_any_weights
 
 // mistake: throws std::domain_error
-// caught by: 1.7 what is no distribution, 1.7 each refusal
-// hint: threw another exception
+// hint: an exception of another type
 namespace mc::dependence_throws_domain_error {
 double dependence(std::span<const double> joint, std::size_t columns) {
   try {

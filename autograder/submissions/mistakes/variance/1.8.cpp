@@ -23,7 +23,6 @@ Moments moments_about(std::span<const double> x, double shift) {
 }  // namespace mc
 
 // mistake: uses the textbook formula, because one pass is fast
-// caught by: 1.8 the moments keep their digits on hard data
 // hint: these are the digits that E{X^2} - E{X}^2 gives
 namespace mc::moments_are_textbook {
 Moments moments(std::span<const double> x) {
@@ -32,7 +31,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_are_textbook
 
 // mistake: uses Welford's update, whose running mean is rounded at the scale of the data
-// caught by: 1.8 the moments keep their digits on hard data
 // hint: these are the digits of a running mean
 namespace mc::moments_are_welford {
 Moments moments(std::span<const double> x) {
@@ -43,9 +41,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_are_welford
 
 // mistake: skips the values that do not fill a last block of 16
-// caught by: 1.8 the moments of a list of any length
-// caught by: 1.8 the moments keep their digits on hard data
-// caught by: 1.8 the moments keep their digits beside outliers
 // hint: also those in a last, shorter block
 namespace mc::moments_drop_the_last_block {
 Moments moments(std::span<const double> x) {
@@ -54,7 +49,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_drop_the_last_block
 
 // mistake: limits m2 by std::max(0.0, m2), which is 0 for NaN
-// caught by: 1.8 the moments keep their digits on hard data
 // hint: is it std::max(0.0, NaN), which is 0?
 namespace mc::moments_hide_nan {
 Moments moments(std::span<const double> x) {
@@ -65,10 +59,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_hide_nan
 
 // mistake: sums in float lanes, twice as many per register
-// caught by: 1.8 the moments of a list of any length
-// caught by: 1.8 the moments keep their digits on hard data
-// caught by: 1.8 the moments keep their digits beside outliers
-// hint: Is any sum a float?
+// hint: is anything a float?
 namespace mc::moments_in_float_lanes {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
@@ -84,9 +75,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_in_float_lanes
 
 // mistake: shifts the data but does not shift the mean back
-// caught by: 1.8 the moments of a list of any length
-// caught by: 1.8 the moments keep their digits on hard data
-// caught by: 1.8 the moments keep their digits beside outliers
 // hint: was the shift put back
 namespace mc::moments_leave_the_shift {
 Moments moments(std::span<const double> x) {
@@ -97,7 +85,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_leave_the_shift
 
 // mistake: merges blocks by their means, each rounded at the scale of the data
-// caught by: 1.8 the moments keep their digits on hard data
 // hint: is a mean rounded here before it is compared
 namespace mc::moments_merge_rounded_means {
 Moments moments(std::span<const double> x) {
@@ -111,9 +98,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_merge_rounded_means
 
 // mistake: returns mean and m2 with a count of 0
-// caught by: 1.8 the moments of a list of any length
-// caught by: 1.8 the moments keep their digits on hard data
-// caught by: 1.8 the moments keep their digits beside outliers
 // hint: count is never set
 namespace mc::moments_never_count {
 Moments moments(std::span<const double> x) {
@@ -123,7 +107,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_never_count
 
 // mistake: divides by the count even if it is 0
-// caught by: 1.8 the moments of no values
 // hint: nothing to add, nothing to divide by
 namespace mc::moments_of_nothing_are_nan {
 Moments moments(std::span<const double> x) {
@@ -132,7 +115,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_of_nothing_are_nan
 
 // mistake: uses one pass about the median of three values, all of which may be far from the others
-// caught by: 1.8 the moments keep their digits beside outliers
 // hint: far from all others
 namespace mc::moments_shift_by_one_of_three {
 Moments moments(std::span<const double> x) {
@@ -146,7 +128,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_one_of_three
 
 // mistake: uses one pass about the first value, which may be far from the others
-// caught by: 1.8 the moments keep their digits beside outliers
 // hint: these are the digits of sums about the first value
 namespace mc::moments_shift_by_the_first {
 Moments moments(std::span<const double> x) {
@@ -155,7 +136,6 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_the_first
 
 // mistake: sums in blocks and lanes about the first value, which may be far from the others
-// caught by: 1.8 the moments keep their digits beside outliers
 // hint: is everything measured from a value that may lie far
 namespace mc::moments_shift_by_the_first_in_blocks {
 Moments moments(std::span<const double> x) {
@@ -171,8 +151,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_the_first_in_blocks
 
 // mistake: uses one pass about the last value, which may be far from the others
-// caught by: 1.8 the moments keep their digits beside outliers
-// hint: is everything measured from a value that may lie far
+// hint: these are the digits of sums about the last value, which may lie far
 namespace mc::moments_shift_by_the_last {
 Moments moments(std::span<const double> x) {
   return x.empty() ? Moments{} : moments_about(x, x.back());
@@ -180,8 +159,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_the_last
 
 // mistake: uses one pass about the middle value, which may be far from the others
-// caught by: 1.8 the moments keep their digits beside outliers
-// hint: is everything measured from a value that may lie far
+// hint: these are the digits of sums about the middle value, which may lie far
 namespace mc::moments_shift_by_the_middle {
 Moments moments(std::span<const double> x) {
   return x.empty() ? Moments{} : moments_about(x, x[x.size() / 2]);
