@@ -1,8 +1,10 @@
 #include "sandbox/process.hpp"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <poll.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +21,7 @@
 #include <sys/prctl.h>
 #endif
 
+#include "sandbox/confinement.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/reaper.hpp"
 
@@ -106,6 +109,15 @@ bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
 #endif
   if (!limited) _exit(exit_not_started);
   signal(SIGPIPE, SIG_DFL);
+  if (options.user != 0 &&
+      (setgroups(0, nullptr) != 0 || setgid(options.user) != 0 || setuid(options.user) != 0)) {
+    _exit(exit_not_started);
+  }
+#ifdef __linux__
+  // Again: the change of user forgets it.
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) _exit(exit_not_started);
+#endif
+  if (options.confinement != nullptr && !options.confinement->apply()) _exit(exit_not_started);
   execve(launch.path, launch.arguments, launch.environment);
   _exit(127);
 }
@@ -122,35 +134,66 @@ int patience_of(const ProcessOptions& options, Clock::time_point start, bool kil
   return patience;
 }
 
-}  // namespace
+/// An unnamed file in the directory that a confined program runs in.
+Descriptor unnamed_file(const std::string& directory) {
+  std::string name = directory + "/output-XXXXXX";
+  const int raw = mkostemp(name.data(), O_CLOEXEC);
+  Descriptor file(raw, "output");
+  unlink(name.c_str());
+  return file;
+}
 
-ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
-  auto words = command;
-  auto variables = environment_with(options.environment);
-  const auto arguments = pointers(words), environment = pointers(variables);
-  const std::string directory = options.directory.string(), path = found_in_path(command[0]);
+std::string text_in(const Descriptor& file, std::size_t most) {
+  std::string text(most, '\0');
+  std::size_t length = 0;
+  while (length < most) {
+    const ssize_t got =
+        pread(file.get(), text.data() + length, most - length, static_cast<off_t>(length));
+    if (got <= 0) break;
+    length += static_cast<std::size_t>(got);
+  }
+  text.resize(length);
+  return text;
+}
 
-  Pipe output = make_pipe(), errors = make_pipe();
-  const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
-  const Launch launch{path.c_str(),  arguments.data(),   environment.data(), directory.c_str(),
-                      nothing.get(), output.write.get(), errors.write.get(), getpid()};
-  const pid_t pid = fork();
-  if (pid < 0) fail("fork");
-  if (pid == 0) become(launch, options);
-  const GroupGuard guard(pid);  // a compiler starts programs of its own
-  output.write.reset();
-  errors.write.reset();
+/// How long the program has run, and whether it must end now.
+class Patience {
+ public:
+  explicit Patience(const ProcessOptions& options) : options_(options) {}
+
+  /// Milliseconds to wait for something to happen; -1: as long as it takes.
+  int milliseconds() const { return patience_of(options_, start_, killed_); }
+
+  /// Kills the program's session when its time is up or it is told to stop.
+  void enforce(pid_t pid, ProcessResult& result) {
+    const bool late =
+        options_.wall_seconds > 0 &&
+        std::chrono::duration<double>(Clock::now() - start_).count() >= options_.wall_seconds;
+    const bool stopped = options_.stop != nullptr && *options_.stop;
+    if (killed_ || (!late && !stopped)) return;
+    killed_ = true;
+    result.out_of_time = late && !stopped;
+    kill(-pid, SIGKILL);
+    kill(pid, SIGKILL);  // where it has no session of its own yet
+  }
+
+ private:
+  const ProcessOptions& options_;
+  const Clock::time_point start_ = Clock::now();
+  bool killed_ = false;
+};
+
+/// Reads both pipes to their end.
+void read_pipes(pid_t pid, Pipe& output, Pipe& errors, const ProcessOptions& options,
+                ProcessResult& result) {
+  Patience patience(options);
   make_nonblocking(output.read);
   make_nonblocking(errors.read);
-
-  ProcessResult result;
-  const auto start = Clock::now();
   Descriptor* const ends[] = {&output.read, &errors.read};
   std::string* const texts[] = {&result.output, &result.errors};
-  bool killed = false;
   while (*ends[0] || *ends[1]) {
     pollfd watched[] = {{ends[0]->get(), POLLIN, 0}, {ends[1]->get(), POLLIN, 0}};
-    if (poll(watched, 2, patience_of(options, start, killed)) < 0 && errno != EINTR) fail("poll");
+    if (poll(watched, 2, patience.milliseconds()) < 0 && errno != EINTR) fail("poll");
     for (int i = 0; i < 2; ++i) {
       if (!*ends[i]) continue;
       std::string some;
@@ -159,16 +202,67 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
         texts[i]->append(some, 0, options.output - texts[i]->size());
       }
     }
-    const bool late =
-        options.wall_seconds > 0 &&
-        std::chrono::duration<double>(Clock::now() - start).count() >= options.wall_seconds;
-    const bool stopped = options.stop != nullptr && *options.stop;
-    if (!killed && (late || stopped)) {
-      killed = true;
-      result.out_of_time = late && !stopped;
-      kill(-pid, SIGKILL);
-      kill(pid, SIGKILL);  // where it has no session of its own yet
+    patience.enforce(pid, result);
+  }
+}
+
+/// Waits for the end of a program whose output goes into files; it is not reaped yet.
+void wait_for_end(pid_t pid, const ProcessOptions& options, ProcessResult& result) {
+  Patience patience(options);
+#ifdef SYS_pidfd_open
+  const int raw = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
+  const Descriptor end = raw < 0 ? Descriptor() : Descriptor(raw, "pidfd");
+#else
+  const Descriptor end;
+#endif
+  for (;;) {
+    siginfo_t ended{};
+    if (waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        ended.si_pid == pid) {
+      return;
     }
+    pollfd watched{end.get(), POLLIN, 0};
+    const int most = end ? 1000 : 2;
+    const int left = patience.milliseconds();
+    poll(&watched, 1, left < 0 ? most : std::min(left, most));
+    patience.enforce(pid, result);
+  }
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+  auto words = command;
+  auto variables = environment_with(options.environment);
+  const auto arguments = pointers(words), environment = pointers(variables);
+  const std::string directory = options.directory.string(), path = found_in_path(command[0]);
+
+  const bool has_files = options.confinement != nullptr;
+  Pipe output, errors;
+  if (has_files) {
+    output.write = unnamed_file(directory);
+    errors.write = unnamed_file(directory);
+  } else {
+    output = make_pipe();
+    errors = make_pipe();
+  }
+  const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
+  const Launch launch{path.c_str(),  arguments.data(),   environment.data(), directory.c_str(),
+                      nothing.get(), output.write.get(), errors.write.get(), getpid()};
+  const pid_t pid = fork();
+  if (pid < 0) fail("fork");
+  if (pid == 0) become(launch, options);
+  const GroupGuard guard(pid);  // a compiler starts programs of its own
+
+  ProcessResult result;
+  if (has_files) {
+    wait_for_end(pid, options, result);
+    result.output = text_in(output.write, options.output);
+    result.errors = text_in(errors.write, options.output);
+  } else {
+    output.write.reset();
+    errors.write.reset();
+    read_pipes(pid, output, errors, options, result);
   }
   int status = 0;
   rusage used{};

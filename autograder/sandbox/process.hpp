@@ -1,6 +1,8 @@
 #pragma once
 // Runs a trusted program (a compiler, the checks, gnuplot) and waits for it.
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
@@ -9,6 +11,8 @@
 #include <vector>
 
 namespace mc::sandbox {
+
+class Confinement;
 
 struct ProcessOptions {
   std::filesystem::path directory = {};                               ///< to run in; empty: here
@@ -21,6 +25,10 @@ struct ProcessOptions {
   std::size_t file_size = 0;                  ///< of each file that it writes
   std::size_t output = std::size_t{4} << 20;  ///< kept of what it says; the rest is thrown away
   const std::atomic<bool>* stop = nullptr;    ///< ends it soon after this has become true
+  /// For a program that reads untrusted text: what it may do. Its output goes into files, so that
+  /// a text that has it read its own output (/proc/self/fd/1) finds an end.
+  const Confinement* confinement = nullptr;
+  uid_t user = 0;  ///< becomes this user and group, with no others; 0: stays who it is
 };
 
 struct ProcessResult {

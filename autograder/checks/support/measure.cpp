@@ -17,6 +17,7 @@
 #include "checks/support/plain_numbers.hpp"
 #include "checks/support/replay.hpp"
 #include "protocol/environment.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::checks {
 
@@ -97,7 +98,9 @@ std::string assertion_in(const std::string& printed) {
   const auto at = printed.find("Assertion '");
   if (at == std::string::npos) return {};
   const auto start = at + std::string_view("Assertion '").size();
-  const std::string what = printed.substr(start, printed.find('\'', start) - start);
+  // The program may have printed this itself: one line, however it goes on.
+  const std::string what = sandbox::printable_line(
+      sandbox::shortened(printed.substr(start, printed.find('\'', start) - start), 200));
   const auto line = printed.rfind('\n', at) + 1;  // 0 where there is none before it
   const std::string_view where = std::string_view(printed).substr(line, at - line);
   for (const char* type : {"span", "vector", "array", "string", "optional"}) {

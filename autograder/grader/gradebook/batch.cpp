@@ -15,6 +15,7 @@
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/scratch.hpp"
+#include "grader/submission/source.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
@@ -23,31 +24,25 @@ namespace {
 /// So much of build/programs is kept.
 constexpr std::size_t most_programs = std::size_t{300} << 20;
 
-/// So many in a row that fail the same way, and the others would.
-constexpr int most_same_failures = 3;
+/// After so many in a row without a verdict the machine is probed.
+constexpr int most_failures = 3;
 
-/// A hash of all that a verdict depends on and that was handed in.
-std::string text_of(const Handed& handed) {
-  std::uint64_t hash = hash_text(handed.unreadable, hash_text(handed.submission.found_in));
-  for (const auto& [lab, file] : handed.submission.files) {
-    hash = hash_text(lab, hash);
-    hash = hash_text(read_text(file), hash);  // one that cannot be read fails when it is compiled
-  }
-  return fmt::format("{:016x}", hash);
+/// All that a verdict depends on and that was handed in.
+std::string everything_in(const Handed& handed) {
+  return fmt::format("{}\n{}\n{}", handed.unreadable, handed.submission.found_in,
+                     contents_of(handed.submission.files));
 }
 
-/// What kept the machine from judging: "No space left on device" of "1.3 …: cannot write /a/b: No
-/// space left on device". Empty where it judged, and where only the autograder failed.
-std::string machines_failure(const Verdict& verdict) {
-  if (verdict.not_judged.empty()) return {};
-  bool is_machines = verdict.labs.empty();
+/// Did the machine, and not only the autograder, keep from judging?
+bool has_machine_failed(const Verdict& verdict) {
+  if (verdict.not_judged.empty()) return false;
+  if (verdict.labs.empty()) return true;
   for (const LabVerdict& lab : verdict.labs) {
-    for (const CheckResult& result : lab.checks) is_machines |= result.status == Status::not_judged;
+    for (const CheckResult& result : lab.checks) {
+      if (result.status == Status::not_judged) return true;
+    }
   }
-  if (!is_machines) return {};
-  const std::string line = verdict.not_judged.substr(0, verdict.not_judged.find('\n'));
-  const auto colon = line.rfind(": ");
-  return colon == std::string::npos ? line : line.substr(colon + 2);
+  return false;
 }
 
 std::vector<std::string> absent_from(const Context& context, const Submission& submission) {
@@ -86,10 +81,7 @@ class Batch {
     for (std::size_t i = 0; i < handed_.size(); ++i) {
       const Handed& one = handed_[i];
       const auto labs = labs_of(context_, one.submission, options_.asked_for);
-      const auto known = book_ == nullptr
-                             ? std::nullopt
-                             : book_->known(one.submission.label, text_of(one),
-                                            context_.layout.version, judged_labs(one, labs));
+      const auto known = known_verdict(one, labs);
       if (!known) {
         open_.push_back(i);
         continue;
@@ -99,6 +91,16 @@ class Batch {
       book_->keep(*known);
     }
     if (book_ != nullptr) book_->begin();
+  }
+
+  std::optional<Verdict> known_verdict(const Handed& one, const std::vector<Lab>& labs) const {
+    if (book_ == nullptr) return {};
+    try {
+      return book_->known(one.submission.label, everything_in(one), context_.layout.version,
+                          judged_labs(one, labs));
+    } catch (const std::exception&) {  // judged again, which says what is wrong
+      return {};
+    }
   }
 
   static std::vector<Lab> judged_labs(const Handed& handed, const std::vector<Lab>& labs) {
@@ -141,12 +143,17 @@ class Batch {
     } else {
       ++outcome_.judged;
     }
-    const std::string failure = machines_failure(verdict);
-    failures_ = failure.empty() ? 0 : failure == last_failure_ ? failures_ + 1 : 1;
-    last_failure_ = failure;
-    if (failures_ < most_same_failures) return;
-    outcome_.stopped = verdict.not_judged.substr(0, verdict.not_judged.find('\n'));
-    is_stopped_ = true;
+    failures_ = has_machine_failed(verdict) ? failures_ + 1 : 0;
+    if (failures_ < most_failures) return;
+    failures_ = 0;
+    // Three submissions may do this to themselves: the rest is given up only if the machine fails
+    // at a known program, too.
+    try {
+      probe_machine(context_.layout);
+    } catch (const std::exception& error) {
+      outcome_.stopped = error.what();
+      is_stopped_ = true;
+    }
   }
 
   void sweep(const Handed& done) {
@@ -188,7 +195,6 @@ class Batch {
   std::mutex mutex_;
   std::vector<double> parts_;
   BatchOutcome outcome_;
-  std::string last_failure_;
   int failures_ = 0;
   std::atomic<bool> is_stopped_ = false;
   std::set<fs::path> done_with_;
@@ -226,18 +232,21 @@ std::vector<LabColumns> columns_for(const Context& context, const std::vector<Ha
 Verdict judge_handed(const Context& context, const Handed& handed, const std::vector<Lab>& labs,
                      SubmissionOptions options) {
   Verdict verdict;
-  if (handed.unreadable.empty()) {
+  std::string contents;
+  // Whatever goes wrong with a submission is its own result: MachineError, a full disk, no memory.
+  try {
     Budget budget;
     options.judge.budget = &budget;
-    try {
+    contents = everything_in(handed);
+    if (handed.unreadable.empty()) {
       verdict = judge_submission(context, handed.submission, labs, options);
-    } catch (const std::exception& error) {  // MachineError, a full disk, no more processes
-      verdict.not_judged = error.what();
     }
+  } catch (const std::exception& error) {
+    verdict.not_judged = error.what();
   }
   verdict.submission = handed.submission.label;
   verdict.found_in = handed.submission.found_in;
-  verdict.text = text_of(handed);
+  verdict.contents = std::move(contents);
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;
   verdict.jail_complete = sandbox::jail_is_complete();

@@ -112,7 +112,7 @@ void Book::begin() {
                                "opening " + setup_.csv.string());
 }
 
-std::optional<Verdict> Book::known(const std::string& id, const std::string& text,
+std::optional<Verdict> Book::known(const std::string& id, const std::string& contents,
                                    const std::string& version, const std::vector<Lab>& labs) const {
   if (!setup_.resume) return {};
   auto verdict = read(id);
@@ -120,7 +120,7 @@ std::optional<Verdict> Book::known(const std::string& id, const std::string& tex
   const bool same_labs = verdict->labs.size() == labs.size() &&
                          std::equal(labs.begin(), labs.end(), verdict->labs.begin(),
                                     [](auto& lab, auto& one) { return lab.name == one.lab.name; });
-  const bool stands = verdict->text == text && verdict->version == version &&
+  const bool stands = verdict->contents == contents && verdict->version == version &&
                       verdict->seed == setup_.seed && same_labs && verdict->not_judged.empty();
   return stands ? verdict : std::nullopt;
 }

@@ -47,9 +47,9 @@ class Book {
   /// can be written.
   explicit Book(Setup setup);
 
-  /// The verdict on this id from an earlier run, if it can stand: on the same text, by the same
+  /// The verdict on this id from an earlier run, if it can stand: on the same contents, by the same
   /// autograder, with the same seed, of these labs. What was not judged is judged again.
-  std::optional<Verdict> known(const std::string& id, const std::string& text,
+  std::optional<Verdict> known(const std::string& id, const std::string& contents,
                                const std::string& version, const std::vector<Lab>& labs) const;
 
   /// A known verdict keeps its row.

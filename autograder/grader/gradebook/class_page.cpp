@@ -7,6 +7,7 @@
 
 #include "grader/context/text_file.hpp"
 #include "grader/reports/html.hpp"
+#include "grader/submission/source.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
@@ -123,6 +124,10 @@ std::string index_page(const Table& table, const std::map<std::string, Verdict>&
             : name;
     const std::string reason = field(row, "reason");
     if (!reason.empty()) first += "<br><span class=\"quiet\">" + html_escaped(reason) + "</span>";
+    const std::string corrections = field(row, "corrections");
+    if (!corrections.empty()) {
+      first += "<br><span class=\"quiet\">corrected: " + html_escaped(corrections) + "</span>";
+    }
     all += "<tr>" + name_cell(first);
     for (const std::string& lab : labs) {
       const std::string total = field(row, lab + " total"), status = field(row, lab + " status");
@@ -151,10 +156,14 @@ void write_class_pages(const fs::path& directory, const Context& context, const 
     const auto verdict = verdicts.find(one.submission.label);
     if (verdict == verdicts.end()) continue;
     PageMaterial material;
+    for (const Row& row : table.rows) {
+      if (field(row, "id") == one.submission.label)
+        material.corrections = field(row, "corrections");
+    }
     for (const LabVerdict& lab : verdict->second.labs) {
       const auto file = one.submission.files.find(lab.lab.name);
       if (file != one.submission.files.end()) {
-        material.sources[lab.lab.name] = read_text(file->second);
+        material.sources[lab.lab.name] = read_source(file->second).text;
       }
     }
     write_text(directory / pages_folder / (one.submission.label + ".html"),

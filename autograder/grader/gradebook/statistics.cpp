@@ -37,10 +37,10 @@ bool lacks_grade(const Row& row, const Lab& lab) {
   return status == "not judged" || status == "unreadable";
 }
 
-bool is_not_written(const Verdict& verdict, const std::string& check) {
+bool has_status(const Verdict& verdict, const std::string& check, Status status) {
   for (const LabVerdict& lab : verdict.labs) {
     for (const CheckResult& result : lab.checks) {
-      if (result.check.name == check) return result.status == Status::not_written;
+      if (result.check.name == check) return result.status == status;
     }
   }
   return false;
@@ -74,16 +74,18 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
     statistics.not_judged += !total && lacks;
     const auto verdict = verdicts.find(field(row, "id"));
     const bool has_file = field(row, lab.name + " status") != "no file";
+    const auto has = [&](const std::string& check, Status status) {
+      return verdict != verdicts.end() && has_status(verdict->second, check, status);
+    };
     std::vector<std::optional<double>> of_row;
     for (CheckStatistics& check : statistics.checks) {
       const auto earned = points_in(table, row, check.name);
       of_row.push_back(earned);
       if (!earned) {
         check.not_judged += lacks;
-      } else if (*earned > 0) {
+      } else if (*earned > 0 || has(check.name, Status::passed)) {  // it may be worth no points
         ++check.passed;
-      } else if (!has_file ||
-                 (verdict != verdicts.end() && is_not_written(verdict->second, check.name))) {
+      } else if (!has_file || has(check.name, Status::not_written)) {
         ++check.not_written;
       } else {
         ++check.failed;

@@ -12,6 +12,7 @@
 #include "grader/context/text_file.hpp"
 #include "grader/judging/speed.hpp"
 #include "grader/submission/compile.hpp"
+#include "grader/submission/source.hpp"
 
 namespace mc::grader {
 namespace {
@@ -98,6 +99,7 @@ void keep_for_report(const Layout& layout, const Submission& submission, const V
                                  static_cast<std::uint32_t>(hash_text(verdict.submission)));
   std::filesystem::create_directories(place, ignored);
   for (const auto& [lab, file] : submission.files) {
+    if (std::filesystem::file_size(file, ignored) > longest_source) continue;
     std::filesystem::copy_file(file, place / file.filename(),
                                std::filesystem::copy_options::overwrite_existing, ignored);
   }

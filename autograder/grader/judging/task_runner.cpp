@@ -56,6 +56,19 @@ class PipeReader {
   std::thread thread_;
 };
 
+/// What is kept of what a program prints, for all checks of a task.
+constexpr std::size_t most_printed = std::size_t{16} << 10;
+
+void keep_printed(CheckResult& result, const std::string& text, std::size_t& left) {
+  if (text.size() <= left) {
+    result.printed += text;
+    left -= text.size();
+  } else {
+    result.printed += sandbox::shortened(text, left);
+    left = 0;
+  }
+}
+
 /// Why Catch2 has no word on a check.
 std::string without_record(const sandbox::ProcessResult& run) {
   return fmt::format(
@@ -70,6 +83,7 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
               const JudgeOptions& options, const std::vector<CheckResult*>& checks,
               const std::function<void()>& done) {
   double left = task_cpu_seconds;
+  std::size_t printed_left = most_printed;
   for (CheckResult* const result : checks) {
     if (options.budget != nullptr && (options.budget->is_used_up() || options.budget->is_late())) {
       const bool used_up = options.budget->is_used_up();
@@ -111,7 +125,7 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
     for (const protocol::Record& record : protocol::records_in(records.finish())) {
       switch (record.kind) {
         case protocol::RecordKind::printed:
-          result->printed += record.text;
+          keep_printed(*result, record.text, printed_left);
           break;
         case protocol::RecordKind::todo:
           todo = true;

@@ -78,7 +78,7 @@ struct LabVerdict {
 struct Verdict {
   std::string submission;
   std::string found_in;  ///< where in it the files are, if not at its top
-  std::string text;      ///< a hash of what was handed in: another text is judged again
+  std::string contents;  ///< all that was handed in: other contents are judged again
   std::uint64_t seed = 0;
   std::string version, flags;
   bool jail_complete = true;

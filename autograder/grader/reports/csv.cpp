@@ -11,9 +11,14 @@
 namespace mc::grader {
 namespace {
 
-/// Spreadsheets take what begins so for a formula.
+/// Spreadsheets take what begins so for a formula; some read full-width signs (＝ ＋ － ＠), too.
 bool begins_formula(std::string_view text) {
-  return !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+  if (text.empty()) return false;
+  if (std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) return true;
+  for (const std::string_view wide : {"＝", "＋", "－", "＠"}) {
+    if (text.starts_with(wide)) return true;
+  }
+  return false;
 }
 
 const LabVerdict* judged_in(const Verdict& verdict, const Lab& lab) {

@@ -96,7 +96,7 @@ std::string mark_of(const CheckResult& result) {
   return {};
 }
 
-std::string check_row(const CheckResult& result, const LabVerdict& lab) {
+std::string check_row(const CheckResult& result, const LabVerdict& lab, std::uint64_t seed) {
   std::string mark = mark_of(result);
   if (mark.empty()) {
     mark = fmt::format("<span class=\"other\">{}</span>", html_escaped(describe(result, lab)));
@@ -104,7 +104,10 @@ std::string check_row(const CheckResult& result, const LabVerdict& lab) {
   std::string what = html_escaped(result.check.name);
   if (!result.story.empty() && result.status == Status::failed) {
     std::string story = result.story + "\nread      labs/" + lab.lab.folder +
-                        "/README.md, section " + result.check.task + "\nagain     " + result.repeat;
+                        "/README.md, section " + result.check.task +
+                        // In the student's own checkout, wherever this was judged.
+                        fmt::format("\nagain     ./lab check {} --only {} --seed {}", lab.lab.name,
+                                    result.check.task, seed);
     if (!result.by_hand.empty()) story += "\nby hand   " + result.by_hand;
     what += "<pre>" + html_escaped(story) + "</pre>";
   } else if (!result.story.empty() && result.status != Status::not_written &&
@@ -174,7 +177,7 @@ auto found_or_empty(const Map& map, const std::string& key) {
   return found == map.end() ? typename Map::mapped_type{} : found->second;
 }
 
-std::string lab_section(const LabVerdict& lab, const PageMaterial& material) {
+std::string lab_section(const LabVerdict& lab, std::uint64_t seed, const PageMaterial& material) {
   std::string all = fmt::format("<h2>{}: {:g} of {:g} points</h2>\n", html_escaped(lab.lab.title()),
                                 lab.earned(), lab.points());
   if (!lab.no_program.empty()) all += "<pre>" + html_escaped(lab.no_program) + "</pre>\n";
@@ -186,7 +189,7 @@ std::string lab_section(const LabVerdict& lab, const PageMaterial& material) {
     all +=
         "<table>\n<tr><th scope=\"col\">verdict</th><th scope=\"col\">check</th>"
         "<th scope=\"col\" class=\"number\">points</th></tr>\n";
-    for (const CheckResult& result : lab.checks) all += check_row(result, lab);
+    for (const CheckResult& result : lab.checks) all += check_row(result, lab, seed);
     all += "</table>\n";
   }
   all += speed_table(lab) + pictures_of(found_or_empty(material.pictures, lab.lab.name));
@@ -234,8 +237,8 @@ std::string submission_page(const Verdict& verdict, const PageMaterial& material
   if (!verdict.unreadable.empty()) {
     body += "<p class=\"failed\">Unreadable: " + html_escaped(verdict.unreadable) + "</p>\n";
   } else if (!verdict.not_judged.empty()) {
-    body +=
-        fmt::format("<p class=\"failed\">Not judged: {}</p>\n", html_escaped(verdict.not_judged));
+    // The reason may name a path of the grading machine: it is in the table.
+    body += "<p class=\"failed\">Not judged: the grading machine failed. This is no grade.</p>\n";
   } else {
     body += fmt::format("<p><strong>{:g} of {:g} points</strong></p>\n", verdict.earned(),
                         verdict.points());
@@ -245,7 +248,10 @@ std::string submission_page(const Verdict& verdict, const PageMaterial& material
   if (const std::string warning = jail_warning(verdict); !warning.empty()) {
     body += "<p class=\"failed\">" + html_escaped(warning) + "</p>\n";
   }
-  for (const LabVerdict& lab : verdict.labs) body += lab_section(lab, material);
+  if (!material.corrections.empty()) {
+    body += "<p>Corrected by hand: " + html_escaped(material.corrections) + "</p>\n";
+  }
+  for (const LabVerdict& lab : verdict.labs) body += lab_section(lab, verdict.seed, material);
   return html_page(verdict.submission, body);
 }
 

@@ -15,6 +15,7 @@ namespace mc::grader {
 struct PageMaterial {
   std::map<std::string, std::string> sources;                          ///< the text of its file
   std::map<std::string, std::vector<std::filesystem::path>> pictures;  ///< SVG files, put inline
+  std::string corrections = {};  ///< by hand: "variance: 91 (comment)"
 };
 
 /// The page of one submission.

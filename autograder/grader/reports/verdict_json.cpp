@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -13,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Raised when what a verdict consists of changes: older ones are then judged again.
-constexpr int verdict_format = 1;
+constexpr int verdict_format = 2;
 
 constexpr std::array<std::pair<Status, const char*>, 8> status_names{{
     {Status::passed, "passed"},
@@ -142,6 +143,30 @@ LabVerdict lab_verdict_in(const Json& json) {
   return lab;
 }
 
+/// JSON is UTF-8, and a source file may be anything: each byte becomes the code point of its value.
+std::string bytes_as_utf8(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      text += c;
+    } else {
+      text += static_cast<char>(0xc0 | byte >> 6);
+      text += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  return text;
+}
+std::string bytes_in_utf8(std::string_view text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool is_pair = byte >= 0x80 && i + 1 < text.size();
+    bytes += is_pair ? static_cast<char>((byte & 0x03) << 6 | (text[++i] & 0x3f)) : text[i];
+  }
+  return bytes;
+}
+
 }  // namespace
 
 std::string verdict_to_json(const Verdict& verdict) {
@@ -150,7 +175,7 @@ std::string verdict_to_json(const Verdict& verdict) {
   const Json all{{"format", verdict_format},
                  {"submission", verdict.submission},
                  {"found_in", verdict.found_in},
-                 {"text", verdict.text},
+                 {"contents", bytes_as_utf8(verdict.contents)},
                  {"seed", verdict.seed},
                  {"version", verdict.version},
                  {"flags", verdict.flags},
@@ -169,7 +194,7 @@ Verdict verdict_from_json(const std::string& text) {
   Verdict verdict;
   verdict.submission = json.at("submission");
   verdict.found_in = json.at("found_in");
-  verdict.text = json.at("text");
+  verdict.contents = bytes_in_utf8(json.at("contents").get<std::string>());
   verdict.seed = json.at("seed");
   verdict.version = json.at("version");
   verdict.flags = json.at("flags");

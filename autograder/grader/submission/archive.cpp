@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <clocale>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -153,6 +154,8 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
       throw Unreadable(fmt::format("the zip has more than {} entries", limits.entries));
     }
     const fs::path place = place_of(entry);
+    // Deeper than anybody looks; a name of a thousand parts would make a thousand directories.
+    if (std::distance(place.begin(), place.end()) > limits.depth) continue;
     const auto type = archive_entry_filetype(entry);
     // A link might lead to the solutions.
     if (place.empty() || (type != AE_IFREG && type != AE_IFDIR)) continue;

@@ -17,6 +17,7 @@ struct ArchiveLimits {
   std::size_t entries = 20'000;
   std::size_t bytes = std::size_t{512} << 20;  ///< in all
   std::size_t file = std::size_t{64} << 20;    ///< of each zip in it
+  std::ptrdiff_t depth = 14;                   ///< parts of a name; deeper entries are left out
 };
 
 /// Unpacks below `directory`, which is ours and holds no link: directories, .cpp files and zips. Of

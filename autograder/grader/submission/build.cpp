@@ -1,15 +1,14 @@
 #include "grader/submission/build.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
-#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "grader/context/errors.hpp"
 #include "grader/context/text_file.hpp"
+#include "grader/submission/cache.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/diagnostics.hpp"
 #include "grader/submission/scratch.hpp"
@@ -55,15 +54,16 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   const auto& trusted_objects = layout.objects.at(lab.name);
   std::string key =
       fmt::format("{} {}", fmt::join(layout.link_flags, " "), fmt::join(submission.libraries, " "));
-  for (const fs::path& object : objects) key += object.string();
+  for (const Object& object : compiled) {
+    key += fmt::format(" {}\n{}\n", object.key.size(), object.key);
+  }
   for (const fs::path& object : trusted_objects) {
     key += fmt::format("{} {}", object.string(),
                        fs::last_write_time(object).time_since_epoch().count());
   }
   const fs::path slot = slot_of(units.back());
-  const fs::path path = slot / fmt::format("{:016x}.program", hash_text(key));
-  if (is_kept(path)) {
-    built.program = sandbox::open_program(path.string());
+  if (const auto path = find_cached(slot, "program", key)) {
+    built.program = sandbox::open_program(path->string());
     return built;
   }
 
@@ -79,23 +79,18 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   for (const fs::path& object : trusted_objects) command.push_back(object.string());
   command.insert(command.end(), submission.libraries.begin(), submission.libraries.end());
   command.insert(command.end(), {"-o", aside.string()});
-  sandbox::ProcessOptions limits = compiler_limits(scratch.path());
-  sandbox::ProcessResult linked = sandbox::run_process(command, limits);
-  if (!linked.succeeded() && stopped(linked, limits).empty() &&
-      linked.errors.find("undefined") == std::string::npos &&
-      linked.errors.find("multiple definition") == std::string::npos) {
-    // Perhaps there was no process left for a moment.
-    require_sound_machine(layout);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    linked = sandbox::run_process(command, limits);
-  }
+  const CompilerRun run =
+      run_compiler(layout, command, scratch.path(), [](const std::string& errors) {
+        return errors.find("undefined") != std::string::npos ||
+               errors.find("multiple definition") != std::string::npos;
+      });
+  const sandbox::ProcessResult& linked = run.result;
   built.cpu_seconds += linked.cpu_seconds;
-  if (const std::string why = stopped(linked, limits); !why.empty()) {
-    built.failure = fmt::format("The linker {} on {}.", why, lab.file());
+  if (!run.stopped.empty()) {
+    built.failure = fmt::format("The linker {} on {}.", run.stopped, lab.file());
     return built;
   }
   if (!linked.succeeded()) {
-    require_sound_machine(layout);
     for (const fs::path& object : objects) {
       if (!fs::exists(object)) throw MachineError(object.string() + " was taken away");
     }
@@ -122,8 +117,7 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   fs::permissions(aside, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                              fs::perms::others_read | fs::perms::others_exec);
   sandbox::Program program = sandbox::open_program(aside.string());  // whatever is renamed over it
-  fs::rename(aside, path);
-  program.path = path.string();
+  program.path = keep_cached(slot, "program", key, aside).string();
   built.program = std::move(program);
   return built;
 }

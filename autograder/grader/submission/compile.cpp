@@ -1,9 +1,13 @@
 #include "grader/submission/compile.hpp"
 
+#include <sys/types.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <map>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -13,9 +17,13 @@
 
 #include "grader/context/errors.hpp"
 #include "grader/context/text_file.hpp"
+#include "grader/submission/cache.hpp"
 #include "grader/submission/diagnostics.hpp"
 #include "grader/submission/include_policy.hpp"
 #include "grader/submission/scratch.hpp"
+#include "grader/submission/source.hpp"
+#include "sandbox/confinement.hpp"
+#include "sandbox/jail.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
@@ -24,9 +32,7 @@ namespace {
 
 /// Raised when the rules of what a submission may read change: objects made by older rules are then
 /// not taken from the cache.
-constexpr int rules = 2;
-
-constexpr std::size_t longest_file = std::size_t{1} << 20;
+constexpr int rules = 3;
 
 /// Everything a compilation reads besides the file itself, as one number.
 std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
@@ -64,15 +70,6 @@ fs::path standard_headers(const Layout& layout, const std::vector<std::string>& 
     write_text(header, text);
   }
   return header;
-}
-
-/// Removes what earlier builds left in a slot. Not the newest: another run may be about to link it.
-void sweep(const fs::path& slot) {
-  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(slot, ignored)) {
-    if (entry.last_write_time(ignored) < old) fs::remove(entry.path(), ignored);
-  }
 }
 
 /// A file of the checkout as seen from there: where the checkout lies is nothing to a student.
@@ -124,6 +121,59 @@ std::vector<std::string> command_for(const Unit& unit, const std::vector<std::st
   return command;
 }
 
+/// What a compiler or linker may use for one file of a submission.
+sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
+  sandbox::ProcessOptions options;
+  options.directory = directory;
+  options.environment = {
+      {"LC_ALL", "C"},                  // the messages that are recognised below
+      {"TMPDIR", directory.string()}};  // the assembler's input lies in there too
+  options.cpu_seconds = 20;
+  options.wall_seconds = 60;
+  options.memory = std::size_t{1536} << 20;
+  options.file_size = std::size_t{64} << 20;
+  return options;
+}
+
+/// Compilers have a user of their own when the judge is root.
+constexpr uid_t compiler_user = 65533;
+
+/// Can that user read the labs and work in the directory? Not where the checkout lies in a directory
+/// that others may not enter.
+bool can_read_labs(const Layout& layout, const fs::path& directory) {
+  static std::mutex mutex;
+  static std::map<fs::path, bool> known;
+  const std::lock_guard lock(mutex);
+  const auto [found, is_new] = known.emplace(layout.build, false);
+  if (is_new) {
+    const std::string header = standard_headers(layout, compile_flags()).string();
+    const auto run = sandbox::run_process(
+        {"test", "-r", (layout.labs() / "runner" / "standard_headers.hpp").string(), "-a", "-r",
+         header, "-a", "-w", directory.string()},
+        {.user = compiler_user});
+    found->second = run.succeeded();
+  }
+  return found->second;
+}
+
+sandbox::ProcessResult run_confined(const Layout& layout, const std::vector<std::string>& command,
+                                    const fs::path& directory) {
+  const sandbox::Confinement confinement(directory);
+  sandbox::ProcessOptions options = compiler_limits(directory);
+  options.confinement = &confinement;
+  if (geteuid() == 0 && chown(directory.c_str(), compiler_user, compiler_user) == 0 &&
+      can_read_labs(layout, directory)) {
+    options.user = compiler_user;
+  }
+  return sandbox::run_process(command, options);
+}
+
+void remove_all_of(std::string& text, const std::string& words) {
+  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
+    text.erase(at, words.size());
+  }
+}
+
 /// Does the compiler say where in the file it is wrong?
 bool blames(const std::string& errors, const std::string& name) {
   return errors.starts_with(name + ':') || errors.find('\n' + name + ':') != std::string::npos;
@@ -133,7 +183,11 @@ bool blames(const std::string& errors, const std::string& name) {
 std::string failure_of(const Unit& unit, const std::string& text, const fs::path& directory,
                        const sandbox::ProcessResult& compiled) {
   const std::string name = unit.lab.file();
-  const auto [opened, messages] = parse_compiler_output(compiled.errors);
+  auto [opened, messages] = parse_compiler_output(compiled.errors);
+  for (const fs::path& place : {directory, unit.layout.build, unit.layout.root}) {
+    remove_all_of(messages,
+                  place.string() + '/');  // where the checkout lies is no student's concern
+  }
   // What it may not read must not show in a message. The list may hold lines that the text itself
   // has put there: they hide its messages, and accuse nobody.
   if (const auto file = forbidden(unit.layout, unit.trusted, directory, opened)) {
@@ -154,30 +208,9 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
 
 }  // namespace
 
-/// What a compiler may use for one file of a submission.
-sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
-  sandbox::ProcessOptions options;
-  options.directory = directory;
-  options.environment = {
-      {"LC_ALL", "C"},                  // the messages that are recognised below
-      {"TMPDIR", directory.string()}};  // the assembler's input lies in there too
-  options.cpu_seconds = 20;
-  options.wall_seconds = 60;
-  options.memory = std::size_t{1536} << 20;
-  options.file_size = std::size_t{64} << 20;
-  return options;
-}
-
 fs::path slot_of(const Unit& unit) {
   return unit.layout.build / "programs" /
          fmt::format("{}-{:016x}", unit.lab.name, hash_text(unit.file.string()));
-}
-
-/// Is there such a file from an earlier build? Then it stays for another hour.
-bool is_kept(const fs::path& file) {
-  std::error_code missing;
-  fs::last_write_time(file, fs::file_time_type::clock::now(), missing);
-  return !missing;
 }
 
 std::vector<std::string> compile_flags() {
@@ -207,9 +240,60 @@ void precompile_headers(const Layout& layout) {
   if (sandbox::run_process(command).succeeded()) fs::rename(aside, compiled);
 }
 
-std::string stopped(const sandbox::ProcessResult& run, const sandbox::ProcessOptions& limits) {
+namespace {
+
+/// Throws MachineError where the compiler fails on a text that is known to be right.
+void compile_known_program(const Layout& layout, const fs::path& directory,
+                           const std::vector<std::string>& more) {
+  write_text(directory / "sound.cpp", "int main() { return 0; }\n");
+  std::vector<std::string> command{layout.compiler, "sound.cpp", "-o", "sound.out"};
+  command.insert(command.end(), more.begin(), more.end());
+  const auto run = run_confined(layout, command, directory);
+  if (!run.succeeded()) {
+    const std::string why = sandbox::printable_line(run.errors.substr(0, run.errors.find('\n')));
+    throw MachineError(fmt::format("the compiler fails on any file here: {}", why));
+  }
+}
+
+}  // namespace
+
+void require_sound_machine(const Layout& layout) {
+  std::error_code unknown;
+  const auto space = fs::space(layout.build, unknown);
+  constexpr std::uintmax_t enough = std::uintmax_t{64} << 20;
+  if (!unknown && space.available < enough) {
+    throw MachineError(fmt::format("the disk of {} is full", layout.build.string()));
+  }
+  const ScratchDirectory scratch(layout);
+  compile_known_program(layout, scratch.path(), {"-c"});
+}
+
+void probe_machine(const Layout& layout) {
+  require_sound_machine(layout);
+  const ScratchDirectory scratch(layout);
+  compile_known_program(layout, scratch.path(), {});
+  const fs::path program = scratch.path() / "sound.out";
+  fs::permissions(program, fs::perms(0755));
+  // However it ends: what matters is that the sandbox can start it.
+  sandbox::run_jailed(sandbox::open_program(program.string()), "");
+}
+
+namespace {
+
+/// What stopped a compiler or linker before its own end, by its signal and by what it used; empty
+/// where nothing did. Its words do not count: they can come from the text.
+std::string stopped(const Layout& layout, const sandbox::ProcessResult& run,
+                    const sandbox::ProcessOptions& limits) {
   if (run.succeeded()) return {};
   if (run.out_of_time) {
+    // It slept if it used nearly nothing while the same compiler, on a known text, gets its work
+    // done in a tenth of the time.
+    const auto start = std::chrono::steady_clock::now();
+    require_sound_machine(layout);
+    const std::chrono::duration<double> probe = std::chrono::steady_clock::now() - start;
+    if (run.cpu_seconds < 1 && probe.count() < limits.wall_seconds / 10) {
+      return fmt::format("waited for something that never came, for {} s", limits.wall_seconds);
+    }
     throw MachineError(fmt::format("the machine is too busy: a compiler did not end in {} s",
                                    limits.wall_seconds));
   }
@@ -230,31 +314,30 @@ std::string stopped(const sandbox::ProcessResult& run, const sandbox::ProcessOpt
   return {};
 }
 
-void require_sound_machine(const Layout& layout) {
-  std::error_code unknown;
-  const auto space = fs::space(layout.build, unknown);
-  constexpr std::uintmax_t enough = std::uintmax_t{64} << 20;
-  if (!unknown && space.available < enough) {
-    throw MachineError(fmt::format("the disk of {} is full", layout.build.string()));
-  }
-  const ScratchDirectory scratch(layout);
-  write_text(scratch.path() / "sound.cpp", "int main() { return 0; }\n");
-  const auto run = sandbox::run_process({layout.compiler, "-c", "sound.cpp", "-o", "sound.o"},
-                                        compiler_limits(scratch.path()));
-  if (!run.succeeded()) {
-    const std::string why = sandbox::printable_line(run.errors.substr(0, run.errors.find('\n')));
-    throw MachineError(fmt::format("the compiler fails on any file here: {}", why));
-  }
+}  // namespace
+
+CompilerRun run_compiler(const Layout& layout, const std::vector<std::string>& command,
+                         const fs::path& directory,
+                         const std::function<bool(const std::string& errors)>& is_text_at_fault) {
+  const sandbox::ProcessOptions limits = compiler_limits(directory);
+  CompilerRun run{run_confined(layout, command, directory), {}};
+  run.stopped = stopped(layout, run.result, limits);
+  if (run.result.succeeded() || !run.stopped.empty()) return run;
+  require_sound_machine(layout);
+  if (is_text_at_fault(run.result.errors)) return run;
+  // Perhaps there was no process left for a moment.
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  run.result = run_confined(layout, command, directory);
+  run.stopped = stopped(layout, run.result, limits);
+  if (!run.result.succeeded() && run.stopped.empty()) require_sound_machine(layout);
+  return run;
 }
 
 Object compile(const Unit& unit) {
   const std::string name = unit.lab.file();
-  // One that is gone or cannot be opened is no wrong answer: both throw.
-  const auto size = fs::file_size(unit.file);
-  if (size > longest_file) {  // before it is in memory
-    return {{}, fmt::format("{} is {} KB long; 1 MB is the most.", name, size >> 10)};
-  }
-  const std::string text = read_whole_text(unit.file);
+  const SourceFile source = read_source(unit.file);
+  if (!source.problem.empty()) return {{}, source.problem};
+  const std::string& text = source.text;
   if (text.find_first_not_of(" \t\r\n\xef\xbb\xbf") == std::string::npos) {
     return {{}, fmt::format("{} is empty.", name)};
   }
@@ -264,10 +347,7 @@ Object compile(const Unit& unit) {
       fmt::format("{} {} {} {} {}", rules, fmt::join(flags, " "), fmt::join(includes, " "),
                   hash_of_surroundings(unit.layout, unit.trusted), text);
   const fs::path slot = slot_of(unit);
-  const fs::path object = slot / fmt::format("{:016x}.o", hash_text(key));
-  const fs::path whole_key = slot / fmt::format("{:016x}.key", hash_text(key));
-  // The hash is only a name, and one can make texts to fit it: what counts is the whole key.
-  if (is_kept(whole_key) && read_text(whole_key) == key && is_kept(object)) return {object, {}};
+  if (const auto object = find_cached(slot, "o", key)) return {*object, {}, 0, key};
 
   // Compiled in a directory that holds nothing else. What counts is what this very run opened: a
   // second run that only lists could be told apart (by the precompiled header, by /proc) and shown
@@ -275,21 +355,15 @@ Object compile(const Unit& unit) {
   const ScratchDirectory scratch(unit.layout);
   const fs::path& directory = scratch.path();
   write_text(directory / name, text);
-  const sandbox::ProcessOptions limits = compiler_limits(directory);
   const auto command = command_for(unit, flags, includes, name);
-  auto compiled = sandbox::run_process(command, limits);
-  if (!compiled.succeeded() && stopped(compiled, limits).empty() &&
-      !blames(compiled.errors, name)) {
-    // Perhaps there was no process left for a moment.
-    require_sound_machine(unit.layout);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    compiled = sandbox::run_process(command, limits);
+  const CompilerRun run =
+      run_compiler(unit.layout, command, directory,
+                   [&](const std::string& errors) { return blames(errors, name); });
+  const sandbox::ProcessResult& compiled = run.result;
+  if (!run.stopped.empty()) {
+    return {{}, fmt::format("The compiler {} on {}.", run.stopped, name), compiled.cpu_seconds};
   }
   if (!compiled.succeeded()) {
-    if (const std::string why = stopped(compiled, limits); !why.empty()) {
-      return {{}, fmt::format("The compiler {} on {}.", why, name), compiled.cpu_seconds};
-    }
-    require_sound_machine(unit.layout);
     return {{}, failure_of(unit, text, directory, compiled), compiled.cpu_seconds};
   }
   for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter knows of .incbin
@@ -298,11 +372,7 @@ Object compile(const Unit& unit) {
       return refused(unit, *file);
     }
   }
-  fs::create_directories(slot);
-  sweep(slot);
-  fs::rename(directory / "unit.o", object);
-  write_text(whole_key, key);
-  return {object, {}, compiled.cpu_seconds};
+  return {keep_cached(slot, "o", key, directory / "unit.o"), {}, compiled.cpu_seconds, key};
 }
 
 }  // namespace mc::grader

@@ -3,6 +3,7 @@
 // include what it should not see, print it in an error message, or never end. See docs/security.md.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Object {
   std::filesystem::path path;
   std::string failure;     ///< why there is none, for the student
   double cpu_seconds = 0;  ///< of the compiler; none where it was kept
+  std::string key = {};    ///< the whole text that it depends on
 };
 
 /// Compiles it, unless that was done before. Throws MachineError where the machine fails.
@@ -36,21 +38,28 @@ void precompile_headers(const Layout& layout);
 /// The flags of a submission's compilation, as they are recorded with a grade.
 std::vector<std::string> compile_flags();
 
-/// What compiler and linker may use.
-sandbox::ProcessOptions compiler_limits(const std::filesystem::path& directory);
+/// How a compiler or linker ended.
+struct CompilerRun {
+  sandbox::ProcessResult result;
+  /// What stopped it before its own end, for the student; empty where nothing did.
+  std::string stopped;
+};
 
-/// What stopped a compiler or linker before its own end, by its signal and by what it used; empty
-/// where nothing did. Its words do not count: they can be a stranger's.
-std::string stopped(const sandbox::ProcessResult& run, const sandbox::ProcessOptions& limits);
+/// Runs a compiler or linker on untrusted text: within limits, it writes in `directory` only, has no
+/// network, no readable input, and a user of its own when the judge is root. Once more where it
+/// fails and the text is not at fault. Throws MachineError where the machine fails.
+CompilerRun run_compiler(const Layout& layout, const std::vector<std::string>& command,
+                         const std::filesystem::path& directory,
+                         const std::function<bool(const std::string& errors)>& is_text_at_fault);
 
 /// Throws MachineError where the machine, not the text, is why a compilation failed: the same
 /// compiler then fails on a text that is known to be right, or the disk is full.
 void require_sound_machine(const Layout& layout);
 
+/// Compiles, links and starts a known program in the sandbox. Throws where the machine cannot.
+void probe_machine(const Layout& layout);
+
 /// Where what is built of a file is kept.
 std::filesystem::path slot_of(const Unit& unit);
-
-/// Is there such a file from an earlier build? Then it stays for another hour.
-bool is_kept(const std::filesystem::path& file);
 
 }  // namespace mc::grader

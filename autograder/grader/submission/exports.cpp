@@ -1,9 +1,11 @@
 #include "grader/submission/exports.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
+#include "grader/submission/source.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 
@@ -11,7 +13,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view moodles = "_assignsubmission_file";
+constexpr std::string_view moodles = "_assignsubmission_";
 
 bool is_count(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -22,12 +24,27 @@ bool is_key(std::string_view text) {
 }
 
 /// "variance-1.cpp" is what Canvas makes of a second "variance.cpp".
-std::string without_count(const std::string& file) {
-  const fs::path name = file;
+void take_count_off(PlatformName& one) {
+  const fs::path name = one.file;
   const std::string stem = name.stem().string();
   const auto dash = stem.rfind('-');
-  if (dash == std::string::npos || !is_count(std::string_view(stem).substr(dash + 1))) return file;
-  return stem.substr(0, dash) + name.extension().string();
+  if (dash == std::string::npos || !is_count(std::string_view(stem).substr(dash + 1))) return;
+  one.file = stem.substr(0, dash) + name.extension().string();
+  one.attempt = std::atoi(stem.c_str() + dash + 1);
+}
+
+/// The value behind ":name: " or ":email: "; YAML may quote it.
+std::string yaml_value(std::string_view line) {
+  auto value = line.substr(line.find(": ") + 2);
+  while (!value.empty() &&
+         (value.front() == ' ' || value.front() == '\'' || value.front() == '"')) {
+    value.remove_prefix(1);
+  }
+  while (!value.empty() && (value.back() == ' ' || value.back() == '\r' || value.back() == '\'' ||
+                            value.back() == '"')) {
+    value.remove_suffix(1);
+  }
+  return std::string(value);
 }
 
 }  // namespace
@@ -35,9 +52,13 @@ std::string without_count(const std::string& file) {
 std::optional<PlatformName> named_by_platform(const fs::path& path) {
   const std::string name = path.filename().string();
   if (const auto at = name.find(moodles); at != std::string::npos && at > 0) {
-    const std::size_t behind = at + moodles.size() + 1;
-    if (behind >= name.size()) return {};
-    return PlatformName{id_from_name(name.substr(0, at)), name.substr(behind), path};
+    // Jane Doe_12_assignsubmission_file_variance.cpp; an online text holds no file.
+    constexpr std::string_view files = "file_";
+    const std::size_t kind = at + moodles.size();
+    if (is_moodle_text(name)) return PlatformName{id_from_name(name.substr(0, at)), "", path};
+    if (!std::string_view(name).substr(kind).starts_with(files)) return {};
+    if (kind + files.size() >= name.size()) return {};
+    return PlatformName{id_from_name(name.substr(0, at)), name.substr(kind + files.size()), path};
   }
   const auto parts = text::split(name, '_');
   for (std::size_t i = 1; i + 2 < parts.size(); ++i) {
@@ -48,9 +69,40 @@ std::optional<PlatformName> named_by_platform(const fs::path& path) {
       person += (person.empty() ? "" : "_") + std::string(parts[j]);
     }
     const auto begin = static_cast<std::size_t>(parts[i + 2].data() - name.data());
-    return PlatformName{id_from_name(person), without_count(name.substr(begin)), path};
+    PlatformName found{id_from_name(person), name.substr(begin), path};
+    take_count_off(found);
+    return found;
   }
   return {};
+}
+
+bool is_moodle_text(const std::string& name) {
+  const auto at = name.find(moodles);
+  return at != std::string::npos &&
+         !std::string_view(name).substr(at + moodles.size()).starts_with("file");
+}
+
+std::map<std::string, std::string> gradescope_people(const fs::path& directory) {
+  const SourceFile file = fs::exists(directory / "submission_metadata.yml")
+                              ? read_source(directory / "submission_metadata.yml")
+                              : SourceFile{};
+  std::map<std::string, std::string> people;
+  std::string submission, name;
+  for (const std::string_view line : text::split(file.text, '\n')) {
+    const auto begin = line.find_first_not_of(" -");
+    if (begin == std::string_view::npos) continue;
+    const std::string_view words = line.substr(begin);
+    if (begin == 0 && words.ends_with(':')) {
+      submission = words.substr(0, words.size() - 1);
+    } else if (words.starts_with(":name: ")) {
+      name = yaml_value(words);
+      std::string& all = people[submission];
+      all += (all.empty() ? "" : " & ") + name;
+    } else if (words.starts_with(":email: ") && !people[submission].empty()) {
+      people[submission] += " (" + yaml_value(words) + ")";
+    }
+  }
+  return people;
 }
 
 std::string id_from_name(const std::string& name) {

@@ -1,7 +1,10 @@
 #include "grader/submission/intake.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,6 +15,7 @@
 #include "grader/context/errors.hpp"
 #include "grader/submission/archive.hpp"
 #include "grader/submission/exports.hpp"
+#include "grader/submission/source.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
@@ -126,16 +130,6 @@ std::optional<fs::path> parent_in(const std::vector<Lab>& labs, fs::path directo
   return {};
 }
 
-/// Out of memory or descriptors, a broken disk: says nothing of what was handed in.
-bool is_machines(const std::error_code& code) {
-  for (const std::errc one :
-       {std::errc::too_many_files_open, std::errc::too_many_files_open_in_system,
-        std::errc::not_enough_memory, std::errc::io_error, std::errc::no_space_on_device}) {
-    if (code == one) return true;
-  }
-  return false;
-}
-
 class Taking {
  public:
   Taking(const Context& context, Meaning meaning) : context_(context), meaning_(meaning) {}
@@ -153,7 +147,7 @@ class Taking {
       if (!is_zip && !fs::is_directory(status)) {
         throw Unreadable(shown + " is a file: name the directory it is in, or a zip");
       }
-      const fs::path root = is_zip ? unpacked(place) : place;
+      const fs::path root = is_zip ? unpacked_once(place) : place;
       const auto parent = meaning_ == Meaning::many ? parent_in(context_.labs, root) : std::nullopt;
       if (!parent) return open(root, handed);
       children(*parent, is_zip);
@@ -161,8 +155,18 @@ class Taking {
     });
   }
 
+  /// What a word names is decided once for all words alike: several of them are one submission
+  /// each, so that nobody's own directories become other people, unless platforms exported them all.
+  void decide(const std::vector<std::string>& words) {
+    if (meaning_ == Meaning::one || words.size() < 2) return;
+    if (std::all_of(words.begin(), words.end(), [&](auto& word) { return is_export(word); }))
+      return;
+    meaning_ = Meaning::one;
+  }
+
   Intake finish() {
     make_unique();
+    intake_.each_word_is_one = meaning_ == Meaning::one;
     return std::move(intake_);
   }
 
@@ -186,11 +190,43 @@ class Taking {
       work(handed);
     } catch (const Unreadable& error) {
       handed.unreadable = error.what();
-    } catch (const fs::filesystem_error& error) {
-      if (is_machines(error.code())) throw;
+    } catch (const std::system_error& error) {
+      if (is_machine_fault(error.code())) throw;
       handed.unreadable = error.code().message();
+    } catch (const std::exception& error) {
+      handed.unreadable = error.what();
     }
     if (!handed.submission.label.empty()) intake_.handed.push_back(std::move(handed));
+  }
+
+  /// Does a platform's export, of several people, lie there? False for what cannot be read.
+  bool is_export(const std::string& word) {
+    try {
+      const fs::path place = word;
+      fs::path root = place.extension() == ".zip" ? unpacked_once(place) : place;
+      for (int depth = 0; depth < 2; ++depth) {
+        const Listing listing = listing_of(root);
+        const auto is_named = [](const fs::path& path) {
+          return named_by_platform(path).has_value() ||
+                 path.filename() == "submission_metadata.yml" ||
+                 path.filename().string().find("_assignsubmission_") != std::string::npos;
+        };
+        for (const auto* kind : {&listing.directories, &listing.files, &listing.zips}) {
+          if (std::any_of(kind->begin(), kind->end(), is_named)) return true;
+        }
+        if (listing.directories.size() != 1) return false;
+        root = listing.directories[0];
+      }
+    } catch (const std::exception&) {  // said when it is taken in
+    }
+    return false;
+  }
+
+  fs::path unpacked_once(const fs::path& zip) {
+    const auto found = roots_.find(zip);
+    if (found != roots_.end()) return found->second;
+    const fs::path root = unpacked(zip);
+    return roots_[zip] = root;
   }
 
   fs::path unpacked(const fs::path& zip) {
@@ -223,12 +259,34 @@ class Taking {
 
   static void take(const fs::path& root, const std::vector<Files>& places, Handed& handed) {
     handed.submission.files = together(root, places);
+    for (const auto& [lab, file] : handed.submission.files) {
+      if (access(file.c_str(), R_OK) == 0) continue;
+      throw Unreadable(fmt::format("{} cannot be read: {}", file.filename().string(),
+                                   std::generic_category().message(errno)));
+    }
     std::set<std::string> where;
     for (const auto& [lab, file] : handed.submission.files) where.insert(seen_from(root, file));
     for (const std::string& place : where) {
       if (place.empty()) continue;
       handed.submission.found_in += (handed.submission.found_in.empty() ? "" : ", ") + place;
     }
+  }
+
+  /// One directory a person: of Moodle's, which has an online text beside the files, the one with
+  /// the files.
+  static std::map<std::string, fs::path> directories_by_person(const std::vector<fs::path>& all) {
+    std::map<std::string, fs::path> chosen;
+    for (const fs::path& directory : all) {
+      const std::string id = id_of(directory), name = directory.filename().string();
+      // Other names that give the same id are other people.
+      const bool is_moodles = name.find("_assignsubmission_") != std::string::npos;
+      const std::string key = is_moodles ? id : name;
+      const auto found = chosen.find(key);
+      if (found == chosen.end() || is_moodle_text(found->second.filename().string())) {
+        chosen[key] = directory;
+      }
+    }
+    return chosen;
   }
 
   /// Several people's work, side by side in `parent`.
@@ -242,8 +300,11 @@ class Taking {
     }
     const auto named = [&](const fs::path& path) { return is_unpacked ? fs::path() : path; };
     const std::size_t first = intake_.handed.size();
-    for (const fs::path& directory : listing.directories) {
-      guarded(id_of(directory), named(directory), [&](Handed& handed) { open(directory, handed); });
+    const auto people = gradescope_people(parent);
+    for (const auto& [key, directory] : directories_by_person(listing.directories)) {
+      const auto known = people.find(directory.filename().string());
+      guarded(known == people.end() ? id_of(directory) : id_from_name(known->second),
+              named(directory), [&, &from = directory](Handed& handed) { open(from, handed); });
     }
     for (const fs::path& zip : listing.zips) {
       if (named_by_platform(zip)) continue;
@@ -262,12 +323,16 @@ class Taking {
 
   /// One person's files among everybody's.
   void gather(const std::vector<PlatformName>& files, Handed& handed) {
-    std::vector<Files> places;
+    std::map<std::string, PlatformName> latest;  // by lab
     for (const PlatformName& one : files) {
       for (const Lab& lab : context_.labs) {
-        if (one.file == lab.file()) places.push_back({{lab.name, fs::canonical(one.path)}});
+        if (one.file != lab.file()) continue;
+        const auto [before, is_new] = latest.emplace(lab.name, one);
+        if (!is_new && one.attempt > before->second.attempt) before->second = one;
       }
     }
+    std::vector<Files> places;
+    for (const auto& [lab, one] : latest) places.push_back({{lab, fs::canonical(one.path)}});
     if (!places.empty()) return take(files[0].path.parent_path(), places, handed);
     std::vector<fs::path> zips;
     for (const PlatformName& one : files) {
@@ -294,14 +359,16 @@ class Taking {
   }
 
   const Context& context_;
-  const Meaning meaning_;
+  Meaning meaning_;
   Intake intake_;
+  std::map<fs::path, fs::path> roots_;  ///< of zips that words name, once they are unpacked
 };
 
 }  // namespace
 
 Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning) {
   Taking taking(context, meaning);
+  taking.decide(words);
   for (const std::string& word : words) taking.word(word);
   return taking.finish();
 }

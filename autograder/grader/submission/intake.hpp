@@ -20,6 +20,7 @@ struct Handed {
 
 struct Intake {
   std::vector<Handed> handed;
+  bool each_word_is_one = false;  ///< what was decided where several were named
   /// What was unpacked, and goes with this.
   std::vector<std::unique_ptr<ScratchDirectory>> unpacked;
 };
@@ -33,8 +34,8 @@ enum class Meaning {
 /// else wherever they are below (no links; .git, build, __MACOSX are passed over), if each is there
 /// once. A directory that is nobody's own means its children, directories and zips, in the order of
 /// their names; so are the exports of Gradescope, Canvas (name_12_34_variance.cpp, all in one
-/// directory) and Moodle (name_12_assignsubmission_file_). What cannot be read is among them, with
-/// the reason.
+/// directory) and Moodle (name_12_assignsubmission_file_). Several words are one submission each,
+/// unless all of them are such exports. What cannot be read is among them, with the reason.
 Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning);
 
 /// One person's work, as `check` and Gradescope name it. Throws UsageError for what cannot be read.

@@ -11,6 +11,7 @@
 #include "grader/context/text_file.hpp"
 #include "grader/submission/intake.hpp"
 #include "grader/submission/scratch.hpp"
+#include "grader/submission/source.hpp"
 #include "grader/verbs/verb.hpp"
 #include "sandbox/printable.hpp"
 
@@ -24,7 +25,12 @@ using Files = std::map<std::string, fs::path>;  // lab name -> file
 void copy_files(const Context& context, const Files& files, const fs::path& to) {
   fs::create_directories(to);
   for (const auto& [lab, file] : files) {
-    write_text(to / find_lab(context.labs, lab).file(), read_whole_text(file));
+    const SourceFile source = read_source(file);
+    if (!source.problem.empty()) {
+      fmt::print("left out: {}: {}\n", to.filename().string(), source.problem);
+      continue;
+    }
+    write_text(to / find_lab(context.labs, lab).file(), source.text);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "grader/gradebook/batch.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/class_page.hpp"
+#include "grader/gradebook/corrections.hpp"
 #include "grader/gradebook/slurm.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
@@ -125,8 +126,11 @@ class Records {
 
   void finish(bool whole) {
     if (book_) book_->finish(whole);
+    if (!csv_) return;
+    const Table corrected = read_corrected_table(*csv_, context_.labs);
+    write_text(*csv_, table_text(corrected));
     if (!html_) return;
-    write_class_pages(*html_, context_, read_table(*csv_), mine_);
+    write_class_pages(*html_, context_, corrected, mine_);
     fmt::print("pages: {}\n", sandbox::printable_line((fs::path(*html_) / "index.html").string()));
   }
 
@@ -199,8 +203,8 @@ int grade_many(const Context& context, const std::vector<Handed>& handed, Record
   const std::string next = can_resume ? "; once that is mended, go on with --resume" : "";
   if (!outcome.stopped.empty()) {
     throw MachineError(
-        fmt::format("three submissions in a row were not judged ({}): the rest was "
-                    "not tried{}",
+        fmt::format("the machine fails at a known program, too ({}): the rest was not "
+                    "tried{}",
                     outcome.stopped, next));
   }
   if (outcome.not_judged > 0) {
@@ -267,6 +271,11 @@ int grade(const Context& context, const Arguments& arguments) {
   options.judging.judge.workers = options.workers;
   sweep_scratch(context.layout);
   Intake intake = take_in(context, arguments.words, json ? Meaning::one : Meaning::many);
+  if (!json && (arguments.words.size() > 1 || intake.handed.size() > 1)) {
+    fmt::print("{} submissions: {}\n", intake.handed.size(),
+               intake.each_word_is_one ? "one in each directory or zip that is named"
+                                       : "one in each directory, zip or name in what is named");
+  }
   if (arguments.has("resume")) gather_tasks(*csv);
   const bool single = intake.handed.size() == 1 && !arguments.has("shard");
   const std::vector<Handed> mine = shard_of(intake.handed, arguments.get("shard"));

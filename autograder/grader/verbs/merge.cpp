@@ -13,6 +13,7 @@
 #include "grader/context/errors.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/gradebook/book.hpp"
+#include "grader/gradebook/corrections.hpp"
 #include "grader/gradebook/table.hpp"
 #include "grader/verbs/judging_options.hpp"
 #include "grader/verbs/verb.hpp"
@@ -71,6 +72,7 @@ int merge(const Context& context, const Arguments& arguments) {
   }
   copy_verdicts(merged, *out);
   write_text(*out, table_text(merged.table));
+  write_text(*out, table_text(read_corrected_table(*out, context.labs)));
   join_states(states, *out);
   fmt::print("{}: {} submissions of {} tables\n", sandbox::printable_line(*out),
              merged.table.rows.size(), tables.size());

@@ -5,6 +5,7 @@
 #include "grader/context/errors.hpp"
 #include "grader/context/text_file.hpp"
 #include "grader/gradebook/class_page.hpp"
+#include "grader/gradebook/corrections.hpp"
 #include "grader/gradebook/statistics.hpp"
 #include "grader/gradebook/table.hpp"
 #include "grader/verbs/judging_options.hpp"
@@ -17,7 +18,7 @@ int stats(const Context& context, const Arguments& arguments) {
   if (arguments.words.size() != 1) throw UsageError("usage: ./lab stats grades.csv [--html F]");
   const auto html = arguments.get("html");
   require_writable(html);
-  const Table table = read_table(arguments.words[0]);
+  const Table table = read_corrected_table(arguments.words[0], context.labs);
   const auto statistics = statistics_of(table, read_verdicts(table), context.labs);
   fmt::print("{}", report_statistics(statistics));
   if (html) write_text(*html, statistics_page(statistics));

@@ -28,6 +28,11 @@ constexpr const char* kept_back[] = {"solutions/",
                                      "CHANGELOG.md",
                                      "CITATION.cff"};
 
+bool is_kept_back(const std::string& file) {
+  return std::any_of(std::begin(kept_back), std::end(kept_back),
+                     [&](const char* place) { return file.starts_with(place); });
+}
+
 /// Is this file of a lab that is not handed out?
 bool is_left_out(const Context& context, const std::set<std::string>& chosen,
                  const std::string& file) {
@@ -40,6 +45,25 @@ bool is_left_out(const Context& context, const std::set<std::string>& chosen,
     }
   }
   return false;
+}
+
+/// Throws UsageError, naming the files, where a file that would be handed out is not committed as it
+/// is: what git does not know would be missing, and nobody would see it.
+void require_committed(const Context& context, const std::set<std::string>& chosen) {
+  const std::string listed = git(context.layout.root, {"status", "--porcelain", "-z",
+                                                       "--untracked-files=all", "--no-renames"});
+  std::string changed;
+  std::size_t count = 0;
+  for (const std::string_view entry : text::split(listed, '\0')) {
+    if (entry.size() < 4) continue;
+    const std::string file(entry.substr(3));  // "?? name", " M name"
+    if (is_kept_back(file) || is_left_out(context, chosen, file)) continue;
+    if (++count <= 10) changed += "\n  " + sandbox::printable_line(file);
+  }
+  if (count == 0) return;
+  throw UsageError(fmt::format("{} {} not committed; commit or remove first:{}{}", count,
+                               count == 1 ? "file is" : "files are", changed,
+                               count > 10 ? "\n  …" : ""));
 }
 
 }  // namespace
@@ -72,12 +96,13 @@ std::set<std::string> labs_and_those_below(const Context& context,
 std::vector<std::string> files_without_answers(const Context& context,
                                                const std::set<std::string>& labs) {
   std::vector<std::string> files;
+  require_committed(context, labs);
   const std::string listed = git(context.layout.root, {"ls-files", "-z"});
   for (const std::string_view name : text::split(listed, '\0')) {
     const std::string file(name);
-    const bool kept = std::any_of(std::begin(kept_back), std::end(kept_back),
-                                  [&](const char* place) { return file.starts_with(place); });
-    if (!file.empty() && !kept && !is_left_out(context, labs, file)) files.push_back(file);
+    if (!file.empty() && !is_kept_back(file) && !is_left_out(context, labs, file)) {
+      files.push_back(file);
+    }
   }
   return files;
 }

@@ -91,7 +91,7 @@ TEST_CASE("a verdict survives its way to disk") {
   verdict.seed = 0xffffffffffffffffu;
   verdict.not_judged = "line\nline";
   verdict.unreadable = "no";
-  verdict.text = "00ff";
+  verdict.contents = "caf\xe9 \xff ü";
   verdict.version = "1";
   verdict.flags = "-O3";
   verdict.jail_complete = false;
@@ -121,6 +121,7 @@ TEST_CASE("a verdict survives its way to disk") {
   const std::string text = verdict_to_json(verdict);
   const Verdict back = verdict_from_json(text);
   CHECK(verdict_to_json(back) == text);
+  CHECK(back.contents == verdict.contents);
   CHECK(back.seed == verdict.seed);
   CHECK(back.labs[0].checks[3].status == Status::withheld);
   CHECK(back.labs[0].checks[0].p_values[0].p == 1e-300);
