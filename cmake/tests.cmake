@@ -68,6 +68,7 @@ test_of(slurm 97 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})  # skipped wi
 test_of(term 96 gradebook_tests "[term]")
 test_of(interrupted 95 gradebook_tests "[interrupted]")
 test_of(machine 94 gradebook_tests "[machine]")
+test_of(class 93 gradebook_tests "[class]")
 test_of(descriptors 93 grader_tests "[descriptors]")
 test_of(figures 92 grader_tests "[figures]")
 test_of(demo 91 grader_tests "[demo]")

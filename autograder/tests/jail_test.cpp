@@ -388,7 +388,7 @@ TEST_CASE("a submission's file is a file") {
 TEST_CASE("files that are no text of a program") {
   CHECK(build_submission("empty", "\xef\xbb\xbf \n\t").failure == "variance.cpp is empty.");
   CHECK(build_submission("long", std::string(3 << 20, ' ')).failure ==
-        "variance.cpp is 3072 KB long; 1 MB is the most.");
+        "variance.cpp is 3072 KB long; 1 MB is the limit.");
   const auto strange = build_submission("strange", std::string("int \0 \xff \x1b[31m;\n", 15));
   CHECK_FALSE(strange.program);
   CHECK(sandbox::printable(strange.failure) == strange.failure);

@@ -92,7 +92,7 @@ std::map<std::string, std::string> gradescope_people(const fs::path& directory) 
     const auto begin = line.find_first_not_of(" -");
     if (begin == std::string_view::npos) continue;
     const std::string_view words = line.substr(begin);
-    if (begin == 0 && words.ends_with(':')) {
+    if (words.starts_with("submission_") && words.ends_with(':')) {
       submission = words.substr(0, words.size() - 1);
     } else if (words.starts_with(":name: ")) {
       name = yaml_value(words);

@@ -47,23 +47,35 @@ bool is_left_out(const Context& context, const std::set<std::string>& chosen,
   return false;
 }
 
-/// Throws UsageError, naming the files, where a file that would be handed out is not committed as it
-/// is: what git does not know would be missing, and nobody would see it.
-void require_committed(const Context& context, const std::set<std::string>& chosen) {
+std::string list_of(const std::vector<std::string>& files) {
+  constexpr std::size_t most = 10;
+  std::string all;
+  for (std::size_t i = 0; i < std::min(most, files.size()); ++i) {
+    all += "\n  " + sandbox::printable_line(files[i]);
+  }
+  return all + (files.size() > most ? "\n  …" : "");
+}
+
+/// What git does not know would be missing from what is handed out, and what is changed would be in
+/// it without a version: the first is refused, the second named.
+void compare_with_git(const Context& context, const std::set<std::string>& chosen) {
   const std::string listed = git(context.layout.root, {"status", "--porcelain", "-z",
                                                        "--untracked-files=all", "--no-renames"});
-  std::string changed;
-  std::size_t count = 0;
+  std::vector<std::string> unknown, changed;
   for (const std::string_view entry : text::split(listed, '\0')) {
-    if (entry.size() < 4) continue;
-    const std::string file(entry.substr(3));  // "?? name", " M name"
+    const auto blank = entry.find(' ');  // "?? name", "M name"
+    if (blank == std::string_view::npos) continue;
+    const std::string file(entry.substr(blank + 1));
     if (is_kept_back(file) || is_left_out(context, chosen, file)) continue;
-    if (++count <= 10) changed += "\n  " + sandbox::printable_line(file);
+    (entry.starts_with("??") ? unknown : changed).push_back(file);
   }
-  if (count == 0) return;
-  throw UsageError(fmt::format("{} {} not committed; commit or remove first:{}{}", count,
-                               count == 1 ? "file is" : "files are", changed,
-                               count > 10 ? "\n  …" : ""));
+  if (!unknown.empty()) {
+    throw UsageError("git does not know these files; add or remove them first:" + list_of(unknown));
+  }
+  if (!changed.empty()) {
+    fmt::print(stderr, "lab: handed out with changes that are not committed:{}\n",
+               list_of(changed));
+  }
 }
 
 }  // namespace
@@ -96,13 +108,12 @@ std::set<std::string> labs_and_those_below(const Context& context,
 std::vector<std::string> files_without_answers(const Context& context,
                                                const std::set<std::string>& labs) {
   std::vector<std::string> files;
-  require_committed(context, labs);
+  compare_with_git(context, labs);
   const std::string listed = git(context.layout.root, {"ls-files", "-z"});
   for (const std::string_view name : text::split(listed, '\0')) {
     const std::string file(name);
-    if (!file.empty() && !is_kept_back(file) && !is_left_out(context, labs, file)) {
-      files.push_back(file);
-    }
+    if (file.empty() || is_kept_back(file) || is_left_out(context, labs, file)) continue;
+    if (fs::exists(context.layout.root / file)) files.push_back(file);
   }
   return files;
 }

@@ -152,12 +152,29 @@ TEST_CASE("a parent directory means its children") {
 
 TEST_CASE("ids are unique, printable, and fit to name files") {
   Place place;
-  place.file("x/anna/variance.cpp").file("y/anna/variance.cpp").file("y/Anna/variance.cpp");
+  place.file("x/anna/variance.cpp").file("x/Anna/variance.cpp");
+  place.file("z/variance.cpp").zip("z", "x/anna.zip");
   place.file("x/\x1b[31m\n\xe2\x80\xae/variance.cpp");
+  CHECK(told(place.take("x")) ==
+        "?[31m ???: variance; Anna: variance; anna (2): variance; anna (3): variance");
+}
+
+TEST_CASE("several words are one submission each, whatever a student calls directories") {
+  Place place;
+  place.file("class/mallory/zoe/variance.cpp").file("class/mallory/yann/variance.cpp");
+  place.file("class/zoe/variance.cpp").file("class/two/1/variance.cpp");
+  place.file("class/two/2/independent.cpp");
   const auto at = [&](const char* name) { return (place.path() / name).string(); };
-  const Intake intake = take_in(place.context, {at("x"), at("y")}, Meaning::many);
+  const Intake intake = take_in(
+      place.context, {at("class/mallory"), at("class/two"), at("class/zoe")}, Meaning::many);
   CHECK(told(intake) ==
-        "?[31m ???: variance; anna: variance; Anna (2): variance; anna (3): variance");
+        "mallory: !variance.cpp is in yann and in zoe: which one counts?; "
+        "two: independent variance @1, 2; zoe: variance");
+  CHECK(intake.each_word_is_one);
+  place.file("a/Jo_12_assignsubmission_file_variance.cpp");
+  place.file("b/doejane_4711_992_variance.cpp");
+  const Intake exports = take_in(place.context, {at("a"), at("b")}, Meaning::many);
+  CHECK(told(exports) == "Jo_12: variance; doejane_4711: variance");
 }
 
 TEST_CASE("the exports of learning platforms") {
@@ -189,6 +206,47 @@ TEST_CASE("the exports of learning platforms") {
              moodle.path() / "z" / "Rob Roe_124_assignsubmission_file_" / "my work.zip");
   moodle.zip("z", "class.zip");
   CHECK(told(moodle.take("class.zip")) == "Jane Doe_123: variance; Rob Roe_124: variance");
+
+  // An online text beside the files, in either form, is nobody else's work; alone it is no file.
+  Place texts;
+  texts.file("class/Jane Doe_123_assignsubmission_file_/variance.cpp")
+      .file("class/Jane Doe_123_assignsubmission_onlinetext_/onlinetext.html")
+      .file("class/Rob Roe_124_assignsubmission_onlinetext_/onlinetext.html");
+  CHECK(told(texts.take()) == "Jane Doe_123: variance; Rob Roe_124:");
+  Place flat;
+  flat.file("class/Jane Doe_123_assignsubmission_file_variance.cpp")
+      .file("class/Jane Doe_123_assignsubmission_onlinetext.html")
+      .file("class/Rob Roe_124_assignsubmission_onlinetext.html");
+  CHECK(told(flat.take()) == "Jane Doe_123: variance; Rob Roe_124:");
+
+  // Canvas keeps earlier attempts: the latest counts.
+  Place attempts;
+  attempts.file("class/doejane_4711_991_variance.cpp")
+      .file("class/doejane_LATE_4711_995_variance-2.cpp", "int latest;\n")
+      .file("class/doejane_4711_993_variance-1.cpp");
+  const Intake latest = attempts.take();
+  CHECK(told(latest) == "doejane_4711: variance");
+  CHECK(read_text(latest.handed.at(0).submission.files.at("variance")) == "int latest;\n");
+
+  // Gradescope's names and addresses.
+  Place people;
+  people.file("class/submission_11/variance.cpp")
+      .file("class/submission_12/variance.cpp")
+      .file("class/submission_13/variance.cpp")
+      .file("class/submission_metadata.yml",
+            "---\nsubmission_11:\n  :submitters:\n  - :name: Jane Doe\n    :sid: '7'\n"
+            "    :email: jane@example.edu\n  :created_at: 2026-01-02 03:04:05 Z\n"
+            "submission_12:\n  :submitters:\n  - :name: \"Rob Roe\"\n    :email: rob@example.edu\n"
+            "  - :name: Ann Poe\n    :email: ann@example.edu\n");
+  CHECK(told(people.take()) ==
+        "Jane Doe (jane@example.edu): variance; "
+        "Rob Roe (rob@example.edu) & Ann Poe (ann@example.edu): variance; submission_13: variance");
+
+  // GitHub Classroom: clones side by side.
+  Place clones;
+  clones.file("class/lab-anna/.git/HEAD").file("class/lab-anna/starter/variance.cpp");
+  clones.file("class/lab-bob/.git/HEAD").file("class/lab-bob/starter/independent.cpp");
+  CHECK(told(clones.take()) == "lab-anna: variance @starter; lab-bob: independent @starter");
 
   CHECK(!named_by_platform("lab_1_2_alice.zip"));
   CHECK(named_by_platform("Jo_12_assignsubmission_file_variance.cpp")->file == "variance.cpp");

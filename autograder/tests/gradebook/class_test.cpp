@@ -1,0 +1,173 @@
+// A class of forty with every hostile file that has ever cost somebody a grade: forty rows, each
+// right.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <map>
+
+#include "checks/support/catch.hpp"
+#include "grader/gradebook/book.hpp"
+#include "grader/gradebook/table.hpp"
+#include "grader/submission/cache.hpp"
+#include "sandbox/process.hpp"
+#include "tests/gradebook/course.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::hostile {
+
+using namespace grader;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// id -> "judged 100"
+std::map<std::string, std::string> outcomes(const fs::path& csv) {
+  std::map<std::string, std::string> all;
+  for (const Row& row : read_table(csv).rows) {
+    all[field(row, "id")] = field(row, "variance status") + ' ' + field(row, "variance total");
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a class of forty with every hostile file gives forty rows, each right", "[.class]") {
+  Course course;
+  const fs::path place = course.path() / "class";
+  const std::string starter = text_of(course.layout.starter()),
+                    solution = text_of(course.layout.solutions());
+  std::map<std::string, std::string> expected;
+  const auto hand_in = [&](const std::string& id, const std::string& text,
+                           const std::string& outcome) {
+    course.hand_in(id, text);
+    expected[id] = outcome;
+  };
+
+  // Files that are not what they seem.
+  hand_in("huge", "", "no program 0");
+  fs::resize_file(place / "huge" / "variance.cpp", std::uintmax_t{40} << 30);  // sparse
+  hand_in("long", std::string((std::size_t{1} << 20) + 1, ' '), "no program 0");
+  fs::create_directories(place / "pipe");
+  REQUIRE(mkfifo((place / "pipe" / "variance.cpp").c_str(), 0600) == 0);
+  expected["pipe"] = "no file 0";
+  fs::create_directories(place / "link");
+  fs::create_symlink(course.layout.solutions() / "variance.cpp", place / "link" / "variance.cpp");
+  expected["link"] = "no file 0";
+  if (geteuid() != 0) {  // root reads them all the same
+    hand_in("closed", starter, "unreadable ");
+    fs::permissions(place / "closed" / "variance.cpp", fs::perms::none);
+  } else {
+    hand_in("closed", starter + "// closed\n", "judged 0");
+  }
+  write_text(place / "broken.zip", "PK no zip");
+  expected["broken"] = "unreadable ";
+  // Other people's names below one's own directory.
+  for (const char* other : {"s00", "zoe"}) {
+    fs::create_directories(place / "mallory" / other);
+    write_text(place / "mallory" / other / "variance.cpp", starter);
+  }
+  expected["mallory"] = "unreadable ";  // which one counts?
+
+  // Texts for a compiler that waits, writes, or never ends: three and more in a row.
+  hand_in("own-output", "#include \"/proc/self/fd/1\"\n" + starter, "no program 0");
+  hand_in("own-errors", "#include \"/proc/self/fd/2\"\n" + starter, "no program 0");
+  hand_in("own-input", "#include \"/proc/self/fd/0\"\n" + starter, "no program 0");
+  hand_in("terminal", "#include \"/dev/tty\"\n" + starter, "no program 0");
+  hand_in("zeros", "#include \"/dev/zero\"\n" + starter, "no program 0");
+  hand_in("deep", "template <int n> struct A : A<n + 1> {}; A<0> a;\n" + starter, "no program 0");
+  hand_in("wide", "#define A(x) x x x x x x x x\nint a[] = {A(A(A(A(A(A(A(A(A(A(1,))))))))))};\n",
+          "no program 0");
+  hand_in("elsewhere", "asm(\".incbin \\\"/etc/passwd\\\"\");\n" + starter, "no program 0");
+
+  // Programs.
+  hand_in("prints",
+          "#include <cstdio>\nstatic int a = []() -> int { for (;;) puts(\"likely    x\"); "
+          "}();\n" +
+              starter,
+          "judged 0");
+  hand_in("waits", "#include <unistd.h>\nstatic int a = (pause(), 0);\n" + starter, "judged 0");
+
+  for (int i = 0; i < 3; ++i) {
+    hand_in("right" + std::to_string(i), solution + "// " + std::to_string(i) + "\n", "judged 100");
+  }
+  for (int i = 0; expected.size() < 40; ++i) {
+    hand_in("student" + std::to_string(i), "int " + std::to_string(i) + "x;\n", "no program 0");
+  }
+
+  const std::string csv = course.csv().string();
+  const auto run = course.grade({"--csv", csv, "--seed", "1"});
+  CAPTURE(run.output, run.errors);
+  CHECK(run.exit_code == 0);
+  CHECK(outcomes(csv) == expected);
+  CHECK(fs::file_size(verdict_file(csv, "prints")) < (std::size_t{1} << 20));
+  const auto again = course.grade({"--csv", csv, "--resume"});
+  CHECK(contains(again.output, "0 judged"));
+  CHECK(outcomes(csv) == expected);
+}
+
+TEST_CASE("a hash names what is cached, and its contents decide") {
+  const Scratch place;
+  const auto keep = [&](const char* slot, const std::string& key) {
+    fs::create_directories(place.path() / "made" / slot);
+    return keep_cached(place.path() / slot, "o", key,
+                       place.write(std::string("made/") + slot + "/unit.o", key));
+  };
+  const fs::path mine = keep("mine", "my text");
+  const fs::path other = keep("other", "another text");
+  CHECK(find_cached(place.path() / "mine", "o", "my text") == mine);
+  CHECK(!find_cached(place.path() / "mine", "o", "another text"));
+  // As if both texts had one hash: what lies under its name is not what is asked for.
+  for (const auto& entry : fs::directory_iterator(place.path() / "other")) {
+    if (entry.path().extension() != ".o-key") continue;
+    for (const auto& own : fs::directory_iterator(place.path() / "mine")) {
+      if (own.path().extension() == ".o-key")
+        fs::copy_file(entry.path(), own.path(), fs::copy_options::overwrite_existing);
+    }
+  }
+  CHECK(!find_cached(place.path() / "mine", "o", "my text"));
+  // What is gone on with is compared whole, too.
+  Course course;
+  course.hand_in("x", "int x;\n");
+  course.hand_in("y", "int y;\n");
+  REQUIRE(course.grade({"--csv", course.csv().string(), "--seed", "1"}).exit_code == 0);
+  const auto verdict = read_verdict(course.csv(), "x");
+  REQUIRE(verdict);
+  CHECK(contains(verdict->contents, "int x;\n"));
+}
+
+TEST_CASE("corrections outlive every run") {
+  Course course;
+  course.hand_in("anna", "int 1;\n");
+  course.hand_in("bob", text_of(course.layout.starter()));
+  const std::string csv = course.csv().string();
+  write_text(course.path() / "corrections.csv",
+             "id,what,points,comment\nanna,variance,91,\"a typo, no more\"\n"
+             "bob,1.1 the mean of nothing is NaN,1,\nbob,variance written,17,\nzoe,1,5,\n");
+  const auto check = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"--csv", csv};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto run = course.grade(words);
+    CAPTURE(run.output, run.errors);
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.errors, "there is no submission 'zoe'"));
+    const Table table = read_table(csv);
+    REQUIRE(table.rows.size() == 2);
+    CHECK(field(table.rows[0], "variance total") == "91");
+    CHECK(field(table.rows[0], "corrections") == "variance: 91 (a typo, no more)");
+    CHECK(field(table.rows[1], "variance total") == "18");
+    CHECK(field(table.rows[1], "variance written") == "17");
+  };
+  check({"--seed", "1"});
+  check({"--resume"});
+  const auto stats = course.run({"stats", csv});
+  CHECK(stats.exit_code == 0);
+  CHECK(contains(stats.output, "mean 54.5"));
+  const auto pages = course.grade({"--csv", csv, "--resume", "--html", course.path() / "pages"});
+  CHECK(pages.exit_code == 0);
+  CHECK(contains(read_text(course.path() / "pages" / "index.html"), "corrected: variance: 91"));
+  CHECK(contains(read_text(course.path() / "pages" / "submissions" / "anna.html"), "a typo"));
+  write_text(course.path() / "corrections.csv", "anna,1.x,5\n");
+  CHECK(course.run({"stats", csv}).exit_code == 2);
+}
+
+}  // namespace mc::tests::hostile
