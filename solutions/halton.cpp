@@ -54,18 +54,23 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 // same `others`; and those of one block after the other are a column too, a shorter one.
 
 namespace {
-/// The step of 5.1 for a column that begins `skip` places behind the beginning of a block. `digits`
-/// are those of a block, mirrored. `others`, one for each block, may stand in the column's end: they
-/// are read before they are overwritten.
+/// The step of 5.1 with `size` in place of the base. A sum 2^-52 size below the size is not rounded
+/// up to 1. Staying there is wrong by 2 * 2^-53 at most; sum, scale and product are rounded by
+/// 2 * 2^-53 more.
+auto step_of(double size, double others) {
+  return [rest = std::min(others, 1 - 0x1p-52 * size), scale = 1 / size](double digits) {
+    return (digits + rest) * scale;
+  };
+}
+
+/// The steps of a column that begins `skip` places behind the beginning of a block. `digits` are
+/// those of a block, mirrored. `others`, one for each block, may stand in the column's end: they are
+/// read before they are overwritten.
 void step(std::span<double> column, std::size_t skip, std::span<const double> digits,
           std::span<const double> others) {
-  // A sum 2^-52 size below the size is not rounded up to 1. Staying there is wrong by 2 * 2^-53 at
-  // most; sum, scale and product are rounded by 2 * 2^-53 more.
-  const double size = double(digits.size()), most = 1 - 0x1p-52 * size, scale = 1 / size;
   for (const double other : others) {
     const auto part = digits.subspan(skip, std::min(digits.size() - skip, column.size()));
-    const auto sum = [=, rest = std::min(other, most)](double x) { return (x + rest) * scale; };
-    std::transform(part.begin(), part.end(), column.begin(), sum);
+    std::transform(part.begin(), part.end(), column.begin(), step_of(double(digits.size()), other));
     column = column.subspan(part.size()), skip = 0;
   }
 }
@@ -304,9 +309,11 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) words[i] = scrambled(words[i]);
     for (std::size_t i = 0; i < size; ++i) flips[i] = behind(words[i]);
-    for (std::size_t i = 0; i < rests; ++i) {  // nested too: zeros behind stay zeros
-      const std::uint32_t last = std::uint32_t(bits(rest(x[i]) + 0.75)) << 11;
-      flips[i] ^= mirrored(mirrored(last) * (behind(~words[i]) | 1));
+    for (std::size_t i = 0; i < rests; ++i) {  // nested too, and zeros behind stay zeros
+      const std::uint32_t last = mirrored(std::uint32_t(bits(rest(x[i]) + 0.75)) << 11);
+      const std::uint64_t random = mix_bits(words[i] ^ one);
+      const std::uint32_t odd = std::uint32_t(random) | 1, add = std::uint32_t(random >> 32);
+      flips[i] ^= mirrored((last * odd + add) ^ add);
     }
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) {
@@ -316,8 +323,9 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
-// A permutation for each position; at most of them, a column has zeros only. What zeros become are
-// digits of one uniform number, drawn first; what is left of it behind those in use is `zeros`.
+// A permutation for each position. What becomes of 0 is drawn first, for all positions of a 64-bit
+// index, and is all that a column needs of those where its indices have zeros only. The steps that
+// make a value depend on the base, never on the column: so it is the same to the last bit.
 
 namespace {
 /// One of the digits first … base - 1, by 48 random bits: 2^-32 from uniform at most.
@@ -340,29 +348,41 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   require_base(base);
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
   require_indices(first, column.size(), last_index);
-  std::size_t used = 1;
-  for (auto n = (first + column.size() - 1) / base; n > 0; n /= base) ++used;
-  const bool paired = base <= 5 && column.size() >= 4 * base * base;  // two digits in one step
-  if (paired) used += used % 2;
-  std::vector<double> permutations(used * base);
-  Rng rng(mix_bits(seed ^ mix_bits(base)));
-  double zeros = double(rng() >> 11) * 0x1p-53;
-  for (auto row = permutations.begin(); row != permutations.end(); row += base) {
-    std::iota(row, row + base, 0);
-    zeros *= base;
-    std::swap(row[0], row[unsigned(zeros)]);
-    zeros -= unsigned(zeros);
-    for (unsigned i = 1; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
+  if (column.empty()) return;
+  const unsigned in_a_step = base <= 5 ? 2 : 1, size = in_a_step == 2 ? base * base : base;
+  const std::uint64_t hashed = mix_bits(seed ^ mix_bits(base));
+  Rng rng(hashed);
+  std::array<unsigned, 64> zero;  // what becomes of it at each position
+  std::size_t positions = 0, used = 0;
+  for (double power = 1; power < 0x1p64 || positions % in_a_step != 0; power *= base) {
+    zero[positions++] = any_digit(0, base, rng);
   }
-  if (!paired) return fill(column, first, base, permutations, zeros);
-  std::vector<double> pairs(used / 2 * base * base);
-  auto pair = pairs.begin();
-  for (auto row = permutations.begin(); row != permutations.end(); row += 2 * base) {
+  for (auto n = first + (column.size() - 1); used == 0 || n > 0; n /= size) used += in_a_step;
+  double zeros = 0;
+  while (positions > used) {
+    unsigned digits = zero[--positions];
+    if (in_a_step == 2) digits += zero[--positions] * base;
+    zeros = step_of(size, zeros)(digits);
+  }
+  std::vector<double> rows(used * base);
+  for (std::size_t position = 0; position < used; ++position) {
+    Rng its_own(hashed + position + 1);
+    const auto row = std::span(rows).subspan(position * base, base);
+    std::iota(row.begin(), row.end(), 0);
+    std::swap(row[0], row[zero[position]]);
+    for (unsigned i = 1; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i, base, its_own)]);
+  }
+  if (in_a_step == 1) return fill(column, first, base, rows, zeros);
+  std::vector<double> pairs;
+  pairs.reserve(used / 2 * size);
+  for (std::size_t at = 0; at < rows.size(); at += 2 * base) {
     for (unsigned high = 0; high < base; ++high) {
-      for (unsigned low = 0; low < base; ++low) *pair++ = row[low] * base + row[base + high];
+      for (unsigned low = 0; low < base; ++low) {
+        pairs.push_back(rows[at + low] * base + rows[at + base + high]);
+      }
     }
   }
-  fill(column, first, base * base, pairs, zeros);
+  fill(column, first, size, pairs, zeros);
 }
 
 }  // namespace mc

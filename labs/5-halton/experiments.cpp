@@ -127,10 +127,14 @@ std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t firs
 }
 
 std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_t> indices,
-                                         std::uint64_t seed) {
-  std::vector<double> values(indices.size(), unwritten);
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    mc::radical_inverses_scrambled(base, indices[i], std::span(values).subspan(i, 1), seed);
+                                         std::vector<std::uint64_t> seeds) {
+  std::vector<double> values;
+  for (const std::uint64_t seed : seeds) {
+    for (const std::uint64_t index : indices) {
+      double value = unwritten;
+      mc::radical_inverses_scrambled(base, index, std::span(&value, 1), seed);
+      values.push_back(value);
+    }
   }
   return values;
 }
@@ -208,9 +212,9 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(radical_inverses_scrambled, "base first count seeds",
                     "5.9  scrambled radical inverses of first, first + 1, ..., by each seed",
                     {.columns = "x", .sets = "seeds", .index = "index", .from = "first"}),
-      MC_EXPERIMENT(scrambled_one_by_one, "base indices seed",
+      MC_EXPERIMENT(scrambled_one_by_one, "base indices seeds",
                     "5.9  scrambled radical inverses of indices, each in a column of its own",
-                    {.columns = "x", .index = "index", .beside = "indices"}),
+                    {.columns = "x", .sets = "seeds", .beside = "indices"}),
       MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed",
                     "a column of task 5.task, rounds times; the last x (timing)"),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",

@@ -43,9 +43,9 @@ std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t firs
                                                std::uint64_t count,
                                                std::vector<std::uint64_t> seeds);
 
-/// 5.9: of each of `indices`, in a column of its own.
+/// 5.9: of each of `indices`, in a column of its own, by each of `seeds`: as many lists.
 std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_t> indices,
-                                         std::uint64_t seed);
+                                         std::vector<std::uint64_t> seeds);
 
 /// For timing: a column of n values, `rounds` times, by task 5.`task`: 1 and 2 radical inverses, 9
 /// scrambled ones, in that base; 5 Sobol', 8 Sobol' scrambled, in that dimension. Round r has the

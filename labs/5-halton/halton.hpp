@@ -31,7 +31,7 @@ double radical_inverse(unsigned base, std::uint64_t index);
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column);
 
 /// 5.3  The first `count` primes: 2, 3, 5, …
-/// cost:     O(count^2) is good enough: trial division by the smaller primes.
+/// cost:     at most O(count^2): trial division by the smaller primes.
 std::vector<unsigned> primes(std::size_t count);
 
 /// 5.3  Points first, first + 1, … of the Halton sequence: coordinate d is the radical inverse in
@@ -96,8 +96,9 @@ void owen_scramble(std::span<double> column, std::uint64_t seed);
 
 /// 5.9  As 5.2, with the digit at each position of the radical inverse mapped by a random
 /// permutation: an independent permutation for each position, also for the infinitely many trailing
-/// zeros (down to 2^-53). A function of base, index and seed alone. In base 2 this is a digital
-/// shift.
+/// zeros (down to 2^-53). A function of base, index and all 64 bits of the seed alone, to the last
+/// bit: not of where an index stands in its column, nor of the column's length. In base 2 this is a
+/// digital shift.
 /// throws:   if base < 2 or base > 2^16; if the last index is above 2^64 - 1.
 /// source:   Owen 2017, "A randomized Halton algorithm in R".
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,

@@ -1,21 +1,51 @@
-// 5.9, digit by digit: what the permutation at each position does to a value.
+// 5.9: what the permutation at each position does to a value, and that permutations are random.
 
-#include <numeric>
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
 
 #include "5-halton/experiments.hpp"
-#include "checks/halton/exact_inverses.hpp"
-#include "checks/halton/one_in_each.hpp"
+#include "checks/halton/exact_points.hpp"
+#include "checks/halton/expect_all_seeds.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/measure.hpp"
+#include "checks/support/compare.hpp"
+#include "checks/support/refusals.hpp"
+#include "checks/support/sample_sets.hpp"
 
 namespace mc::checks {
 namespace {
 
+const std::string one_each = "one permutation for each position, whatever the other digits are";
+const std::string zeros_too =
+    "the zeros behind the last digit are digits too: permute them, to 2^-53";
+
+/// Of consecutive values from a multiple of their number on, one lies in each of as many parts of
+/// [0, 1), all at the same place in their part.
+void check_bijection(const std::string& call, View x) {
+  const auto parts = static_cast<double>(x.size());
+  const double least = *std::min_element(x.begin(), x.end());
+  std::vector<int> points(x.size());
+  for (const double value : x) {
+    const double part = (value - least) * parts;
+    const auto whole = static_cast<std::size_t>(std::llround(part));
+    if (std::abs(part - std::round(part)) < 1e-6 && whole < x.size()) ++points[whole];
+  }
+  expect_that(
+      least < 1 / parts + 1e-9 &&
+          std::all_of(points.begin(), points.end(), [](int k) { return k == 1; }),
+      fmt::format("{}: not one value in each of {} parts", call, parts),
+      fmt::format("one value in each of {} parts, all at the same place in their part", parts),
+      "the last digits take all their combinations, and so do their permutations",
+      "a permutation is a bijection, one for each position and not one for each digit before "
+      "it");
+}
+
 /// An index with one digit that is not 0.
 struct Digit {
-  unsigned position;
   std::uint64_t index;  ///< the digit times base^position
-  double counts;        ///< base^-(position+1): what the position counts in a value
+  unsigned position;
+  double counts;  ///< base^-(position+1): what the position counts in a value
 };
 
 /// At every position that can be told from a value: where two values may be wrong by a sixteenth of
@@ -28,7 +58,7 @@ std::vector<Digit> single_digits(Rng& rng, unsigned base) {
     const std::uint64_t most = std::min<std::uint64_t>(base - 1, 4);
     for (std::uint64_t i = 1; i <= most; ++i) {
       const std::uint64_t digit = base < 6 ? i : 1 + rng() % (base - 1);
-      if (digit <= last_index / power) digits.push_back({position, digit * power, counts});
+      if (digit <= last_index / power) digits.push_back({digit * power, position, counts});
     }
     if (power > last_index / base) break;
     power *= base;
@@ -37,84 +67,220 @@ std::vector<Digit> single_digits(Rng& rng, unsigned base) {
   return digits;
 }
 
-/// Some of the digits, no two at one position.
-std::vector<std::size_t> some_of(Rng& rng, const std::vector<Digit>& digits) {
-  std::vector<std::size_t> chosen;
-  std::uint64_t sum = 0;
-  for (std::size_t k = 0; k < digits.size(); ++k) {
-    const bool taken = !chosen.empty() && digits[chosen.back()].position == digits[k].position;
-    if (taken || rng() % 2 == 0 || digits[k].index > last_index - sum) continue;
-    sum += digits[k].index;
-    chosen.push_back(k);
+/// Each digit moves the value of index 0 by whole units of its position, never by 0; several digits
+/// at once move it by their sum.
+void check_digits(Rng& rng, unsigned base) {
+  const auto digits = single_digits(rng, base);
+  std::vector<std::uint64_t> indices{0};
+  for (const Digit& digit : digits) indices.push_back(digit.index);
+  std::vector<std::vector<std::size_t>> several(20);  // digits at different positions
+  for (auto& chosen : several) {
+    std::uint64_t sum = 0;
+    for (std::size_t k = 0; k < digits.size(); ++k) {
+      const bool is_taken = !chosen.empty() && digits[chosen.back()].position == digits[k].position;
+      if (is_taken || rng() % 2 == 0 || digits[k].index > last_index - sum) continue;
+      sum += digits[k].index;
+      chosen.push_back(k);
+    }
+    indices.push_back(sum);
   }
-  return chosen;
-}
-
-/// Of an index that is wrong where all before it are right.
-std::string beyond_32_bits(std::uint64_t index) {
-  return index <= 0xffffffffu ? "" : "; up to 2^32 all is right: are all 64 bits of an index kept?";
-}
-
-/// By how many units of its position each digit moves the value of index 0: a whole number, never
-/// 0.
-std::vector<double> expect_whole_moves(const std::string& call, std::span<const double> got,
-                                       const std::vector<Digit>& digits, unsigned base) {
-  std::vector<double> moves;
+  const auto measured = MEASURE(scrambled_one_by_one, base, indices, {rng()});
+  const View got = measured.exactly(indices.size(), unit);
+  Values moves;
   for (std::size_t k = 0; k < digits.size(); ++k) {
-    const auto& [position, index, counts] = digits[k];
+    const auto& [index, position, counts] = digits[k];
     const double move = (got[1 + k] - got[0]) / counts, whole = std::round(move);
-    expect_that(
-        std::abs(move - whole) * counts <= 2 * inverse_tolerance && whole != 0 &&
-            std::abs(whole) < base,
-        fmt::format("{}: index 0 gave {:.17g}, index {} gave {:.17g}: {:.6g} times {}^-{} more",
-                    call, got[0], index, got[1 + k], move, base, position + 1),
-        fmt::format("a whole multiple of {}^-{}, and not 0", base, position + 1),
-        fmt::format("the indices differ at position {} only, counted from 0, and its permutation "
-                    "makes two digits of them",
-                    position),
-        (got[0] == 0 ? "the zeros behind the last digit are digits too: permute them, to 2^-53"
-         : whole == 0
-             ? "this position has no permutation: indices that differ there get the same number"
-             : "one permutation for each position, whatever the other digits are") +
-            beyond_32_bits(index));
+    expect_that(std::abs(move - whole) * counts <= 2 * inverse_tolerance && whole != 0 &&
+                    std::abs(whole) < base,
+                fmt::format("{}: index 0 gave {:.17g}, index {} gave {:.17g}: {:.6g} times {}^-{} "
+                            "more",
+                            measured.call, got[0], index, got[1 + k], move, base, position + 1),
+                fmt::format("a whole multiple of {}^-{}, and not 0", base, position + 1),
+                fmt::format("the indices differ at position {} only, counted from 0, and its "
+                            "permutation maps them to two different digits",
+                            position),
+                (got[0] == 0  ? zeros_too
+                 : whole == 0 ? "this position has no permutation: indices that differ there get "
+                                "the same number"
+                              : one_each) +
+                    (index > 0xffffffffu ? "; up to 2^32 all is right: are all 64 bits of an index "
+                                           "kept?"
+                                         : ""));
     moves.push_back(whole * counts);
   }
-  return moves;
+  for (std::size_t i = 0; i < several.size(); ++i) {
+    double sum = got[0];
+    for (const std::size_t k : several[i]) sum += moves[k];
+    const std::size_t at = 1 + digits.size() + i;
+    expect_within(fmt::format("{}: index {} gave {:.17g}; minus what its digits do one by one",
+                              measured.call, indices[at], got[at]),
+                  got[at] - sum, 0,
+                  2 * inverse_tolerance + static_cast<double>(several[i].size()) * half_ulp,
+                  "a digit moves a value by its position alone; each value is within 4 * 2^-53",
+                  Hints{{}, one_each});
+  }
 }
 
 CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3][main]") {
   Rng rng = check_rng();
-  for (const unsigned base : {3u, 5u, 29u, 31u, 2u, 257u}) {
-    const std::uint64_t seed = rng(), n = base * base;
-    const std::uint64_t first = n * (rng() % 1000000);
-    const auto column = MEASURE(radical_inverses_scrambled, base, first, n, {seed});
-    expect_one_in_each(column.call, column.exactly(n, unit));
-    // Index 0 has a permuted zero at every position; then one digit is another, then several are.
-    const auto digits = single_digits(rng, base);
-    std::vector<std::uint64_t> indices{0};
-    for (const Digit& digit : digits) indices.push_back(digit.index);
-    std::vector<std::vector<std::size_t>> several(20);
-    for (auto& chosen : several) {
-      chosen = some_of(rng, digits);
-      std::uint64_t index = 0;
-      for (const std::size_t k : chosen) index += digits[k].index;
-      indices.push_back(index);
-    }
-    const auto measured = MEASURE(scrambled_one_by_one, base, indices, seed);
-    const std::span<const double> got = measured.exactly(indices.size(), unit);
-    const auto moves = expect_whole_moves(measured.call, got, digits, base);
-    for (std::size_t i = 0; i < several.size(); ++i) {
-      double sum = got[0];
-      for (const std::size_t k : several[i]) sum += moves[k];
-      const auto terms = static_cast<double>(several[i].size());
-      const double value = got[1 + digits.size() + i];
-      expect_within(fmt::format("{}: index {} gave {:.17g}; less what its digits do one by one",
-                                measured.call, indices[1 + digits.size() + i], value),
-                    value - sum, 0, 2 * inverse_tolerance + terms * half_ulp,
-                    "a digit moves a value by its position alone; each value is within 4 * 2^-53",
-                    {{}, "one permutation for each position, whatever the other digits are"});
+  for (const unsigned base : {3u, 5u, 29u, 31u, 2u, 4u, 257u}) {
+    const std::uint64_t n = base * base, first = n * (rng() % 1000000);
+    const auto column = MEASURE(radical_inverses_scrambled, base, first, n, {rng()});
+    check_bijection(column.call, column.exactly(n, unit));
+    check_digits(rng, base);
+  }
+  for (const unsigned base : {7919u, 65535u, 65536u}) {
+    const auto column = MEASURE(radical_inverses_scrambled, base, 0, base, {rng()});
+    check_bijection(column.call, column.exactly(base, unit));
+  }
+  // Digits that stay what they are do all that, too.
+  const auto zeros = MEASURE(radical_inverses_scrambled, 3, 0, 1, domain::seeds(rng, 400));
+  const Values values = zeros.exactly(400, unit);
+  const bool stay = std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
+  auto failure =
+      dependence_in({zeros.call, 1, values},
+                    {.words = "the scrambled value of index 0 is uniform",
+                     .alpha = one_alpha,
+                     .otherwise = "a random digit for each of the zeros of index 0, to 2^-53"},
+                    true);
+  if (failure && stay) failure->likely = zeros_too;
+  if (failure) fail(*failure);
+}
+
+/// How often each permutation of three digits came: 012, 021, 102, 120, 201, 210.
+using Orders = std::array<std::uint64_t, 6>;
+
+/// Which shuffle that is not one gives them, if one does.
+std::string shuffle_hint(const Orders& orders, std::size_t count) {
+  if (orders[0] + orders[3] + orders[4] == count && orders[0] > 0) {
+    return "these are rotations: a random number was added to each digit, which gives 3 of the 6 "
+           "permutations";
+  }
+  if (orders[3] + orders[4] == count) {
+    return "no digit ever stays in place: one that is drawn for a place may be the one that is "
+           "there already";
+  }
+  // Each of n digits swapped with any of n: 27 ways, of which three orders get 4 and three get 5.
+  Orders sorted = orders;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double p = (i < 3 ? 4. : 5.) / 27, n = static_cast<double>(count);
+    if (std::abs(static_cast<double>(sorted[i]) - n * p) > 5 * std::sqrt(n * p)) {
+      return "a random permutation for each position, from a hash of seed and position";
     }
   }
+  return "a biased shuffle: each digit was swapped with any, 27 ways for 6 permutations; swap "
+         "digit "
+         "i with one that is not yet in place (Fisher-Yates)";
+}
+
+/// Permutations in `base` at some positions, by seeds in a row: the uniform numbers they came from.
+void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& positions,
+                        std::size_t seeds) {
+  std::vector<std::uint64_t> indices{0};
+  for (const unsigned position : positions) {
+    std::uint64_t power = 1;
+    for (unsigned k = 0; k < position; ++k) power *= base;
+    for (unsigned digit = 1; digit < base; ++digit) indices.push_back(digit * power);
+  }
+  const auto measured =
+      MEASURE(scrambled_one_by_one, base, indices, domain::seeds_in_a_row(rng() >> 1, seeds));
+  const View got = measured.exactly(indices.size() * seeds, unit);
+  Uniforms numbers{measured.call, positions.size() * (base - 1)};
+  numbers.name = [=](std::size_t k) {
+    return fmt::format("choice {} of the permutation at position {}", k % (base - 1),
+                       positions[k / (base - 1)]);
+  };
+  Orders orders{};
+  std::size_t alike = 0;
+  for (std::size_t r = 0; r < seeds; ++r) {
+    std::vector<std::size_t> before;
+    for (std::size_t p = 0; p < positions.size(); ++p) {
+      Values row{got[r * indices.size()]};  // of the digits 0 … base - 1 there
+      const auto others = got.subspan(r * indices.size() + 1 + p * (base - 1), base - 1);
+      row.insert(row.end(), others.begin(), others.end());
+      std::vector<std::size_t> order(base);
+      for (std::size_t k = 0; k < base; ++k) {
+        order[k] = static_cast<std::size_t>(
+            std::count_if(row.begin(), row.end(), [&](double x) { return x < row[k]; }));
+      }
+      const Values more = uniforms_of_permutation(order, rng);
+      numbers.values.insert(numbers.values.end(), more.begin(), more.end());
+      if (base == 3) ++orders[order[0] * 2 + (order[1] > order[2] ? 1u : 0u)];
+      alike += p > 0 && order == before ? 1u : 0u;
+      before = order;
+    }
+  }
+  expect_independent_uniforms(
+      numbers, {.words = fmt::format(
+                    "the permutations of {} digits are random, for each position and seed", base),
+                .alpha = one_alpha,
+                .otherwise = alike == seeds * (positions.size() - 1)
+                                 ? "one permutation for all positions: each has its own"
+                                 : shuffle_hint(orders, seeds * positions.size())});
+}
+
+CHECK_CASE("5.9 permutations are random for every position and seed", "[5.9][points:4]") {
+  Rng rng = check_rng();
+  check_permutations(rng, 3, {0, 1, 2, 9, 24}, 2000);
+  check_permutations(rng, 2, {0, 1, 2, 3, 17, 31, 32, 40}, 1000);
+  check_permutations(rng, 29, {0, 1, 6}, 200);
+}
+
+CHECK_CASE("5.9 neighboring seeds and all their bits", "[5.9][points:1][edge]") {
+  Rng rng = check_rng();
+  expect_all_seeds(rng, 3, "position", [](const std::vector<std::uint64_t>& seeds) {
+    return MEASURE(radical_inverses_scrambled, 3, 0, 1, seeds);
+  });
+}
+
+/// Values `skip` … of a column, in a column of their own.
+void check_part(unsigned base, std::uint64_t first, std::uint64_t count, std::uint64_t skip,
+                std::uint64_t size, std::uint64_t seed) {
+  const auto whole = MEASURE(radical_inverses_scrambled, base, first, count, {seed});
+  const auto part = MEASURE(radical_inverses_scrambled, base, first + skip, size, {seed});
+  const View exact = View(whole.exactly(count, unit)).subspan(skip, size);
+  expect_each({part.call, part.exactly(size, unit)},
+              {.exact = {exact.begin(), exact.end()},
+               .because = "a function of base, index and seed alone, to the last bit: the same "
+                          "indices as in " +
+                          whole.call,
+               .otherwise = "where a column begins and ends must not matter, not even for the "
+                            "rounding: use the same steps for every column"});
+}
+
+CHECK_CASE("5.9 a scrambled value depends on index and seed alone", "[5.9][points:3][edge]") {
+  Rng rng = check_rng();
+  const auto words = domain::words(last_index - 3000, rng);
+  for (const unsigned base : {3u, 2u, 4u, 5u, 6u, 7u, 29u, 257u, 7919u, 65535u, 65536u}) {
+    for (int i = 0; i < 4; ++i) {
+      const std::uint64_t count = 500 + rng() % 2000, skip = rng() % 400;
+      const std::uint64_t first = i == 0 ? 0 : words[rng() % words.size()];
+      check_part(base, first, count, skip, i < 2 ? 1 : 1 + rng() % 90, rng());
+    }
+    check_part(base, last_index - 599, 600, 599, 1, rng());
+  }
+  for (const std::uint64_t n : domain::sizes(5000, rng)) {
+    const unsigned base = n % 2 == 0 ? 2 : 5;
+    check_part(base, rng() % 70, 5100, rng() % 100, n, rng());
+  }
+  check_part(7, 7, 20, 3, 0, 1);
+}
+
+CHECK_CASE("5.9 bases and indices that do not exist are refused", "[5.9][points:1][edge]") {
+  const std::string bases = "bases from 2 to 2^16", range = "first|column|index|indices";
+  const std::string past = "the last index is 2^64 - 1: no index comes after it";
+  std::vector<InvalidCall> calls;
+  for (const unsigned base : {0u, 1u, 65537u, 4294967295u}) {
+    calls.push_back({MEASURE_OUTCOME(radical_inverses_scrambled, base, 0, 10, {1}), "base", bases});
+    calls.push_back({MEASURE_OUTCOME(radical_inverses_scrambled, base, 7, 1, {1}), "base", bases});
+  }
+  calls.push_back(
+      {MEASURE_OUTCOME(radical_inverses_scrambled, 3, last_index - 1, 3, {1}), range, past});
+  calls.push_back(
+      {MEASURE_OUTCOME(radical_inverses_scrambled, 2, last_index, 2, {1}), range, past});
+  expect_refused(calls);
+  expect_argument_named(calls);
 }
 
 }  // namespace

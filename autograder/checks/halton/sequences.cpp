@@ -1,136 +1,229 @@
-// 5.3 and 5.4: primes, Halton and Hammersley points.
+// 5.3 to 5.5: primes, Halton, Hammersley and Sobol' points.
 
-#include <array>
+#include <fmt/format.h>
 
 #include "5-halton/experiments.hpp"
-#include "checks/halton/expect_axes.hpp"
+#include "checks/halton/expect_inverses.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/measure.hpp"
+#include "checks/support/domain.hpp"
+#include "checks/support/refusals.hpp"
 
 namespace mc::checks {
 namespace {
 
-const char* prime_hint(unsigned got, unsigned due) {
-  if (got == 1) return "1 is no prime";
-  for (unsigned divisor = 2; divisor * divisor <= got; ++divisor) {
-    if (got % divisor == 0) return "a prime has no divisor but 1 and itself";
+/// Columns from `from_axis` on: the radical inverses in one prime an axis.
+template <class Points>
+void check_axes(const Points& got, std::uint64_t n, std::uint64_t dims, std::uint64_t first,
+                std::size_t from_axis) {
+  static const auto primes = sieved_primes(2000);
+  const std::span<const double> columns = got.exactly(n * dims, any_number);
+  for (std::size_t d = from_axis; d < dims; ++d) {
+    expect_inverses({fmt::format("{}, coordinate {}", got.call, d), columns.subspan(d * n, n)},
+                    {primes[d - from_axis], indices_from(first, n), "one prime an axis, in order"});
   }
-  return got > due ? "a prime was left out" : "each prime comes once, in order";
 }
+
+// 5.3 ---------------------------------------------------------------------------------------------
 
 CHECK_CASE("5.3 the first primes", "[5.3][points:2]") {
   Rng rng = check_rng();
-  const auto exact = sieved_primes(20000);
-  for (const std::uint64_t count : {std::uint64_t{10}, 100 + rng() % 1900, std::uint64_t{1}}) {
+  const auto primes = sieved_primes(50000);
+  for (const std::uint64_t count : {std::uint64_t{10}, 100 + rng() % 1900, std::uint64_t{5000},
+                                    std::uint64_t{2}, std::uint64_t{1}, std::uint64_t{0}}) {
     const auto measured = MEASURE(primes, count);
-    const auto& got = measured.exactly(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      expect_that(got[i] == exact[i], fmt::format("{}[{}] = {}", measured.call, i, got[i]),
-                  fmt::format("{}", exact[i]), "the primes in order: 2, 3, 5, 7, 11, …",
-                  prime_hint(got[i], exact[i]));
-    }
+    const auto& list = measured.exactly(count);
+    const std::vector<double> got(list.begin(), list.end());
+    std::vector<double> from_1{1};
+    from_1.insert(from_1.end(), primes.begin(),
+                  primes.begin() + static_cast<std::ptrdiff_t>(count));
+    from_1.resize(count);
+    expect_each({measured.call, got},
+                {.exact = {primes.begin(), primes.begin() + static_cast<std::ptrdiff_t>(count)},
+                 .because = "the primes in order: 2, 3, 5, 7, 11, …",
+                 .suspects = {{from_1, "1 is no prime"}},
+                 .otherwise = "a prime has no divisor but 1 and itself; each comes once, "
+                              "in order"});
   }
 }
 
 CHECK_CASE("5.3 Halton points have one prime an axis", "[5.3][points:3][needs:5.2][main]") {
   Rng rng = check_rng();
-  const auto primes = sieved_primes(400);
-  for (const std::uint64_t dims : {2u, 3u, 12u, 60u, 1u}) {
-    for (const std::uint64_t first : {std::uint64_t{0}, 1 + rng() % 1000, rng() >> 8}) {
+  for (const std::uint64_t dims : {2u, 3u, 12u, 40u, 1u}) {
+    for (const std::uint64_t first : {std::uint64_t{0}, 1 + rng() % 1000}) {
       const std::uint64_t n = 30 + rng() % (dims < 20 ? 300 : 20);
-      const auto measured = MEASURE(halton, n, dims, first);
-      expect_axes(measured.call, measured.exactly(n * dims, any_number),
-                  std::span(primes).first(dims), n, first);
+      check_axes(MEASURE(halton, n, dims, first), n, dims, first, 0);
     }
   }
 }
 
-/// In which of `cells` equal parts x lies, where x is within 1e-12 of a whole multiple of 1/grid,
-/// cells a divisor of grid: by rounding to that multiple, since x itself may be rounded below it.
-std::size_t cell_of(double x, std::size_t grid, std::size_t cells) {
-  const auto multiple = static_cast<std::size_t>(std::llround(x * static_cast<double>(grid)));
-  return std::min(multiple, grid - 1) / (grid / cells);
-}
-
-CHECK_CASE("5.3 each elementary interval holds one Halton point",
-           "[5.3][points:1][needs:5.2][edge]") {
+CHECK_CASE("5.3 many axes and late points", "[5.3][points:2][needs:5.2]") {
   Rng rng = check_rng();
-  // Of 2^4 3^3 consecutive points, one lies in each of the 16 x 27 boxes. To a whole multiple of
-  // 2^-30 the first coordinate is exact; the second is rounded to multiples of 3^-19.
-  constexpr std::size_t nx = 16, ny = 27, n = nx * ny;
-  const std::uint64_t first = n * (rng() % 1000);
-  const auto measured = MEASURE(halton, n, 2, first);
-  const auto& got = measured.exactly(2 * n, unit);
-  const std::size_t grid_x = std::size_t{1} << 30, grid_y = 1162261467;  // 3^19
-  std::vector<int> points(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    ++points[cell_of(got[i], grid_x, nx) * ny + cell_of(got[n + i], grid_y, ny)];
+  for (const std::uint64_t first : {(std::uint64_t{1} << 32) + 1 + rng() % 1000, last_index - 99,
+                                    rng() >> 8, std::uint64_t{1}}) {
+    check_axes(MEASURE(halton, 100, 9, first), 100, 9, first, 0);
   }
-  for (std::size_t cell = 0; cell < n; ++cell) {
-    expect_that(points[cell] == 1,
-                fmt::format("{}: {} points in elementary interval ({}, {}) of 16 x 27",
-                            measured.call, points[cell], cell / ny, cell % ny),
-                "one point",
-                "432 consecutive indices go through all last four binary digits and all last three "
-                "ternary ones, in every combination",
-                "bases 2 and 3, from `first` on");
+  for (const std::uint64_t dims : {200u, 33u, 32u, 17u}) {
+    check_axes(MEASURE(halton, 20, dims, dims), 20, dims, dims, 0);
   }
-}
-
-CHECK_CASE("5.3 integrals by Halton points", "[5.3][points:1][needs:5.2]") {
-  const Estimates known[] = {
-      {16, 13. / 64, 0.60910969847097418, 5. / 8, 2.648121968809563},
-      {256, 244367. / 995328, 0.56165686217700495, 129. / 256, 2.9264176047586425},
-      {4096, 1144897861. / 4586471424, 0.55805132661770473, 513. / 1024, 2.9503483693180392}};
-  for (const Estimates& each : known) {
-    const auto measured = MEASURE(halton, each.n, 2, 0);
-    const std::span<const double> got = measured.exactly(2 * each.n, unit);
-    expect_estimates(measured.call, got.first(each.n), got.subspan(each.n), each,
-                     "bases 2 and 3, from index 0 on");
+  for (const std::uint64_t n : {4097u, 1023u, 2u, 1u}) {
+    check_axes(MEASURE(halton, n, 3, n), n, 3, n, 0);
   }
 }
 
 CHECK_CASE("5.3 points past the last index are refused", "[5.3][points:1][edge]") {
-  expect_refused(MEASURE_OUTCOME(halton, 3, 2, last_index - 1),
-                 "the last index is 2^64 - 1, and the third one would be 2^64");
+  const std::string because = "the last index is 2^64 - 1: no index comes after it";
+  const std::string range = "first|points|point|index|indices";
+  const std::vector<InvalidCall> calls{
+      {MEASURE_OUTCOME(halton, 3, 2, last_index - 1), range, because},
+      {MEASURE_OUTCOME(halton, 2, 1, last_index), range, because}};
+  expect_refused(calls);
+  expect_argument_named(calls);
 }
 
-CHECK_CASE("5.4 Hammersley points", "[5.4][points:5][needs:5.2][main]") {
+// 5.4 ---------------------------------------------------------------------------------------------
+
+void check_hammersley(std::uint64_t n, std::uint64_t dims) {
+  const auto measured = MEASURE(hammersley, n, dims);
+  const std::span<const double> got = measured.exactly(n * dims, any_number);
+  const auto over = [&](double offset, double size) {
+    std::vector<double> x(n);
+    for (std::size_t i = 0; i < n; ++i) x[i] = (static_cast<double>(i) + offset) / size;
+    return x;
+  };
+  const auto size = static_cast<double>(n);
+  expect_each(
+      {measured.call + ", coordinate 0", got.first(n)},
+      {.exact = over(0, size),
+       .tolerance = {2 * half_ulp},
+       .because = "coordinate 0 of point i is i / N",
+       .suspects = {{over(1, size), "points count from 0: i / N, not (i + 1) / N"},
+                    {over(0.5, size), "this is the centered variant: coordinate 0 is i / N"},
+                    {inverses(2, 0, n), "this is Halton's first axis: Hammersley's is i / N"},
+                    {std::vector<double>(n),
+                     "i / N of two integers is 0: convert to double "
+                     "before the division"},
+                    {over(0, size - 1), "N points, N strata: i / N, not i / (N - 1)"}},
+       .otherwise = std::isnan(got[0]) ? never_written : "i / N in double division"});
+  check_axes(measured, n, dims, 0, 1);
+}
+
+CHECK_CASE("5.4 Hammersley points", "[5.4][points:4][needs:5.2][main]") {
   Rng rng = check_rng();
-  const auto primes = sieved_primes(400);
-  for (const std::uint64_t dims : {2u, 3u, 9u, 60u, 1u}) {
-    for (const std::uint64_t n : {std::uint64_t{256}, 2 + rng() % 1000, std::uint64_t{1}}) {
-      const auto measured = MEASURE(hammersley, n, dims);
-      const std::span<const double> got = measured.exactly(n * dims, any_number);
-      const auto size = static_cast<double>(n);
-      for (std::size_t i = 0; i < n; ++i) {
-        const auto index = static_cast<double>(i);
-        expect_within(fmt::format("{}: coordinate 0 of point {}", measured.call, i), got[i],
-                      index / size, 2 * half_ulp, "coordinate 0 is i / N",
-                      {{{(index + 1) / size, "points count from 0: i / N, not (i + 1) / N"},
-                        {(index + 0.5) / size, "this is the centred variant: i / N"},
-                        {inverse(2, i), "this is Halton's first axis: Hammersley's is i / N"},
-                        {0, "i / N of two whole numbers is 0: make doubles of them first"},
-                        {index / (size - 1), "N points, N strata: i / N, not i / (N - 1)"}},
-                       "i / N in double division",
-                       never_written});
-      }
-      expect_axes(measured.call, got.subspan(n), std::span(primes).first(dims - 1), n, 0, 1);
-    }
+  for (const std::uint64_t dims : {2u, 3u, 9u}) {
+    for (const std::uint64_t n : {std::uint64_t{256}, 2 + rng() % 1000}) check_hammersley(n, dims);
   }
 }
 
-CHECK_CASE("5.4 integrals by Hammersley points", "[5.4][points:1][needs:5.2]") {
-  const Estimates known[] = {
-      {16, 257. / 1024, 0.59996611391993993, 1. / 2, 2.8591728486142411},
-      {256, 66049. / 262144, 0.56120375868220918, 65. / 128, 2.9524073863838791},
-      {4096, 16793601. / 67108864, 0.5580113546545965, 1035. / 2048, 2.9528479361167372}};
-  for (const Estimates& each : known) {
-    const auto measured = MEASURE(hammersley, each.n, 2);
-    const std::span<const double> got = measured.exactly(2 * each.n, unit);
-    expect_estimates(measured.call, got.first(each.n), got.subspan(each.n), each,
-                     "i / N and base 2");
+CHECK_CASE("5.4 any number of points and axes", "[5.4][points:2][needs:5.2]") {
+  Rng rng = check_rng();
+  for (const std::uint64_t dims : {33u, 17u, 60u, 201u, 1u}) check_hammersley(30 + dims, dims);
+  for (const std::uint64_t n : domain::sizes(5000, rng)) check_hammersley(n, 1 + n % 3);
+}
+
+// 5.5 ---------------------------------------------------------------------------------------------
+
+constexpr std::uint64_t sobol_end = std::uint64_t{1} << 32;
+
+/// Which direction number is the first that is wrong, in a column from index 0 on.
+std::string direction_hint(std::uint64_t first_wrong, unsigned dimension) {
+  const unsigned degree = joe_kuo[dimension].degree;
+  if (first_wrong == 0) return "point 0 is the origin";
+  const auto k = static_cast<unsigned>(std::bit_width(first_wrong));
+  if (degree == 0 || k <= degree) {
+    return fmt::format("m_{} is given: coordinate 2^{} is m_{} / 2^{}", k, k - 1, k, k);
   }
+  return fmt::format(
+      "all values are right up to m_{}, and m_{} is the first that the recurrence computes: "
+      "m_k = 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ … ^ 2^s m_(k-s) ^ m_(k-s), a_1 the highest bit of "
+      "`coefficients`, s = {} here",
+      k - 1, k, degree);
+}
+
+void check_sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
+  const auto measured = MEASURE(sobol, dimension, first, count);
+  const std::span<const double> got = measured.exactly(count, any_number);
+  const std::vector<std::uint64_t> indices = indices_from(first, count);
+  Comparison comparison{sobol_points(dimension, first, count),
+                        {0},
+                        "the XOR of the direction numbers of those bits that are set in the index"};
+  comparison.name = [&](std::size_t i) {
+    return fmt::format("{}: value {}, of index {},", measured.call, i, indices[i]);
+  };
+  if (!difference({measured.call, got}, comparison)) return pass();
+  const auto suspect = [&](unsigned of, int by, auto index, const std::string& hint) {
+    auto v = sobol_directions(of);
+    if (by > 0) std::rotate(v.begin(), v.begin() + 1, v.end());
+    if (by < 0) std::rotate(v.rbegin(), v.rbegin() + 1, v.rend());
+    comparison.suspects.push_back(
+        {values_of(indices, [&](std::uint64_t i) { return sobol_value(v, index(i)); }), hint});
+  };
+  const auto same = [](std::uint64_t i) { return i; };
+  const std::string shifted = "bit k of the index, from 0, selects m_(k+1) 2^-(k+1)";
+  suspect(dimension, 1, same, shifted);
+  suspect(dimension, -1, same, shifted);
+  suspect(
+      dimension, 0, [](std::uint64_t i) { return i ^ i >> 1; },
+      "these are the points in Gray-code order: the same set, another sequence");
+  suspect(
+      dimension, 0, [](std::uint64_t i) { return i + 1; },
+      "this begins one index too late: point 0 is the origin");
+  suspect(
+      dimension, 0, [=](std::uint64_t i) { return i - first; },
+      "this begins at index 0, not at `first`");
+  for (unsigned other = 0; other < joe_kuo.size(); ++other) {
+    if (other == dimension) continue;
+    suspect(other, 0, same, fmt::format("this is dimension {}: they count from 0", other));
+  }
+  const auto wrong =
+      std::mismatch(got.begin(), got.end(), comparison.exact.begin()).first - got.begin();
+  comparison.otherwise =
+      std::isnan(got[static_cast<std::size_t>(wrong)]) ? never_written
+      : first == 0 ? direction_hint(static_cast<std::uint64_t>(wrong), dimension)
+                   : "right from 0 on, and not from here? Look at the first and the last few "
+                     "values of the column";
+  expect_each({measured.call, got}, comparison);
+}
+
+CHECK_CASE("5.5 the first points of all 32 dimensions", "[5.5][points:5][main]") {
+  for (unsigned d = 0; d < joe_kuo.size(); ++d) check_sobol(d, 0, 600);
+}
+
+CHECK_CASE("5.5 a column of Sobol' points may begin anywhere", "[5.5][points:5]") {
+  Rng rng = check_rng();
+  const auto words = domain::words(sobol_end - 3001, rng);
+  const auto any_dimension = [&] { return static_cast<unsigned>(rng() % joe_kuo.size()); };
+  check_sobol(any_dimension(), 1 + rng() % 5000, 1500 + rng() % 1500);
+  for (unsigned d = 0; d < joe_kuo.size(); ++d) {
+    check_sobol(d, words[rng() % words.size()], 1 + rng() % 3000);
+    check_sobol(d, sobol_end - 700, 700);
+  }
+}
+
+CHECK_CASE("5.5 a column of Sobol' points has any size", "[5.5][points:2]") {
+  Rng rng = check_rng();
+  for (const std::uint64_t count : domain::sizes(65537, rng)) {
+    check_sobol(static_cast<unsigned>(count % joe_kuo.size()), rng() % 300, count);
+  }
+  check_sobol(3, 5, 0);
+}
+
+std::vector<InvalidCall> no_such_points() {
+  const std::string dimensions = "the table has 32 dimensions, from 0 to 31";
+  const std::string indices = "the last index is 2^32 - 1", range = "first|column|index|indices";
+  return {{MEASURE_OUTCOME(sobol, 32, 0, 4), "dimension", dimensions},
+          {MEASURE_OUTCOME(sobol, 33, 0, 1), "dimension", dimensions},
+          {MEASURE_OUTCOME(sobol, 4294967295u, 0, 4), "dimension", dimensions},
+          {MEASURE_OUTCOME(sobol, 0, sobol_end - 2, 3), range, indices},
+          {MEASURE_OUTCOME(sobol, 31, sobol_end, 1), range, indices},
+          {MEASURE_OUTCOME(sobol, 1, last_index, 2), range, indices}};
+}
+
+CHECK_CASE("5.5 Sobol' points that do not exist are refused", "[5.5][points:1][edge]") {
+  expect_refused(no_such_points());
+}
+
+CHECK_CASE("5.5 a refusal names its argument", "[5.5][points:1][edge]") {
+  expect_argument_named(no_such_points());
 }
 
 }  // namespace

@@ -463,15 +463,6 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
   if (*high - *low < 1e-6) {
     return fmt::format("every number is {:.3g}: draw one at random for each", *low);
   }
-  if (const auto bits = grid_of(numbers); bits && *bits > 0) {
-    return fmt::format("the random numbers have too few bits: these have {}, to_unit gives 53",
-                       *bits);
-  }
-  const auto n = static_cast<double>(numbers.values.size());
-  if (n * std::max(*low, 1 - *high) > 40) {
-    return fmt::format("the numbers cover only [{:.2g}, {:.2g}]: u is uniform in [0, 1)", *low,
-                       *high);
-  }
   const std::size_t replicates = numbers.replicates(), positions = numbers.positions;
   for (std::size_t p = 0; p < positions && positions > 1 && replicates >= 20; ++p) {
     bool is_constant = true;
@@ -484,6 +475,15 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
           "generator that is passed in",
           name_of(numbers, p), numbers.values[p]);
     }
+  }
+  if (const auto bits = grid_of(numbers); bits && *bits > 0) {
+    return fmt::format("the random numbers have too few bits: these have {}, to_unit gives 53",
+                       *bits);
+  }
+  const auto n = static_cast<double>(numbers.values.size());
+  if (n * std::max(*low, 1 - *high) > 40) {
+    return fmt::format("the numbers cover only [{:.2g}, {:.2g}]: u is uniform in [0, 1)", *low,
+                       *high);
   }
   const std::string from_one =
       claim.same.empty() ? "draw a random number for each of them" : claim.same;

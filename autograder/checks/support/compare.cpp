@@ -75,7 +75,7 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
   if (std::all_of(got.begin(), got.end(), constant)) {
     all.push_back({std::vector<double>(n, got[0]), fmt::format("every value is {}", got[0])});
   }
-  if (const auto factor = common_factor(got, exact); factor && *factor != 1) {
+  if (const auto factor = common_factor(got, exact); factor && std::abs(*factor - 1) > 1e-6) {
     all.push_back({each(exact, [&](double x) { return *factor * x; }),
                    fmt::format("all values are {:.6g} times as large as they should be", *factor)});
   }

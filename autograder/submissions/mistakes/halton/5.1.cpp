@@ -6,8 +6,6 @@
 #undef radical_inverse
 
 // mistake: sums in a float
-// caught by: 5.1 the radical inverse mirrors, 5.1 every index, 5.1 the last digit
-// caught by: 5.1 the radical inverse is below 1
 // hint: this is a float
 namespace mc::in_floats {
 double radical_inverse(unsigned base, std::uint64_t index) {
@@ -22,7 +20,6 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }  // namespace mc::in_floats
 
 // mistake: adds the largest terms first, so every sum is rounded near 1
-// caught by: 5.1 the last digit
 // hint: add the smallest terms first
 namespace mc::large_digits_first {
 double radical_inverse(unsigned base, std::uint64_t index) {
@@ -37,7 +34,6 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }  // namespace mc::large_digits_first
 
 // mistake: mirrors the digits in 32 bits, which overflow
-// caught by: 5.1 every index, 5.1 the last digit
 // hint: the mirrored digits do not fit in 32 bits
 namespace mc::mirrors_in_32_bits {
 double radical_inverse(unsigned base, std::uint64_t index) {
@@ -52,7 +48,6 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }  // namespace mc::mirrors_in_32_bits
 
 // mistake: does not mirror the digits: writes them after the point in the order of the index
-// caught by: 5.1 the radical inverse mirrors, 5.1 every index, 5.1 the last digit
 // hint: the digits are not mirrored
 namespace mc::not_mirrored {
 double radical_inverse(unsigned base, std::uint64_t index) {
@@ -64,7 +59,6 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }  // namespace mc::not_mirrored
 
 // mistake: rounds an index of more than 53 ones up to 1
-// caught by: 5.1 the radical inverse is below 1
 // hint: it was rounded up to the upper end
 namespace mc::rounds_to_one {
 double radical_inverse(unsigned base, std::uint64_t index) {

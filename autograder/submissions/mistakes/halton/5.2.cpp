@@ -6,7 +6,6 @@
 #undef radical_inverses
 
 // mistake: adds each digit to the previous contents of the column
-// caught by: 5.2 a column has, 5.2 a column may begin anywhere, 5.2 every value
 // hint: never written, or only added to
 namespace mc::adds_into_the_column {
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
@@ -17,7 +16,6 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }  // namespace mc::adds_into_the_column
 
 // mistake: starts a column where the block of its first index starts
-// caught by: 5.2 a column may begin anywhere
 // hint: these are the radical inverses from index
 namespace mc::blocks_from_their_beginning {
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
@@ -28,7 +26,6 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }  // namespace mc::blocks_from_their_beginning
 
 // mistake: keeps the first index in 32 bits
-// caught by: 5.2 a column may begin anywhere
 // hint: of which 32 were kept
 namespace mc::first_of_32_bits {
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
@@ -38,7 +35,6 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }  // namespace mc::first_of_32_bits
 
 // mistake: fills only whole blocks of four values
-// caught by: 5.2 a column has, 5.2 a column may begin anywhere, 5.2 every value
 // hint: never written
 namespace mc::last_values_unwritten {
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {

@@ -8,8 +8,7 @@
 #undef primes
 
 // mistake: keeps the first index of Halton points in 32 bits
-// caught by: 5.3 Halton points
-// hint: `first` has 64 bits, of which 32 were kept
+// hint: an index has 64 bits, of which 32 were kept
 namespace mc::halton_first_of_32_bits {
 void halton(PointSet& points, std::uint64_t first) {
   require_indices(first, points.size(), last_index);
@@ -18,7 +17,6 @@ void halton(PointSet& points, std::uint64_t first) {
 }  // namespace mc::halton_first_of_32_bits
 
 // mistake: starts at index first + 1
-// caught by: 5.3 Halton points, 5.3 integrals
 // hint: this begins one index too late
 namespace mc::halton_from_one {
 void halton(PointSet& points, std::uint64_t first) {
@@ -28,8 +26,7 @@ void halton(PointSet& points, std::uint64_t first) {
 }  // namespace mc::halton_from_one
 
 // mistake: takes primes from a table of 31 and starts again at its end
-// caught by: 5.3 Halton points
-// hint: this axis is in base 2
+// hint: these are in base 2, not in base
 namespace mc::halton_of_31_primes {
 void halton(PointSet& points, std::uint64_t first) {
   require_indices(first, points.size(), last_index);
@@ -41,8 +38,7 @@ void halton(PointSet& points, std::uint64_t first) {
 }  // namespace mc::halton_of_31_primes
 
 // mistake: uses base 2 for every axis
-// caught by: 5.3 Halton points, 5.3 integrals, 5.3 each elementary interval
-// hint: this axis is in base 2
+// hint: these are in base 2, not in base
 namespace mc::one_base_for_all {
 void halton(PointSet& points, std::uint64_t first) {
   for (std::size_t d = 0; d < points.dims(); ++d) radical_inverses(2, first, points.column(d));
@@ -50,7 +46,6 @@ void halton(PointSet& points, std::uint64_t first) {
 }  // namespace mc::one_base_for_all
 
 // mistake: counts 1 as the first prime
-// caught by: 5.3 the first primes
 // hint: 1 is no prime
 namespace mc::one_is_prime {
 std::vector<unsigned> primes(std::size_t count) {

@@ -6,8 +6,7 @@
 #undef hammersley
 
 // mistake: uses (i + 1/2)/N along the first axis
-// caught by: 5.4 Hammersley, 5.4 integrals
-// hint: this is the centred variant
+// hint: this is the centered variant
 namespace mc::centred_hammersley {
 void hammersley(PointSet& points) {
   right_hammersley(points);
@@ -16,8 +15,7 @@ void hammersley(PointSet& points) {
 }  // namespace mc::centred_hammersley
 
 // mistake: divides i by N as integers, which gives 0
-// caught by: 5.4 Hammersley, 5.4 integrals
-// hint: i / N of two whole numbers is 0
+// hint: i / N of two integers is 0
 namespace mc::hammersley_in_whole_numbers {
 void hammersley(PointSet& points) {
   right_hammersley(points);

@@ -6,7 +6,6 @@
 #undef sobol
 
 // mistake: reads the coefficients of the Sobol' recurrence from the wrong end
-// caught by: 5.5 the first points, 5.5 a column of Sobol
 // hint: a_1 the highest bit
 namespace mc::coefficients_reversed {
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
@@ -24,7 +23,6 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 }  // namespace mc::coefficients_reversed
 
 // mistake: generates the points in Gray-code order
-// caught by: 5.5 the first points, 5.5 a column of Sobol
 // hint: in Gray-code order
 namespace mc::gray_code_order {
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
@@ -37,8 +35,7 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 }  // namespace mc::gray_code_order
 
 // mistake: fills only whole blocks of four Sobol' coordinates
-// caught by: 5.5 a column of Sobol
-// hint: this value was never written
+// hint: never written
 namespace mc::sobol_last_values_unwritten {
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   const auto rest = column.last(column.size() % 4);
@@ -49,7 +46,6 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 }  // namespace mc::sobol_last_values_unwritten
 
 // mistake: starts at index first + 1
-// caught by: 5.5 the first points, 5.5 a column of Sobol, 5.5 the first two, 5.5 integrals
 // hint: point 0 is the origin
 namespace mc::sobol_without_the_origin {
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {

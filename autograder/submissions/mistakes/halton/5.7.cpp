@@ -8,7 +8,6 @@
 #undef random_shift
 
 // mistake: shifts each point by its own random vector, which makes the points independent
-// caught by: 5.7 one shift moves, 5.7 the shift is uniform, 5.7 shifted points stay
 // hint: not one for a point
 namespace mc::a_shift_for_each_point {
 void random_shift(PointSet& points, Rng& rng) {
@@ -22,7 +21,6 @@ void random_shift(PointSet& points, Rng& rng) {
 }  // namespace mc::a_shift_for_each_point
 
 // mistake: shifts every axis by the same random number
-// caught by: 5.7 the shift is uniform
 // hint: one shift for every axis
 namespace mc::one_shift_for_all_axes {
 void random_shift(PointSet& points, Rng& rng) {
@@ -37,8 +35,7 @@ void random_shift(PointSet& points, Rng& rng) {
 }  // namespace mc::one_shift_for_all_axes
 
 // mistake: shifts by its own generator, which starts again in every call
-// caught by: 5.7 the shift is uniform
-// hint: the shift is the same each time
+// hint: in every set: draw it from the generator that is passed in
 namespace mc::same_shift_each_time {
 void random_shift(PointSet& points, Rng& /*rng*/) {
   Rng own(1);
@@ -47,7 +44,6 @@ void random_shift(PointSet& points, Rng& /*rng*/) {
 }  // namespace mc::same_shift_each_time
 
 // mistake: does not wrap shifted points around at 1
-// caught by: 5.7 one shift moves, 5.7 shifted points stay
 // hint: it left the unit interval
 namespace mc::shift_without_wrapping {
 void random_shift(PointSet& points, Rng& rng) {

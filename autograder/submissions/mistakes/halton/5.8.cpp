@@ -8,7 +8,6 @@
 #undef owen_scramble
 
 // mistake: flips each bit position alike, not by the string of bits before it
-// caught by: 5.8 each bit, 5.8 a scrambled net
 // hint: that is a digital shift
 namespace mc::digital_shift {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
@@ -21,7 +20,6 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::digital_shift
 
 // mistake: uses the hash of Laine and Karras 2011, which only adds the seed: not Owen's variance
-// caught by: 5.8 a scrambled net, 5.8 each bit
 // hint: nested uniform scrambling
 namespace mc::laine_karras_2011 {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
@@ -44,7 +42,6 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::laine_karras_2011
 
 // mistake: hashes seed + level: the next seed repeats the flips of the next level
-// caught by: 5.8 all 64 bits
 // hint: seed + level is the same
 namespace mc::level_added_to_seed {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
@@ -61,7 +58,6 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::level_added_to_seed
 
 // mistake: uses Matousek's random linear scrambling: correct for pairs, not for triples
-// caught by: 5.8 a scrambled net
 // hint: are pairs of values scrambled independently, but not triples
 namespace mc::linear_scrambling {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
@@ -85,7 +81,6 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::linear_scrambling
 
 // mistake: scrambles only the first 32 bits of a value and loses the others
-// caught by: 5.8 scrambled values, 5.8 each bit
 // hint: 53 bits of a value are scrambled, not 32
 namespace mc::scrambles_32_bits {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
@@ -94,8 +89,21 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 }  // namespace mc::scrambles_32_bits
 
+// mistake: scrambles 20 bits by the bits before them, and the others by a digital shift
+// hint: nested uniform scrambling
+namespace mc::scrambles_20_bits {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  const std::uint64_t last = (std::uint64_t{1} << 33) - 1, shift = Rng(~seed)() & last;
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53);
+    right_owen_scramble(std::span(&value, 1), seed);
+    const auto first = static_cast<std::uint64_t>(value * 0x1p53) & ~last;
+    value = static_cast<double>(first | ((word ^ shift) & last)) * 0x1p-53;
+  }
+}
+}  // namespace mc::scrambles_20_bits
+
 // mistake: loses the upper half of the seed
-// caught by: 5.8 all 64 bits
 // hint: was the seed cut to 32 bits?
 namespace mc::seed_of_32_bits {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
@@ -104,7 +112,6 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::seed_of_32_bits
 
 // mistake: hashes the bits before as a number: 0, 00 and 000 are the same
-// caught by: 5.8 each bit, 5.8 all 64 bits, 5.8 a scrambled net
 // hint: 0, 00 and 000 before a bit are different strings
 namespace mc::string_without_its_length {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {

@@ -34,7 +34,6 @@ void require(unsigned base, std::uint64_t first, std::size_t size) {
 }  // namespace mc
 
 // mistake: adds a random number to each digit, modulo the base
-// caught by: 5.9 permutations are random, 5.9 permuted digits
 // hint: these are rotations
 namespace mc::digits_rotated {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -49,7 +48,6 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::digits_rotated
 
 // mistake: permutes eleven digits and drops the others, so some indices get the same number
-// caught by: 5.9 each position, 5.9 permutations are random
 // hint: this position has no permutation
 namespace mc::eleven_digits {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -76,7 +74,6 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::eleven_digits
 
 // mistake: swaps each digit with any digit, which favors some permutations
-// caught by: 5.9 permutations are random
 // hint: a biased shuffle
 namespace mc::naive_shuffle {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -91,7 +88,6 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::naive_shuffle
 
 // mistake: swaps each digit with a later one, never with itself (Sattolo's algorithm)
-// caught by: 5.9 permutations are random
 // hint: no digit ever stays in place
 namespace mc::no_digit_stays {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -106,7 +102,6 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::no_digit_stays
 
 // mistake: uses the same permutation at every position
-// caught by: 5.9 permutations are random
 // hint: one permutation for all positions
 namespace mc::one_permutation {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -121,7 +116,6 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::one_permutation
 
 // mistake: seeds the generator of a position with seed + position
-// caught by: 5.9 permutations are random
 // hint: seed + position is the same
 namespace mc::position_added_to_seed {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -136,7 +130,6 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::position_added_to_seed
 
 // mistake: keeps the first index of scrambled digits in 32 bits
-// caught by: 5.9 each position has a permutation
 // hint: are all 64 bits of an index kept
 namespace mc::scrambled_first_of_32_bits {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -147,7 +140,6 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::scrambled_first_of_32_bits
 
 // mistake: permutes only the digits of the index, not the zeros before its first digit
-// caught by: 5.9 each position, 5.9 permutations are random
 // hint: the zeros behind the last digit are digits too
 namespace mc::zeros_stay {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
@@ -167,3 +159,17 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   }
 }
 }  // namespace mc::zeros_stay
+
+// mistake: takes two digits in one step in long columns only, which rounds in another way
+// hint: not even for the rounding
+namespace mc::steps_by_length {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  right_radical_inverses_scrambled(base, first, column, seed);
+  if (base > 5 || column.size() < 4 * base * base) return;
+  for (double& value : column) {  // one more rounding
+    const double whole = std::floor(value * base);
+    value = std::min(below_one, (whole + (value * base - whole)) / base);
+  }
+}
+}  // namespace mc::steps_by_length

@@ -1,5 +1,5 @@
 // mistake: a hash that scrambles pairs independently (Owen's variance), but not triples: heavy tails
-// caught by: 5.8 a scrambled net
+// fails: 5.8
 // hint: are pairs of values scrambled independently, but not triples
 #include "halton.hpp"
 

@@ -2,7 +2,6 @@
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 // mistake: shuffles next(), but leaves the points of next2() in the order of their cells
-// caught by: 6.2 each sample dimension has a permutation of its own
 // hint: the pattern must be shuffled
 namespace mc::canonical_points_for_next2 {
 void in_order(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -14,8 +13,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::canonical_points_for_next2
 
 // mistake: stores stratified columns as floats, to save memory
-// caught by: 6.2 next has one number in each of N strata
-// caught by: 6.2 next2 has one point in each cell and stratum
 // hint: edges are i / n in double division
 namespace mc::columns_of_floats {
 void keep_floats(std::span<double> x) {
@@ -39,7 +36,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::columns_of_floats
 
 // mistake: shuffles x and y of a multi-jittered pattern separately
-// caught by: 6.2 next2 has one point in each cell
 // hint: shuffled apart: pairs stay together
 namespace mc::shuffled_apart {
 void apart(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {

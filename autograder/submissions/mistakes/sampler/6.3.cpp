@@ -105,7 +105,6 @@ struct BlocksAlike : ColumnSampler {
 }  // namespace mc
 
 // mistake: starts both next() and next2() with dimension 0
-// caught by: 6.3 the first dimensions of sobol are, 6.3 sobol begins anew after eight dimensions
 // hint: takes the next one of the sequence
 namespace mc::dimensions_counted_apart {
 void one(const Use& use, std::span<double> x, Rng& rng) {
@@ -121,9 +120,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::dimensions_counted_apart
 
 // mistake: does not permute the digits of the Halton sequence
-// caught by: 6.3 each of the first twenty next2 gains
-// caught by: 6.3 each seed and each dimension is randomised anew
-// caught by: 6.3 halton begins anew after eight dimensions
 // hint: a sequence as it is has the origin for its first point
 namespace mc::halton_as_it_is {
 void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
@@ -136,7 +132,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// caught by: 6.3 halton begins anew after eight dimensions
 // hint: scrambled by seeds of its own
 namespace mc::halton_blocks_scrambled_alike {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -145,7 +140,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_blocks_scrambled_alike
 
 // mistake: permutes the digits in base 2 too, which is a digital shift
-// caught by: 6.3 the first dimensions of halton are
 // hint: a digital shift
 namespace mc::halton_by_digital_shift {
 void permuted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
@@ -159,7 +153,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_by_digital_shift
 
 // mistake: starts with point 1 of the sequence, not point 0
-// caught by: 6.3 the first dimensions of halton are
 // hint: is it the sequence from index 0
 namespace mc::halton_from_one {
 void from_one(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
@@ -175,7 +168,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_from_one
 
 // mistake: starts again with dimension 0 after the eighth, without a permutation
-// caught by: 6.3 halton begins anew after eight dimensions
 // hint: every block but the first needs a shuffle
 namespace mc::halton_goes_round {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -185,7 +177,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
-// caught by: 6.3 halton begins anew after eight dimensions
 // hint: each block needs a random permutation of its own
 namespace mc::halton_padded_in_one_order {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -195,8 +186,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
-// caught by: 6.3 halton begins anew after eight dimensions
-// caught by: 6.3 each of the first twenty next2 gains
 // hint: all dimensions of a block share one permutation
 namespace mc::halton_shuffled_apart {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -206,8 +195,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_shuffled_apart
 
 // mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
-// caught by: 6.3 halton begins anew after eight dimensions
-// caught by: 6.3 each of the first twenty next2 gains
 // hint: these are dimensions 8 to 15
 // hint: high dimensions of a sequence are poor pairs
 namespace mc::halton_without_blocks {
@@ -217,7 +204,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_without_blocks
 
 // mistake: gives a next2() the last dimension of a block and the first of the next
-// caught by: 6.3 sobol begins anew after eight dimensions
 // hint: that is left out
 namespace mc::last_dimension_and_first {
 struct Wrong : ColumnSampler {
@@ -246,7 +232,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::last_dimension_and_first
 
 // mistake: advances by one dimension in next2(), so its second axis is the next request's first
-// caught by: 6.3 the first dimensions of halton are, 6.3 halton begins anew after eight dimensions
 // hint: takes the next one of the sequence
 namespace mc::next2_takes_one_dimension {
 struct Wrong : ColumnSampler {
@@ -265,7 +250,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::next2_takes_one_dimension
 
 // mistake: throws where the sequence has no more dimensions
-// caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
 // hint: dimension: there are only 32
 namespace mc::no_more_than_32_dimensions {
 void one(const Use& use, std::span<double> x, Rng& rng) {
@@ -282,9 +266,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::no_more_than_32_dimensions
 
 // mistake: counts next() and next2() together: a next() is half of a next2()
-// caught by: 6.3 the first dimensions of sobol are, 6.3 the first dimensions of halton are
-// caught by: 6.3 sobol begins anew, 6.3 halton begins anew, 6.4 next and next2 are counted apart
-// caught by: 6.7 the first next2 is blue noise
 // hint: count the calls of next() and those of next2() in counters of their own
 namespace mc::one_counter {
 struct Wrong : ColumnSampler {
@@ -298,7 +279,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::one_counter
 
 // mistake: scrambles both axes of a next2() with the same seed
-// caught by: 6.3 each seed and each dimension is randomised anew
 // hint: one seed for several dimensions: each needs its own
 namespace mc::one_scramble_for_both_axes {
 void same_seed(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -313,9 +293,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::one_scramble_for_both_axes
 
 // mistake: does not scramble the Sobol' sequence
-// caught by: 6.3 each of the first twenty next2 gains
-// caught by: 6.3 each seed and each dimension is randomised anew
-// caught by: 6.3 sobol begins anew after eight dimensions
 // hint: a sequence as it is has the origin for its first point
 namespace mc::sobol_as_it_is {
 void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
@@ -328,7 +305,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// caught by: 6.3 sobol begins anew after eight dimensions
 // hint: scrambled by seeds of its own
 namespace mc::sobol_blocks_scrambled_alike {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -337,7 +313,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_blocks_scrambled_alike
 
 // mistake: flips the same bits of all points of a dimension
-// caught by: 6.3 the first dimensions of sobol are, 6.3 each of the first twenty
 // hint: owen_scramble of lab 5
 namespace mc::sobol_by_digital_shift {
 void shifted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
@@ -354,7 +329,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_by_digital_shift
 
 // mistake: starts again with dimension 0 after the eighth, without a permutation
-// caught by: 6.3 sobol begins anew after eight dimensions
 // hint: every block but the first needs a shuffle
 namespace mc::sobol_goes_round {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -363,7 +337,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
-// caught by: 6.3 sobol begins anew after eight dimensions
 // hint: each block needs a random permutation of its own
 namespace mc::sobol_padded_in_one_order {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -373,7 +346,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
-// caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
 // hint: all dimensions of a block share one permutation
 namespace mc::sobol_shuffled_apart {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -383,7 +355,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_shuffled_apart
 
 // mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
-// caught by: 6.3 sobol begins anew after eight dimensions, 6.3 each of the first twenty next2 gains
 // hint: these are dimensions 8 to 15
 // hint: high dimensions of a sequence are poor pairs
 namespace mc::sobol_without_blocks {

@@ -5,11 +5,6 @@
 #include <chrono>
 
 // mistake: seeds itself from the clock
-// caught by: 6.4 the same seed gives the same numbers
-// caught by: 6.4 a sample may ask for less than the one before
-// caught by: 6.4 next and next2 are counted apart
-// caught by: 6.5 the seed of integrate decides about the samples
-// caught by: 6.4 two samplers at once share nothing
 // hint: no clock, no global generator
 namespace mc::clock_decides {
 struct Wrong : ColumnSampler {
@@ -26,7 +21,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::clock_decides
 
 // mistake: starts a sample dimension at the sample that first requests it
-// caught by: 6.4 a sample may ask for less than the one before
 // hint: make a whole column, also for the samples before
 namespace mc::columns_begin_late {
 struct Wrong : ColumnSampler {
@@ -52,8 +46,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::columns_begin_late
 
 // mistake: gives fewer samples the first numbers of old, longer columns
-// caught by: 6.4 the same seed gives the same numbers
-// caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: columns of that size or of another
 namespace mc::columns_never_shrink {
 struct Wrong : ColumnSampler {
@@ -78,7 +70,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::columns_never_shrink
 
 // mistake: puts the first point of blue noise in the middle of the square
-// caught by: 6.4 neighbouring seeds have nothing in common, 6.7 the first next2 is blue noise
 // hint: does every pattern begin at the same place?
 namespace mc::first_point_in_the_middle {
 void centred(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -96,7 +87,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::first_point_in_the_middle
 
 // mistake: seeds its generator in the first generate() only
-// caught by: 6.4 the same seed gives the same numbers
 // hint: what is left over from the integration before?
 namespace mc::goes_on_with_its_generator {
 struct Wrong : ColumnSampler {
@@ -115,7 +105,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::goes_on_with_its_generator
 
 // mistake: does not limit the number of samples, and allocates
-// caught by: 6.4 no samples and too many are refused
 // hint: memory for a column of them
 namespace mc::memory_decides {
 struct Wrong : ColumnSampler {
@@ -132,7 +121,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::memory_decides
 
 // mistake: accepts 0 samples
-// caught by: 6.4 no samples and too many are refused
 // hint: there must be samples
 namespace mc::no_samples_are_fine {
 struct Wrong : ColumnSampler {
@@ -149,7 +137,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::no_samples_are_fine
 
 // mistake: keeps the columns if the number of samples did not change
-// caught by: 6.4 the same seed gives the same numbers
 // hint: what is left over from the integration before?
 namespace mc::old_columns {
 struct Wrong : ColumnSampler {
@@ -170,7 +157,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::old_columns
 
 // mistake: does not reset the counters in generate(): an unfinished sample continues
-// caught by: 6.4 the same seed gives the same numbers
 // hint: Counters, columns of that size
 namespace mc::old_counters {
 struct Wrong : ColumnSampler {
@@ -188,7 +174,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::old_counters
 
 // mistake: reuses a column's permutation in the next integration with as many samples
-// caught by: 6.4 the same seed gives the same numbers
 // hint: what is left over from the integration before?
 namespace mc::old_order {
 struct Wrong : ColumnSampler {
@@ -221,7 +206,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::old_order
 
 // mistake: does not go back to sample 0 in generate()
-// caught by: 6.4 the same seed gives the same numbers
 // hint: Counters, columns of that size
 namespace mc::old_sample_number {
 struct Wrong : ColumnSampler {
@@ -239,7 +223,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::old_sample_number
 
 // mistake: keeps one blue-noise pattern for all seeds
-// caught by: 6.4 neighbouring seeds have nothing in common, 6.7 the first next2 is blue noise
 // hint: does this number depend on the seed at all?
 namespace mc::one_blue_pattern {
 void kept(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -254,8 +237,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::one_blue_pattern
 
 // mistake: draws all numbers from one generator, as random() does
-// caught by: 6.4 a sample may ask for less than the one before
-// caught by: 6.4 next and next2 are counted apart
 // hint: must not hand its numbers to the next one
 namespace mc::one_stream {
 struct Wrong : ColumnSampler {
@@ -276,7 +257,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::one_stream
 
 // mistake: starts again with the first sample after the last one
-// caught by: 6.4 there are numbers for N samples and no others
 // hint: next() and next2() need a sample
 namespace mc::round_and_round {
 struct Wrong : ColumnSampler {
@@ -293,7 +273,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::round_and_round
 
 // mistake: takes one step of a linear congruential generator from the seed as the first number
-// caught by: 6.4 neighbouring seeds have nothing in common
 // hint: mix the bits of the seed
 namespace mc::seed_is_the_state {
 struct Wrong : ColumnSampler {
@@ -318,7 +297,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::seed_is_the_state
 
 // mistake: loses the upper half of the seed
-// caught by: 6.4 neighbouring seeds have nothing in common
 // hint: was the seed cut to 32 bits?
 namespace mc::seed_of_32_bits {
 struct Wrong : ColumnSampler {
@@ -334,7 +312,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::seed_of_32_bits
 
 // mistake: seeds with a hash of the seed plus a counter
-// caught by: 6.4 neighbouring seeds have nothing in common
 // hint: their sum, say, is the same
 namespace mc::seed_plus_counter {
 struct Wrong : ColumnSampler {
@@ -364,7 +341,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::seed_plus_counter
 
 // mistake: seeds a sample dimension with the integration's seed plus its index
-// caught by: 6.4 neighbouring seeds have nothing in common
 // hint: their sum, say, is the same
 namespace mc::seed_plus_use {
 struct Wrong : ColumnSampler {
@@ -392,7 +368,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::seed_plus_use
 
 // mistake: shares one generator among all samplers, which generate() seeds
-// caught by: 6.4 two samplers at once share nothing
 // hint: is there anything static
 namespace mc::static_generator {
 Rng shared(0);
@@ -425,10 +400,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::static_generator
 
 // mistake: stores four numbers per sample; further requests read the next sample's
-// caught by: 6.4 the same seed gives the same numbers
-// caught by: 6.4 a sample may ask for less than the one before
-// caught by: 6.4 next and next2 are counted apart
-// caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: next() to another sample dimension?
 namespace mc::takes_from_the_next_sample {
 struct Wrong : ColumnSampler {
@@ -463,7 +434,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::takes_from_the_next_sample
 
 // mistake: throws in advance() after the last sample
-// caught by: 6.4 there are numbers for N samples and no others
 // hint: advance() never throws
 namespace mc::throws_at_the_end {
 struct Wrong : ColumnSampler {
@@ -480,7 +450,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::throws_at_the_end
 
 // mistake: makes columns only for the requests of the first sample
-// caught by: 6.4 a sample may ask for less than the one before
 // hint: a sample dimension may first be asked for by a later sample
 namespace mc::uses_of_the_first_sample {
 struct Wrong : ColumnSampler {
@@ -501,7 +470,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::uses_of_the_first_sample
 
 // mistake: returns 0 after the last sample
-// caught by: 6.4 there are numbers for N samples and no others
 // hint: next() and next2() need a sample
 namespace mc::zero_after_the_end {
 struct Wrong : ColumnSampler {

@@ -6,7 +6,6 @@
 #undef integrate
 
 // mistake: counts its calls, so that no two have the same seed
-// caught by: 6.5 the seed of integrate decides about the samples
 // hint: is there anything static
 namespace mc::a_new_seed_each_time {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -16,9 +15,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::a_new_seed_each_time
 
 // mistake: advances before each sample, so the first is skipped
-// caught by: 6.5 integrate is the mean over the samples
-// caught by: 6.5 integrate walks through the samples once
-// caught by: 6.5 the seed of integrate decides about the samples, 6.5 no samples are refused
 // hint: the scene was evaluated after the last sample
 namespace mc::advances_first {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -33,8 +29,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::advances_first
 
 // mistake: never advances to the next sample
-// caught by: 6.5 integrate is the mean over the samples
-// caught by: 6.5 integrate walks through the samples once
 // hint: advance() once after each sample
 namespace mc::forgets_to_advance {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -46,8 +40,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::forgets_to_advance
 
 // mistake: generates a point set of one sample, N times
-// caught by: 6.5 integrate is the mean over the samples
-// caught by: 6.5 integrate walks through the samples once
 // hint: generate() once before the loop
 namespace mc::generates_for_each_sample {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -63,7 +55,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::generates_for_each_sample
 
 // mistake: passes on only the lower half of the seed
-// caught by: 6.5 the seed of integrate decides about the samples
 // hint: was the seed cut to 32 bits?
 namespace mc::integral_seed_of_32_bits {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -72,8 +63,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::integral_seed_of_32_bits
 
 // mistake: takes one sample too few, and divides by N
-// caught by: 6.5 integrate is the mean over the samples
-// caught by: 6.5 integrate walks through the samples once, 6.5 every kind is unbiased
 // hint: the last sample is left out
 namespace mc::leaves_out_the_last_sample {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -85,7 +74,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::leaves_out_the_last_sample
 
 // mistake: returns 0 for no samples
-// caught by: 6.5 no samples are refused
 // hint: a mean of no samples is nothing
 namespace mc::mean_of_nothing_is_zero {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -94,7 +82,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::mean_of_nothing_is_zero
 
 // mistake: divides by N - 1
-// caught by: 6.5 integrate is the mean over the samples, 6.5 every kind is unbiased on every scene
 // hint: this is over N - 1
 namespace mc::mean_over_n_minus_1 {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -106,7 +93,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::mean_over_n_minus_1
 
 // mistake: sums in a float
-// caught by: 6.5 integrate is the mean over the samples
 // hint: the mean of what the scene had for each sample
 namespace mc::sum_in_float {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
@@ -120,7 +106,6 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::sum_in_float
 
 // mistake: sums in an int, which truncates every sample
-// caught by: 6.5 integrate is the mean over the samples, 6.5 every kind is unbiased
 // hint: added up in an int
 namespace mc::sum_in_whole_numbers {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {

@@ -29,8 +29,6 @@ Image render_with(const PixelScene& scene, Sampler& sampler, std::size_t spp, Se
 }  // namespace mc
 
 // mistake: uses one seed for all pixels of a row
-// caught by: 6.6 no two pixels have the same random numbers
-// caught by: 6.6 the noise of a picture is white across pixels
 // hint: the same pattern in every pixel shows as a pattern
 namespace mc::a_seed_for_each_row {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -40,8 +38,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::a_seed_for_each_row
 
 // mistake: uses the picture's seed for every pixel
-// caught by: 6.6 no two pixels have the same random numbers
-// caught by: 6.6 the noise of a picture is white across pixels
 // hint: the same pattern in every pixel shows as a pattern
 namespace mc::one_pattern_for_all_pixels {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -50,7 +46,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::one_pattern_for_all_pixels
 
 // mistake: takes the first sample of each pixel instead of the mean
-// caught by: 6.6 render puts every pixel
 // hint: only the first sample of each pixel counts
 namespace mc::one_sample_a_pixel {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -68,7 +63,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::one_sample_a_pixel
 
 // mistake: draws the pixels' seeds from a generator with a seed of 32 bits
-// caught by: 6.6 no two pixels have the same random numbers
 // hint: was the seed cut to 32 bits?
 namespace mc::picture_seed_of_32_bits {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -78,7 +72,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::picture_seed_of_32_bits
 
 // mistake: requests pixel (row, column) from the scene
-// caught by: 6.6 render puts every pixel in its place
 // hint: rows and columns have changed places
 namespace mc::rows_and_columns_swapped {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -91,7 +84,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::rows_and_columns_swapped
 
 // mistake: seeds a pixel with the picture's seed plus the pixel's index
-// caught by: 6.6 no two pixels have the same random numbers
 // hint: their sum, say, is the same
 namespace mc::seed_plus_pixel {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -102,7 +94,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::seed_plus_pixel
 
 // mistake: seeds a pixel with the picture's seed plus multiples of column and row
-// caught by: 6.6 no two pixels have the same random numbers
 // hint: their sum, say, is the same
 namespace mc::seed_plus_primes {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -113,7 +104,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::seed_plus_primes
 
 // mistake: uses only the seven lowest bits of column and row for a pixel's index
-// caught by: 6.6 no two pixels have the same random numbers
 // hint: the same pattern in every pixel shows as a pattern
 namespace mc::seeds_repeat_after_128_pixels {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -124,7 +114,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::seeds_repeat_after_128_pixels
 
 // mistake: adds each picture to the previous one
-// caught by: 6.6 the same seed is the same picture
 // hint: is the image static
 namespace mc::static_image {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -143,7 +132,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::static_image
 
 // mistake: counts the pixels of all pictures that a program renders
-// caught by: 6.6 the same seed is the same picture
 // hint: a counter of pixels say
 namespace mc::static_pixel_counter {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
@@ -154,7 +142,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::static_pixel_counter
 
 // mistake: multiplies width and height without a limit, and allocates
-// caught by: 6.6 pictures that cannot be are refused
 // hint: render_recorded(16384, 16384, 1, 1) did not end within
 // limit: memory
 namespace mc::trusts_the_size {
@@ -172,7 +159,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::trusts_the_size
 
 // mistake: writes the lowest row first
-// caught by: 6.6 render puts every pixel in its place
 // hint: the first row is the top one
 namespace mc::upside_down {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {

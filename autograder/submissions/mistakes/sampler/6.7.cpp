@@ -2,7 +2,6 @@
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 // mistake: makes every next2() blue noise
-// caught by: 6.7 all else of blue_noise is stratified
 // hint: each cell (i, j) gets one point
 namespace mc::blue_in_every_use {
 void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -19,7 +18,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::blue_in_every_use
 
 // mistake: shuffles x and y of a blue-noise pattern separately
-// caught by: 6.7 the first next2 is blue noise
 // hint: together
 namespace mc::blue_shuffled_apart {
 void apart(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -33,7 +31,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::blue_shuffled_apart
 
 // mistake: uses blue noise only if a next2() is the very first request
-// caught by: 6.7 the first next2 is blue noise
 // hint: the first next2() is blue noise also where a next() comes before
 namespace mc::blue_where_it_is_first {
 void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -47,7 +44,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::blue_where_it_is_first
 
 // mistake: shifts each pattern so that its last point is the middle of the square
-// caught by: 6.7 the first next2 is blue noise
 // hint: no point is in every set
 namespace mc::blue_with_a_fixed_point {
 void anchored(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -66,7 +62,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::blue_with_a_fixed_point
 
 // mistake: makes the last two points of blue noise equal
-// caught by: 6.7 the first next2 is blue noise, 6.7 blue noise has exactly N points
 // hint: blue noise never has a point twice
 namespace mc::blue_with_a_twin {
 void twins(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -82,7 +77,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::blue_with_a_twin
 
 // mistake: makes a Poisson-disk pattern of too many points, and keeps any N
-// caught by: 6.7 the first next2 is blue noise
 // hint: less than 0.13
 namespace mc::poisson_disk_cut {
 /// A fifth more points than there should be, in random order, of which the first N are kept.
@@ -107,7 +101,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::poisson_disk_cut
 
 // mistake: makes a Poisson-disk pattern of too few points, and adds random ones
-// caught by: 6.7 the first next2 is blue noise
 // hint: as blue as a fixed number of candidates
 namespace mc::poisson_disk_filled {
 /// About 0.95 N points, then random ones.
@@ -127,7 +120,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::poisson_disk_filled
 
 // mistake: uses ten candidates for each point, whatever their number
-// caught by: 6.7 the first next2 is blue noise
 // hint: as blue as a fixed number of candidates
 namespace mc::ten_candidates {
 void ten(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {

@@ -2,7 +2,6 @@
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 // mistake: makes sixteen columns in generate(), requested or not
-// caught by: 6.8 a sample dimension that nobody asks for costs no memory
 // hint: columns are made when they are asked for, and none was
 namespace mc::eager_columns {
 struct Wrong : ColumnSampler {

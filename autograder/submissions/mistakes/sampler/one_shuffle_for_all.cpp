@@ -1,7 +1,5 @@
 // mistake: shuffles every sample dimension by the same permutation
-// caught by: 6.2 each sample dimension has a permutation of its own
-// caught by: 6.3 sobol begins anew after eight dimensions
-// caught by: 6.3 halton begins anew after eight dimensions
+// fails: 6.2, 6.3
 // hint: each needs a shuffle of its own
 #include "sampler.hpp"
 

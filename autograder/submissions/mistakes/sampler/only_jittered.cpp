@@ -1,5 +1,5 @@
 // mistake: a next2() has one point in each cell, and leaves the strata of the axes to chance
-// caught by: 6.2 next2 has one point in each cell and stratum
+// fails: 6.2
 // hint: multi-jittered points (3.7) have one in each stratum
 #include "sampler.hpp"
 #define multi_jittered stratified_2d

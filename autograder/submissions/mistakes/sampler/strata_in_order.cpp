@@ -1,7 +1,5 @@
 // mistake: does not shuffle: sample i is in stratum i of every sample dimension
-// caught by: 6.2 each sample dimension has a permutation of its own
-// caught by: 6.3 sobol begins anew after eight dimensions
-// caught by: 6.3 halton begins anew after eight dimensions
+// fails: 6.2, 6.3
 // hint: the pattern must be shuffled
 #include "sampler.hpp"
 

@@ -1,5 +1,5 @@
 // mistake: a next2() is a pattern for x and another one for y
-// caught by: 6.2 next2 has one point in each cell and stratum
+// fails: 6.2
 // hint: two 1D patterns are not a 2D pattern
 #include "sampler.hpp"
 

@@ -1,5 +1,5 @@
-// alternative: the discrepancy box by box, on the line by Niederreiter's formula; shifts wrapped by
-// floor
+// alternative: the discrepancy strip by strip, on the line by Niederreiter's formula; shifts wrapped
+// by floor
 #include "halton.hpp"
 
 #include <cmath>
@@ -29,16 +29,23 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   require_points(x, "x");
   require_points(y, "y");
   const auto n = static_cast<double>(x.size());
+  std::vector<double> rights(x.begin(), x.end());
+  rights.push_back(1);
   double worst = 0;
-  for (std::size_t a = 0; a <= x.size(); ++a) {
-    for (std::size_t b = 0; b <= y.size(); ++b) {
-      const double right = a < x.size() ? x[a] : 1, top = b < y.size() ? y[b] : 1;
-      double open = 0, closed = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        open += x[i] < right && y[i] < top ? 1 : 0;
-        closed += x[i] <= right && y[i] <= top ? 1 : 0;
-      }
-      worst = std::max({worst, right * top - open / n, closed / n - right * top});
+  for (const double right : rights) {
+    std::vector<double> open, closed;  // y of the points in a strip
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (x[i] < right) open.push_back(y[i]);
+      if (x[i] <= right) closed.push_back(y[i]);
+    }
+    std::sort(open.begin(), open.end());
+    std::sort(closed.begin(), closed.end());
+    for (std::size_t k = 0; k <= open.size(); ++k) {
+      const double top = k < open.size() ? open[k] : 1;
+      worst = std::max(worst, right * top - static_cast<double>(k) / n);
+    }
+    for (std::size_t k = 0; k < closed.size(); ++k) {
+      worst = std::max(worst, static_cast<double>(k + 1) / n - right * closed[k]);
     }
   }
   return worst;

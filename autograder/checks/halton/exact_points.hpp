@@ -1,22 +1,27 @@
 #pragma once
-// Radical inverses as they are defined, and the primes, to judge by.
+// Radical inverses, primes and Sobol' points as they are defined, to judge by.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "checks/support/exact.hpp"
+#include "checks/support/sobol_exact.hpp"
 
 namespace mc::checks {
 
 inline constexpr double half_ulp = 0x1p-53;  // half a unit in the last place of 1
-inline constexpr double inverse_tolerance = 4 * half_ulp;
+/// The bound of the header, and what rounding the exact fraction to a double adds.
+inline constexpr double inverse_tolerance = 4.5 * half_ulp;
 inline constexpr std::uint64_t last_index = std::numeric_limits<std::uint64_t>::max();
+
+/// Indices first, first + 1, …
+inline std::vector<std::uint64_t> indices_from(std::uint64_t first, std::size_t n) {
+  std::vector<std::uint64_t> indices(n);
+  for (std::uint64_t& index : indices) index = first++;
+  return indices;
+}
 
 /// The radical inverse, right to 100 bits: from the first digit of the index to the last.
 inline Exact exact_inverse(unsigned base, std::uint64_t index) {
@@ -36,7 +41,7 @@ inline double inverse(unsigned base, std::uint64_t index) {
 /// Of first, first + 1, …
 inline std::vector<double> inverses(unsigned base, std::uint64_t first, std::size_t n) {
   std::vector<double> x(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = inverse(base, first + i);
+  for (double& value : x) value = inverse(base, first++);
   return x;
 }
 
@@ -58,17 +63,15 @@ inline std::vector<unsigned> sieved_primes(unsigned limit) {
   return found;
 }
 
-/// A number of [0, 1] in words; one that only rounds to 1 as what it is.
-inline std::string shown(Exact value) {
-  const auto rounded = static_cast<double>(value);
-  if (rounded < 1) return fmt::format("{:.17g}", rounded);
-  const auto missing = static_cast<double>(Exact(1) - value);
-  return missing > 0 ? fmt::format("1 - {:.2g}", missing) : "1";
+inline double sobol_value(std::span<const std::uint32_t> v, std::uint64_t index) {
+  return sobol_word(v, index) * 0x1p-32;
 }
 
-/// A measured number in words.
-inline std::string shown_number(double value) {
-  return std::isnan(value) ? "NaN" : fmt::format("{:.17g}", value == 0 ? 0 : value);
+inline std::vector<double> sobol_points(unsigned dimension, std::uint64_t first, std::size_t n) {
+  const auto v = sobol_directions(dimension);
+  std::vector<double> x(n);
+  for (double& value : x) value = sobol_value(v, first++);
+  return x;
 }
 
 }  // namespace mc::checks

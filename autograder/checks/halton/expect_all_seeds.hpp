@@ -1,0 +1,58 @@
+#pragma once
+// What 5.8 and 5.9 promise of their seeds.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "checks/support/domain.hpp"
+#include "checks/support/expect.hpp"
+#include "checks/support/inversions.hpp"
+
+namespace mc::checks {
+
+/// There are 20 tests at most in a run of this lab.
+inline constexpr double one_alpha = 1e-8;
+
+/// `measure(seeds)` scrambles 0 by each of them, in base `base`. Seeds that follow each other, as
+/// those of axes and pixels do, and seeds that differ in one bit, give unrelated numbers.
+template <class Measurement>
+void expect_all_seeds(Rng& rng, double base, const std::string& level, Measurement measure) {
+  const auto row = measure(domain::seeds_in_a_row(rng() >> 1, 6400));
+  const auto& values = row.exactly(6400, unit);
+  bool is_next_digit = true;
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    const double apart = std::remainder(base * values[i] - values[i + 1], 1.0);
+    is_next_digit = is_next_digit && std::abs(apart) < 1e-9;
+  }
+  const std::string next_digit =
+      "scrambled 0 shows at the next seed what it shows one digit later at this one: seed + " +
+      level + " is the same for a seed and the next " + level +
+      ", and for the next seed and this " + level + "; hash the seed before the " + level +
+      " is added";
+  const std::string otherwise =
+      "seeds that differ a little give numbers that are not independent: mix all 64 bits of the "
+      "seed before they meet anything else";
+  const Randomness in_a_row{.words = "neighboring seeds give independent numbers",
+                            .alpha = one_alpha,
+                            .otherwise = is_next_digit ? next_digit : otherwise};
+  expect_independent_uniforms({row.call, 1, values}, in_a_row);
+  std::vector<std::uint64_t> seeds;
+  for (int i = 0; i < 120; ++i) {
+    const auto more = domain::seeds_by_bit(rng);
+    seeds.insert(seeds.end(), more.begin(), more.end());
+  }
+  const auto by_bit = measure(seeds);
+  Uniforms numbers{by_bit.call, 65, by_bit.exactly(seeds.size(), unit)};
+  numbers.name = [](std::size_t k) {
+    return k == 0 ? std::string("the number of a seed")
+                  : "that of the seed with bit " + std::to_string(k - 1) + " changed";
+  };
+  expect_independent_uniforms(numbers, {.words = "all 64 bits of the seed count",
+                                        .alpha = one_alpha,
+                                        .otherwise = otherwise,
+                                        .same = "a bit of the seed does nothing; was the seed cut "
+                                                "to 32 bits?"});
+}
+
+}  // namespace mc::checks

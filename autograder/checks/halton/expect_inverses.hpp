@@ -1,0 +1,125 @@
+#pragma once
+// What is expected of radical inverses, with what well-known mistakes give in their place.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "checks/halton/exact_points.hpp"
+#include "checks/support/compare.hpp"
+
+namespace mc::checks {
+
+inline const char* const never_written =
+    "this value was never written, or only added to: columns are filled with NaN before the call";
+
+/// The radical inverses that a call should give, and of a column its first index.
+struct Inverses {
+  unsigned base = 2;
+  std::vector<std::uint64_t> indices = {};
+  std::string otherwise = {};  ///< said where no mistake explains the values
+  double tolerance = inverse_tolerance;
+  bool separate_calls = false;
+};
+
+/// `f` of each index.
+template <class F>
+std::vector<double> values_of(const std::vector<std::uint64_t>& indices, F f) {
+  std::vector<double> values(indices.size());
+  std::transform(indices.begin(), indices.end(), values.begin(), f);
+  return values;
+}
+
+/// The digits of an index, from the last on, put together as a whole number over base^digits.
+template <class Number, class Append>
+double put_together(unsigned base, std::uint64_t index, Append append) {
+  Number number = 0;
+  double size = 1;
+  for (; index > 0; index /= base, size *= base) {
+    number = append(number, static_cast<Number>(index % base), static_cast<Number>(size));
+  }
+  return static_cast<double>(number) / size;
+}
+
+/// What well-known mistakes give, of those that agree with the last value at least.
+inline std::vector<Curve> inverse_suspects(std::span<const double> got, const Inverses& expected) {
+  const auto& indices = expected.indices;
+  const unsigned base = expected.base;
+  std::vector<Curve> all{{std::vector<double>(got.size(), std::nan("")), never_written}};
+  const auto suspect = [&](auto f, const std::string& hint) {
+    if (!(std::abs(f(indices.back()) - got.back()) <= 1e-7)) return;
+    all.push_back({values_of(indices, f), hint});
+  };
+  const auto other_index = [&](auto change, const std::string& hint) {
+    suspect([=](std::uint64_t i) { return inverse(base, change(i)); }, hint);
+  };
+  using Word = std::uint32_t;
+  suspect(
+      [=](std::uint64_t i) {
+        return put_together<double>(base, i,
+                                    [](double a, double d, double s) { return a + d * s; });
+      },
+      "the digits are not mirrored: the last digit of the index comes first after the point");
+  suspect(
+      [=](std::uint64_t i) {
+        return put_together<Word>(base, i, [=](Word a, Word d, Word) { return a * base + d; });
+      },
+      "the mirrored digits do not fit in 32 bits: 64 are not enough for every index");
+  other_index([](std::uint64_t i) { return i + 1; }, "this begins one index too late");
+  other_index([](std::uint64_t i) { return i - 1; }, "this begins one index too early");
+  other_index([](std::uint64_t i) { return i & 0xffffffffu; },
+              "an index has 64 bits, of which 32 were kept");
+  if (expected.separate_calls) return all;
+  // Columns from elsewhere on (0, the beginning of a block, 32 bits of `first`), or in other bases.
+  std::vector<std::uint64_t> firsts{0};
+  for (std::uint64_t block = base; block <= indices[0]; block *= base) {
+    firsts.push_back(indices[0] - indices[0] % block);
+    if (block > last_index / base) break;
+  }
+  firsts.erase(std::unique(firsts.begin(), firsts.end()), firsts.end());
+  for (const std::uint64_t first : firsts) {
+    other_index([shift = indices[0] - first](std::uint64_t i) { return i - shift; },
+                fmt::format("these are the radical inverses from index {} on, not from {}", first,
+                            indices[0]));
+  }
+  other_index([=](std::uint64_t i) { return (indices[0] & 0xffffffffu) + (i - indices[0]); },
+              "an index has 64 bits, of which 32 were kept");
+  for (unsigned other = 2; other < 300; ++other) {
+    suspect([=](std::uint64_t i) { return inverse(other, i); },
+            fmt::format("these are in base {}, not in base {}", other, base));
+  }
+  return all;
+}
+
+/// Every value is the radical inverse of its index. Where that it stays below 1 has a check of its
+/// own, 1 counts as the number before it.
+inline void expect_inverses(const MeasuredValues& measured, const Inverses& expected) {
+  std::vector<double> got(measured.values.begin(), measured.values.end());
+  std::replace(got.begin(), got.end(), 1.0, 1 - half_ulp);
+  Comparison comparison{
+      values_of(expected.indices, [&](std::uint64_t i) { return inverse(expected.base, i); }),
+      {expected.tolerance},
+      fmt::format("the exact fraction, {} * 2^-53 at most away from it; Horner's rule keeps the "
+                  "error to 2 * 2^-53",
+                  expected.tolerance / half_ulp)};
+  comparison.separate_calls = expected.separate_calls;
+  comparison.name = [&](std::size_t k) {
+    return fmt::format("{}: value {}, of index {} in base {},", measured.call, k,
+                       expected.indices[k], expected.base);
+  };
+  const MeasuredValues held{measured.call, got};
+  if (!difference(held, comparison)) return pass();
+  bool are_floats = true;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    are_floats = are_floats && static_cast<float>(got[i]) == got[i] &&
+                 std::abs(got[i] - comparison.exact[i]) < 1e-6;
+  }
+  comparison.suspects = inverse_suspects(got, expected);
+  comparison.otherwise = std::any_of(got.begin(), got.end(), [](double x) { return std::isnan(x); })
+                             ? never_written
+                         : are_floats ? "this is a float: it has 24 bits, not 53"
+                                      : expected.otherwise;
+  expect_each(held, comparison);
+}
+
+}  // namespace mc::checks
