@@ -80,7 +80,7 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
   fail(*failure);
 }
 
-CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:4][edge]") {
+CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:4]") {
   Rng rng = check_rng();
   constexpr std::size_t count = 1500;
   const std::string nested =
