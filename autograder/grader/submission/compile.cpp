@@ -129,7 +129,7 @@ sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
       {"LC_ALL", "C"},                  // the messages that are recognised below
       {"TMPDIR", directory.string()}};  // the assembler's input lies in there too
   options.cpu_seconds = 20;
-  options.wall_seconds = 60;
+  options.wall_seconds = 120;
   options.memory = std::size_t{1536} << 20;
   options.file_size = std::size_t{64} << 20;
   return options;
