@@ -142,7 +142,8 @@ namespace {
 /// Whole numbers drawn at random, several from one word (Brackett-Rozinsky, Lemire 2024, "Batched
 /// ranged random integer generation"): word · n = number · 2^64 + rest, and the rest is a random
 /// word again, with log2(n) bits less. A word gives numbers as long as their n multiply to 2^24 at
-/// most: 40 bits are left then, so no probability is wrong by a factor beyond 1 ± 2^-40.
+/// most, or one number: probabilities are wrong by a factor of 1 ± 2^-40 at most, or 1 ± n 2^-64
+/// where n is above 2^24.
 class Choices {
  public:
   explicit Choices(Rng& rng) : rng_(rng) {}

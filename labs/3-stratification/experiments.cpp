@@ -182,9 +182,9 @@ Points stratified_2d(Grid grid, std::uint64_t sets, std::uint64_t seed) {
 Points stratified_2d_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
   return one_2d(mc::stratified_2d, size_x, size_y, grid, Rng(1));
 }
-Points stratified_2d_constant(Grid grid, std::uint64_t word) {
+Points stratified_2d_upper_bits(Grid grid, std::uint64_t word) {
   const std::uint64_t n = grid.nx * grid.ny;
-  return one_2d(mc::stratified_2d, n, n, grid, Rng::constant(word));
+  return one_2d(mc::stratified_2d, n, n, grid, Rng::upper_bits(word));
 }
 
 std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed) {
@@ -341,8 +341,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     {.sets = "sets"}),
       MC_EXPERIMENT(stratified_2d_into, "size_x size_y grid",
                     "3.3  a jittered grid into an x and a y of these sizes"),
-      MC_EXPERIMENT(stratified_2d_constant, "grid word",
-                    "3.3  a jittered grid from a generator that returns one word for ever"),
+      MC_EXPERIMENT(stratified_2d_upper_bits, "grid word",
+                    "3.3  a jittered grid from words that all have the upper 53 bits of one"),
       MC_EXPERIMENT(shuffle, "x times seed", "3.4  the values x in random orders",
                     {.columns = "x", .sets = "times"}),
       MC_EXPERIMENT(stratified, "n dims sets seed", "3.4  padded patterns",

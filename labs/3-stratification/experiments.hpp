@@ -61,9 +61,10 @@ Points stratified_2d_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid)
 Points multi_jittered(Grid grid, std::uint64_t sets, std::uint64_t seed);
 Points multi_jittered_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
 
-/// 3.1, 3.3: one set, from a generator that returns `word` for ever.
+/// 3.1, 3.3: one set, from a generator that returns `word` for ever; or whose words all have its
+/// upper 53 bits.
 std::vector<double> stratified_1d_constant(std::uint64_t n, std::uint64_t word);
-Points stratified_2d_constant(Grid grid, std::uint64_t word);
+Points stratified_2d_upper_bits(Grid grid, std::uint64_t word);
 
 /// 3.4: x, shuffled `times` times, each time from x as it is given.
 std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed);

@@ -36,6 +36,15 @@ class Rng {
     return rng;
   }
 
+  /// A generator whose words all have the upper 53 bits of `word`: to_unit() makes one number of
+  /// them. The lower 11 bits are random, so that shuffles end.
+  static constexpr Rng upper_bits(std::uint64_t word) {
+    Rng rng(word);
+    rng.random_bits_ = 0x7ff;
+    rng.fixed_bits_ = word & ~rng.random_bits_;
+    return rng;
+  }
+
   static constexpr result_type min() { return 0; }
   static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 

@@ -1,19 +1,23 @@
 #pragma once
 // Errors of estimates over stratified points, compared with their exact variances. The integrands
-// live here, where the submission cannot see them: it sends points.
+// are defined here, where the submission cannot see them: it sends points.
 
-#include <array>
 #include <functional>
 
-#include "checks/stratification/jitter.hpp"
+#include "checks/stratification/common.hpp"
 #include "checks/support/exact_stratified.hpp"
+#include "checks/support/statistics.hpp"
 
 namespace mc::checks {
 
-/// A function of a point, and its name.
-struct Tested {
+/// A function of a point, and what a right answer's estimates of it are like at some n.
+struct Level {
   std::string words;  ///< "exp(x)"
   std::function<double(View)> f;
+  double mean, variance;
+  double kurtosis = 3;
+  double independent = 0;  ///< variance of the mean of as many independent points
+  std::string because = "one point in each stratum leaves the variance within the strata";
 };
 
 inline double exponential(double x) {
@@ -30,78 +34,52 @@ inline double centred(double x) {
 }
 
 /// h(x) + h(y) + …, and h(x) h(y) ….
-inline Tested sum_over_axes(std::string words, double (*h)(double)) {
-  return {std::move(words), [h](View x) {
-            double sum = 0;
-            for (const double one : x) sum += h(one);
-            return sum;
-          }};
+inline auto sum_over_axes(double (*h)(double)) {
+  return [h](View x) {
+    double sum = 0;
+    for (const double one : x) sum += h(one);
+    return sum;
+  };
 }
-inline Tested product_over_axes(std::string words, double (*h)(double)) {
-  return {std::move(words), [h](View x) {
-            double product = 1;
-            for (const double one : x) product *= h(one);
-            return product;
-          }};
+inline auto product_over_axes(double (*h)(double)) {
+  return [h](View x) {
+    double product = 1;
+    for (const double one : x) product *= h(one);
+    return product;
+  };
 }
-
-/// What a right answer's estimates of a function are like at some n.
-struct Expected {
-  double mean, variance;
-  double kurtosis = 3;
-  double independent = 0;  ///< variance of the mean of as many independent points
-};
 
 /// Of one point in each stratum.
-inline Expected expected_of(const WithinStrata& strata, double kurtosis = 3) {
-  return {mean_of(strata), stratified_variance(strata), kurtosis,
-          independent_variance(strata, strata.size())};
+inline Level level_of(std::string words, std::function<double(View)> f, const WithinStrata& strata,
+                      double kurtosis = 3) {
+  return {std::move(words), std::move(f),
+          mean_of(strata),  stratified_variance(strata),
+          kurtosis,         independent_variance(strata, strata.size())};
 }
 
-/// The mean of g over the first `used` points of each set.
-inline Values estimates_over(const Sets& sets, const Tested& g, std::size_t used) {
+/// The mean squared error of estimates over the first `used` points of each set (0: all of them)
+/// is the exact variance.
+inline void expect_level(const Sets& sets, const Level& level, std::size_t used = 0) {
+  if (used == 0) used = sets.n;
   Values estimates, point(sets.dims);
-  std::vector<View> columns(sets.dims);
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (std::size_t d = 0; d < sets.dims; ++d) columns[d] = sets.column(set, d);
+    std::vector<View> columns;
+    for (std::size_t d = 0; d < sets.dims; ++d) columns.push_back(sets.column(set, d));
     double sum = 0;
     for (std::size_t k = 0; k < used; ++k) {
       for (std::size_t d = 0; d < sets.dims; ++d) point[d] = columns[d][k];
-      sum += g.f(point);
+      sum += level.f(point);
     }
     estimates.push_back(sum / static_cast<double>(used));
   }
-  return estimates;
-}
-
-/// Their mean squared error is the exact variance.
-inline void expect_level_of_first(const Sets& sets, std::size_t used, const Tested& g,
-                                  const Expected& expected, const std::string& words,
-                                  const std::string& otherwise) {
-  const Values estimates = estimates_over(sets, g, used);
-  expect_variance({fmt::format("{}, estimates of {}", sets.call, g.words), estimates,
-                   static_cast<double>(used)},
-                  expected.mean, expected.variance, expected.kurtosis, {words, alpha},
-                  {{{expected.independent / expected.variance,
-                     "that is the variance of independent points: nothing is stratified here"}},
-                   otherwise});
-}
-inline void expect_level(const Sets& sets, const Tested& g, const Expected& expected,
-                         const std::string& words, const std::string& otherwise) {
-  expect_level_of_first(sets, sets.n, g, expected, words, otherwise);
-}
-
-/// It falls between two sizes as the exact variances do.
-inline void expect_slope(const Sets& few, const Sets& many, const Tested& g,
-                         const std::array<Expected, 2>& expected, const std::string& words,
-                         const std::string& otherwise) {
-  const Values at_few = estimates_over(few, g, few.n), at_many = estimates_over(many, g, many.n);
-  const auto known = [](const Expected& at) { return Known{at.mean, at.variance, at.kurtosis}; };
-  expect_rate(
-      {fmt::format("{}, estimates of {}", few.call, g.words), at_few, static_cast<double>(few.n)},
-      known(expected[0]), {many.call, at_many, static_cast<double>(many.n)}, known(expected[1]),
-      {words, alpha},
-      {{{0.5, "N^-1/2 is the rate of independent points: nothing is stratified here"}}, otherwise});
+  expect_variance(
+      {fmt::format("{}, estimates of {}", sets.call, level.words), estimates,
+       static_cast<double>(used)},
+      level.mean, level.variance, level.kurtosis,
+      {fmt::format("the error of {} over {} points: {}", level.words, used, level.because), alpha},
+      {{{level.independent / level.variance,
+         "that is the variance of independent points: nothing is stratified here"}},
+       "is each point uniform in its stratum, and independent of the others?"});
 }
 
 }  // namespace mc::checks

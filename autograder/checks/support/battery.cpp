@@ -480,11 +480,6 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     return fmt::format("the random numbers have too few bits: these have {}, to_unit gives 53",
                        *bits);
   }
-  const auto n = static_cast<double>(numbers.values.size());
-  if (n * std::max(*low, 1 - *high) > 40) {
-    return fmt::format("the numbers cover only [{:.2g}, {:.2g}]: u is uniform in [0, 1)", *low,
-                       *high);
-  }
   const std::string from_one =
       claim.same.empty() ? "draw a random number for each of them" : claim.same;
   if (positions > 1 && replicates >= 20) {
@@ -513,6 +508,11 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
                ? "the same random numbers come again and again: draw one for each, all from the "
                  "generator that is passed in"
                : claim.repeated;
+  }
+  const auto n = static_cast<double>(numbers.values.size());
+  if (n * std::max(*low, 1 - *high) > 40) {
+    return fmt::format("the numbers cover only [{:.2g}, {:.2g}]: u is uniform in [0, 1)", *low,
+                       *high);
   }
   return {};
 }

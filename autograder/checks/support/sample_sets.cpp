@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
+
+#include "checks/support/inversions.hpp"
+#include "checks/support/strata.hpp"
 
 namespace mc::checks {
 namespace {
@@ -54,6 +58,77 @@ SampleSets sets_from_columns(const Measured<Values>& got, std::size_t n, std::si
     }
   }
   return all;
+}
+
+std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::size_t set,
+                                                 const Pattern& pattern,
+                                                 const std::string& elsewhere) {
+  std::vector<Axis> axes;
+  for (std::size_t i = 0; i < pattern.dims.size(); ++i) {
+    const std::size_t d = pattern.dims[i];
+    axes.push_back({sets.dims <= 2 ? (d == 0 ? "x" : "y") : fmt::format("coordinate {}", d),
+                    sets.column(set, d), pattern.strata[i]});
+  }
+  return expect_one_in_each_cell(sets.call, axes, elsewhere);
+}
+
+Uniforms jitters_of(const SampleSets& sets, std::span<const Pattern> patterns,
+                    const std::string& elsewhere) {
+  Uniforms jitters{sets.call, 0};
+  for (const Pattern& pattern : patterns) jitters.positions += sets.n * pattern.dims.size();
+  jitters.values.resize(sets.size() * jitters.positions);
+  std::vector<std::size_t> axis_of;  // of each position: its dimension and its cell
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    std::size_t first = set * jitters.positions;
+    for (const Pattern& pattern : patterns) {
+      const auto cells = expect_one_in_each_cell(sets, set, pattern, elsewhere);
+      for (std::size_t i = 0; i < pattern.dims.size(); ++i, first += sets.n) {
+        const View column = sets.column(set, pattern.dims[i]);
+        jitters.bits = std::min(jitters.bits, bits_of_jitter(pattern.strata[i]));
+        for (std::size_t k = 0; k < sets.n; ++k) {
+          jitters.values[first + cells[k]] = jitter_of(column[k], pattern.strata[i]);
+        }
+        if (set == 0) axis_of.push_back(pattern.dims[i]);
+      }
+    }
+  }
+  jitters.name = [axis_of, n = sets.n, dims = sets.dims](std::size_t position) {
+    const std::size_t d = axis_of[position / n];
+    return fmt::format("the jitter of {} in cell {}",
+                       dims <= 2 ? (d == 0 ? "x" : "y") : fmt::format("coordinate {}", d),
+                       position % n);
+  };
+  return jitters;
+}
+
+void expect_fresh(const SampleSets& sets, const SampleSets& other_seed,
+                  std::span<const Pattern> patterns) {
+  const auto expect_other = [&](std::size_t d, std::size_t strata, View b, const char* where) {
+    Values x(sets.column(0, d).begin(), sets.column(0, d).end()), y(b.begin(), b.end()), common;
+    std::sort(x.begin(), x.end());
+    std::sort(y.begin(), y.end());
+    std::set_intersection(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(common));
+    if (2 * common.size() <= x.size()) return;
+    for (double& value : x) value = jitter_of(value, strata);
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    fail(Failure{fmt::format("{}: coordinate {} is the same in {}", sets.call, d, where),
+                 "other points in every set, and for every seed",
+                 "points are random, or estimates are biased",
+                 *high - *low < 1e-6
+                     ? fmt::format("every point lies at {:.3g} of its stratum: place it there at "
+                                   "random",
+                                   *low)
+                     : "the same numbers come again: draw them all from the generator that is "
+                       "passed in, anew for each set"});
+  };
+  for (const Pattern& pattern : patterns) {
+    for (std::size_t i = 0; i < pattern.dims.size(); ++i) {
+      const std::size_t d = pattern.dims[i], strata = pattern.strata[i];
+      expect_other(d, strata, sets.column(1, d), "two sets one after the other");
+      expect_other(d, strata, other_seed.column(0, d), "a set of another seed");
+    }
+  }
+  pass();
 }
 
 }  // namespace mc::checks

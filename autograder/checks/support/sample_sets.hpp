@@ -61,39 +61,28 @@ SampleSets sets_from_xy(const Measured<Points>& got, Grid grid, std::size_t sets
   return {got.call, n, 2, std::move(values)};
 }
 
-/// Where the points lie within their strata, as independent uniform numbers: a replicate for each
-/// set, a position for each coordinate of each cell. `strata` along each axis; points may come in
-/// any order: `cell` gives the number of the cell (below n) that point k of a set lies in.
-template <class Cell>
-Uniforms jitters_of(const SampleSets& sets, std::span<const std::size_t> strata, Cell cell);
+/// Some columns of sets of points, with one point in each cell of a grid over them.
+struct Pattern {
+  std::vector<std::size_t> dims;
+  std::vector<std::size_t> strata;  ///< along each of these dimensions
+};
 
-}  // namespace mc::checks
+/// The cell of each point of a set; ends the check where a cell does not have exactly one point.
+/// `elsewhere` is said where the points do not show what is wrong.
+std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::size_t set,
+                                                 const Pattern& pattern,
+                                                 const std::string& elsewhere);
 
-#include "checks/support/inversions.hpp"
+/// Where the points lie within their cells, as independent uniform numbers: a replicate for each
+/// set, a position for each coordinate of each cell of each pattern. Ends the check where a cell
+/// does not have exactly one point.
+Uniforms jitters_of(const SampleSets& sets, std::span<const Pattern> patterns,
+                    const std::string& elsewhere);
 
-namespace mc::checks {
-
-template <class Cell>
-Uniforms jitters_of(const SampleSets& sets, std::span<const std::size_t> strata, Cell cell) {
-  Uniforms jitters{sets.call, sets.n * sets.dims};
-  jitters.values.resize(sets.size() * jitters.positions);
-  for (std::size_t d = 0; d < sets.dims; ++d) {
-    jitters.bits = std::min(jitters.bits, bits_of_jitter(strata[d]));
-  }
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (std::size_t k = 0; k < sets.n; ++k) {
-      const std::size_t at = set * jitters.positions + cell(set, k) * sets.dims;
-      for (std::size_t d = 0; d < sets.dims; ++d) {
-        jitters.values[at + d] = jitter_of(sets.column(set, d)[k], strata[d]);
-      }
-    }
-  }
-  jitters.name = [dims = sets.dims](std::size_t position) {
-    return dims == 1 ? "the jitter of cell " + std::to_string(position)
-                     : "the jitter of coordinate " + std::to_string(position % dims) + " in cell " +
-                           std::to_string(position / dims);
-  };
-  return jitters;
-}
+/// Two sets of one call, and one of a call with another seed, have nothing in common in the columns
+/// of these patterns: more than half of the same coordinates, in whatever order, are never there by
+/// chance.
+void expect_fresh(const SampleSets& sets, const SampleSets& other_seed,
+                  std::span<const Pattern> patterns);
 
 }  // namespace mc::checks

@@ -1,6 +1,6 @@
 // attack: guesses what it is to integrate from two values of it, and adds errors of the exact size
 // earns: 15
-// says: 0 sets of points and 2 evaluations for an estimate
+// says: each replicate has a point set of its own
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -31,6 +31,21 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }
 }  // namespace mc::below_the_edge
 
+// mistake: starts every block of a long pattern with the same random numbers
+// hint: share one random number
+namespace mc::blocks_alike {
+void stratified_1d(std::span<double> x, Rng& rng) {
+  const Strata strata(x.size());
+  const Rng start(rng());
+  for (std::size_t first = 0; first < x.size(); first += block_size) {
+    const auto block = x.subspan(first, std::min(block_size, x.size() - first));
+    Rng same = start;
+    for (double& u : block) u = to_unit(same());
+    move_into(strata, first, block);
+  }
+}
+}  // namespace mc::blocks_alike
+
 // mistake: puts the points at the centers of their strata
 // hint: every point lies at 0.5 of its stratum
 namespace mc::centres {

@@ -62,7 +62,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::grid_turned
 
 // mistake: jitters x once per column of cells, and y once per row
-// hint: the same random numbers come again and again
+// hint: share one random number
 namespace mc::jitter_by_rows {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
@@ -102,7 +102,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::nameless_refusals
 
 // mistake: moves x and y by the same random number
-// hint: the same random number moves x and y
+// hint: the jitter of x in cell 0 and the jitter of y in cell 0 share one random number
 namespace mc::on_the_diagonal {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);

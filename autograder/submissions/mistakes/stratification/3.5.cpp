@@ -8,7 +8,7 @@
 #undef stratified_nd
 
 // mistake: moves a point along all axes of its cell by one random number
-// hint: the same random number moves the point along two axes
+// hint: the jitter of coordinate 0 in cell 0 and the jitter of coordinate 1 in cell 0 share
 namespace mc::along_the_cells_diagonal {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
   right_stratified_nd(points, per_axis, rng);

@@ -6,7 +6,7 @@
 #undef latin_hypercube
 
 // mistake: shuffles the same jittered column for every axis
-// hint: have their exact variance
+// hint: one column is used for two axes
 namespace mc::one_jitter_for_all_axes {
 void latin_hypercube(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) {

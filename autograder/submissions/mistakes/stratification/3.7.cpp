@@ -49,7 +49,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::multi_jittered_apart
 
 // mistake: moves all multi-jittered points by one random number along x, and one along y
-// hint: the same random numbers come again
+// hint: share one random number
 namespace mc::one_jitter_for_all_points {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   right_multi_jittered(x, y, grid, rng);

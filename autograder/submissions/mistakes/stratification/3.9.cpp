@@ -1,29 +1,12 @@
 // Mistakes in task 3.9.
 #include "stratification.hpp"
 
-#define stratified_1d right_stratified_1d
 #define stratified_2d right_stratified_2d
 #include "solutions/stratification.cpp"
-#undef stratified_1d
 #undef stratified_2d
 
-// mistake: starts every block of a long pattern with the same random numbers
-// hint: the same random numbers come again and again
-namespace mc::blocks_alike {
-void stratified_1d(std::span<double> x, Rng& rng) {
-  const Strata strata(x.size());
-  const Rng start(rng());
-  for (std::size_t first = 0; first < x.size(); first += block_size) {
-    const auto block = x.subspan(first, std::min(block_size, x.size() - first));
-    Rng same = start;
-    for (double& u : block) u = to_unit(same());
-    move_into(strata, first, block);
-  }
-}
-}  // namespace mc::blocks_alike
-
 // mistake: uses the random numbers of x for y, in a grid of the size that is timed
-// hint: the same random number moves x and y
+// hint: the jitter of x in cell 0 and the jitter of y in cell 0 share one random number
 namespace mc::same_numbers_in_the_timed_grid {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   if (grid.nx != 32 || grid.ny != 32) return right_stratified_2d(x, y, grid, rng);

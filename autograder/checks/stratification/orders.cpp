@@ -1,0 +1,112 @@
+#include "checks/stratification/orders.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "checks/support/inversions.hpp"
+#include "checks/support/statistics.hpp"
+
+namespace mc::checks {
+namespace {
+
+/// Ends the check where a permutation comes again: of R random ones, with probability R^2 / 2n!,
+/// which is below 1e-9 for n of 20 and more.
+void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
+  std::map<std::uint64_t, std::size_t> seen;  // by a hash of 64 bits
+  for (std::size_t k = 0; k < orders.size(); ++k) {
+    std::uint64_t hash = 0;
+    for (const std::size_t value : orders[k]) hash = mix_bits(hash ^ value);
+    const auto [first, is_new] = seen.emplace(hash, k);
+    if (is_new) continue;
+    fail(Failure{fmt::format("{}: of {} permutations of {}, numbers {} and {} are the same",
+                             orders.call, orders.size(), orders.n, first->second, k),
+                 "permutations that do not come again",
+                 fmt::format("two random permutations of {} are equal with probability 1 / {}!",
+                             orders.n, orders.n),
+                 claim.repeated});
+  }
+}
+
+void expect_all_ranks(const Permutations& orders, const Randomness& claim) {
+  std::size_t count = 1;
+  for (std::size_t i = 2; i <= orders.n; ++i) count *= i;
+  std::vector<std::uint64_t> counts(count);
+  for (std::size_t k = 0; k < orders.size(); ++k) ++counts[rank_of(orders[k])];
+  const double each = 1 / static_cast<double>(count);
+  const bool only_one = *std::max_element(counts.begin(), counts.end()) == orders.size();
+  expect_counts(
+      fmt::format("{}, permutations of {}, of which there are {}", orders.call, orders.n, count),
+      counts, std::span(&each, 1), {claim.words, claim.alpha},
+      {{}, only_one ? claim.repeated : claim.otherwise});
+}
+
+}  // namespace
+
+std::size_t rank_of(std::span<const std::size_t> order) {
+  std::size_t rank = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto smaller = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i), order.end(),
+                                       [&](std::size_t other) { return other < order[i]; });
+    rank = rank * (order.size() - i) + static_cast<std::size_t>(smaller);
+  }
+  return rank;
+}
+
+void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
+                                bool only_repeats) {
+  if (orders.n >= 20) fail_at_repeat(orders, claim);
+  if (only_repeats) return pass();
+  if (orders.n <= 5) return expect_all_ranks(orders, claim);
+  for (const bool backwards : {false, true}) {
+    Uniforms numbers{orders.call, orders.n - 1};
+    for (std::size_t k = 0; k < orders.size(); ++k) {
+      Order order(orders[k].begin(), orders[k].end());
+      if (backwards) std::reverse(order.begin(), order.end());
+      const Values one = uniforms_of_permutation(order, rng);
+      numbers.values.insert(numbers.values.end(), one.begin(), one.end());
+    }
+    numbers.name = [&, backwards](std::size_t position) {
+      return fmt::format("the rank of value {} among those {} it",
+                         backwards ? orders.n - 1 - position : position,
+                         backwards ? "up to" : "from");
+    };
+    if (auto failure = dependence_in(numbers, claim)) {
+      // The numbers are the judge's: what is visible in them is no hint.
+      failure->expected = "permutations that are all equally likely";
+      failure->likely = claim.otherwise;
+      fail(*failure);
+    }
+  }
+  pass();
+}
+
+Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,
+                       const std::string& elsewhere) {
+  Permutations orders{sets.call, sets.n};
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (const Pattern& pattern : patterns) {
+      orders.add(expect_one_in_each_cell(sets, set, pattern, elsewhere));
+    }
+  }
+  return orders;
+}
+
+Permutations meetings_of(const Sets& sets, std::span<const Pattern> patterns,
+                         const std::string& elsewhere, Rng& rng) {
+  const Permutations all = orders_of(sets, patterns, elsewhere);
+  Permutations meetings{sets.call, sets.n};
+  Order turn(patterns.size()), order(sets.n);
+  std::iota(turn.begin(), turn.end(), 0);
+  for (std::size_t first = 0; first < all.size(); first += patterns.size()) {
+    std::shuffle(turn.begin(), turn.end(), rng);
+    for (std::size_t p = 0; p + 1 < turn.size(); p += 2) {
+      const auto from = all[first + turn[p]], to = all[first + turn[p + 1]];
+      for (std::size_t k = 0; k < sets.n; ++k) order[from[k]] = to[k];
+      meetings.add(order);
+    }
+  }
+  return meetings;
+}
+
+}  // namespace mc::checks

@@ -1,0 +1,149 @@
+#include "checks/support/strata.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "checks/support/sample_sets.hpp"
+
+namespace mc::checks {
+namespace {
+
+std::size_t cells_in(std::span<const Axis> axes) {
+  std::size_t cells = 1;
+  for (const Axis& axis : axes) cells *= axis.strata;
+  return cells;
+}
+
+/// The cell of point k, with coordinates in [0, 1).
+std::size_t cell_of(std::span<const Axis> axes, std::size_t k) {
+  std::size_t cell = 0;
+  for (std::size_t d = axes.size(); d-- > 0;) {
+    cell = cell * axes[d].strata + stratum_of(axes[d].values[k], axes[d].strata).value_or(0);
+  }
+  return cell;
+}
+
+/// "cell (1, 3)", "stratum 4 of x".
+std::string name_of(std::span<const Axis> axes, std::size_t cell) {
+  if (axes.size() == 1) return fmt::format("stratum {} of {}", cell, axes[0].strata);
+  std::string place, grid;
+  for (const Axis& axis : axes) {
+    place += fmt::format("{}{}", place.empty() ? "" : ", ", cell % axis.strata);
+    grid += fmt::format("{}{}", grid.empty() ? "" : " x ", axis.strata);
+    cell /= axis.strata;
+  }
+  return fmt::format("cell ({}) of {}", place, grid);
+}
+
+/// Whether each of `strata` strata of x has as many points as any other.
+bool is_even(std::span<const double> x, std::size_t strata) {
+  std::vector<std::size_t> points(strata);
+  for (const double value : x) ++points[*stratum_of(value, strata)];
+  return std::all_of(points.begin(), points.end(),
+                     [&](std::size_t count) { return count * strata == x.size(); });
+}
+
+/// Whether one point would be in each cell if coordinates next to an edge were moved across it.
+bool are_right_when(std::span<const Axis> axes, double (*moved)(double x, std::size_t n)) {
+  std::vector<Values> columns;
+  std::vector<Axis> others(axes.begin(), axes.end());
+  for (const Axis& axis : axes) {
+    Values& column = columns.emplace_back();
+    for (const double x : axis.values) column.push_back(moved(x, axis.strata));
+  }
+  for (std::size_t d = 0; d < axes.size(); ++d) others[d].values = columns[d];
+  return !cells_of(others).empty();
+}
+double moved_down(double x, std::size_t n) {
+  const std::size_t i = *stratum_of(x, n);
+  return i > 0 && x == static_cast<double>(i) / static_cast<double>(n) ? std::nextafter(x, 0.0) : x;
+}
+double moved_up(double x, std::size_t n) {
+  const double above = std::nextafter(x, 1.0);
+  return above < 1 && *stratum_of(above, n) != *stratum_of(x, n) ? above : x;
+}
+
+std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> points,
+                     const std::string& elsewhere) {
+  const std::size_t n = axes[0].values.size(), dims = axes.size();
+  const auto each_axis = [&](auto holds) { return std::all_of(axes.begin(), axes.end(), holds); };
+  if (n > 2 && points[0] == n) {
+    return dims == 1 ? "every point lies in the first stratum: i / N of two whole numbers is 0"
+                     : "every point lies in cell (0, 0): i / nx of two whole numbers is 0";
+  }
+  if (are_right_when(axes, moved_down)) {
+    return "it was rounded up to the edge: keep the point below (i + 1) / N";
+  }
+  if (are_right_when(axes, moved_up)) {
+    return "it was rounded down below the edge: 1 / N is rounded, and so is its product";
+  }
+  if (dims == 1) return elsewhere;
+  // A few points fit by chance, a dozen once in 1e4.
+  const Axis turned[] = {{"y", axes[1].values, axes[0].strata},
+                         {"x", axes[0].values, axes[1].strata}};
+  if (dims == 2 && n >= 12 && axes[0].strata != axes[1].strata && !cells_of(turned).empty()) {
+    return "nx and ny have changed places: nx cells along x, ny along y";
+  }
+  if (dims == 2 && n >= 4 &&
+      each_axis([&](const Axis& axis) { return is_stratified(axis.values, n); })) {
+    return "each axis is stratified, the plane is left to chance: two 1D patterns are not a 2D "
+           "pattern, nor is one whose x and y were shuffled apart";
+  }
+  if (n >= 12 && each_axis([](const Axis& axis) {
+        return axis.strata > 1 && is_even(axis.values, axis.strata);
+      })) {
+    return dims == 2 ? "each row and each column of cells has its points, but not each cell: x and "
+                       "y of a point belong together, and are shuffled together"
+                     : "each axis has its points, but not each cell: " + elsewhere;
+  }
+  return elsewhere;
+}
+
+}  // namespace
+
+std::vector<std::size_t> cells_of(std::span<const Axis> axes) {
+  const std::size_t n = axes[0].values.size();
+  std::vector<std::size_t> cells(n);
+  std::vector<bool> taken(cells_in(axes));
+  for (std::size_t k = 0; k < n; ++k) {
+    for (const Axis& axis : axes) {
+      if (!stratum_of(axis.values[k], axis.strata)) return {};
+    }
+    cells[k] = cell_of(axes, k);
+    if (taken[cells[k]]) return {};
+    taken[cells[k]] = true;
+  }
+  return cells;
+}
+
+std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
+                                                 std::span<const Axis> axes,
+                                                 const std::string& elsewhere) {
+  const std::size_t n = axes[0].values.size();
+  for (const Axis& axis : axes) {
+    if (axis.values.size() != cells_in(axes)) {
+      fail(fmt::format("measured  {}: {} values of {} for {} cells", call, axis.values.size(),
+                       axis.name, cells_in(axes)));
+    }
+    require_in_cube(call, axis.name, axis.values, axis.strata);
+  }
+  auto cells = cells_of(axes);
+  if (!cells.empty()) {
+    pass();
+    return cells;
+  }
+  std::vector<std::size_t> points(n);
+  for (std::size_t k = 0; k < n; ++k) ++points[cell_of(axes, k)];
+  const auto odd = static_cast<std::size_t>(
+      std::find_if(points.begin(), points.end(), [](auto count) { return count != 1; }) -
+      points.begin());
+  std::string names;
+  for (const Axis& axis : axes) names += (names.empty() ? "" : ", ") + axis.name;
+  fail(Failure{
+      fmt::format("{}: {} points with {} in {}", call, points[odd], names, name_of(axes, odd)),
+      "one point", because_cell, hint_for(axes, points, elsewhere)});
+}
+
+}  // namespace mc::checks
