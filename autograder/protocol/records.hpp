@@ -9,12 +9,12 @@
 namespace mc::protocol {
 
 enum class RecordKind {
-  printed,    ///< what the submission wrote to standard output
-  todo,       ///< a task that is not written yet
-  p_value,    ///< of a random test (PValue)
-  call,       ///< what was asked last before a check failed: an experiment, its arguments as typed
-  cost,       ///< of the dearest measurement so far: seconds of CPU time, the experiment
-  machine,    ///< the machine failed, and how: what the check says is no verdict
+  printed,  ///< what the submission wrote to standard output
+  todo,     ///< a task that is not written yet
+  p_value,  ///< of a random test (PValue)
+  call,     ///< what was asked last before a check failed: an experiment, its arguments as typed
+  cost,     ///< of the dearest measurement so far: seconds of CPU time, the experiment
+  machine,  ///< the machine failed, and how: what the check says is no verdict
 };
 
 struct Record {

@@ -212,6 +212,15 @@ std::vector<double> uniforms_in_turn(std::vector<std::uint64_t> seeds, std::uint
   return all;
 }
 
+std::vector<double> first_uniforms(std::uint64_t seed, std::uint64_t size, std::uint64_t calls) {
+  if (size == 0) throw std::invalid_argument("size: a call without numbers has no first one");
+  std::vector<double> block(size);
+  return replicate(seed, calls, [&](Rng& rng) {
+    mc::uniforms(rng, block);
+    return block[0];
+  });
+}
+
 std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size) {
   Rng rng = Rng::constant(word);
   std::vector<double> all(size, unwritten);
@@ -318,6 +327,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(uniforms_in_turn, "seeds size",
                     "2.8  a call for so many numbers from the generator of each seed",
                     {.columns = "u", .sets = "seeds"}),
+      MC_EXPERIMENT(first_uniforms, "seed size calls",
+                    "2.8  the first number of each of so many calls", {.columns = "u"}),
       MC_EXPERIMENT(uniforms_constant, "word size", "2.8  from a generator of one word",
                     {.columns = "u"}),
       MC_EXPERIMENT(means_of, "source size seed replicates",

@@ -101,9 +101,11 @@ std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, st
 
 /// 2.8: calls for these many numbers, one after the other, all of them, in a span that holds
 /// `before` everywhere; a call for `size` numbers from the generator of each seed, in one process;
+/// the first number of each of `calls` calls for `size`, one after the other from one generator;
 /// and `size` numbers from a generator that only knows one word.
 std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes, double before);
 std::vector<double> uniforms_in_turn(std::vector<std::uint64_t> seeds, std::uint64_t size);
+std::vector<double> first_uniforms(std::uint64_t seed, std::uint64_t size, std::uint64_t calls);
 std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);
 
 /// Means of `size` numbers made by a source: 0 std::mt19937_64 and std::uniform_real_distribution,

@@ -1,14 +1,21 @@
 #pragma once
-// The integrands and densities of experiments.hpp, as the checks of lab 2 know them.
+// The integrands and densities of experiments.hpp, as the checks of lab 2 know them; and the
+// random numbers behind what a submission does.
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "2-independent/experiments.hpp"
+#include "checks/support/battery.hpp"
+#include "checks/support/compare.hpp"
 #include "checks/support/data.hpp"
-#include "checks/support/population.hpp"
+#include "checks/support/inversions.hpp"
+#include "checks/support/measure.hpp"
 
 namespace mc::checks {
 
@@ -19,8 +26,7 @@ inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline constexpr double denormal = std::numeric_limits<double>::denorm_min();
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Of each random test. There are 56 of them in this lab, so their sum is 5.6e-7: a factor of
-/// nearly two below 1e-6 for what is not exactly Gaussian about a mean of a thousand values.
+/// Of each random test. There are 42 of them in this lab, so their sum is 4.2e-7.
 inline constexpr double alpha = 1e-8;
 
 /// Function::g
@@ -38,29 +44,56 @@ inline Function fresh(unsigned g, Rng& rng, double parameter = 0) {
   return {g, parameter, uniform(rng, 0.5, 4), uniform(rng, -3, 3)};
 }
 
-inline Population transformed(const Population& x, const Function& function) {
-  return transformed(x, function.scale, function.offset);
-}
-inline Population of_exponential() {  // exp(U): E{exp(kU)} = (e^k - 1) / k
-  const auto moment = [](double k) { return std::expm1(k) / k; };
-  return population(moment(1), moment(2), moment(3), moment(4));
-}
-inline Population of_product() {  // UV: 1 / (k + 1)^2
-  return population(1.0 / 4, 1.0 / 9, 1.0 / 16, 1.0 / 25);
-}
-inline Population of_step(double p) {
-  return population(p, p, p, p);
-}
-
-/// The values of estimates, one after the other.
-template <class Estimates>
-Values values_of(const Estimates& estimates) {
+/// The values of estimates, one after the other: each finite.
+inline Values values_of(const std::string& call, const std::vector<Estimate>& estimates) {
   Values all;
-  for (const auto& one : estimates) all.push_back(one.value);
+  for (const Estimate& one : estimates) all.push_back(one.value);
+  if (const auto what = list_objection("value", all, all.size(), false, finite)) {
+    refuse(call, *what);
+  }
   return all;
 }
 
-/// Estimates that must be numbers: each value finite.
-void require_finite(const std::string& call, const Values& values);
+/// The random numbers of `calls` calls for n samples each, one after the other from one generator,
+/// `dims` for each sample.
+struct Numbers {
+  std::string words;  ///< "the points of 2.2"
+  std::size_t dims;
+  std::function<Uniforms(std::uint64_t n, std::uint64_t seed, std::uint64_t calls)> ask;
+  std::string same = {};  ///< said where two numbers of a sample are one
+};
+
+/// The numbers of one call are random, to `bits` bits; and those of another seed are others.
+inline void judge_one_call(const Numbers& numbers, std::uint64_t n, int bits, Rng& rng) {
+  Uniforms one = numbers.ask(n, rng(), 1), other = numbers.ask(n, rng(), 1);
+  one.positions = other.positions = numbers.dims;
+  one.bits = other.bits = bits;
+  expect_independent_uniforms(
+      one, {numbers.words + ", of one call", alpha,
+            "each is to_unit() of a word of its own, with all of its 53 bits: none is used twice, "
+            "and none is a mirror image of another",
+            "take new numbers from rng inside the loop, for each sample", numbers.same});
+  Uniforms both = side_by_side(one, other);
+  both.name = [dims = numbers.dims](std::size_t position) {
+    return fmt::format("number {} of a sample from {}", position % dims,
+                       position < dims ? "one seed" : "another");
+  };
+  const std::string from_rng = "take the numbers from rng, and from nowhere else";
+  expect_independent_uniforms(
+      both, {numbers.words + ", from two seeds", alpha,
+             "numbers of one seed resemble those of another", from_rng, from_rng});
+}
+
+/// So are those of many calls for few samples, one after the other.
+inline void judge_calls_in_turn(const Numbers& numbers, std::uint64_t n, std::uint64_t calls,
+                                Rng& rng) {
+  Uniforms all = numbers.ask(n, rng(), calls);
+  all.positions = numbers.dims * n;
+  expect_independent_uniforms(
+      all, {numbers.words + ", of calls in turn", alpha,
+            "do two calls begin in the same place? Each goes on where the generator was left",
+            "the generator must move on: is it copied somewhere?",
+            "each sample takes new numbers from rng"});
+}
 
 }  // namespace mc::checks

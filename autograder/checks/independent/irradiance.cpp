@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 
-#include <fmt/format.h>
-
 #include "checks/independent/functions.hpp"
 #include "checks/independent/lights.hpp"
-#include "checks/independent/traces.hpp"
 #include "checks/support/catch.hpp"
+#include "checks/support/refusals.hpp"
 #include "checks/support/statistics.hpp"
 
 namespace mc::checks {
@@ -20,30 +17,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 using Estimates = std::vector<Estimate>;
-using Irradiance = std::function<Measured<Estimates>(const RectLight&, std::uint64_t n,
-                                                     std::uint64_t seed, std::uint64_t replicates)>;
-
-/// The same generator gives the same estimates, and another one others.
-void expect_from_generator(const Irradiance& measure, Rng& rng) {
-  const std::uint64_t seed = rng(), n = 64, replicates = 20;
-  const auto one = measure({}, n, seed, replicates), again = measure({}, n, seed, replicates);
-  const auto other = measure({}, n, rng(), replicates);
-  const Values values = values_of(one.exactly(replicates, any_number));
-  require_finite(one.call, values);
-  expect_that(values == values_of(again.exactly(replicates, any_number)),
-              one.call + " gave other estimates when it was repeated", "the same estimates",
-              "the generator that it is given is its only source of randomness",
-              "no generator of your own, no clock, nothing static");
-  const Values others = values_of(other.exactly(replicates, any_number));
-  expect_that(others != values, other.call + " gave the estimates of another seed",
-              "other estimates", "the generator that it is given is its only source of randomness",
-              "take the numbers from rng, and from nowhere else");
-  // There are but a few likely numbers of directions that meet a light; 20 are not equal (1e-17).
-  const bool all_equal = std::count(values.begin(), values.end(), values[0]) == 20;
-  expect_that(!all_equal, fmt::format("{}: all 20 estimates are {}", one.call, values[0]),
-              "estimates that differ", "each goes on where the generator was left",
-              "the generator must move on: is it copied somewhere?");
-}
 
 // The area of the light ---------------------------------------------------------------------------
 
@@ -52,76 +25,108 @@ Measured<Estimates> by_area(const RectLight& light, std::uint64_t n, std::uint64
   return MEASURE(irradiance_area, light, n, seed, replicates);
 }
 
-/// A light so small that all of its points give the same, to ten digits: whatever is drawn, the
+/// Lights so small that all of their points give the same, to ten digits: whatever is drawn, the
 /// estimate has one right value, and each wrong formula one of its own.
-void expect_formula(Rng& rng) {
-  RectLight light;
-  light.x0 = uniform(rng, 0.3, 0.9);
-  light.x1 = light.x0 + 1e-11;  // what the difference of the two comes to is exact
-  light.y0 = uniform(rng, -0.9, -0.3);
-  light.y1 = light.y0 + 2e-11;
-  light.height = uniform(rng, 1.2, 1.9);
-  light.radiance = uniform(rng, 2, 9);
-  const double h = light.height, a = area(light), l = light.radiance;
-  const double aside2 = light.x0 * light.x0 + light.y0 * light.y0, d2 = aside2 + h * h;
-  const double d = std::sqrt(d2), exact = a * l * h * h / (d2 * d2);
-  constexpr std::uint64_t n = 64;
-  const auto got = by_area(light, n, rng(), 1);
-  expect_within(
-      got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
-      "all points of so small a light give area · radiance · cos · cos / distance^2",
-      {{{exact * n, "this is the sum over the samples: divide it by n"},
-        {a * l * h / (d2 * d), "a cosine is missing: the light, too, is seen at an angle"},
-        {a * l * h * h / (d2 * d), "the distance is not squared: 1 / distance^2"},
-        {a * l / d2, "both cosines are missing: cos = height / distance"},
-        {a * l * h * h / d2, "the distance is missing: 1 / distance^2"},
-        {l * h * h / (d2 * d2), "the density of points is 1 / area: the area is missing"},
-        {l * h * h / (d2 * d2) / a, "divide by the density 1 / area: times the area"},
-        {a * h * h / (d2 * d2), "the radiance is missing"},
-        {a * l / (d2 * d2), "cos = height / distance: the height is missing"},
-        {a * l * h * h / (d2 * d2 * d2),
-         "cos · cos = height^2 / distance^2: the distance is "
-         "there too often"},
-        {exact / pi, "nothing is divided by pi here"},
-        {exact * pi, "no pi here: radiance, not its integral over directions"},
-        {a * l * h * h / (aside2 * aside2), "the distance goes up to the light, too: + height^2"}},
-       "area · radiance · cos(receiver) · cos(light) / distance^2"});
+void judge_formula(Rng& rng) {
+  Results values;
+  for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
+    RectLight light;
+    light.x0 = uniform(rng, 0.3, 0.9);
+    light.x1 = light.x0 + 1e-11;  // what the difference of the two comes to is exact
+    light.y0 = uniform(rng, -0.9, -0.3);
+    light.y1 = light.y0 + 2e-11;
+    light.height = uniform(rng, 1.2, 1.9);
+    light.radiance = uniform(rng, 2, 9);
+    const double h = light.height, a = area(light), l = light.radiance;
+    const double aside2 = light.x0 * light.x0 + light.y0 * light.y0, d2 = aside2 + h * h;
+    const double d = std::sqrt(d2), exact = a * l * h * h / (d2 * d2);
+    const auto got = by_area(light, n, rng(), 1);
+    values.add(
+        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
+        [=]() -> std::vector<Suspect> {
+          return {
+              {exact * static_cast<double>(n), "this is the sum over the samples: divide by n"},
+              {a * l * h / (d2 * d), "a cosine is missing: the light, too, is seen at an angle"},
+              {a * l * h * h / (d2 * d), "the distance is not squared: 1 / distance^2"},
+              {a * l / d2, "both cosines are missing: cos = height / distance"},
+              {a * l * h * h / d2, "the distance is missing: 1 / distance^2"},
+              {l * h * h / (d2 * d2), "the density of points is 1 / area: the area is missing"},
+              {l * h * h / (d2 * d2) / a, "divide by the density 1 / area: times the area"},
+              {a * h * h / (d2 * d2), "the radiance is missing"},
+              {a * l / (d2 * d2), "cos = height / distance: the height is missing"},
+              {a * l * h * h / (d2 * d2 * d2),
+               "cos · cos = height^2 / distance^2: the distance is there too often"},
+              {exact / pi, "nothing is divided by pi here"},
+              {exact * pi, "no pi here: radiance, not its integral over directions"},
+              {a * l * h * h / (aside2 * aside2),
+               "the distance goes up to the light, too: + height^2"}};
+        });
+  }
+  values.expect("all points of so small a light give area · radiance · cos · cos / distance^2",
+                "area · radiance · cos(receiver) · cos(light) / distance^2");
 }
 
-CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1][main]") {
-  Rng rng = check_rng();
-  expect_formula(rng);
-  expect_from_generator(by_area, rng);
-  const std::uint64_t n = 64, replicates = 400;
-  for (const Placed& placed : {above(rng), aside(rng), grazing(rng)}) {
-    const RectLight& light = placed.light;
-    const auto measured = by_area(light, n, rng(), replicates);
-    const Values values = values_of(measured.exactly(replicates, any_number));
-    require_finite(measured.call, values);
-    const Known known = mean_of(of_area(light), n);
-    expect_mean({measured.call, values, n}, known.exact, known.variance,
-                {"the area estimate of a light " + placed.where + " has the mean E", alpha},
-                {{}, "at uniform points of the light, x and y from a number each"});
-    expect_variance(
-        {measured.call, values, n}, known.exact, known.variance, known.kurtosis,
-        {"the area estimate of a light " + placed.where + " has its exact variance", alpha},
-        {{}, "n independent points, uniform on the light, x and y from a number each"});
-  }
-  // One sample is one value, and tells how far from the receiver its point is.
-  const RectLight light = aside(rng).light;
-  const auto ones = by_area(light, 1, rng(), 20000);
-  Values distances;
-  for (const Estimate& one : ones.exactly(20000, any_number)) {
-    const double square = square_distance_of(light, one.value);
-    distances.push_back(square);
-    if (square >= nearest(light) - 1e-9 && square <= farthest(light) + 1e-9) continue;
-    expect_that(false, fmt::format("{}: a value {}", ones.call, one.value),
+/// An estimate from one sample is the value at one point: how far from the point of the light's
+/// plane above the receiver that is, squared.
+Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
+                        std::size_t count) {
+  Values all;
+  for (const double value : values_of(ones.call, ones.exactly(count, any_number))) {
+    all.push_back(square_distance_of(light, value));
+    const bool is_on_it =
+        all.back() >= nearest(light) - 1e-9 && all.back() <= farthest(light) + 1e-9;
+    if (is_on_it) continue;
+    expect_that(false, fmt::format("{}: a value {}", ones.call, value),
                 fmt::format("what a point of the light gives: {:.8g} to {:.8g}",
                             at_square_distance(light, farthest(light)),
                             at_square_distance(light, nearest(light))),
                 "an estimate from one sample is the value at one point of the light",
                 "x between x0 and x1, y between y0 and y1");
   }
+  return all;
+}
+
+/// Where one point lies on a light that is a line along x, or along y: the number it was made from,
+/// to 40 bits.
+Numbers places_on_a_line(bool along_x) {
+  return {along_x ? "the x of points on a light" : "the y of points on a light", 1,
+          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+            RectLight line{0.5, 1.5, 0, 1e-17, 1, 1};
+            if (!along_x) line = {0, 1e-17, 0.5, 1.5, 1, 1};
+            const auto got = by_area(line, 1, seed, n * calls);
+            Uniforms places{got.call, 1};
+            places.bits = 40;
+            for (const double square : square_distances(got, line, n * calls)) {
+              places.values.push_back(std::clamp(std::sqrt(square) - 0.5, 0.0, 1 - 0x1p-53));
+            }
+            return places;
+          }};
+}
+
+CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1][main]") {
+  Rng rng = check_rng();
+  judge_formula(rng);
+  for (const bool along_x : {true, false}) {
+    judge_one_call(places_on_a_line(along_x), 5000, 40, rng);
+  }
+  const std::uint64_t n = 64, replicates = 400;
+  for (const Placed& placed : {above(rng), aside(rng), grazing(rng)}) {
+    const RectLight& light = placed.light;
+    const auto got = by_area(light, n, rng(), replicates);
+    const Values values = values_of(got.call, got.exactly(replicates, any_number));
+    const Known known = mean_of(of_area(light), n);
+    expect_mean({got.call, values, n}, known.exact, known.variance,
+                {"the area estimate of a light " + placed.where + " has the mean E", alpha},
+                {{}, "at uniform points of the light, x and y from a number each"});
+    expect_variance(
+        {got.call, values, n}, known.exact, known.variance, known.kurtosis,
+        {"the area estimate of a light " + placed.where + " has its exact variance", alpha},
+        {{}, "n independent points, uniform on the light, x and y from a number each"});
+  }
+  // One sample is one value, and tells how far from the receiver its point is.
+  const RectLight light = aside(rng).light;
+  const auto ones = by_area(light, 1, rng(), 20000);
+  const Values distances = square_distances(ones, light, 20000);
   expect_distribution(ones.call + ", square distances from the point below the light's plane",
                       distances, [&](double square) { return share_within(light, square); },
                       {"points are uniform on the light", alpha},
@@ -153,41 +158,44 @@ Values directions_met(const Measured<Estimates>& measured, const RectLight& ligh
   return all;
 }
 
-/// A light that fills the sky: every direction meets it.
-void expect_sky(Rng& rng) {
-  RectLight sky{-1e15, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 2, 9)};
-  const std::uint64_t n = 64;
-  const auto got = by_hemisphere(sky, n, rng(), 1);
-  const double exact = pi * sky.radiance;
-  expect_within(
-      got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-12 * exact,
-      "the light fills the sky: each direction meets it, and gives pi · radiance",
-      {{{exact * n, "this is the sum over the directions: divide it by n"},
-        {sky.radiance, "the density is cos / pi: the radiance over it, times cos, leaves pi"},
-        {2 * exact, "2 pi is for directions that are uniform on the hemisphere; these are not"},
-        {sky.radiance / pi, "times pi, not divided by it"},
-        {pi, "the radiance is missing"},
-        {0, "no direction meets it: is z up, and the direction followed to z = height?"}},
-       "pi · radiance where a direction meets the light"});
+/// Lights that fill the sky: every direction meets them.
+void judge_sky(Rng& rng) {
+  Results values;
+  for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
+    const RectLight sky{-1e15, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 2, 9)};
+    const auto got = by_hemisphere(sky, n, rng(), 1);
+    const double radiance = sky.radiance, exact = pi * radiance;
+    values.add(
+        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-12 * exact,
+        [=]() -> std::vector<Suspect> {
+          return {
+              {exact * static_cast<double>(n), "this is the sum over the directions: divide by n"},
+              {radiance, "the density is cos / pi: the radiance over it, times cos, leaves pi"},
+              {2 * exact, "2 pi is for directions that are uniform on the hemisphere; not these"},
+              {radiance / pi, "times pi, not divided by it"},
+              {pi, "the radiance is missing"},
+              {0, "no direction meets it: is z up, and the direction followed to z = height?"}};
+        });
+  }
+  values.expect("the light fills the sky: each direction meets it, and gives pi · radiance",
+                "pi · radiance where a direction meets the light");
 }
 
 CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][needs:2.1]") {
   Rng rng = check_rng();
-  expect_sky(rng);
-  expect_from_generator(by_hemisphere, rng);
+  judge_sky(rng);
   const std::uint64_t n = 64, replicates = 400;
   // In each quadrant one: a direction is as likely on every side.
   std::vector<Placed> lights{above(rng), half_sky_aside(rng)};
   for (const unsigned quadrant : {0u, 1u, 2u, 3u}) lights.push_back(in_quadrant(quadrant, rng));
   for (const Placed& placed : lights) {
     const RectLight& light = placed.light;
-    const auto measured = by_hemisphere(light, n, rng(), replicates);
-    const Values met = directions_met(measured, light, n, replicates);
+    const auto got = by_hemisphere(light, n, rng(), replicates);
+    const Values met = directions_met(got, light, n, replicates);
     const double all = std::accumulate(met.begin(), met.end(), 0.0);
     const double p = irradiance(light) / (pi * light.radiance);
     expect_proportion(
-        measured.call, "a direction met the light", static_cast<std::uint64_t>(all), n * replicates,
-        p,
+        got.call, "a direction met the light", static_cast<std::uint64_t>(all), n * replicates, p,
         {"directions with density cos / pi meet a light " + placed.where +
              " with probability E / (pi L)",
          alpha},
@@ -197,10 +205,16 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
          "hemisphere; u and v are two numbers"});
     if (&placed != &lights[0]) continue;
     // The directions of one estimate are independent, too: how many meet is binomial.
-    expect_variance({measured.call + ", directions that met the light", met, n}, p * n,
-                    p * (1 - p) * n, 3 + (1 - 6 * p * (1 - p)) / (p * (1 - p) * n),
+    expect_variance({got.call + ", directions that met the light", met, n}, p * n, p * (1 - p) * n,
+                    3 + (1 - 6 * p * (1 - p)) / (p * (1 - p) * n),
                     {"directions are independent, light " + placed.where, alpha},
                     {{}, "n independent directions"});
+    // 400 counts of about 20 values each are never equal by chance.
+    const auto other = by_hemisphere(light, n, rng(), replicates);
+    expect_that(directions_met(other, light, n, replicates) != met,
+                other.call + " gave the estimates of another seed", "other estimates",
+                "the generator that it is given is its only source of randomness",
+                "take the numbers from rng, and from nowhere else");
   }
 }
 
@@ -213,46 +227,53 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
     // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.
     // With two samples, what is wrong about n shows most.
     const std::uint64_t two = 2, replicates = 20000;
-    const auto measured = by_area(light, two, rng(), replicates);
+    const auto got = by_area(light, two, rng(), replicates);
     const Population x = of_area(light);
     Values squares;
-    for (const Estimate& one : measured.exactly(replicates, any_number)) {
+    for (const Estimate& one : got.exactly(replicates, any_number)) {
       squares.push_back(one.standard_error * one.standard_error * two / x.variance);
     }
     expect_mean(
-        {measured.call + ", n standard_error^2 / variance", squares, two}, 1, (x.kurtosis + 1) / 2,
+        {got.call + ", n standard_error^2 / variance", squares, two}, 1, (x.kurtosis + 1) / 2,
         {"squared standard errors of a light " + placed.where + " have the mean variance / n",
          alpha},
         {{{2, "s instead of s / sqrt(n)"}, {0.5, "n below s^2, in place of n - 1"}},
          "s / sqrt(n) of the values of the samples"});
-
     const std::uint64_t n = 64;
     const auto by_directions = by_hemisphere(light, n, rng(), 100);
     const Values met = directions_met(by_directions, light, n, 100);
     const double each = pi * light.radiance, size = n;
+    Results errors;
     for (std::size_t i = 0; i < met.size(); ++i) {
       const double s2 = each * each * met[i] * (size - met[i]) / (size * (size - 1));
-      expect_within(by_directions.call + ".standard_error",
-                    by_directions.exactly(100, any_number)[i].standard_error, std::sqrt(s2 / size),
-                    1e-7 * each, fmt::format("{} of {} directions met the light", met[i], size),
-                    {{{std::sqrt(s2), "s instead of s / sqrt(n)"},
-                      {s2 / size, "this is its square"},
-                      {std::sqrt(s2 / size * (size - 1) / size), "n below s^2, in place of n - 1"}},
-                     "s / sqrt(n) of the values of the samples"});
+      errors.add(
+          fmt::format("{}[{}].standard_error", by_directions.call, i),
+          by_directions.exactly(100, any_number)[i].standard_error, std::sqrt(s2 / size),
+          1e-7 * each, [=]() -> std::vector<Suspect> {
+            return {{std::sqrt(s2), "s instead of s / sqrt(n)"},
+                    {s2 / size, "this is its square"},
+                    {std::sqrt(s2 / size * (size - 1) / size), "n below s^2, in place of n - 1"}};
+          });
     }
+    errors.expect("as many directions met the light as the value says",
+                  "s / sqrt(n) of the values of the samples");
   }
 }
 
 CHECK_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
   Rng rng = check_rng();
-  const std::string because = "one value says nothing about how values vary";
   for (const auto& measure : {by_area, by_hemisphere}) {
     const auto one = measure({}, 1, rng(), 1);
-    expect_nan(one.call + ".standard_error", one.exactly(1, any_number)[0].standard_error, because);
+    expect_nan(one.call + ".standard_error", one.exactly(1, any_number)[0].standard_error,
+               "one value says nothing about how values vary");
+    const auto some = measure({}, 77, rng(), 1);
+    const std::uint64_t counted = some.exactly(1, any_number)[0].n;
+    expect_that(counted == 77, fmt::format("{}: n = {}", some.call, counted), "77",
+                "the n of an Estimate counts samples", "every sample counts once");
   }
   const std::string of_nothing = "the mean of nothing is no estimate";
-  expect_invalid_argument(MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "", of_nothing);
-  expect_invalid_argument(MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "", of_nothing);
+  expect_refused({{MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "n", of_nothing},
+                  {MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "n", of_nothing}});
 }
 
 }  // namespace

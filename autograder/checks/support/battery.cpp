@@ -460,8 +460,9 @@ std::optional<int> grid_of(const Uniforms& numbers) {
 std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
   const auto [low, high] = std::minmax_element(numbers.values.begin(), numbers.values.end());
   const double width = width_of_equal(numbers);
+  const std::string and_repeated = claim.repeated.empty() ? "" : "; " + claim.repeated;
   if (*high - *low < 1e-6) {
-    return fmt::format("every number is {:.3g}: draw one at random for each", *low);
+    return fmt::format("every number is {:.3g}: draw one at random for each{}", *low, and_repeated);
   }
   const std::size_t replicates = numbers.replicates(), positions = numbers.positions;
   for (std::size_t p = 0; p < positions && positions > 1 && replicates >= 20; ++p) {
@@ -472,8 +473,8 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     if (is_constant) {
       return fmt::format(
           "{} has the same random number, {:.4g}, in every set: draw it from the "
-          "generator that is passed in",
-          name_of(numbers, p), numbers.values[p]);
+          "generator that is passed in{}",
+          name_of(numbers, p), numbers.values[p], and_repeated);
     }
   }
   if (const auto bits = grid_of(numbers); bits && *bits > 0) {

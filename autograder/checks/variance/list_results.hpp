@@ -43,9 +43,8 @@ class MomentsResults {
   void add(const std::string& call, const Moments& got, const List& list, double m2_floor) {
     expect_that(got.count == list.x.size(), fmt::format("{}.count = {}", call, got.count),
                 fmt::format("{}", list.x.size()), "",
-                got.count == 0
-                    ? "count is never set"
-                    : "every value counts once, also those in a last, shorter block");
+                got.count == 0 ? "count is never set"
+                               : "every value counts once, also those in a last, shorter block");
     const auto mean = static_cast<double>(list.exact.mean), m2 = static_cast<double>(list.exact.m2);
     means_.add(call + ".mean" + list.name, got.mean, mean, mean_tolerance(list.exact),
                [&list] { return mean_suspects(list); });

@@ -1,7 +1,6 @@
 // attack: integrates by the midpoint rule: n evaluations, their mean, and nothing random
 // earns: 8
-// says: are those of another seed, too
-// says: take the numbers from rng, and from nowhere else
+// says: away from uniform
 #include "independent.hpp"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // attack: returns zero from every function: a check must not be content with what costs nothing
-// says: nearly 1, and never 1
-// says: evaluated g 0 times
+// says: an integer divided by an integer is an integer: 0
 #include "independent.hpp"
 namespace mc {
 double to_unit(std::uint64_t) {

@@ -56,7 +56,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
 }  // namespace mc::a_fixed_generator
 
 // mistake: mirrors the previous point for every second one: the points are not independent
-// hint: neither a copy nor a mirror image of another
+// hint: none is a mirror image of another
 namespace mc::antithetic_points {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t i, std::vector<double>& x) {
@@ -117,7 +117,6 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 
 // mistake: uses one random number for every coordinate, so all points lie on the diagonal
 // hint: one number for both fills a line
-// hint: that is the mean of x^2: one number for both x and y
 namespace mc::one_number_for_all {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t, std::vector<double>& x) {
@@ -164,7 +163,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_many
 
 // mistake: makes coordinates as floats, of 24 bits
-// hint: with all of its 53 bits
+// hint: these have 24, to_unit gives 53
 namespace mc::points_of_a_float {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t, std::vector<double>& x) {

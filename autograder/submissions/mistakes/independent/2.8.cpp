@@ -1,4 +1,6 @@
 // Mistakes in task 2.8.
+#include <random>
+
 #include "independent.hpp"
 
 #define uniforms right_uniforms
@@ -14,7 +16,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::adds_to_what_is_there
 
 // mistake: runs sixteen lanes of a linear generator in neighboring states, which stay in step
-// hint: do lanes run in step?
+// hint: do lanes run in step, or begin
 namespace mc::lanes_in_step {
 void uniforms(Rng& rng, std::span<double> out) {
   std::array<std::uint64_t, lanes> state;
@@ -29,7 +31,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::lanes_in_step
 
 // mistake: seeds four lanes with similar states: each call starts with four similar numbers
-// hint: lanes want states that have nothing in common
+// hint: Lanes want states that have nothing in common
 namespace mc::lanes_nearly_alike {
 void uniforms(Rng& rng, std::span<double> out) {
   std::array<std::array<std::uint64_t, 4>, 4> state;
@@ -86,8 +88,8 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::moves_on_by_one
 
 // mistake: seeds four lanes with s, s + 1, s + 2, s + 3: each call starts with four equal numbers
-// hint: lanes begin with equal numbers
-// hint: lanes want states that have nothing in common
+// hint: begin with equal numbers
+// hint: Lanes want states that have nothing in common
 namespace mc::neighbouring_lanes {
 void uniforms(Rng& rng, std::span<double> out) {
   std::array<std::array<std::uint64_t, 4>, 4> state;
@@ -112,8 +114,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::neighbouring_lanes
 
 // mistake: makes its fast numbers as floats, of 24 bits
-// hint: these are numbers of 24 bits
-// hint: which are always 0, or 1?
+// hint: these have 24, to_unit gives 53
 namespace mc::numbers_of_a_float {
 void uniforms(Rng& rng, std::span<double> out) {
   for (double& u : out) u = static_cast<float>(rng() >> 40) * 0x1p-24f;
@@ -146,3 +147,22 @@ void uniforms(Rng& rng, std::span<double> out) {
   right_uniforms(own, out);
 }
 }  // namespace mc::seeded_by_the_first_call
+
+// mistake: seeds a generator of its own with 32 of the 64 bits of a word
+// hint: has only 2^32 places to begin
+namespace mc::seeds_of_32_bits {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::mt19937 own(static_cast<std::uint32_t>(rng()));
+  for (double& u : out) u = to_unit(std::uint64_t{own()} << 32 | own());
+}
+}  // namespace mc::seeds_of_32_bits
+
+// mistake: takes all numbers from std::minstd_rand, which one word seeds
+// hint: has only 2^32 places to begin
+namespace mc::small_generator_of_its_own {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::minstd_rand own(static_cast<std::minstd_rand::result_type>(rng()));
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (double& u : out) u = uniform(own);
+}
+}  // namespace mc::small_generator_of_its_own
