@@ -15,7 +15,6 @@ endmacro()
 dependency(Catch2 Catch2::Catch2WithMain https://github.com/catchorg/Catch2 v3.5.4)
 dependency(fmt fmt::fmt https://github.com/fmtlib/fmt 10.2.1)
 dependency(nlohmann_json nlohmann_json::nlohmann_json https://github.com/nlohmann/json v3.11.3)
-dependency(pugixml pugixml::pugixml https://github.com/zeux/pugixml v1.14)
 find_package(Threads REQUIRED)
 
 # Without libseccomp the jail has a wall less, and every grade says so.

@@ -35,13 +35,13 @@ missing_things() {
   command -v ninja >/dev/null 2>&1 || command -v make >/dev/null 2>&1 || echo make
   command -v gnuplot >/dev/null 2>&1 || echo gnuplot
   if [ -z "$compiler" ]; then
-    echo catch2 fmt json pugixml archive seccomp
+    echo catch2 fmt json archive seccomp
     return
   fi
   {
     echo '#if !__has_include(<catch2/catch_test_macros.hpp>) && !__has_include(<catch2/catch.hpp>)'
     printf 'missing catch2\n#endif\n'
-    for pair in fmt:fmt/format.h json:nlohmann/json.hpp pugixml:pugixml.hpp; do
+    for pair in fmt:fmt/format.h json:nlohmann/json.hpp; do
       printf '#if !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
     done
     for pair in archive:archive.h seccomp:seccomp.h; do  # Homebrew's libarchive is not where one looks
@@ -61,8 +61,6 @@ package_of() {  # thing manager
     json:apt) echo nlohmann-json3-dev ;;
     json:dnf) echo json-devel ;;
     json:brew) echo nlohmann-json ;;
-    pugixml:apt) echo libpugixml-dev ;;
-    pugixml:dnf) echo pugixml-devel ;;
     archive:apt) echo libarchive-dev ;;
     archive:dnf) echo libarchive-devel ;;
     seccomp:apt) echo libseccomp-dev ;;

@@ -8,8 +8,8 @@ namespace mc::protocol {
 namespace {
 
 /// In the order of RecordKind.
-constexpr std::array<std::string_view, 6> names{"printed", "todo", "p_value",
-                                                "call",    "cost", "machine"};
+constexpr std::array<std::string_view, 7> names{"printed", "todo",    "p_value", "call",
+                                                "cost",    "machine", "ended"};
 
 std::string escaped(std::string_view text) {
   std::string line;
@@ -56,6 +56,24 @@ std::vector<Record> records_in(std::string_view lines) {
     }
   }
   return records;
+}
+
+std::string text_of(const CheckEnd& end) {
+  return end.name + '\n' + end.tags + '\n' + (end.passed ? '1' : '0') + (end.crashed ? '1' : '0') +
+         '\n' + end.message;
+}
+
+std::vector<CheckEnd> check_ends_in(const std::vector<Record>& records) {
+  std::vector<CheckEnd> ends;
+  for (const Record& record : records) {
+    if (record.kind != RecordKind::ended) continue;
+    const std::string& text = record.text;
+    const auto name = text.find('\n'), tags = text.find('\n', name + 1);
+    if (name == std::string::npos || tags == std::string::npos || text.size() < tags + 4) continue;
+    ends.push_back({text.substr(0, name), text.substr(name + 1, tags - name - 1),
+                    text[tags + 1] == '1', text[tags + 2] == '1', text.substr(tags + 4)});
+  }
+  return ends;
 }
 
 std::string text_of(const PValue& value) {

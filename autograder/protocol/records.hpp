@@ -1,6 +1,6 @@
 #pragma once
-// What a check tells the grader beside Catch2's report: a line each, "kind text", line ends in the
-// text escaped.
+// What a process of checks tells the grader, over one pipe: a line for each record, "kind text",
+// line ends in the text escaped.
 
 #include <string>
 #include <string_view>
@@ -15,6 +15,7 @@ enum class RecordKind {
   call,     ///< what was asked last before a check failed: an experiment, its arguments as typed
   cost,     ///< of the dearest measurement so far: seconds of CPU time, the experiment
   machine,  ///< the machine failed, and how: what the check says is no verdict
+  ended,    ///< a test case has ended (CheckEnd)
 };
 
 struct Record {
@@ -27,6 +28,18 @@ std::string line_of(const Record& record);
 
 /// The records in what a check wrote. Lines that are none are passed over.
 std::vector<Record> records_in(std::string_view lines);
+
+/// How a test case ended, as Catch2 saw it. Its status comes from this and from nothing else: an
+/// exit status says nothing of one case, and a record that is missing is no success.
+struct CheckEnd {
+  std::string name, tags;
+  bool passed = false;   ///< at least one assertion, and none failed
+  bool crashed = false;  ///< an exception or a signal ended it: the check itself is at fault
+  std::string message;   ///< of the first failure
+};
+std::string text_of(const CheckEnd& end);
+/// The cases that ended, in order. What is not the text of one is passed over.
+std::vector<CheckEnd> check_ends_in(const std::vector<Record>& records);
 
 /// A random check's word on itself: under the null hypothesis p is uniform, and it fails below
 /// alpha.

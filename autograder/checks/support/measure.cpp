@@ -1,6 +1,5 @@
 #include "checks/support/measure.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <random>
@@ -142,16 +141,6 @@ std::string story_of_end(const Call& call) {
 }  // namespace
 
 void (*on_missing)(std::string_view, const Call&) = nullptr;
-
-void record(protocol::RecordKind kind, const std::string& text) {
-  static std::FILE* const records = [] {
-    const std::string descriptor = environment(protocol::records_variable);
-    return descriptor.empty() ? nullptr : fdopen(std::stoi(descriptor), "w");
-  }();
-  if (records == nullptr) return;
-  fmt::print(records, "{}\n", protocol::line_of({kind, text}));
-  std::fflush(records);
-}
 
 Rng check_rng() {
   std::uint64_t hash = mix_bits(run_seed() + 1);

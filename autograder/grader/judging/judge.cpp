@@ -11,7 +11,7 @@
 
 #include "grader/context/errors.hpp"
 #include "grader/context/side_by_side.hpp"
-#include "grader/judging/catch_xml.hpp"
+#include "grader/judging/check_process.hpp"
 #include "grader/judging/commands.hpp"
 #include "grader/judging/task_runner.hpp"
 #include "protocol/environment.hpp"
@@ -21,7 +21,7 @@ namespace mc::grader {
 namespace {
 
 /// Takes "[1.3][points:8][needs:1.1][needs:1.2]" apart.
-Check parse_check(const XmlRecord& record) {
+Check parse_check(const protocol::CheckEnd& record) {
   Check check;
   check.name = record.name;
   check.task = record.name.substr(0, record.name.find(' '));
@@ -124,10 +124,10 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
   const std::lock_guard lock(mutex);
   auto& checks = known[lab.name];
   if (!checks.empty()) return checks;
-  const sandbox::ProcessResult run = sandbox::run_process(
-      {layout.checks(lab.name).string(), "--reporter", "xml"},
+  const CheckProcess run = run_check_program(
+      layout.checks(lab.name), "",
       {.environment = {{protocol::program_variable, ""}, {protocol::program_path_variable, ""}}});
-  for (const XmlRecord& record : read_catch_xml(run.output)) checks.push_back(parse_check(record));
+  for (const protocol::CheckEnd& one : run.ends()) checks.push_back(parse_check(one));
   if (checks.empty()) {
     throw MachineError(
         fmt::format("the checks of lab {} are not built: run ./lab setup", lab.name));
@@ -196,20 +196,20 @@ std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, Case
   const auto path =
       kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
   // Without a program, and without a place for what they find, each of them ends at once.
-  const sandbox::ProcessResult run =
-      sandbox::run_process({path.string(), tag, "--reporter", "xml"},
-                           {.environment = {{protocol::program_variable, ""},
-                                            {protocol::program_path_variable, ""},
-                                            {protocol::plot_data_variable, "/nowhere"},
-                                            {protocol::rows_variable, "/nowhere/rows"}}});
+  const CheckProcess run =
+      run_check_program(path, tag,
+                        {.environment = {{protocol::program_variable, ""},
+                                         {protocol::program_path_variable, ""},
+                                         {protocol::plot_data_variable, "/nowhere"},
+                                         {protocol::rows_variable, "/nowhere/rows"}}});
   std::vector<std::string> names;
-  for (const XmlRecord& record : read_catch_xml(run.output)) names.push_back(record.name);
+  for (const protocol::CheckEnd& one : run.ends()) names.push_back(one.name);
   return names;
 }
 
-sandbox::ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
-                                        const sandbox::Program& program, const std::string& which,
-                                        sandbox::ProcessOptions options) {
+CheckProcess run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
+                              const sandbox::Program& program, const std::string& which,
+                              sandbox::ProcessOptions options) {
   options.environment.insert(
       options.environment.end(),
       {{protocol::program_variable, std::to_string(protocol::program_descriptor)},
@@ -217,7 +217,7 @@ sandbox::ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, Ca
   options.descriptors = {{program.descriptor.get(), protocol::program_descriptor}};
   const auto path =
       kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
-  return sandbox::run_process({path.string(), which, "--reporter", "xml"}, options);
+  return run_check_program(path, which, std::move(options));
 }
 
 }  // namespace mc::grader

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "grader/judging/budget.hpp"
+#include "grader/judging/check_process.hpp"
 #include "grader/judging/verdict.hpp"
 #include "grader/submission/build.hpp"
 #include "sandbox/process.hpp"
@@ -54,9 +55,9 @@ std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, Case
                                       const std::string& tag);
 
 /// Runs the hidden cases with this tag, or the one of this name, on a program. `options` brings
-/// what they are told and how long they may take; they say what happened in Catch2's XML.
-sandbox::ProcessResult run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
-                                        const sandbox::Program& program, const std::string& which,
-                                        sandbox::ProcessOptions options);
+/// what they are told and how long they may take; their records say how they ended.
+CheckProcess run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
+                              const sandbox::Program& program, const std::string& which,
+                              sandbox::ProcessOptions options);
 
 }  // namespace mc::grader

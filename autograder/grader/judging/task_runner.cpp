@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 #include <fmt/format.h>
 
-#include "grader/judging/catch_xml.hpp"
+#include "grader/judging/check_process.hpp"
 #include "protocol/environment.hpp"
 #include "protocol/records.hpp"
 #include "runner/text.hpp"
-#include "sandbox/descriptor.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
@@ -22,39 +20,6 @@ constexpr double check_cpu_seconds = 10;
 constexpr std::size_t check_memory = std::size_t{1} << 30;
 /// No verdict hangs on it: who comes this far was kept waiting by the machine.
 constexpr double check_wall_seconds = 400;
-
-/// Reads a pipe to its end in a thread of its own, so that its writer never waits.
-class PipeReader {
- public:
-  PipeReader() : ends_(sandbox::make_pipe()) {
-    thread_ = std::thread([this] {
-      // The arguments of a call as they are typed can take megabytes; a bound, and cut at it
-      // exactly, so that a verdict does not depend on how the pipe was read.
-      constexpr std::size_t most = std::size_t{32} << 20;
-      std::string some;
-      bool more = true;
-      while (more) {
-        more = sandbox::read_available(ends_.read, some, 0);
-        text_.append(some, 0, most - text_.size());
-        some.clear();
-      }
-    });
-  }
-  ~PipeReader() { finish(); }
-  PipeReader(const PipeReader&) = delete;
-
-  int write_end() const { return ends_.write.get(); }
-  const std::string& finish() {
-    ends_.write.reset();
-    if (thread_.joinable()) thread_.join();
-    return text_;
-  }
-
- private:
-  sandbox::Pipe ends_;
-  std::string text_;
-  std::thread thread_;
-};
 
 /// What is kept of what a program prints, for all checks of a task.
 constexpr std::size_t most_printed = std::size_t{16} << 10;
@@ -69,7 +34,7 @@ void keep_printed(CheckResult& result, const std::string& text, std::size_t& lef
   }
 }
 
-/// Why Catch2 has no word on a check.
+/// Why there is no record of a check's end.
 std::string without_record(const sandbox::ProcessResult& run) {
   return fmt::format(
       "the autograder has no record of this check (exit code {}, signal {}): tell your "
@@ -99,22 +64,18 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
       done();
       continue;
     }
-    PipeReader records;
     sandbox::ProcessOptions process;
     process.environment = {
         {protocol::seed_variable, std::to_string(options.seed)},
-        {protocol::program_variable, std::to_string(protocol::program_descriptor)},
-        {protocol::records_variable, std::to_string(protocol::records_descriptor)}};
-    process.descriptors = {{program.descriptor.get(), protocol::program_descriptor},
-                           {records.write_end(), protocol::records_descriptor}};
+        {protocol::program_variable, std::to_string(protocol::program_descriptor)}};
+    process.descriptors = {{program.descriptor.get(), protocol::program_descriptor}};
     process.cpu_seconds = check_cpu_seconds;
     process.memory = layout.sanitized ? 0 : check_memory;
     process.wall_seconds = check_wall_seconds;
     const auto start = std::chrono::steady_clock::now();
-    const sandbox::ProcessResult run =
-        sandbox::run_process({layout.checks(lab.name).string(), result->check.name, "--reporter",
-                              "xml", "--warn", "NoAssertions"},
-                             process);
+    const CheckProcess checked =
+        run_check_program(layout.checks(lab.name), result->check.name, process);
+    const sandbox::ProcessResult& run = checked.result;
     result->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     left -= run.cpu_seconds;
@@ -122,7 +83,7 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
 
     bool todo = false;
     std::string machine;
-    for (const protocol::Record& record : protocol::records_in(records.finish())) {
+    for (const protocol::Record& record : checked.records) {
       switch (record.kind) {
         case protocol::RecordKind::printed:
           keep_printed(*result, record.text, printed_left);
@@ -142,30 +103,32 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
         case protocol::RecordKind::machine:
           machine = record.text;
           break;
+        case protocol::RecordKind::ended:
+          break;
       }
     }
-    // A check's status comes from Catch2's own record of it and from nothing else.
-    const auto xml = read_catch_xml(run.output);
-    const auto record = std::find_if(xml.begin(), xml.end(),
-                                     [&](auto& one) { return one.name == result->check.name; });
+    // A check's status comes from the record of its end and from nothing else.
+    const auto ends = checked.ends();
+    const auto end = std::find_if(ends.begin(), ends.end(),
+                                  [&](auto& one) { return one.name == result->check.name; });
     if (run.out_of_time || !machine.empty()) {
       result->status = Status::not_judged;
       result->story = run.out_of_time
                           ? fmt::format("the machine is too busy: this check did not end in {} s",
                                         check_wall_seconds)
                           : sandbox::printable(machine);
-    } else if (record == xml.end()) {
+    } else if (end == ends.end()) {
       result->status = Status::internal_error;
       result->story = without_record(run);
-    } else if (record->crashed) {
+    } else if (end->crashed) {
       result->status = Status::internal_error;
       result->story = fmt::format("the autograder failed in this check: tell your instructor\n{}",
-                                  sandbox::printable(record->message));
-    } else if (record->success) {
+                                  sandbox::printable(end->message));
+    } else if (end->passed) {
       result->status = Status::passed;
     } else {
       result->status = todo ? Status::not_written : Status::failed;
-      result->story = sandbox::printable(record->message);
+      result->story = sandbox::printable(end->message);
     }
     done();
   }

@@ -9,7 +9,6 @@
 
 #include "grader/context/side_by_side.hpp"
 #include "grader/context/text_file.hpp"
-#include "grader/judging/catch_xml.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/submission/build.hpp"
 #include "protocol/environment.hpp"
@@ -159,11 +158,11 @@ void look_at(Section& section, const std::vector<Panel>& panels,
 }
 
 /// What a hidden case says of its end; empty where it came there.
-std::string failure_of(const sandbox::ProcessResult& run) {
-  const auto records = read_catch_xml(run.output);
-  if (records.size() == 1 && records[0].success) return {};
-  if (records.empty()) return "its measurement did not end";
-  const std::string message = sandbox::printable(records[0].message);
+std::string failure_of(const CheckProcess& run) {
+  const auto ends = run.ends();
+  if (ends.size() == 1 && ends[0].passed) return {};
+  if (ends.empty()) return "its measurement did not end";
+  const std::string message = sandbox::printable(ends[0].message);
   return message.substr(0, message.find('\n'));
 }
 

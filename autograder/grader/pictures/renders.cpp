@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "grader/context/errors.hpp"
-#include "grader/judging/catch_xml.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/pictures/gnuplot.hpp"
 #include "grader/submission/build.hpp"
@@ -20,9 +19,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The first line of what a failed case says.
-std::string reason_of(const sandbox::ProcessResult& run) {
-  for (const XmlRecord& record : read_catch_xml(run.output)) {
-    for (std::string_view line : text::split(record.message, '\n')) {
+std::string reason_of(const CheckProcess& run) {
+  for (const protocol::CheckEnd& end : run.ends()) {
+    for (std::string_view line : text::split(end.message, '\n')) {
       line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
       if (!line.empty()) return sandbox::printable(line);
     }
@@ -40,7 +39,7 @@ struct Rendering {
   /// Fills in the row; `seconds` is the time to keep to, 0 for none.
   void measure(Rendered& row, std::uint64_t spp, double seconds) const {
     fs::create_directories(data);
-    const sandbox::ProcessResult run = run_hidden_cases(
+    const CheckProcess run = run_hidden_cases(
         layout, lab, CaseKind::measurements, program, "[.render]",
         {.environment = {{protocol::plot_data_variable, data.string()},
                          {protocol::render_variable, protocol::text_of(protocol::RenderRequest{
@@ -48,7 +47,7 @@ struct Rendering {
          .wall_seconds = 300});
     std::ifstream figures(data / (row.kind + ".txt"));
     figures >> row.samples >> row.time;
-    if (!run.succeeded() || !figures) row.failure = reason_of(run);
+    if (!run.result.succeeded() || !figures) row.failure = reason_of(run);
     row.timed = row.failure.empty() && (seconds > 0 || row.kind == reference);
   }
 };

@@ -1,0 +1,84 @@
+// How test cases ended, from Catch2's listener through the pipe: points depend on nothing else.
+#include <algorithm>
+#include <csignal>
+#include <stdexcept>
+#include <string>
+
+#include "checks/support/catch.hpp"
+#include "grader/context/layout.hpp"
+#include "grader/judging/check_process.hpp"
+
+namespace mc::tests::records {
+
+// Not tests: what the next one reads the report of. They fail, and are hidden for it.
+TEST_CASE("1.1 requires", "[.report][points:3]") {
+  const int n = 3;
+  REQUIRE(n < 2);
+}
+TEST_CASE("1.2 checks, later", "[.report]") {
+  CHECK(true);
+  CHECK(std::string("a") == "b");
+  CHECK(1 == 2);
+}
+TEST_CASE("1.3 fails", "[.report]") {
+  FAIL("measured  1");
+}
+TEST_CASE("1.4 throws", "[.report]") {
+  throw std::runtime_error("no value");
+}
+TEST_CASE("1.5 throws where it asks", "[.report]") {
+  const auto f = []() -> int { throw std::runtime_error("no value"); };
+  REQUIRE(f() == 1);
+}
+TEST_CASE("1.6 checks nothing", "[.report]") {}
+TEST_CASE("1.7 passes", "[.report]") {
+  CHECK(true);
+}
+TEST_CASE("1.8 may fail", "[.report][!mayfail]") {
+  CHECK(1 == 2);
+}
+TEST_CASE("1.9 crashes", "[.report]") {
+  std::raise(SIGSEGV);
+}
+
+TEST_CASE("the record of a case says how it ended, whatever Catch2 calls it") {
+  const auto program = grader::read_layout().build / "bin" / "grader_tests";
+  const auto run = grader::run_check_program(program, "[.report]", {});
+  const auto ends = run.ends();
+  const auto end = [&](const std::string& task) {
+    const auto found = std::find_if(ends.begin(), ends.end(),
+                                    [&](auto& one) { return one.name.starts_with(task); });
+    REQUIRE(found != ends.end());
+    return *found;
+  };
+  CHECK(ends.size() == 9);
+  CHECK(end("1.1").message == "REQUIRE( n < 2 ) was 3 < 2");
+  CHECK(end("1.1").tags.find("[points:3]") != std::string::npos);
+  CHECK(end("1.2").message.find("\"a\" == \"b\"") != std::string::npos);
+  CHECK(end("1.3").message == "measured  1");
+  CHECK(end("1.4").message == "no value");
+  CHECK(end("1.5").message == "REQUIRE( f() == 1 ) threw: no value");
+  CHECK(end("1.6").message == "this check checked nothing");
+  for (const char* task : {"1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.8", "1.9"}) {
+    CAPTURE(task);
+    CHECK_FALSE(end(task).passed);
+    CHECK(end(task).crashed == std::string("1.4 1.5 1.9").find(task) < 11);
+  }
+  CHECK(end("1.7").passed);
+}
+
+TEST_CASE("a record that is cut short is none") {
+  const protocol::CheckEnd end{"1.1 x", "[1.1]", true, false, "line\nline"};
+  const std::string line = protocol::line_of({protocol::RecordKind::ended, protocol::text_of(end)});
+  const auto ends_in = [](std::string_view lines) {
+    return protocol::check_ends_in(protocol::records_in(lines));
+  };
+  REQUIRE(ends_in(line).size() == 1);
+  CHECK(ends_in(line)[0].message == "line\nline");
+  CHECK(ends_in(line)[0].passed);
+  CHECK(ends_in("").empty());
+  CHECK(ends_in("ended 1.1 x").empty());
+  CHECK(ends_in("ended 1.1 x\\n[1.1]\\n1").empty());
+}
+
+}  // namespace mc::tests::records
