@@ -94,10 +94,9 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
                         "takes which stratum of x"
                       : "random permutations, all of them equally likely, give the strata of x to "
                         "the cells of each column, and the strata of y to the cells of each row"};
-    // Points of a set may share permutations: each is judged by itself, and x with y in a cell.
-    for (const bool only_each : {true, false}) {
-      auto failure =
-          dependence_in(only_each ? numbers : of_cell(numbers, rng() % n), claim, only_each);
+    // Points of a set may share permutations: each cell is judged by itself.
+    for (std::size_t k = 0; k < std::min<std::size_t>(n, 9); ++k) {
+      auto failure = dependence_in(of_cell(numbers, n <= 9 ? k : rng() % n), claim);
       if (!failure) continue;
       failure->expected = "any of the places, all equally likely";
       failure->likely = claim.otherwise;
