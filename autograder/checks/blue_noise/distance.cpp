@@ -6,7 +6,7 @@
 
 #include "checks/blue_noise/point_sets.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/expect.hpp"
+#include "checks/support/compare.hpp"
 
 namespace mc::checks {
 
@@ -26,7 +26,7 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
     ask(right ? high_x : low_x, top ? high_y : low_y, right ? low_x : high_x, top ? low_y : high_y);
   }
   for (int i = 0; i < 400; ++i) ask(uniform(rng), uniform(rng), uniform(rng), uniform(rng));
-  const double edges[] = {0, below_one, 0.5, 0.25, 0.75, uniform(rng)};
+  const double edges[] = {0, below_one, 0.5, 0.25, 0.75, uniform(rng), 1e-300, eps};
   for (const double x : edges) {
     for (const double y : edges) ask(x, y, y, uniform(rng) < 0.5 ? x : 0);
   }
@@ -35,9 +35,23 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
     ask(x, y, x, y);
     ask(x, y, x + 0.5, y + (i % 2 == 0 ? 0.5 : 0));
   }
-  const auto measured = MEASURE(toroidal_distances_squared, a.x, a.y, b.x, b.y);
-  const Values& got = measured.exactly(a.x.size(), any_number);
-  for (std::size_t i = 0; i < got.size(); ++i) {
+  Comparison distances{
+      .exact = {},
+      .tolerance = {},
+      .because = "coordinates are rounded to eps / 2, differences too",
+      .suspects = {{{},
+                    "this is the distance within the square: the way across an edge is shorter"},
+                   {{}, "this is the distance: its square is asked for"},
+                   {{}, "x goes round the torus, y does not"},
+                   {{}, "y goes round the torus, x does not"},
+                   {{}, "this is the sum of both ways: their squares are added"}},
+      .otherwise = "along each axis, take the shorter of |difference| and 1 - |difference|",
+      .name =
+          [&](std::size_t i) {
+            return fmt::format("from ({}, {}) to ({}, {})", a.x[i], a.y[i], b.x[i], b.y[i]);
+          },
+      .separate_calls = true};
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
     const long double dx = static_cast<long double>(a.x[i]) - b.x[i];
     const long double dy = static_cast<long double>(a.y[i]) - b.y[i];
     const long double short_x = dx - std::round(dx), short_y = dy - std::round(dy);
@@ -47,18 +61,15 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
     const double exact = squared(short_x, short_y);
     // Each shortest way is rounded twice, by eps / 4 at most, and so is wrong by eps / 2: its
     // square by eps |way|, both by 1.5 eps times the distance; the rest is relative to its square.
-    expect_within(fmt::format("from ({}, {}) to ({}, {})", a.x[i], a.y[i], b.x[i], b.y[i]), got[i],
-                  exact, 4 * eps * std::sqrt(exact) + eps * eps,
-                  "coordinates are rounded to eps / 2, differences too",
-                  {{{squared(dx, dy),
-                     "this is the distance within the square: the way across an edge is shorter"},
-                    {std::sqrt(exact), "this is the distance: its square is asked for"},
-                    {squared(short_x, dy), "x goes round the torus, y does not"},
-                    {squared(dx, short_y), "y goes round the torus, x does not"},
-                    {static_cast<double>(std::abs(short_x) + std::abs(short_y)),
-                     "this is the sum of both ways: their squares are added"}},
-                   "along each axis, take the shorter of |difference| and 1 - |difference|"});
+    distances.exact.push_back(exact);
+    distances.tolerance.push_back(4 * eps * std::sqrt(exact) + eps * eps);
+    const double values[] = {squared(dx, dy), std::sqrt(exact), squared(short_x, dy),
+                             squared(dx, short_y),
+                             static_cast<double>(std::abs(short_x) + std::abs(short_y))};
+    for (std::size_t s = 0; s < 5; ++s) distances.suspects[s].values.push_back(values[s]);
   }
+  const auto measured = MEASURE(toroidal_distances_squared, a.x, a.y, b.x, b.y);
+  expect_each({measured.call, measured.exactly(a.x.size(), any_number)}, distances);
 }
 
 }  // namespace mc::checks

@@ -1,35 +1,32 @@
 // 4.4
 
+#include <complex>
 #include <functional>
+#include <numbers>
 
 #include <fmt/format.h>
 
-#include "checks/blue_noise/power.hpp"
+#include "checks/blue_noise/point_sets.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/expect.hpp"
-#include "checks/support/statistics.hpp"
+#include "checks/support/compare.hpp"
+#include "checks/support/refusals.hpp"
 
 namespace mc::checks {
 namespace {
 
 using Power = std::function<double(int, int)>;  ///< at (kx, ky)
 
-bool agree(View got, std::size_t n, int kmax, const Power& power) {
-  std::size_t i = 0;
+/// Its values for k in [-kmax, kmax]^2, ky outer.
+Values values_of(int kmax, const Power& power) {
+  Values all;
   for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      const double here = power(kx, ky);
-      const auto size = static_cast<double>(n);
-      // Nine digits: suspects are computed in another order, and have their own scale.
-      const double room = power_tolerance(std::abs(here), size, kmax) + 1e-9 * std::abs(here);
-      if (!(std::abs(got[i] - here) <= room)) return false;
-    }
+    for (int kx = -kmax; kx <= kmax; ++kx) all.push_back(power(kx, ky));
   }
-  return true;
+  return all;
 }
 
-/// The mistake that explains the whole periodogram, if one does.
-std::string power_hint(View got, const Points& points, int kmax, const Power& exact) {
+/// What well-known mistakes give for these points, of the exact power.
+std::vector<Curve> wrong_powers(const Points& points, int kmax, const Power& exact) {
   const auto n = static_cast<double>(points.x.size());
   const auto sums = [&](double wave, bool cosines, bool sines) {  // of waves `wave` times as long
     return [=, &points](int kx, int ky) {
@@ -42,7 +39,7 @@ std::string power_hint(View got, const Points& points, int kmax, const Power& ex
       return ((cosines ? real * real : 0) + (sines ? imaginary * imaginary : 0)) / n;
     };
   };
-  const std::pair<Power, std::string> suspects[] = {
+  const std::pair<Power, const char*> suspects[] = {
       {[&](int kx, int ky) { return exact(kx, ky) * n; },
        "this is |sum|^2: divide by the number of points"},
       {[&](int kx, int ky) { return exact(kx, ky) / n; }, "this is divided by N twice"},
@@ -60,168 +57,138 @@ std::string power_hint(View got, const Points& points, int kmax, const Power& ex
       {sums(1, false, true), "this is the sum of sines alone: the sum of cosines is missing"},
       {sums(2 * std::numbers::pi, true, true), "2 pi is missing in the angle"},
       {sums(2, true, true), "the angle is 2 pi k x, not pi k x"}};
-  const std::string* found = nullptr;
-  bool is_only_one = true;  // points in one place, say, leave more than one way to the same power
-  for (const auto& [power, hint] : suspects) {
-    if (!agree(got, points.x.size(), kmax, power)) continue;
-    is_only_one = found == nullptr;
-    found = &hint;
-  }
-  if (found != nullptr && is_only_one) return *found;
-  return "sum exp(-2 pi i (kx x + ky y)) over the points, in double; its squared absolute value "
-         "over N";
+  std::vector<Curve> curves;
+  for (const auto& [power, hint] : suspects) curves.push_back({values_of(kmax, power), hint});
+  return curves;
 }
 
-void expect_power(const std::string& call, View got, const Points& points, int kmax,
-                  const Power& exact, const std::string& because) {
-  const auto size = static_cast<double>(points.x.size());
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      const double power = exact(kx, ky), tolerance = power_tolerance(power, size, kmax);
-      if (std::abs(got[i] - power) <= tolerance) continue;  // its story is not told 14,641 times
-      expect_within(fmt::format("{}: power at k = ({}, {})", call, kx, ky), got[i], power,
-                    tolerance, because, {{}, power_hint(got, points, kmax, exact)});
+/// The definition in extended precision (where the machine has it): right to some of the least bits
+/// of a double even where waves cancel.
+Power exact_power(const Points& points, int kmax) {
+  using Real = long double;
+  const auto side = static_cast<std::size_t>(2 * kmax + 1);
+  std::vector<std::complex<Real>> sums(side * side), along_x(side);
+  const auto wave = [&](std::size_t k, double at) {
+    const Real turns = (static_cast<Real>(k) - kmax) * at;
+    return std::polar(Real{1}, 2 * std::numbers::pi_v<Real> * (turns - std::round(turns)));
+  };
+  for (std::size_t p = 0; p < points.x.size(); ++p) {
+    for (std::size_t i = 0; i < side; ++i) along_x[i] = wave(i, points.x[p]);
+    for (std::size_t j = 0; j < side; ++j) {
+      const auto along_y = wave(j, points.y[p]);
+      for (std::size_t i = 0; i < side; ++i) sums[j * side + i] += along_x[i] * along_y;
     }
   }
-  pass();
+  return [=, n = points.x.size()](int kx, int ky) {
+    const auto at =
+        static_cast<std::size_t>(ky + kmax) * side + static_cast<std::size_t>(kx + kmax);
+    return static_cast<double>(std::norm(sums[at]) / static_cast<Real>(n));
+  };
 }
 
-std::size_t values_of(int kmax) {
-  return static_cast<std::size_t>((2 * kmax + 1) * (2 * kmax + 1));
+/// How wrong a periodogram may be. A wave's angle, 2 pi (kx x + ky y) <= 4 pi kmax, is rounded a
+/// few times, and so a wave is wrong by less than 32 (kmax + 1) eps; n additions lose n eps of n
+/// waves. So the sum of n waves is wrong by n delta, and its square over n by the two terms here.
+double power_tolerance(double exact, double n, int kmax) {
+  const double delta = (32.0 * (kmax + 1) + n) * eps;
+  return 2 * std::sqrt(n * exact) * delta + n * delta * delta;
 }
 
-/// Judges one periodogram.
-void expect_periodogram(const std::string& name, const Points& points, int kmax, const Power& exact,
-                        const std::string& because) {
+/// Compares the periodogram of some points with its exact values.
+void compare_power(const Points& points, int kmax) {
+  const Power exact = exact_power(points, kmax);
   const auto measured = MEASURE(periodogram, points.x, points.y, 1, kmax);
-  expect_power(measured.call + name, measured.exactly(values_of(kmax), finite), points, kmax, exact,
-               because);
-}
-
-const char* const by_definition = "waves are right to 32 (kmax + 1) eps, sums to N eps";
-
-}  // namespace
-
-CHECK_CASE("4.4 random points by the definition", "[4.4][main][points:7]") {
-  Rng rng = check_rng();
-  const std::pair<std::size_t, int> cases[] = {{17, 3}, {2, 1}, {100, 12}, {1000, 4}, {3, 60}};
-  for (const auto& [n, kmax] : cases) {
-    const Points points = uniform_points(rng, n);
-    const Spectrum exact = exact_spectrum(points.x, points.y, kmax);
-    expect_periodogram(
-        "", points, kmax, [&](int kx, int ky) { return exact.at(kx, ky); }, by_definition);
+  const auto side = static_cast<std::size_t>(2 * kmax + 1);
+  Comparison powers{.exact = values_of(kmax, exact),
+                    .tolerance = {},
+                    .because = "waves are right to 32 (kmax + 1) eps, sums to N eps",
+                    .otherwise =
+                        "sum exp(-2 pi i (kx x + ky y)) over the points, in double; its squared "
+                        "absolute value over N",
+                    .name = [&](std::size_t i) {
+                      return fmt::format("{}: power at k = ({}, {})", measured.call,
+                                         static_cast<int>(i % side) - kmax,
+                                         static_cast<int>(i / side) - kmax);
+                    }};
+  for (const double power : powers.exact) {
+    powers.tolerance.push_back(power_tolerance(power, static_cast<double>(points.x.size()), kmax));
   }
+  const View got = measured.exactly(side * side, any_number);
+  if (difference({measured.call, got}, powers)) {  // only then: they are expensive
+    powers.suspects = wrong_powers(points, kmax, exact);
+  }
+  expect_each({measured.call, got}, powers);
 }
 
-CHECK_CASE("4.4 spectra that are known exactly", "[4.4][points:5]") {
+CHECK_CASE("4.4 random points by the definition", "[4.4][main][points:8]") {
   Rng rng = check_rng();
-  const Points two = uniform_points(rng, 2);
-  // Pairs anywhere; at a distance of exactly 1/2, where all odd waves cancel; of next to nothing;
-  // and at the ends of the square, with waves short enough for every digit of a coordinate to tell,
-  // or so short that an angle is some hundred turns.
+  const std::pair<std::size_t, int> cases[] = {{17, 3},  {2, 1},    {100, 12}, {1000, 4},
+                                               {3, 60},  {1025, 2}, {4097, 1}, {65, 7},
+                                               {15, 16}, {1, 33},   {1, 1}};
+  for (const auto& [n, kmax] : cases) compare_power(uniform_points(rng, n), kmax);
+}
+
+/// Columns x rows points, at any place: N where both waves fit, else 0.
+Points grid_of(int columns, int rows, Rng& rng) {
+  const double left = uniform(rng, 0, 0.1), low = uniform(rng, 0, 0.1);
+  Points grid;
+  for (int i = 0; i < columns * rows; ++i) {
+    grid.x.push_back(left + static_cast<double>(i % columns) / columns);
+    grid.y.push_back(low + static_cast<double>(i / columns) / rows);
+  }
+  return grid;
+}
+
+CHECK_CASE("4.4 points whose waves cancel or agree", "[4.4][points:7]") {
+  Rng rng = check_rng();
+  // Pairs at a distance of exactly 1/2, where all odd waves cancel; of next to nothing; and at the
+  // ends of the square, with waves short enough for every digit of a coordinate to tell, or so
+  // short that an angle is some hundred turns. Points in one place: N at any k.
   const double x = uniform(rng, 0, 0.5), y = uniform(rng, 0, 0.5);
-  const std::pair<Points, int> pairs[] = {{two, 6},
-                                          {{{x, x + 0.5}, {y, y}}, 7},
+  const std::pair<Points, int> cases[] = {{{{x, x + 0.5}, {y, y}}, 7},
                                           {{{x, x + 0.5}, {y + 0.5, y}}, 7},
                                           {{{x, std::nextafter(x, 1)}, {y, y}}, 5},
                                           {{{0, below_one}, {below_one, 0}}, 20},
                                           {{{x, below_one}, {y, below_one}}, 60},
-                                          {{{1 - x, y}, {1 - y, x}}, 300}};
-  for (const auto& [pair, kmax] : pairs) {
-    const long double dx = static_cast<long double>(pair.x[1]) - pair.x[0];
-    const long double dy = static_cast<long double>(pair.y[1]) - pair.y[0];
-    expect_periodogram(
-        "", pair, kmax, [=](int kx, int ky) { return power_of_two(dx, dy, kx, ky); },
-        "two points have |1 + exp(2 pi i k.d)|^2 / 2 = 2 cos(pi k.d)^2");
-  }
-  // A grid with an uneven number of columns and rows, at any place: N where both waves fit.
-  for (const auto& [columns, rows] : {std::pair{5, 3}, std::pair{1, 4}, std::pair{8, 8}}) {
-    const double left = uniform(rng, 0, 0.1), low = uniform(rng, 0, 0.1);
-    Points grid;
-    for (int j = 0; j < rows; ++j) {
-      for (int i = 0; i < columns; ++i) {
-        grid.x.push_back(left + static_cast<double>(i) / columns);
-        grid.y.push_back(low + static_cast<double>(j) / rows);
-      }
-    }
-    expect_periodogram(
-        fmt::format(", a grid of {} x {}", columns, rows), grid, 9,
-        [&, columns = columns, rows = rows](int kx, int ky) {
-          return kx % columns == 0 && ky % rows == 0 ? static_cast<double>(grid.x.size()) : 0;
-        },
-        "a grid is in phase where its columns divide kx and its rows ky, and cancels elsewhere");
-  }
-  for (const std::size_t n : {50u, 3u, 2u}) {
-    const Points one = uniform_points(rng, 1);
-    const Points same{Values(n, one.x[0]), Values(n, one.y[0])};
-    expect_periodogram(
-        "", same, 5, [&](int, int) { return static_cast<double>(n); },
-        "N points in one place are in phase at any k: N^2 / N");
-  }
-  for (const int kmax : {7, 20, 2, 1}) {
-    expect_periodogram(
-        "", uniform_points(rng, 1), kmax, [](int, int) { return 1; },
-        "one wave has the absolute value 1");
-  }
+                                          {{{1 - x, y}, {1 - y, x}}, 300},
+                                          {grid_of(5, 3, rng), 9},
+                                          {grid_of(1, 4, rng), 9},
+                                          {grid_of(8, 8, rng), 9},
+                                          {{Values(50, x), Values(50, y)}, 5},
+                                          {{{0}, {0}}, 4}};
+  for (const auto& [points, kmax] : cases) compare_power(points, kmax);
 }
 
-CHECK_CASE("4.4 jittered points have the power they must", "[4.4][points:3]") {
-  Rng rng = check_rng();
-  constexpr int side = 8, kmax = 8;
-  constexpr std::size_t n = side * side, sets = 200;  // half the power shows at one of four k
-  Points jittered;
-  for (std::size_t i = 0; i < n * sets; ++i) {
-    jittered.x.push_back((static_cast<double>(i % side) + uniform(rng)) / side);
-    jittered.y.push_back((static_cast<double>(i / side % side) + uniform(rng)) / side);
+std::vector<InvalidCall> wrong_sizes() {
+  const std::string pairs = "each point has two coordinates, and there is at least one point";
+  std::vector<InvalidCall> calls{
+      {MEASURE_OUTCOME(periodogram_into, 3, 4, 1, 9), "x|y|size", pairs},
+      {MEASURE_OUTCOME(periodogram_into, 4, 3, 1, 9), "x|y|size", pairs},
+      {MEASURE_OUTCOME(periodogram_into, 3, 0, 1, 9), "x|y|size", pairs},
+      {MEASURE_OUTCOME(periodogram_into, 0, 3, 1, 9), "x|y|size", pairs},
+      {MEASURE_OUTCOME(periodogram_into, 0, 0, 1, 9), "x|y|size|point", pairs}};
+  for (const auto& [kmax, size] :
+       {std::pair{0, 1u}, {-1, 1u}, {-3, 1u}, {-2, 9u}, {std::numeric_limits<int>::min(), 1u}}) {
+    calls.push_back(
+        {MEASURE_OUTCOME(periodogram_into, 3, 3, kmax, size), "kmax", "kmax is 1 at least"});
   }
-  const auto measured = MEASURE(periodogram, jittered.x, jittered.y, sets, kmax);
-  const Values& got = measured.exactly(sets * values_of(kmax), non_negative);
-  // Sums of 64 independent terms are nearly Gaussian, so the power is nearly exponential: amplitudes
-  // sqrt(P) have mean square E{P} and kurtosis E{P^2} / E{P}^2 = 2, less something below
-  // 1/64 / E{P}^2, which makes the test a little stricter on itself.
-  for (const auto& [kx, ky] :
-       {std::pair{3, 2}, std::pair{1, 5}, std::pair{-6, 4}, std::pair{0, 8}}) {
-    Values amplitudes;
-    for (std::size_t set = 0; set < sets; ++set) {
-      const auto at = (2 * kmax + 1) * (2 * kmax + 1) * set +
-                      static_cast<std::size_t>((ky + kmax) * (2 * kmax + 1) + kx + kmax);
-      amplitudes.push_back(std::sqrt(got[at]));
-    }
-    expect_variance({fmt::format("{}: amplitudes at k = ({}, {}) of {} jittered sets",
-                                 measured.call, kx, ky, sets),
-                     amplitudes, n},
-                    0, jittered_power(kx, ky, side), 2,
-                    {"jittered points have 1 - sinc(kx/n)^2 sinc(ky/n)^2 on average", alpha},
-                    {{}, "is this the power at this very k, |sum|^2 / N?"});
+  for (const std::uint64_t size : {0u, 9u, 24u, 26u, 49u}) {
+    calls.push_back({MEASURE_OUTCOME(periodogram_into, 3, 3, 2, size), "power",
+                     "there are (2 kmax + 1)^2 = 25 values of k"});
   }
+  calls.push_back({MEASURE_OUTCOME(periodogram_into, 3, 3, 1 << 15, 131073), "power",
+                   "there are 65537^2 = 2^32 + 131073 values of k: their number overflows 32 bits",
+                   "(2 kmax + 1)^2 overflows an int: compute it in std::size_t"});
+  return calls;
 }
 
 CHECK_CASE("4.4 misuse of periodogram is refused", "[4.4][edge][points:2]") {
-  Rng rng = check_rng();
-  const std::uint64_t n = 2 + rng() % 9;
-  const std::string because = "each point has two coordinates, and there is at least one point";
-  expect_refused(MEASURE_OUTCOME(periodogram_into, n, n + 1, 1, 9), because);
-  expect_refused(MEASURE_OUTCOME(periodogram_into, n, n - 1, 1, 9), because);
-  expect_refused(MEASURE_OUTCOME(periodogram_into, 0, 0, 1, 9), because);
-  for (const int kmax : {0, -1, -3}) {
-    expect_refused(MEASURE_OUTCOME(periodogram_into, n, n, kmax, 1), "kmax is 1 at least");
-  }
-  for (const std::uint64_t size : {0u, 9u, 24u, 26u}) {
-    expect_refused(MEASURE_OUTCOME(periodogram_into, n, n, 2, size),
-                   "there are (2 kmax + 1)^2 = 25 values of k");
-  }
-  expect_refused(MEASURE_OUTCOME(periodogram_into, n, n, 1 << 15, 131073),
-                 "there are 65537^2 = 2^32 + 131073 values of k: their number overflows 32 bits");
+  expect_refused(wrong_sizes());
 }
 
 CHECK_CASE("4.4 a refusal names the argument", "[4.4][edge][points:1]") {
-  expect_invalid_argument(MEASURE_OUTCOME(periodogram_into, 3, 4, 1, 9), "x|y",
-                          "the sizes of x and y differ");
-  expect_invalid_argument(MEASURE_OUTCOME(periodogram_into, 3, 3, 0, 1), "kmax",
-                          "kmax is 1 at least");
-  expect_invalid_argument(MEASURE_OUTCOME(periodogram_into, 3, 3, 2, 24), "power",
-                          "there are (2 kmax + 1)^2 = 25 values of k");
+  expect_argument_named(wrong_sizes());
 }
 
+}  // namespace
 }  // namespace mc::checks

@@ -36,12 +36,12 @@ std::array<double, 4> invariants(const Set& set) {
 }
 
 /// No set is another one, as it is or moved about.
-void expect_fresh(const std::string& call, std::span<const Set> sets) {
+void require_fresh(const std::string& call, std::span<const Set> sets) {
   for (std::size_t set = 1; set < sets.size(); ++set) {
     if (!same(sets[set - 1], sets[set])) continue;
     expect_that(false, fmt::format("{}: sets {} and {} are the same", call, set - 1, set),
                 "a fresh set from each call", "the generator has moved on between the two",
-                "draw from the generator that is handed in: a copy of it, or one with a seed of "
+                "draw from the generator that is passed in: a copy of it, or one with a seed of "
                 "its own, starts again each time");
   }
   std::vector<std::array<double, 4>> all;
@@ -64,34 +64,8 @@ void expect_fresh(const std::string& call, std::span<const Set> sets) {
   }
 }
 
-}  // namespace
-
-std::vector<Set> sets_of(const Measured<Points>& got, std::size_t n, std::size_t sets) {
-  const Points& all = got.exactly(n * sets, unit);
-  std::vector<Set> parts;
-  for (std::size_t set = 0; set < sets; ++set) {
-    parts.push_back({View(all.x).subspan(set * n, n), View(all.y).subspan(set * n, n)});
-  }
-  expect_fresh(got.call, parts);
-  return parts;
-}
-
-std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size_t sets) {
-  const auto [x, y, sizes] = patterns_due(radius, sets);
-  const Patterns& all = got.list_by_list({x, y, sizes});
-  const auto empty = std::find(all.sizes.begin(), all.sizes.end(), 0u);
-  expect_that(empty == all.sizes.end(),
-              fmt::format("{}: set {} has no points", got.call, empty - all.sizes.begin()),
-              "one point at least", "", "there is always room for the first point");
-  std::vector<Set> parts = taken_apart(all);
-  expect_that(!parts.empty(),
-              fmt::format("{}: {} points in all, and other sizes", got.call, all.x.size()),
-              "sizes that add up", "", "");
-  expect_fresh(got.call, parts);
-  return parts;
-}
-
-void expect_distinct(const std::string& call, std::span<const Set> sets) {
+/// No point is in two sets, or twice in one: random points never are.
+void require_distinct(const std::string& call, std::span<const Set> sets) {
   struct Place {
     double x, y;
     std::size_t set, index;
@@ -116,6 +90,39 @@ void expect_distinct(const std::string& call, std::span<const Set> sets) {
                 : first              ? "the first point of a set is as random as any other"
                                      : "every point is drawn anew, and kept once");
   }
+}
+
+/// What every random set is.
+void require_random(const std::string& call, std::span<const Set> sets) {
+  require_fresh(call, sets);
+  require_distinct(call, sets);
+}
+
+}  // namespace
+
+std::vector<Set> sets_of(const Measured<Points>& got, std::size_t n, std::size_t sets) {
+  const Points& all = got.exactly(n * sets, unit);
+  std::vector<Set> parts;
+  for (std::size_t set = 0; set < sets; ++set) {
+    parts.push_back({View(all.x).subspan(set * n, n), View(all.y).subspan(set * n, n)});
+  }
+  require_random(got.call, parts);
+  return parts;
+}
+
+std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size_t sets) {
+  const auto [x, y, sizes] = patterns_due(radius, sets);
+  const Patterns& all = got.list_by_list({x, y, sizes});
+  const auto empty = std::find(all.sizes.begin(), all.sizes.end(), 0u);
+  expect_that(empty == all.sizes.end(),
+              fmt::format("{}: set {} has no points", got.call, empty - all.sizes.begin()),
+              "one point at least", "", "there is always room for the first point");
+  std::vector<Set> parts = taken_apart(all);
+  expect_that(!parts.empty(),
+              fmt::format("{}: {} points in all, and other sizes", got.call, all.x.size()),
+              "sizes that add up", "", "");
+  require_random(got.call, parts);
+  return parts;
 }
 
 Spectrum mean_spectrum(std::span<const Set> sets, double n) {

@@ -46,15 +46,14 @@ inline Points uniform_points(Rng& rng, std::size_t n) {
   return points;
 }
 
-/// The `sets` sets of n points each that were asked for. They stay in `got`.
+// Sets of points, which stay in `got`: no set is another one moved about, and no two points are in
+// the same place.
+
+/// The `sets` sets of n points each that were asked for.
 std::vector<Set> sets_of(const Measured<Points>& got, std::size_t n, std::size_t sets);
 
-/// The `sets` Poisson-disk patterns that were asked for, each of one point at least. They stay in
-/// `got`.
+/// The `sets` Poisson-disk patterns that were asked for, each of one point at least.
 std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size_t sets);
-
-/// No point stands in two sets, or twice in one: random points never do.
-void expect_distinct(const std::string& call, std::span<const Set> sets);
 
 /// The mean spectrum up to 2 sqrt(n) of sets of about n points.
 Spectrum mean_spectrum(std::span<const Set> sets, double n);

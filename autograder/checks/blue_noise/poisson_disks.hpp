@@ -41,7 +41,7 @@ inline std::string too_close_hint(const Set& set, double radius, double least) {
 }
 
 /// Every point has a disc of that radius to itself, but for rounding.
-inline void expect_apart(const std::string& call, const Set& set, double radius) {
+inline void require_apart(const std::string& call, const Set& set, double radius) {
   const double least = least_distance(set.x, set.y);
   const bool holds = least >= radius - 4 * eps;
   expect_that(holds, fmt::format("{}: two points {} apart", call, least),

@@ -61,7 +61,8 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
   std::vector<Curve> all{
       {each(exact, [](double x) { return static_cast<double>(static_cast<float>(x)); }),
        "the values were rounded to float: keep them in double"},
-      {std::vector<double>(n, nan), "nothing was written: all values are NaN"},
+      {std::vector<double>(n, nan),
+       "all values are NaN: nothing was written, or it was added to what was there"},
       {std::vector<double>(n, 0.0), "all values are 0"},
       {each(exact, [](double x) { return -x; }), "the sign is wrong"},
       {each(exact, [](double x) { return x * x; }), "these are the squares"},

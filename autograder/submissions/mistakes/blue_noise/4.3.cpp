@@ -181,7 +181,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::first_point_in_the_middle
 
 // mistake: draws from a copy of the generator, so every pattern is the same
-// hint: draw from the generator that is handed in
+// hint: draw from the generator that is passed in
 namespace mc::generator_of_its_own {
 PointSet poisson_disk(double radius, Rng& rng) {
   Rng copy = rng;

@@ -6,7 +6,7 @@
 #undef periodogram
 
 // mistake: adds to the previous contents of the output
-// hint: this value was never written
+// hint: or it was added to what was there
 namespace mc::adds_to_the_output {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {

@@ -29,7 +29,7 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::corners_kept
 
 // mistake: leaves the power at k = 0 in ring 0
-// hint: the mean of the points is still in here
+// hint: the power at k = 0 is still in here
 namespace mc::mean_left_in {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
   std::vector<double> rings = right_radial_power(power, kmax);
