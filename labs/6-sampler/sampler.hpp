@@ -73,14 +73,22 @@ class Sampler {
 /// 3.7: so a prime N stratifies both axes). The samples of each next() and of each next2() are in
 /// an independent random permutation.
 ///
-/// 6.3  "halton" and "sobol": dimensions of the sequence, with the points from index 0 on. Sample
-/// dimensions take them in the order in which they are first asked for; a next2() takes two. Each
-/// is randomized by a different seed: Sobol' by nested scrambling (5.8), Halton by permuted digits
-/// (5.9), but in base 2 by nested scrambling too. Any number of sample dimensions, in blocks of
-/// eight: the first block is dimensions 0 to 7, in the sequence's own order. Each later block is
-/// dimensions 0 to 7 again, with new seeds, its points in a random permutation that all eight
-/// dimensions share and no other block has. Where one dimension of a block is left and a next2()
-/// takes two, that one is left out.
+/// 6.3  "halton" and "sobol": eight dimensions of the sequence, with the points from index 0 on, in
+/// their order. Each dimension is randomized by a different seed: Sobol' by nested scrambling (5.8),
+/// Halton by permuted digits (5.9), but in base 2 by nested scrambling too. The eight are four
+/// pairs: of Sobol' dimensions (0, 1), (4, 6), (16, 20), (15, 21), since these leave no cell empty
+/// of the square grid of N cells, N = 4, 16, 64, 256, 1024; of Halton's the primes (2, 3), (5, 7),
+/// (11, 13), (17, 19). In the order in which sample dimensions are first asked for, a next2() takes
+/// the next pair. A next() takes the first half of the next pair, and the next() after it the second
+/// half.
+///
+/// When all four pairs are taken, a next2(), or a next() for which there is no half, begins another
+/// block: the same eight dimensions with new seeds, their points in another order, which all eight
+/// share and no other block has. (A half that is left over is not used then.) The order is a nested
+/// shuffle: bit by bit from the highest on, the index of a point is the number of the sample, each
+/// bit flipped by a random decision for each string of bits before it. So the first 2^k samples of
+/// every block have 2^k points in a row, beginning at a multiple of 2^k: a block may be stopped
+/// early. Where N is no power of 2, points up to the next one take part.
 ///
 /// 6.7  "blue_noise": the first next2() is a blue-noise pattern of exactly N points, as blue as
 /// best_candidate with c = 1. Everything else is as in "stratified".
@@ -91,7 +99,7 @@ class Sampler {
 /// throws:   for any other kind, with a message that lists the five.
 /// source:   Pharr, Jakob, Humphreys 2023, "Physically based rendering", section 8.3 (interface);
 ///           Kollig, Keller 2002, "Efficient multidimensional sampling" (padding with scrambled
-///           sets).
+///           sets); Burley 2020, "Practical hash-based Owen scrambling" (nested shuffles).
 std::unique_ptr<Sampler> make_sampler(std::string_view kind);
 
 /// 6.5  The renderer's loop: the mean of `scene` over `samples` samples of `sampler`.

@@ -13,27 +13,34 @@
 
 namespace mc::checks {
 
-inline constexpr unsigned block_dims = 8;
+inline constexpr std::size_t block_dims = 8;
+inline constexpr std::array<unsigned, block_dims> sobol_block{0, 1, 4, 6, 16, 20, 15, 21};
 inline constexpr unsigned first_primes[] = {2,  3,  5,  7,  11, 13, 17, 19, 23,
                                             29, 31, 37, 41, 43, 47, 53, 59, 61};
 
 /// Where a coordinate comes from: which block of eight dimensions, and which of those.
 struct Place {
-  std::size_t block;
-  unsigned dimension;
+  std::size_t block, dimension;
 };
 
-/// Of every coordinate of these uses, in the order in which they are first asked for: a next()
-/// takes one dimension, a next2() two of the same block; a single one that is left then is left
-/// over.
+/// Of every coordinate of these uses, in the order in which they are first asked for: a next2()
+/// takes a pair of dimensions, a next() half of one, and the next one the other half.
 inline std::vector<Place> places_of(const Uses& uses) {
   std::vector<Place> places;
-  std::size_t next = 0;
+  std::optional<Place> half;
+  std::size_t pair = 0;
   for (const unsigned use : uses) {
-    if (next % block_dims + use > block_dims) ++next;
-    for (unsigned k = 0; k < use; ++k, ++next) {
-      places.push_back({next / block_dims, static_cast<unsigned>(next % block_dims)});
+    if (use == 1 && half) {
+      places.push_back(*half);
+      half.reset();
+      continue;
     }
+    const Place first{pair / 4, pair % 4 * 2}, second{pair / 4, pair % 4 * 2 + 1};
+    if (pair % 4 == 0) half.reset();  // what is left of another block
+    ++pair;
+    places.push_back(first);
+    if (use == 2) places.push_back(second);
+    if (use == 1) half = second;
   }
   return places;
 }
@@ -139,8 +146,8 @@ inline bool is_digital_shift(View x, std::span<const std::uint32_t> exact) {
 /// The columns of a whole block, or what is asked for of it, in an order that nobody knows.
 using Block = std::vector<View>;
 
-/// Are these, sample by sample, dimensions 0, 1, … of the first 2^m Sobol' points, scrambled, all
-/// in the same order? The words of these points are a group under exclusive or: so how many leading
+/// Are these, sample by sample, the dimensions of a block of the first 2^m Sobol' points, scrambled,
+/// all in the same order? The words of these points are a group under exclusive or: so how many leading
 /// bits a point shares with each of the others, in all dimensions together, is the same list for
 /// every point, but for its order: that of point 0.
 inline bool is_sobol_in_one_order(const Block& columns) {
@@ -148,7 +155,9 @@ inline bool is_sobol_in_one_order(const Block& columns) {
   using Shared = std::vector<unsigned>;
   std::vector<Shared> exact;
   std::vector<std::array<std::uint32_t, 32>> directions;
-  for (unsigned d = 0; d < columns.size(); ++d) directions.push_back(sobol_directions(d));
+  for (std::size_t d = 0; d < columns.size(); ++d) {
+    directions.push_back(sobol_directions(sobol_block[d]));
+  }
   for (std::size_t j = 1; j < n; ++j) {
     Shared bits;
     for (const auto& of : directions) {
@@ -172,7 +181,7 @@ inline bool is_sobol_in_one_order(const Block& columns) {
 }
 
 /// Are these dimensions 0, 1, … of the first N Halton points, scrambled, all in the same order? For
-/// all eight of them and N <= 23: then any two indices but neighbours differ by a multiple of some
+/// all eight of them and N <= 16: then any two indices but neighbours differ by a multiple of some
 /// base. So neighbours are those that share no digit anywhere, which finds the order.
 inline bool is_halton_in_one_order(const Block& columns) {
   const std::size_t n = columns[0].size();

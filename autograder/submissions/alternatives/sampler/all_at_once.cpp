@@ -6,6 +6,8 @@
 #include "solutions/sampler.cpp"
 #undef make_sampler
 
+#include <utility>
+
 namespace mc {
 namespace {
 
@@ -24,7 +26,8 @@ class EagerSampler final : public Sampler {
     if (samples == 0 || samples > most_samples) throw std::invalid_argument("samples");
     samples_ = samples;
     rng_ = Rng(seed);
-    sample_ = at_ = at2_ = dimension_ = 0;
+    sample_ = at_ = at2_ = dimension_ = half_ = 0;
+    order_.clear();
     ones_.clear();
     twos_.clear();
     spare_ones_.clear();
@@ -72,12 +75,32 @@ class EagerSampler final : public Sampler {
     return both;
   }
 
-  /// The first of so many dimensions of one block.
+  /// The first dimension of the next pair, or the other half of one.
   std::size_t take(std::size_t count) {
-    if (dimension_ / block != (dimension_ + count - 1) / block) ++dimension_;
-    if (dimension_ % block == 0) order_ = Rng(rng_());
-    dimension_ += count;
-    return dimension_ - count;
+    if (count == 1 && half_ > 0) return std::exchange(half_, std::size_t{0});
+    const std::size_t first = dimension_;
+    if (first % block == 0 && first > 0) {
+      half_ = 0;
+      order_ = nested_order();
+    }
+    dimension_ += 2;
+    if (count == 1) half_ = first + 1;
+    return first;
+  }
+  /// Bit by bit, from the highest on, by a hash of the bits before.
+  std::vector<std::uint32_t> nested_order() {
+    const std::uint64_t seed = rng_();
+    const int bits = std::bit_width(samples_ - 1);
+    std::vector<std::uint32_t> order;
+    for (std::size_t i = 0; i < samples_; ++i) {
+      std::size_t index = i;
+      for (int bit = 0; bit < bits; ++bit) {
+        const std::uint64_t before = (i >> (bit + 1) << 6) + static_cast<unsigned>(bit);
+        index ^= mix_bits(seed ^ mix_bits(before)) >> 63 << bit;
+      }
+      order.push_back(static_cast<std::uint32_t>(index));
+    }
+    return order;
   }
   Column take_one() {
     const std::size_t dimension = take(1), number = ones_.size();
@@ -94,9 +117,10 @@ class EagerSampler final : public Sampler {
 
   const Kind& kind_;
   bool is_sequence_;
-  Rng rng_{0}, order_{0};
+  Rng rng_{0};
+  std::vector<std::uint32_t> order_;
   Tables tables_;
-  std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0, dimension_ = 0;
+  std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0, dimension_ = 0, half_ = 0;
   std::vector<Column> ones_, spare_ones_;
   std::vector<Columns> twos_, spare_twos_;
 };

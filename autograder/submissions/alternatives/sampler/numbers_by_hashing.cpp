@@ -59,6 +59,7 @@ class HashedSampler final : public Sampler {
     sample_ = next_ = next2_ = 0;
     first_.clear();
     dimensions_ = 0;
+    has_half_ = false;
     blue_ = PointSet();
   }
 
@@ -103,25 +104,42 @@ class HashedSampler final : public Sampler {
   /// The dimension that a use was given when it was first asked for: of 8, 8, 8, …
   std::size_t dimension(std::uint64_t use, std::size_t takes) {
     const auto [known, is_new] = first_.insert({use, 0});
-    if (is_new) {
-      while (dimensions_ / 8 != (dimensions_ + takes - 1) / 8) ++dimensions_;
-      known->second = dimensions_;
-      dimensions_ += takes;
+    if (!is_new) return known->second;
+    if (takes == 1 && has_half_) {
+      has_half_ = false;
+      return known->second = half_;
+    }
+    known->second = dimensions_;
+    if (dimensions_ % 8 == 0) has_half_ = false;
+    dimensions_ += 2;
+    if (takes == 1) {
+      has_half_ = true;
+      half_ = known->second + 1;
     }
     return known->second;
+  }
+
+  /// The sample's point in a later block: each bit is flipped by a hash of those above it.
+  std::size_t nested(std::uint64_t key) const {
+    std::size_t index = sample_;
+    for (unsigned bit = 0; samples_ > std::size_t{1} << bit; ++bit) {
+      index ^= hash(hash(key, bit), sample_ >> (bit + 1)) >> 63 << bit;
+    }
+    return index;
   }
 
   double coordinate(std::size_t d, std::uint64_t key) const {
     const std::size_t number = d / 8, which = d % 8;
     const std::uint64_t order = hash(hash(seed_, 0x0bde), number);
-    const std::size_t index = number == 0 ? sample_ : permuted(sample_, samples_, order);
+    const std::size_t index = number == 0 ? sample_ : nested(order);
     double x = 0;
     const auto column = std::span(&x, 1);
     if (pattern_ == Pattern::halton && which > 0) {
       constexpr unsigned bases[] = {2, 3, 5, 7, 11, 13, 17, 19};
       radical_inverses_scrambled(bases[which], index, column, key);
     } else {  // dimension 0 of both is van der Corput's
-      sobol(static_cast<unsigned>(which), index, column);
+      constexpr unsigned dimensions[] = {0, 1, 4, 6, 16, 20, 15, 21};
+      sobol(dimensions[which], index, column);
       owen_scramble(column, key);
     }
     return x;
@@ -139,7 +157,8 @@ class HashedSampler final : public Sampler {
 
   Pattern pattern_;
   std::uint64_t seed_ = 0;
-  std::size_t samples_ = 0, sample_ = 0, next_ = 0, next2_ = 0, dimensions_ = 0;
+  std::size_t samples_ = 0, sample_ = 0, next_ = 0, next2_ = 0, dimensions_ = 0, half_ = 0;
+  bool has_half_ = false;
   std::map<std::uint64_t, std::size_t> first_;
   PointSet blue_;
 };

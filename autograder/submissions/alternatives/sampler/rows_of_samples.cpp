@@ -1,6 +1,7 @@
 // alternative: stores the numbers of a sample side by side, in rows that are laid out anew when there
 // are more uses; Poisson-disk patterns filled with best candidates
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -117,16 +118,41 @@ std::vector<Column> blue_columns(const Request& request, Rng& rng) {
 
 constexpr std::size_t block = 8;
 
+std::size_t power_of_2(std::size_t least) {
+  std::size_t power = 1;
+  while (power < least) power *= 2;
+  return power;
+}
+
+/// Of 0 … 2^m - 1, each half of each interval changes places with the other one or does not; the
+/// first `size` of them.
+Column nested_order(std::size_t size, Rng& rng) {
+  Column order(power_of_2(size));
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<double>(i);
+  for (std::size_t half = order.size() / 2; half > 0; half /= 2) {
+    for (std::size_t first = 0; first < order.size(); first += 2 * half) {
+      const auto at = [&](std::size_t i) {
+        return order.begin() + static_cast<std::ptrdiff_t>(first + i);
+      };
+      if (rng() >> 63 != 0) std::swap_ranges(at(0), at(half), at(half));
+    }
+  }
+  order.resize(size);
+  return order;
+}
+
 template <class Fill>
 Maker sequence(Fill fill) {
   return [fill](const Request& request, Rng& rng) {
-    std::vector<Column> columns(request.axes, Column(request.samples));
+    const std::size_t size =
+        request.dimension < block ? request.samples : power_of_2(request.samples);
+    std::vector<Column> columns(request.axes, Column(size));
     for (std::size_t axis = 0; axis < request.axes; ++axis) {
       fill((request.dimension + axis) % block, columns[axis], rng());
     }
     if (request.dimension < block) return columns;
     Rng order_of_block(mix_bits(request.seed ^ mix_bits(request.dimension / block)));
-    const Column order = random_order(request.samples, order_of_block);
+    const Column order = nested_order(request.samples, order_of_block);
     for (Column& column : columns) column = in_order(column, order);
     return columns;
   };
@@ -138,7 +164,8 @@ Maker maker_of(std::string_view kind) {
   if (kind == "blue_noise") return blue_columns;
   if (kind == "sobol") {
     return sequence([](std::size_t d, Column& x, std::uint64_t seed) {
-      sobol(static_cast<unsigned>(d), 0, x);
+      constexpr unsigned dimensions[] = {0, 1, 4, 6, 16, 20, 15, 21};
+      sobol(dimensions[d], 0, x);
       owen_scramble(x, seed);
     });
   }
@@ -162,6 +189,7 @@ class RowSampler final : public Sampler {
     samples_ = samples;
     seed_ = mix_bits(seed ^ 0x243f6a8885a308d3u);
     row_ = next_ = next2_ = dimension_ = 0;
+    halves_.clear();
     ones_.clear(samples);
     twos_.clear(samples);
   }
@@ -194,14 +222,21 @@ class RowSampler final : public Sampler {
   /// Every use has a generator of its own, whose seed does not depend on the order of uses.
   std::vector<Column> made(std::size_t axes, std::size_t number) {
     Rng rng(mix_bits(seed_ + number) + axes);
-    if (dimension_ % block + axes > block) ++dimension_;
-    dimension_ += axes;
-    return make_({samples_, axes, number, dimension_ - axes, seed_}, rng);
+    if (axes == 1 && !halves_.empty()) {
+      const std::size_t half = halves_.back();
+      halves_.clear();
+      return make_({samples_, axes, number, half, seed_}, rng);
+    }
+    if (dimension_ % block == 0) halves_.clear();
+    if (axes == 1) halves_ = {dimension_ + 1};
+    dimension_ += 2;
+    return make_({samples_, axes, number, dimension_ - 2, seed_}, rng);
   }
 
   Maker make_;
   std::uint64_t seed_ = 0;
   std::size_t samples_ = 0, row_ = 0, next_ = 0, next2_ = 0, dimension_ = 0;
+  std::vector<std::size_t> halves_;  // one or none
   Rows<double> ones_;
   Rows<Point2> twos_;
 };

@@ -153,7 +153,7 @@ class BlueNoise final : public Stratified {
 /// Dimensions in blocks of eight, each behind the first in an order of its own.
 class Sequence : public TextbookSampler {
  protected:
-  virtual Numbers dimension(std::size_t d) = 0;
+  virtual Numbers dimension(std::size_t d, std::size_t size) = 0;
 
  private:
   Numbers make_numbers() override { return ordered(take(1)); }
@@ -167,29 +167,49 @@ class Sequence : public TextbookSampler {
 
   std::size_t take(std::size_t count) {
     if (taken_ == 0) orders_.clear();
-    if (taken_ % 8 + count > 8) ++taken_;
-    taken_ += count;
-    return taken_ - count;
+    if (count == 1 && half_ > 0 && taken_ > 0) {
+      const std::size_t half = half_;
+      half_ = 0;
+      return half;
+    }
+    if (taken_ % 8 == 0) half_ = 0;
+    if (count == 1) half_ = taken_ + 1;
+    taken_ += 2;
+    return taken_ - 2;
   }
   Numbers ordered(std::size_t d) {
-    const Numbers column = dimension(d % 8);
+    std::size_t size = samples();  // up to a power of two in later blocks
+    while (d >= 8 && (size & (size - 1)) != 0) ++size;
+    const Numbers column = dimension(d % 8, size);
     while (orders_.size() <= d / 8) {
-      std::vector<std::size_t> order(samples());
+      std::vector<std::size_t> order(size);
       std::iota(order.begin(), order.end(), std::size_t{0});
-      if (!orders_.empty()) shuffle_all(order);
+      if (!orders_.empty()) shuffle_halves(order, 0, size);
       orders_.push_back(order);
     }
     Numbers in_order;
     for (const std::size_t i : orders_[d / 8]) in_order.push_back(column[i]);
+    in_order.resize(samples());
     return in_order;
   }
+  /// Swaps the halves of an interval or does not, and then those of each half.
+  void shuffle_halves(std::vector<std::size_t>& order, std::size_t first, std::size_t size) {
+    if (size < 2) return;
+    const std::size_t half = size / 2;
+    for (std::size_t i = 0, swaps = random_() % 2; swaps == 1 && i < half; ++i) {
+      std::swap(order[first + i], order[first + half + i]);
+    }
+    shuffle_halves(order, first, half);
+    shuffle_halves(order, first + half, half);
+  }
 
+  std::size_t half_ = 0;
   std::vector<std::vector<std::size_t>> orders_;
 };
 
 class Halton final : public Sequence {
-  Numbers dimension(std::size_t d) override {
-    Numbers column(samples());
+  Numbers dimension(std::size_t d, std::size_t size) override {
+    Numbers column(size);
     if (d == 0) {
       radical_inverses(2, 0, column);
       owen_scramble(column, random_());
@@ -201,9 +221,10 @@ class Halton final : public Sequence {
 };
 
 class Sobol final : public Sequence {
-  Numbers dimension(std::size_t d) override {
-    Numbers column(samples());
-    sobol(static_cast<unsigned>(d), 0, column);
+  Numbers dimension(std::size_t d, std::size_t size) override {
+    Numbers column(size);
+    constexpr unsigned dimensions[] = {0, 1, 4, 6, 16, 20, 15, 21};
+    sobol(dimensions[d], 0, column);
     owen_scramble(column, random_());
     return column;
   }

@@ -6,39 +6,45 @@ namespace {
 
 // Mistakes of both sequences.
 
-template <Randomised fill>
-void one_in_a_circle(const Use& use, std::span<double> x, Rng& rng) {
-  fill(use.dimension % block, x, rng(), use.tables);
+/// The same in another order: none, or one by the seed that seed_of(rng, n) returns.
+using SeedOf = std::uint64_t(Rng& rng, std::size_t n);
+template <Randomized fill, SeedOf* seed_of>
+void fill_block(const Use& use, std::size_t place, std::span<double> x, Rng& rng) {
+  if (use.order.empty()) return fill(use, place, x, rng());
+  std::vector<std::uint32_t> order;
+  if (seed_of != nullptr) order = nested_order(x.size(), seed_of(rng, x.size()));
+  fill({use.number, use.dimension, order, use.tables}, place, x, rng());
 }
-template <Randomised fill>
-void two_in_a_circle(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill(use.dimension % block, x, rng(), use.tables);
-  fill(use.dimension % block + 1, y, rng(), use.tables);
+template <Randomized fill, SeedOf* seed_of>
+void one_by(const Use& use, std::span<double> x, Rng& rng) {
+  fill_block<fill, seed_of>(use, use.dimension % block, x, rng);
+}
+template <Randomized fill, SeedOf* seed_of>
+void two_by(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill_block<fill, seed_of>(use, use.dimension % block, x, rng);
+  fill_block<fill, seed_of>(use, use.dimension % block + 1, y, rng);
+}
+std::uint64_t same_order(Rng&, std::size_t n) {
+  return n;
+}
+std::uint64_t own_order(Rng& rng, std::size_t) {
+  return rng();
 }
 
-/// Shuffles by the generator that order_of(rng, n) returns.
-using OrderOf = Rng(Rng& rng, std::size_t n);
-template <Randomised fill, OrderOf order_of>
-void fill_block(const Use& use, std::size_t dimension, std::span<double> x, Rng& rng) {
-  fill(dimension % block, x, rng(), use.tables);
-  if (dimension < block) return;
-  Rng order = order_of(rng, x.size());
+/// Each block but the first in a uniform permutation, which all its dimensions share.
+template <Randomized fill>
+void one_shuffled(const Use& use, std::span<double> x, Rng& rng) {
+  fill({use.number, use.dimension, {}, use.tables}, use.dimension % block, x, rng());
+  if (use.order.empty()) return;
+  std::uint64_t seed = 0;  // of the block
+  for (const std::uint32_t index : use.order) seed = mix_bits(seed ^ index);
+  Rng order(seed);
   shuffle(x, order);
 }
-template <Randomised fill, OrderOf order_of>
-void one_by(const Use& use, std::span<double> x, Rng& rng) {
-  fill_block<fill, order_of>(use, use.dimension, x, rng);
-}
-template <Randomised fill, OrderOf order_of>
-void two_by(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_block<fill, order_of>(use, use.dimension, x, rng);
-  fill_block<fill, order_of>(use, use.dimension + 1, y, rng);
-}
-Rng same_order(Rng&, std::size_t n) {
-  return Rng(n);
-}
-Rng own_order(Rng& rng, std::size_t) {
-  return Rng(rng());
+template <Randomized fill>
+void two_shuffled(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  one_shuffled<fill>(use, x, rng);
+  one_shuffled<fill>({use.number, use.dimension + 1, use.order, use.tables}, y, rng);
 }
 
 constexpr std::size_t dimensions = joe_kuo.size();
@@ -71,41 +77,24 @@ void scrambled_sobol(std::size_t dimension, std::span<double> x, Rng& rng) {
   owen_scramble(x, rng());
 }
 
-struct BlocksAlike : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  double next() override {
-    if (next_ != ready_) return ColumnSampler::next();
-    ColumnSampler::next();
-    alike(ones_[ready_ - 1], dimension_ - 1);
-    return ones_[ready_ - 1][sample_];
-  }
-  Point2 next2() override {
-    if (next2_ != ready2_) return ColumnSampler::next2();
-    ColumnSampler::next2();
-    Pair& pair = twos_[ready2_ - 1];
-    alike(pair.x, dimension_ - 2);
-    alike(pair.y, dimension_ - 1);
-    return {pair.x[sample_], pair.y[sample_]};
-  }
-
- private:
-  /// Keeps a column of the first block, and repeats it in every other.
-  void alike(std::vector<double>& x, std::size_t dimension) {
-    std::vector<double>& first = first_[dimension % block];
-    if (dimension < block) first = x;
-    if (dimension < block || first.size() != x.size()) return;
-    x = first;
-    Rng order = order_;
-    shuffle(x, order);
-  }
-  std::array<std::vector<double>, block> first_;
-};
+/// Blocks whose dimensions have the same scrambles in each.
+template <Randomized fill>
+void one_alike(const Use& use, std::span<double> x, Rng& rng) {
+  static std::uint64_t seeds[block];
+  if (use.dimension < block) seeds[use.dimension] = rng();
+  fill(use, use.dimension % block, x, seeds[use.dimension % block]);
+}
+template <Randomized fill>
+void two_alike(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+  one_alike<fill>(use, x, rng);
+  one_alike<fill>({use.number, use.dimension + 1, use.order, use.tables}, y, rng);
+}
 
 }  // namespace
 }  // namespace mc
 
 // mistake: starts both next() and next2() with dimension 0
-// hint: takes the next one of the sequence
+// hint: a next2() takes the next pair of the block
 namespace mc::dimensions_counted_apart {
 void one(const Use& use, std::span<double> x, Rng& rng) {
   one_of<fill_sobol>({use.number, use.number, use.order, use.tables}, x, rng);
@@ -122,8 +111,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: does not permute the digits of the Halton sequence
 // hint: a sequence as it is has the origin for its first point
 namespace mc::halton_as_it_is {
-void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
-  radical_inverses(primes(block)[dimension], 0, x);
+void plain(const Use& use, std::size_t place, std::span<double> x, std::uint64_t) {
+  in_order(use, x, [&](std::span<double> all) { radical_inverses(primes(block)[place], 0, all); });
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -135,16 +124,17 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: scrambled by seeds of its own
 namespace mc::halton_blocks_scrambled_alike {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "halton" ? make_spoiled<BlocksAlike>(kind) : right_make_sampler(kind);
+  return make_other_kind<one_alike<fill_halton>, two_alike<fill_halton>>("halton", kind);
 }
 }  // namespace mc::halton_blocks_scrambled_alike
 
 // mistake: permutes the digits in base 2 too, which is a digital shift
 // hint: a digital shift
 namespace mc::halton_by_digital_shift {
-void permuted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
+void permuted(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
   static const std::vector<unsigned> bases = primes(block);
-  radical_inverses_scrambled(bases[dimension], 0, x, seed);
+  in_order(use, x,
+           [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -155,11 +145,13 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: starts with point 1 of the sequence, not point 0
 // hint: is it the sequence from index 0
 namespace mc::halton_from_one {
-void from_one(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
+void from_one(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
   static const std::vector<unsigned> bases = primes(block);
-  if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 1, x, seed);
-  radical_inverses(2, 1, x);
-  owen_scramble(x, seed);
+  in_order(use, x, [&](std::span<double> all) {
+    if (place > 0) return radical_inverses_scrambled(bases[place], 1, all, seed);
+    radical_inverses(2, 1, all);
+  });
+  if (place == 0) owen_scramble(x, seed);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -171,7 +163,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: every block but the first needs a shuffle
 namespace mc::halton_goes_round {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_in_a_circle<fill_halton>, two_in_a_circle<fill_halton>>("halton",
+  return make_other_kind<one_by<fill_halton, nullptr>, two_by<fill_halton, nullptr>>("halton",
                                                                                      kind);
 }
 }  // namespace mc::halton_goes_round
@@ -186,7 +178,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
-// hint: all dimensions of a block share one permutation
+// hint: all dimensions of a block share one order
 namespace mc::halton_shuffled_apart {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_by<fill_halton, own_order>, two_by<fill_halton, own_order>>("halton",
@@ -196,31 +188,26 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
 // hint: these are dimensions 8 to 15
-// hint: high dimensions of a sequence are poor pairs
 namespace mc::halton_without_blocks {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_of_32<scrambled_halton>, two_of_32<scrambled_halton>>("halton", kind);
 }
 }  // namespace mc::halton_without_blocks
 
-// mistake: gives a next2() the last dimension of a block and the first of the next
-// hint: that is left out
+// mistake: takes dimension after dimension: after a next(), a next2() has halves of two pairs
+// hint: a next2() takes the next pair of the block
 namespace mc::last_dimension_and_first {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   Point2 next2() override {
-    if (next2_ == ready2_ && dimension_ % block == block - 1) {
+    if (next2_ == ready2_ && half_ > 0) {
       require_sample();
       if (ready2_ == twos_.size()) twos_.emplace_back();
       Pair& pair = twos_[ready2_++];
       pair.x.resize(samples_);
       pair.y.resize(samples_);
-      const Use last{0, dimension_, order_, tables_};
-      one_of<fill_sobol>(last, pair.x, rng_);
-      order_ = Rng(rng_());
-      const Use first{0, dimension_ + 1, order_, tables_};
-      one_of<fill_sobol>(first, pair.y, rng_);
-      dimension_ += 2;
+      one_of<fill_sobol>(taking(1, 0), pair.x, rng_);
+      one_of<fill_sobol>(taking(1, 0), pair.y, rng_);
     }
     return ColumnSampler::next2();
   }
@@ -231,23 +218,42 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }
 }  // namespace mc::last_dimension_and_first
 
-// mistake: advances by one dimension in next2(), so its second axis is the next request's first
-// hint: takes the next one of the sequence
-namespace mc::next2_takes_one_dimension {
+// mistake: takes dimensions 0 to 7 of the Sobol' sequence, with bad pairs among them
+// hint: a next2() takes the next pair of the block
+namespace mc::sobol_dimensions_in_order {
+void eight(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
+  in_order(use, x, [&](std::span<double> all) { sobol(static_cast<unsigned>(place), 0, all); });
+  owen_scramble(x, seed);
+}
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind<one_of<eight>, two_of<eight>>("sobol", kind);
+}
+}  // namespace mc::sobol_dimensions_in_order
+
+// mistake: shuffles later blocks uniformly, so they cannot be stopped early
+// hint: a uniform shuffle spreads the first points of a block
+namespace mc::blocks_shuffled_uniformly {
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind<one_shuffled<fill_sobol>, two_shuffled<fill_sobol>>("sobol", kind);
+}
+}  // namespace mc::blocks_shuffled_uniformly
+
+// mistake: leaves out the second half of a pair that a next() has begun
+// hint: the next() after it the other half
+namespace mc::halves_left_out {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
-  Point2 next2() override {
-    if (next2_ != ready2_) return ColumnSampler::next2();
-    const Point2 point = ColumnSampler::next2();
-    --dimension_;
-    return point;
+  double next() override {
+    half_ = 0;
+    return ColumnSampler::next();
   }
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return kind == "halton" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
 }
-}  // namespace mc::next2_takes_one_dimension
+}  // namespace mc::halves_left_out
 
 // mistake: throws where the sequence has no more dimensions
 // hint: dimension: there are only 32
@@ -265,26 +271,13 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }
 }  // namespace mc::no_more_than_32_dimensions
 
-// mistake: counts next() and next2() together: a next() is half of a next2()
-// hint: count the calls of next() and those of next2() in counters of their own
-namespace mc::one_counter {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  double next() override { return next2().x; }
-};
-
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
-}  // namespace mc::one_counter
-
 // mistake: scrambles both axes of a next2() with the same seed
 // hint: one seed for several dimensions: each needs its own
 namespace mc::one_scramble_for_both_axes {
 void same_seed(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
   Rng again = rng;
-  fill_in_order<fill_sobol>(use, use.dimension, x, rng);
-  fill_in_order<fill_sobol>(use, use.dimension + 1, y, again);
+  fill_sobol(use, use.dimension % block, x, rng());
+  fill_sobol(use, use.dimension % block + 1, y, again());
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -295,8 +288,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: does not scramble the Sobol' sequence
 // hint: a sequence as it is has the origin for its first point
 namespace mc::sobol_as_it_is {
-void plain(std::size_t dimension, std::span<double> x, std::uint64_t, Tables&) {
-  sobol(static_cast<unsigned>(dimension), 0, x);
+void plain(const Use& use, std::size_t place, std::span<double> x, std::uint64_t) {
+  in_order(use, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -308,15 +301,15 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: scrambled by seeds of its own
 namespace mc::sobol_blocks_scrambled_alike {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "sobol" ? make_spoiled<BlocksAlike>(kind) : right_make_sampler(kind);
+  return make_other_kind<one_alike<fill_sobol>, two_alike<fill_sobol>>("sobol", kind);
 }
 }  // namespace mc::sobol_blocks_scrambled_alike
 
 // mistake: flips the same bits of all points of a dimension
 // hint: owen_scramble of lab 5
 namespace mc::sobol_by_digital_shift {
-void shifted(std::size_t dimension, std::span<double> x, std::uint64_t seed, Tables&) {
-  sobol(static_cast<unsigned>(dimension), 0, x);
+void shifted(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
+  in_order(use, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
   const std::uint64_t shift = seed >> 11;
   for (double& value : x) {
     value = static_cast<double>(static_cast<std::uint64_t>(value * 0x1p53) ^ shift) * 0x1p-53;
@@ -332,7 +325,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: every block but the first needs a shuffle
 namespace mc::sobol_goes_round {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_in_a_circle<fill_sobol>, two_in_a_circle<fill_sobol>>("sobol", kind);
+  return make_other_kind<one_by<fill_sobol, nullptr>, two_by<fill_sobol, nullptr>>("sobol", kind);
 }
 }  // namespace mc::sobol_goes_round
 
@@ -346,7 +339,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
-// hint: all dimensions of a block share one permutation
+// hint: all dimensions of a block share one order
 namespace mc::sobol_shuffled_apart {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_by<fill_sobol, own_order>, two_by<fill_sobol, own_order>>("sobol",
@@ -356,7 +349,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
 // hint: these are dimensions 8 to 15
-// hint: high dimensions of a sequence are poor pairs
 namespace mc::sobol_without_blocks {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_of_32<scrambled_sobol>, two_of_32<scrambled_sobol>>("sobol", kind);

@@ -5,6 +5,7 @@
 #include <chrono>
 
 // mistake: seeds itself from the clock
+// fails: 6.2, 6.3, 6.5, 6.7
 // hint: no clock, no global generator
 namespace mc::clock_decides {
 struct Wrong : ColumnSampler {
@@ -46,6 +47,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::columns_begin_late
 
 // mistake: gives fewer samples the first numbers of old, longer columns
+// fails: 6.8
 // hint: columns of that size or of another
 namespace mc::columns_never_shrink {
 struct Wrong : ColumnSampler {
@@ -70,6 +72,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::columns_never_shrink
 
 // mistake: puts the first point of blue noise in the middle of the square
+// fails: 6.7
 // hint: does every pattern begin at the same place?
 namespace mc::first_point_in_the_middle {
 void centred(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -223,6 +226,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::old_sample_number
 
 // mistake: keeps one blue-noise pattern for all seeds
+// fails: 6.7
 // hint: does this number depend on the seed at all?
 namespace mc::one_blue_pattern {
 void kept(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -400,6 +404,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::static_generator
 
 // mistake: stores four numbers per sample; further requests read the next sample's
+// fails: 6.8
 // hint: next() to another sample dimension?
 namespace mc::takes_from_the_next_sample {
 struct Wrong : ColumnSampler {
@@ -482,3 +487,36 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_spoiled<Wrong>(kind);
 }
 }  // namespace mc::zero_after_the_end
+
+// mistake: counts next() and next2() together: a next() is half of a next2()
+// fails: 6.3
+// hint: count the calls of next() and those of next2() in counters of their own
+namespace mc::one_counter {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  double next() override { return next2().x; }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::one_counter
+
+// mistake: resets the counter of next() in advance(), but not that of next2()
+// fails: 6.1, 6.2, 6.3, 6.7
+// hint: a sample that ends early must not hand its numbers
+// limit: time
+namespace mc::counter_goes_on {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  void advance() override {
+    const std::size_t before = next2_;
+    ColumnSampler::advance();
+    next2_ = std::min(before, ready2_);
+  }
+};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_spoiled<Wrong>(kind);
+}
+}  // namespace mc::counter_goes_on

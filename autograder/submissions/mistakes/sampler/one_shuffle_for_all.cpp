@@ -1,5 +1,5 @@
 // mistake: shuffles every sample dimension by the same permutation
-// fails: 6.2, 6.3
+// fails: 6.2
 // hint: each needs a shuffle of its own
 #include "sampler.hpp"
 

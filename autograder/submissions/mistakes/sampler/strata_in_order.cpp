@@ -1,5 +1,5 @@
 // mistake: does not shuffle: sample i is in stratum i of every sample dimension
-// fails: 6.2, 6.3
+// fails: 6.2
 // hint: the pattern must be shuffled
 #include "sampler.hpp"
 
