@@ -123,13 +123,14 @@ std::vector<double> columns(std::string kind, std::uint64_t samples,
   return all;
 }
 
-std::vector<double> sobol_pair(unsigned first, std::uint64_t samples,
-                               std::vector<std::uint64_t> seeds) {
-  std::vector<double> all(seeds.size() * 2 * samples, std::numeric_limits<double>::quiet_NaN());
+std::vector<double> sobol_columns(std::vector<unsigned> dimensions, std::uint64_t samples,
+                                  std::vector<std::uint64_t> seeds) {
+  std::vector<double> all(seeds.size() * dimensions.size() * samples,
+                          std::numeric_limits<double>::quiet_NaN());
   std::span<double> rest = all;
   for (const std::uint64_t seed : seeds) {
     Rng rng(seed);
-    for (const unsigned dimension : {first, first + 1}) {
+    for (const unsigned dimension : dimensions) {
       mc::sobol(dimension, 0, rest.first(samples));
       mc::owen_scramble(rest.first(samples), rng());
       rest = rest.subspan(samples);
@@ -291,8 +292,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(estimates, "kind scene parameters a b samples seeds",
                     "6.5  integrate, of a times the scene plus b, with each seed",
                     {.columns = "integral", .index = "seed", .beside = "seeds"}),
-      MC_EXPERIMENT(sobol_pair, "first samples seeds",
-                    "6.3  dimensions first and first + 1 of the Sobol' sequence, scrambled",
+      MC_EXPERIMENT(sobol_columns, "dimensions samples seeds",
+                    "6.3  dimensions of the Sobol' sequence, scrambled",
                     {.points = "samples", .sets = "seeds"}),
       MC_EXPERIMENT(integrate_recorded, "dealt samples seed",
                     "6.5  what integrate does with a scene of these values"),

@@ -47,10 +47,10 @@ std::vector<Answer> play_two(std::string kind, std::vector<Step> steps);
 std::vector<double> columns(std::string kind, std::uint64_t samples,
                             std::vector<std::uint64_t> seeds, std::vector<unsigned> uses);
 
-/// What lab 5 has of the Sobol' sequence: dimensions `first` and `first` + 1, each scrambled by a
-/// seed of its own made of each of `seeds`. Set after set, a column for each coordinate.
-std::vector<double> sobol_pair(unsigned first, std::uint64_t samples,
-                               std::vector<std::uint64_t> seeds);
+/// What lab 5 has of the Sobol' sequence: `dimensions`, each scrambled by a seed of its own made of
+/// each of `seeds`. Set after set, a column for each dimension.
+std::vector<double> sobol_columns(std::vector<unsigned> dimensions, std::uint64_t samples,
+                                  std::vector<std::uint64_t> seeds);
 
 /// integrate() of a scene, a times its value plus b, with each of `seeds` and a new sampler for it.
 std::vector<double> estimates(std::string kind, std::string scene, std::vector<double> parameters,

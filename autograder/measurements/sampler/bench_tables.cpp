@@ -1,6 +1,8 @@
 // Lab 6 in the bench: what each next2() is worth, and what a number costs where samples are few.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -105,8 +107,9 @@ std::optional<Worth> worth_of_one_sequence(std::size_t sets) {
   constexpr std::size_t pairs_used = 13;
   std::vector<Values> all;
   for (std::size_t use = 0; use < pairs_used; ++use) {
-    const auto got = TRY_MEASURE_WITH(large, sobol_pair, static_cast<unsigned>(2 * use), table_n,
-                                      neighbours(1 + 1'000'000 * use, sets));
+    const auto got = TRY_MEASURE_WITH(
+        large, sobol_columns, {static_cast<unsigned>(2 * use), static_cast<unsigned>(2 * use) + 1},
+        table_n, neighbours(1 + 1'000'000 * use, sets));
     const Values* const values = got ? got->if_exactly(sets * 2 * table_n, unit) : nullptr;
     if (!values) return {};
     all.push_back(*values);
@@ -131,6 +134,125 @@ TEST_CASE("bench table", "[.bench-table]") {
     if (worth) worth->write(kind);
   }
   if (const auto worth = worth_of_one_sequence(sets)) worth->write("sobol, one sequence");
+}
+
+/// Of exp(x + y + ...), over the mean squared error of independent samples.
+class Exponential {
+ public:
+  explicit Exponential(std::size_t dims) : dims_(static_cast<double>(dims)) {}
+  void add(const std::vector<View>& columns, std::size_t n) {
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      double exponent = 0;
+      for (const View x : columns) exponent += x[i];
+      sum += std::exp(exponent);
+    }
+    const double mean = std::pow(std::expm1(1), dims_), square = std::pow(std::expm1(2) / 2, dims_);
+    errors_.add(sum / static_cast<double>(n) - mean);
+    scale_ = static_cast<double>(n) / (square - mean * mean);
+  }
+  double rmse() const { return errors_.rmse(); }
+  double rmse_error() const { return errors_.standard_error(); }
+  double ratio() const { return rmse() * rmse() * scale_; }
+  double ratio_error() const { return 2 * rmse() * rmse_error() * scale_; }
+
+ private:
+  double dims_, scale_ = 1;
+  ErrorSums errors_;
+};
+
+/// What the choice of a block costs and brings (6.3).
+TEST_CASE("bench table of blocks", "[.bench-table]") {
+  const std::vector<unsigned> in_order{0, 1, 2, 3, 4, 5, 6, 7}, chosen{0, 1, 4, 6, 16, 20, 15, 21};
+  for (const auto& dimensions : {in_order, chosen}) {
+    for (const std::size_t n : {16u, 64u, 256u, 1024u}) {
+      constexpr std::size_t sets = 1000, at_once = 100;
+      std::array<Exponential, 4> pairs{Exponential(2), Exponential(2), Exponential(2),
+                                       Exponential(2)};
+      Exponential four(4), eight(8);
+      for (std::size_t set = 0; set < sets; ++set) {
+        static Values values;
+        if (set % at_once == 0) {
+          const auto got = TRY_MEASURE(sobol_columns, dimensions, n, neighbours(1 + set, at_once));
+          const Values* const all = got ? got->if_exactly(at_once * 8 * n, unit) : nullptr;
+          if (!all) return;
+          values = *all;
+        }
+        const SetsOfPoints points(values, n, 8);
+        std::vector<View> columns;
+        for (std::size_t d = 0; d < 8; ++d) columns.push_back(points.column(set % at_once, d));
+        for (std::size_t k = 0; k < 4; ++k) pairs[k].add({columns[2 * k], columns[2 * k + 1]}, n);
+        eight.add(columns, n);
+        columns.resize(4);
+        four.add(columns, n);
+      }
+      const auto by_ratio = [](const auto& a, const auto& b) { return a.ratio() < b.ratio(); };
+      const auto write = [&](const std::string& what, const Exponential& of) {
+        bench_table({"mean squared error of exp(x + y + ...) by that of independent samples",
+                     (dimensions == chosen ? "the block, " : "dimensions 0 to 7, ") + what,
+                     fmt::format("N = {}", n), n, of.ratio(), of.ratio_error()});
+      };
+      write("worst pair", *std::max_element(pairs.begin(), pairs.end(), by_ratio));
+      write("first four", four);
+      write("all eight", eight);
+    }
+  }
+}
+
+/// How early an integration may be stopped (6.3): the first and the second block.
+TEST_CASE("bench table of early stops", "[.bench-table]") {
+  for (const std::string kind : {"stratified", "halton", "sobol"}) {
+    constexpr std::size_t sets = 6 * sets_at_once, first = 256, uses = 6;
+    std::array<Exponential, uses> errors{Exponential(2), Exponential(2), Exponential(2),
+                                         Exponential(2), Exponential(2), Exponential(2)};
+    for (std::size_t done = 0; done < sets; done += sets_at_once) {
+      const auto got = TRY_MEASURE(columns, kind, table_n, neighbours(1 + done, sets_at_once),
+                                   repeated(uses, {2}));
+      const Values* const values =
+          got ? got->if_exactly(sets_at_once * 2 * uses * table_n, unit) : nullptr;
+      if (!values) return;
+      const SetsOfPoints points(*values, table_n, 2 * uses);
+      for (std::size_t set = 0; set < sets_at_once; ++set) {
+        for (std::size_t use = 0; use < uses; ++use) {
+          errors[use].add({points.column(set, 2 * use), points.column(set, 2 * use + 1)}, first);
+        }
+      }
+    }
+    for (const auto& [use, name] : {std::pair{0u, "1st"}, {1u, "2nd"}, {4u, "5th"}, {5u, "6th"}}) {
+      bench_table({"first 256 of 1024 samples: RMSE of exp(x + y) by the k-th next2()", kind, name,
+                   first, errors[use].rmse(), errors[use].rmse_error()});
+    }
+  }
+}
+
+/// Cells of a square grid of N cells that a next2() leaves empty (6.3), on average.
+TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
+  for (const std::string kind : {"halton", "sobol"}) {
+    for (const std::size_t side : {4u, 8u, 16u, 32u}) {
+      constexpr std::size_t sets = 50, uses = 4;
+      const std::size_t n = side * side;
+      const auto got = TRY_MEASURE(columns, kind, n, neighbours(1, sets), repeated(uses, {2}));
+      const Values* const values = got ? got->if_exactly(sets * 2 * uses * n, unit) : nullptr;
+      if (!values) return;
+      const SetsOfPoints points(*values, n, 2 * uses);
+      for (std::size_t use = 0; use < uses; ++use) {
+        double empty = 0;
+        for (std::size_t set = 0; set < sets; ++set) {
+          const View x = points.column(set, 2 * use), y = points.column(set, 2 * use + 1);
+          std::vector<bool> taken(n);
+          for (std::size_t i = 0; i < n; ++i) {
+            const auto cell = [&](double value) {
+              return static_cast<std::size_t>(value * static_cast<double>(side));
+            };
+            taken[cell(x[i]) * side + cell(y[i])] = true;
+          }
+          empty += static_cast<double>(std::count(taken.begin(), taken.end(), false)) / sets;
+        }
+        bench_table({"empty cells of a grid of N, by call of next2()",
+                     fmt::format("{}, {}", kind, use + 1), fmt::format("N = {}", n), n, empty});
+      }
+    }
+  }
 }
 
 /// Four dimensions by next2(), what generate() does included.

@@ -124,7 +124,9 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
     };
     if (all) fill(1, *all, 2 * k, 2 * uses);
     const auto pair_of_one_sequence = [&] {
-      return TRY_MEASURE(sobol_pair, static_cast<unsigned>(2 * k), n, seeds);
+      return TRY_MEASURE(sobol_columns,
+                         {static_cast<unsigned>(2 * k), static_cast<unsigned>(2 * k) + 1}, n,
+                         seeds);
     };
     // It has 32 dimensions: behind the sixteenth pair there is none left.
     const auto got = k < 16 ? pair_of_one_sequence() : decltype(pair_of_one_sequence()){};
