@@ -60,11 +60,15 @@ CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]")
   plans.push_back({{uniform(rng, -9, 9), 1.5 * target, 4 * (250 + rng() % 10000) + 1}, target});
   plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
   judge_plans(plans);
-  judge_plans({{{1, 0.1, 1000}, 0.7},                    // fewer than the pilot had
-               {{1, 0.5, 1000000}, 1e-4},                // 2.5e13
-               {{-5, 3e150, 17}, 1e149},                 // squares that overflow, one by one
-               {{-5, 3e-160, 17}, 1e-160},               // and that are 0
-               {{1, 0.5, std::uint64_t{1} << 62}, 1}});  // most pilots have fewer
+  plans = {{{1, 0.1, 1000}, 0.7},                   // fewer than the pilot had
+           {{1, 0.5, 1000000}, 1e-4},               // 2.5e13
+           {{-5, 3e170, 17}, 1e169},                // squares that overflow, one by one
+           {{-5, 3e-170, 17}, 1e-170},              // and that are 0
+           {{1, 0.5, std::uint64_t{1} << 62}, 1}};  // most pilots have fewer
+  for (int i = 0; i < 5; ++i) {
+    plans.push_back({{1, uniform(rng, 0.5, 50), rng() >> 24}, uniform(rng, 0.5, 1)});
+  }
+  judge_plans(plans);
 }
 
 CHECK_CASE("2.6 at least one sample and at most 64 bits", "[2.6][points:1][edge]") {

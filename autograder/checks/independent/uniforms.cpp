@@ -49,22 +49,11 @@ Uniforms beginnings(Uniforms all, std::size_t size, std::size_t positions) {
   return first;
 }
 
-CHECK_CASE("2.8 a span of any size is filled with new numbers",
-           "[2.8][points:3][needs:2.1][main]") {
-  Rng rng = check_rng();
-  Sizes64 sizes = domain::sizes(4097, rng);
-  sizes.push_back(0);
-  const Uniforms one = filled(rng(), sizes), other = filled(rng(), sizes);
-  expect_independent_uniforms(side_by_side(one, other), {"the numbers of 2.8 from two seeds", alpha,
-                                                         in_step, from_rng, from_rng});
-  expect_independent_uniforms(one, {"the numbers of 2.8", alpha, in_step, same_place});
-}
-
-CHECK_CASE("2.8 calls begin with numbers that never came before", "[2.8][points:2][needs:2.1]") {
-  Rng rng = check_rng();
-  // Of N numbers with 53 bits, N^2 / 2^54 pairs are equal by chance: 6e-6 for N = 320,000, so that
-  // two are as good as impossible (2e-11). A generator of one's own that is seeded by 32 bits
-  // begins in the same place for 12 pairs, and with one pair or none once in 12,000 runs.
+/// Calls begin with numbers that never came before: of N numbers with 53 bits, N^2 / 2^54 pairs are
+/// equal by chance: 6e-6 for N = 320,000, so that two are as good as impossible (2e-11). A generator
+/// of one's own that is seeded by 32 bits begins in the same place for 12 pairs, and with one pair
+/// or none once in 12,000 runs.
+void judge_beginnings(Rng& rng) {
   Values first;
   std::string call;
   for (int i = 0; i < 8; ++i) {
@@ -80,6 +69,18 @@ CHECK_CASE("2.8 calls begin with numbers that never came before", "[2.8][points:
               "none, or one", "320,000 numbers of 53 bits each are all different",
               "does each call begin with a state of its own, of 64 bits at least? A generator that "
               "one number of 32 bits seeds has only 2^32 places to begin");
+}
+
+CHECK_CASE("2.8 a span of any size is filled with new numbers",
+           "[2.8][points:5][needs:2.1][main]") {
+  Rng rng = check_rng();
+  Sizes64 sizes = domain::sizes(4097, rng);
+  sizes.push_back(0);
+  const Uniforms one = filled(rng(), sizes), other = filled(rng(), sizes);
+  expect_independent_uniforms(side_by_side(one, other), {"the numbers of 2.8 from two seeds", alpha,
+                                                         in_step, from_rng, from_rng});
+  expect_independent_uniforms(one, {"the numbers of 2.8", alpha, in_step, same_place});
+  judge_beginnings(rng);
 }
 
 CHECK_CASE("2.8 a call depends on its generator alone", "[2.8][points:1][edge][needs:2.1]") {
@@ -138,6 +139,11 @@ CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][points:2][n
   expect_independent_uniforms(
       beginnings(by_seed, size, positions),
       {"the first numbers of calls from neighboring seeds", alpha, in_step, in_step, in_step});
+  for (const std::uint64_t few : {5u, 37u}) {
+    expect_independent_uniforms(
+        beginnings(filled(rng(), Sizes64(calls, few)), few, few),
+        {"the numbers of short calls", alpha, in_step, same_place, in_step});
+  }
 }
 
 }  // namespace

@@ -70,7 +70,10 @@ Values tame_values(Rng& rng, std::size_t n, double low, double high) {
 }
 
 std::vector<List> tame_lists(Rng& rng, std::size_t least, double low, double high) {
-  std::vector<List> all;
+  const Values first = tame_values(rng, 12, low, high);
+  Values in_the_middle = first, at_the_end = first;
+  in_the_middle[5] = at_the_end[11] = uniform(rng, low, high);
+  std::vector<List> all{List(first), List(in_the_middle), List(at_the_end)};
   for (const std::uint64_t n : domain::sizes(65537, rng)) {
     if (n >= least) all.emplace_back(tame_values(rng, n, low, high));
   }

@@ -91,14 +91,28 @@ void judge_tables(const std::vector<Table>& tables, bool first_is_independent = 
 CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:4]") {
   Rng rng = check_rng();
   std::vector<Table> tables;
-  for (const auto& [rows, columns] :
-       {std::pair{3u, 5u}, {7u, 2u}, {2u, 2u}, {17u, 33u}, {64u, 3u}, {5u, 65u}, {2u, 1000u}}) {
+  for (const auto& [rows, columns] : {std::pair{3u, 5u},
+                                      {3u, 5u},
+                                      {7u, 2u},
+                                      {2u, 2u},
+                                      {17u, 33u},
+                                      {64u, 3u},
+                                      {5u, 65u},
+                                      {2u, 1000u}}) {
     tables.push_back(random_table(rng, rows, columns, 0, uniform(rng, 0.1, 50)));
   }
   // The largest difference once below 0 (an empty cell among others that are alike) and once above.
   for (const double odd_one : {0.0, 10.0, 0.0}) {
     tables.push_back(random_table(rng, 3, 5, 1, 1.1));
     tables.back().joint[rng() % 15] = odd_one;
+  }
+  // The largest difference in the first cell, in the last, or anywhere.
+  for (const auto& [rows, columns] : {std::pair{17u, 33u}, {64u, 3u}, {2u, 1000u}, {5u, 5u}}) {
+    const std::size_t cells = rows * columns;
+    for (const std::size_t cell : {std::size_t{rng() % cells}, std::size_t{0}, cells - 1}) {
+      tables.push_back(random_table(rng, rows, columns, 1, 1.1));
+      tables.back().joint[cell] = 10;
+    }
   }
   for (const double scale : {1e300, 1e-300}) {
     tables.push_back(random_table(rng, 4, 3, 0, scale));

@@ -29,6 +29,7 @@ CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
   };
   judge(tame_lists(rng, 1, 1, 2), true);
   judge(lists_with_large_means(rng, {1000}), false);
+  judge(lists_with_outliers(rng, 1), false);
   judge(lists_of_any_scale(rng), false);
 }
 

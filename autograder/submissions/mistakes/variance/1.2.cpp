@@ -59,3 +59,12 @@ double variance_textbook(std::span<const double> x) {
   return sum_of_squares / n - sum / n * (sum / n);
 }
 }  // namespace mc::textbook_over_n
+
+// mistake: implements a better algorithm, and returns 0 where the textbook formula would fail
+// hint: this is a better algorithm under the textbook's name
+namespace mc::textbook_is_two_pass_or_zero {
+double variance_textbook(std::span<const double> x) {
+  const double variance = variance_two_pass(x), centre = mean(x);
+  return centre * centre > 1e15 * variance ? 0 : variance;
+}
+}  // namespace mc::textbook_is_two_pass_or_zero

@@ -109,3 +109,14 @@ Moments merge(const Moments& a, const Moments& b) {
   return all;
 }
 }  // namespace mc::merge_without_between
+
+// mistake: keeps the last result in a static variable, for parts with the same counts
+// hint: a static or global variable keeps something between calls
+namespace mc::merge_remembers_counts {
+Moments merge(const Moments& a, const Moments& b) {
+  static Moments last_a, last;
+  if (last.count == a.count + b.count && last_a.count == a.count) return last;
+  last_a = a;
+  return last = right_merge(a, b);
+}
+}  // namespace mc::merge_remembers_counts
