@@ -107,6 +107,18 @@ CHECK_CASE("2.8 a generator of one word", "[2.8][points:1][edge][needs:2.1]") {
   }
 }
 
+/// The last 13 bits of numbers are independent, too.
+void judge_last_bits(const Uniforms& numbers, Rng& rng) {
+  Uniforms last{numbers.call + ", the last 13 of 53 bits", 1};
+  for (const double u : numbers.values) {
+    last.values.push_back(fill_cell(bits_of(u) % 8192, 8192, rng));
+  }
+  expect_independent_uniforms(
+      last, {"the last bits of many numbers", alpha,
+             "53 random bits, also in the last places: the low bits of a linear congruential "
+             "generator repeat soon, and 52 bits in a mantissa are one too few"});
+}
+
 CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:2.1]") {
   Rng rng = check_rng();
   Uniforms many = filled(rng(), {131'072, 65'537});
@@ -114,14 +126,7 @@ CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:
   many.positions = 32;
   expect_independent_uniforms(many,
                               {"many numbers of a call", alpha, in_step, same_place, in_step});
-  Uniforms last{many.call + ", the last 13 bits", 1};
-  for (const double u : many.values) {
-    last.values.push_back(fill_cell(bits_of(u) % 8192, 8192, rng));
-  }
-  expect_independent_uniforms(
-      last, {"the last bits of many numbers", alpha,
-             "the low bits of a linear congruential generator repeat soon: mix the word before it "
-             "becomes a number"});
+  judge_last_bits(many, rng);
 }
 
 CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][points:2][needs:2.1]") {
@@ -140,9 +145,10 @@ CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][points:2][n
       beginnings(by_seed, size, positions),
       {"the first numbers of calls from neighboring seeds", alpha, in_step, in_step, in_step});
   for (const std::uint64_t few : {5u, 37u}) {
-    expect_independent_uniforms(
-        beginnings(filled(rng(), Sizes64(calls, few)), few, few),
-        {"the numbers of short calls", alpha, in_step, same_place, in_step});
+    const Uniforms all = filled(rng(), Sizes64(calls, few));
+    expect_independent_uniforms(beginnings(all, few, few), {"the numbers of short calls", alpha,
+                                                            in_step, same_place, in_step});
+    judge_last_bits(all, rng);
   }
 }
 
