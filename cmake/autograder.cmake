@@ -53,14 +53,14 @@ foreach(lab ${LABS})
   endforeach()
 endforeach()
 
-# Two programs: `grader` has what a student waits for, `course` has all verbs. They are libraries of
-# objects, since a verb registers itself: nothing refers to it by name.
+# Two programs: `grader` has what a student waits for, `course` has all commands. They are libraries of
+# objects, since a command registers itself: nothing refers to it by name.
 file(GLOB all CONFIGURE_DEPENDS autograder/grader/*/*.cpp)
 set(sources ${all})
 list(FILTER sources EXCLUDE REGEX "/(gradebook|pictures)/")
 list(FILTER sources EXCLUDE REGEX "/reports/(csv|html|json|verdict_json)[.]cpp$")
 list(FILTER sources EXCLUDE REGEX
-  "/verbs/(bench|demo|export|grade|gradescope|handout|merge|plot|render|report|stats|tree)[.]cpp$")
+  "/commands/(bench|demo|export|grade|gradescope|handout|merge|plot|render|report|stats|tree)[.]cpp$")
 add_library(grading OBJECT ${sources})
 own_target(grading)
 target_link_libraries(grading PUBLIC sandbox protocol Threads::Threads)

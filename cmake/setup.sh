@@ -11,8 +11,8 @@ lab_of() {
   done
 }
 
-# The lab that a verb is about: the first of its words that is no option, nor the value of one.
-lab_among() {  # verb word...
+# The lab that a command is about: the first of its words that is no option, nor the value of one.
+lab_among() {  # command word...
   [ $# -gt 1 ] || return 0
   shift
   value_of=

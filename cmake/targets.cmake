@@ -1,4 +1,4 @@
-# What our own targets have in common: every warning, and small files compiled together. The door
+# What our own targets have in common: every warning, and small files compiled together. The entry script
 # builds so (a newcomer waits for it); the presets for developers compile each file by itself.
 option(MC_UNITY "compile the files of a target together" OFF)
 option(MC_WERROR "a warning is an error" OFF)

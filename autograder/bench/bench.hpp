@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "protocol/rows.hpp"
 
 namespace mc::grader {

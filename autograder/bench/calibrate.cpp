@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "bench/calibrate.hpp"
-#include "grader/context/errors.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/judging/speed.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "grader/context/context.hpp"
-#include "grader/context/labs.hpp"
+#include "grader/checkout/context.hpp"
+#include "grader/checkout/labs.hpp"
 
 namespace mc::grader {
 

@@ -15,14 +15,14 @@
 #include "bench/bench.hpp"
 #include "bench/calibrate.hpp"
 #include "bench/plots.hpp"
-#include "grader/context/errors.hpp"
-#include "grader/context/side_by_side.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/compile.hpp"
-#include "grader/verbs/verb.hpp"
 #include "protocol/environment.hpp"
 #include "runner/text.hpp"
 #include "sandbox/process.hpp"
@@ -378,7 +378,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
   return 0;
 }
 
-const RegisterVerb bench_verb{
+const RegisterCommand bench_command{
     {"bench",
      "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
      {"tables", "rounds=", "page=", "calibrate"},

@@ -1,6 +1,6 @@
-// Each of the programs behind ./lab: they differ in the verbs that are linked into them.
+// Each of the programs behind ./lab: they differ in the commands that are linked into them.
 
-#include "grader/verbs/dispatch.hpp"
+#include "grader/commands/dispatch.hpp"
 
 int main(int, char** argv) {
   return mc::grader::run_lab(argv);

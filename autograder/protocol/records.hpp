@@ -13,7 +13,7 @@ enum class RecordKind {
   todo,     ///< a task that is not written yet
   p_value,  ///< of a random test (PValue)
   call,     ///< what was asked last before a check failed: an experiment, its arguments as typed
-  cost,     ///< of the dearest measurement so far: seconds of CPU time, the experiment
+  cost,     ///< of the costliest measurement so far: seconds of CPU time, the experiment
   machine,  ///< the machine failed, and how: what the check says is no verdict
   ended,    ///< a test case has ended (CheckEnd)
 };

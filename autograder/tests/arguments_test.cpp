@@ -1,11 +1,11 @@
-// A verb's words and options, in every order in which people write them.
+// A command's words and options, in every order in which people write them.
 #include <string>
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/arguments.hpp"
-#include "grader/context/errors.hpp"
-#include "grader/verbs/lab_and_task.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/commands/arguments.hpp"
+#include "grader/commands/lab_and_task.hpp"
 
 namespace mc::tests::words {
 

@@ -8,7 +8,7 @@
 
 #include "bench/bench.hpp"
 #include "checks/support/catch.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "measurements/support/bench_data.hpp"
 #include "measurements/support/integrands.hpp"
 

@@ -1,4 +1,4 @@
-// Every command in a document exists: its verb, its options, its lab and its task; those that cost
+// Every command in a document exists: its command, its options, its lab and its task; those that cost
 // little are run.
 #include <algorithm>
 #include <filesystem>
@@ -11,14 +11,14 @@
 #include <fmt/ranges.h>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/lab_and_task.hpp"
+#include "grader/commands/list.hpp"
 #include "grader/judging/judge.hpp"
-#include "grader/verbs/lab_and_task.hpp"
-#include "grader/verbs/list.hpp"
-#include "grader/verbs/verb.hpp"
 #include "runner/text.hpp"
 #include "tests/documents.hpp"
-#include "tests/door.hpp"
+#include "tests/entry_script.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
 
@@ -30,7 +30,7 @@ using namespace grader;
 namespace {
 
 /// A command as a document has it.
-struct Command {
+struct CommandLine {
   std::string document;
   Words words;
   std::string text() const { return fmt::format("{}: {}", document, fmt::join(words, " ")); }
@@ -66,8 +66,8 @@ Code code_in(const std::string& document) {
   return code;
 }
 
-std::vector<Command> commands(const Layout& layout) {
-  std::vector<Command> all;
+std::vector<CommandLine> command_lines(const Layout& layout) {
+  std::vector<CommandLine> all;
   for (const fs::path& file : documents(layout)) {
     Code code = code_in(without_comments(read_text(file)));
     code.lines.insert(code.lines.end(), code.spans.begin(), code.spans.end());
@@ -94,33 +94,34 @@ bool is_placeholder(const std::string& word) {
   return !word.empty() && word[0] >= 'A' && word[0] <= 'Z';
 }
 
-const Verb* verb_called(const std::string& name) {
-  const auto& verbs = registered_verbs();
-  const auto found =
-      std::find_if(verbs.begin(), verbs.end(), [&](const Verb& verb) { return verb.name == name; });
-  return found == verbs.end() ? nullptr : &*found;
+const Command* command_called(const std::string& name) {
+  const auto& commands = registered_commands();
+  const auto found = std::find_if(commands.begin(), commands.end(),
+                                  [&](const Command& command) { return command.name == name; });
+  return found == commands.end() ? nullptr : &*found;
 }
 
-bool takes_a_lab(const std::string& verb) {
-  const std::set<std::string> verbs{"check", "run",    "plot",      "report",
-                                    "reset", "submit", "gradescope"};
-  return verbs.contains(verb);
+bool takes_a_lab(const std::string& command) {
+  const std::set<std::string> commands{"check", "run",    "plot",      "report",
+                                       "reset", "submit", "gradescope"};
+  return commands.contains(command);
 }
 
 /// Why this cannot be typed; empty where it can.
 std::string objection(const Layout& layout, const std::vector<Lab>& labs, const Words& words) {
-  if (words.size() == 1 || words[1] == "VERB" || words[1].starts_with("--")) return {};
-  const Verb* const verb = verb_called(words[1]);
-  if (verb == nullptr) return "no such verb";
+  if (words.size() == 1 || words[1] == "COMMAND" || words[1].starts_with("--")) return {};
+  const Command* const command = command_called(words[1]);
+  if (command == nullptr) return "no such command";
   try {
     const Words rest(words.begin() + 2, words.end());
     if (!rest.empty() && rest[0] == "--help") return {};
-    const Arguments arguments = parse_arguments(rest, verb->options, verb->words_before_verbatim);
-    if (!takes_a_lab(verb->name) || arguments.words.empty()) return {};
+    const Arguments arguments =
+        parse_arguments(rest, command->options, command->words_before_verbatim);
+    if (!takes_a_lab(command->name) || arguments.words.empty()) return {};
     if (is_placeholder(arguments.words[0])) return {};
     const LabAndTask meant = lab_and_task(labs, arguments.words);
     const std::string task = arguments.get("only").value_or(meant.task);
-    if (verb->name != "check" || task.empty()) return {};
+    if (command->name != "check" || task.empty()) return {};
     const auto checks = expected_checks(layout, meant.lab);
     const bool is_there = std::any_of(checks.begin(), checks.end(),
                                       [&](const Check& check) { return check.task == task; });
@@ -135,12 +136,12 @@ std::string objection(const Layout& layout, const std::vector<Lab>& labs, const 
 TEST_CASE("every command in a document can be typed") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
-  std::set<std::string> verbs;
-  for (const Command& command : commands(layout)) {
+  std::set<std::string> commands;
+  for (const CommandLine& command : command_lines(layout)) {
     CAPTURE(command.text());
     if (command.words[0] == "./lab") {
       CHECK(objection(layout, labs, command.words) == "");
-      if (command.words.size() > 1) verbs.insert(command.words[1]);
+      if (command.words.size() > 1) commands.insert(command.words[1]);
     } else if (command.words[0].starts_with(".ci/")) {
       CHECK(fs::exists(layout.root / command.words[0]));
     } else {
@@ -148,24 +149,24 @@ TEST_CASE("every command in a document can be typed") {
       CHECK(fs::exists(layout.build / "CMakeFiles" / (target + ".dir")));
     }
   }
-  // Each verb is told of somewhere; and what is wrong is seen.
-  for (const VerbEntry& verb : verb_list) {
-    if (verb.name.empty() || verb.name == "setup" || verb.name == "report") continue;
-    CAPTURE(verb.name);
-    CHECK(verbs.contains(std::string(verb.name)));
+  // Each command is told of somewhere; and what is wrong is seen.
+  for (const CommandEntry& command : command_list) {
+    if (command.name.empty() || command.name == "setup" || command.name == "report") continue;
+    CAPTURE(command.name);
+    CHECK(commands.contains(std::string(command.name)));
   }
-  CHECK(objection(layout, labs, {"./lab", "chekc", "1"}) == "no such verb");
+  CHECK(objection(layout, labs, {"./lab", "chekc", "1"}) == "no such command");
   CHECK(contains(objection(layout, labs, {"./lab", "check", "1", "--onyl", "1.1"}), "--onyl"));
   CHECK(objection(layout, labs, {"./lab", "check", "1", "--only", "1.99"}) == "no such task");
   CHECK(contains(objection(layout, labs, {"./lab", "plot", "9"}), "no lab"));
 }
 
-TEST_CASE("every option that a document names belongs to a verb") {
+TEST_CASE("every option that a document names belongs to a command") {
   const Layout layout = read_layout();
   std::set<std::string> known{"--help", "--version", "--preset",
                               "--build"};  // CMake's, the last two
-  for (const Verb& verb : registered_verbs()) {
-    for (const std::string& option : verb.options) {
+  for (const Command& command : registered_commands()) {
+    for (const std::string& option : command.options) {
       known.insert("--" + option.substr(0, option.find('=')));
     }
   }
@@ -183,7 +184,7 @@ TEST_CASE("what a handout tells to run by hand runs, with the solutions") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   std::size_t count = 0;
-  for (const Command& command : commands(layout)) {
+  for (const CommandLine& command : command_lines(layout)) {
     if (command.words.size() < 4 || command.words[1] != "run") continue;
     if (is_placeholder(command.words[2])) continue;
     Words words(command.words.begin() + 1, command.words.end());

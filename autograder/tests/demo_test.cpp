@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/reports/html.hpp"
 #include "measurements/support/demo.hpp"
 #include "sandbox/process.hpp"

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "tests/documents.hpp"
-#include "tests/door.hpp"
+#include "tests/entry_script.hpp"
 #include "tests/figures.hpp"
 #include "tests/text.hpp"
 

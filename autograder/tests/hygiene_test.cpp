@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/pictures/plots.hpp"
 #include "grader/submission/build.hpp"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"
 #include "runner/wire.hpp"

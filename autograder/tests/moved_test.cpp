@@ -1,4 +1,4 @@
-// A checkout that was moved or copied with its build. What stands behind the door is a stub here:
+// A checkout that was moved or copied with its build. What stands behind the entry script is a stub here:
 // it says where it was configured.
 #include <algorithm>
 #include <filesystem>
@@ -85,13 +85,14 @@ void stands_there(const Checkout& checkout) {
 
 }  // namespace
 
-TEST_CASE("a checkout that was moved is built again, once", "[door]") {
+TEST_CASE("a checkout that was moved is built again, once", "[script]") {
   const Checkout checkout;
   fs::rename(checkout.first, checkout.other);
   stands_there(checkout);
 }
 
-TEST_CASE("a copied checkout is built again, and nothing is written into the original", "[door]") {
+TEST_CASE("a copied checkout is built again, and nothing is written into the original",
+          "[script]") {
   const Checkout checkout;
   fs::copy(checkout.first, checkout.other, fs::copy_options::recursive);
   const auto before = listing(checkout.first);
@@ -99,7 +100,7 @@ TEST_CASE("a copied checkout is built again, and nothing is written into the ori
   CHECK(listing(checkout.first) == before);
 }
 
-TEST_CASE("two calls at once in a moved checkout configure it once", "[door]") {
+TEST_CASE("two calls at once in a moved checkout configure it once", "[script]") {
   const Checkout checkout;
   fs::rename(checkout.first, checkout.other);
   sandbox::ProcessResult runs[2];
@@ -113,7 +114,7 @@ TEST_CASE("two calls at once in a moved checkout configure it once", "[door]") {
   CHECK(configured(checkout.other) == 2);
 }
 
-TEST_CASE("a checkout that is called through a link stands where it stood", "[door]") {
+TEST_CASE("a checkout that is called through a link stands where it stood", "[script]") {
   const Checkout checkout;
   fs::create_directory_symlink(checkout.first, checkout.other);
   const auto run = door(checkout.other);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/layout.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/judging/check_process.hpp"
 
 namespace mc::tests::records {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/layout.hpp"
 #include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
@@ -73,7 +73,7 @@ std::string begun(std::string text) {
 
 }  // namespace
 
-TEST_CASE("the starter again, and nothing that was written is lost", "[door]") {
+TEST_CASE("the starter again, and nothing that was written is lost", "[script]") {
   const Checkout checkout;
   const std::string given = text_of(read_layout().starter());
   checkout.commit("// an older handout\n" + given);
@@ -104,7 +104,7 @@ TEST_CASE("the starter again, and nothing that was written is lost", "[door]") {
   CHECK_FALSE(fs::exists(checkout.file().string() + ".3.bak"));
 }
 
-TEST_CASE("without a history there is no starter, and the file stays as it is", "[door]") {
+TEST_CASE("without a history there is no starter, and the file stays as it is", "[script]") {
   const Checkout checkout;
   write_text(checkout.file(), "mine\n");
   const auto run = checkout.reset();

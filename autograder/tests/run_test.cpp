@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "runner/text.hpp"
 #include "sandbox/process.hpp"
-#include "tests/door.hpp"
+#include "tests/entry_script.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
 
@@ -18,7 +18,7 @@ namespace mc::tests::run {
 namespace fs = std::filesystem;
 using namespace grader;
 
-TEST_CASE("an experiment by hand", "[door]") {
+TEST_CASE("an experiment by hand", "[script]") {
   const std::string solutions = read_layout().solutions().string();
   CHECK(lab({"run", "--dir", solutions, "variance", "mean", "1,2,6"}).output == "3\n");
   CHECK(lab({"run", "--dir", solutions, "variance", "mean", "-1,-2,-6"}).output == "-3\n");
@@ -32,7 +32,7 @@ TEST_CASE("an experiment by hand", "[door]") {
   CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
 }
 
-TEST_CASE("a result by hand says which number is what", "[door]") {
+TEST_CASE("a result by hand says which number is what", "[script]") {
   const std::string solutions = read_layout().solutions().string();
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"run", "--dir", solutions});
@@ -81,7 +81,7 @@ TEST_CASE("a result by hand says which number is what", "[door]") {
   CHECK(contains(named("--peraxis"), "stratified_nd --n N --dims N --per_axis N"));
 }
 
-TEST_CASE("the list of experiments has the names of the declarations", "[door]") {
+TEST_CASE("the list of experiments has the names of the declarations", "[script]") {
   const Layout layout = read_layout();
   for (const Lab& one : find_labs(layout)) {
     const std::string list = lab({"run", one.name, "--dir", layout.solutions().string()}).output;
@@ -154,7 +154,7 @@ TEST_CASE("an experiment under the sanitizers", "[.sanitizers]") {
   CHECK(contains(unfinished.errors, "nothing"));
 }
 
-TEST_CASE("a lab and its task", "[door]") {
+TEST_CASE("a lab and its task", "[script]") {
   const std::string solutions = read_layout().solutions().string();
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"check", "1.3", solutions},
@@ -169,7 +169,7 @@ TEST_CASE("a lab and its task", "[door]") {
   }
 }
 
-TEST_CASE("the door finds the lab among a verb's words", "[door]") {
+TEST_CASE("the entry script finds the lab among a command's words", "[script]") {
   const std::string root = read_layout().root.string();
   const auto found = [&](const std::string& words) {
     const auto run = sandbox::run_process(

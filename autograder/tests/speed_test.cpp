@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/judging/speed.hpp"
 #include "grader/reports/report.hpp"

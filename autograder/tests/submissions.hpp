@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/submission/build.hpp"
 
 namespace mc::tests {

@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/text_file.hpp"
-#include "grader/verbs/watch.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/layout.hpp"
+#include "grader/commands/watch.hpp"
 #include "sandbox/descriptor.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
@@ -118,7 +118,7 @@ std::string endless() {
 
 }  // namespace
 
-TEST_CASE("watching judges at once and after each save, however an editor saves", "[door]") {
+TEST_CASE("watching judges at once and after each save, however an editor saves", "[script]") {
   const std::string starter = text_of(read_layout().starter());
   const std::string solution = text_of(read_layout().solutions());
   Watching watching(starter);
@@ -141,7 +141,7 @@ TEST_CASE("watching judges at once and after each save, however an editor saves"
   CHECK(watching.interrupt() == 0);
 }
 
-TEST_CASE("a save stops the run before it, whose verdict is never shown", "[door]") {
+TEST_CASE("a save stops the run before it, whose verdict is never shown", "[script]") {
   Watching watching(endless());
   watching.until(begun);
   watching.save(text_of(read_layout().solutions()));
@@ -153,7 +153,7 @@ TEST_CASE("a save stops the run before it, whose verdict is never shown", "[door
   CHECK(watching.interrupt() == 0);
 }
 
-TEST_CASE("an interrupt ends the watching and what is being judged", "[door]") {
+TEST_CASE("an interrupt ends the watching and what is being judged", "[script]") {
   Watching watching(endless());
   watching.until(begun);
   const auto end = std::chrono::steady_clock::now() + patience;

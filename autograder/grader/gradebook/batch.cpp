@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/side_by_side.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/judging/budget.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
@@ -28,9 +28,9 @@ constexpr std::size_t most_programs = std::size_t{300} << 20;
 constexpr int most_failures = 3;
 
 /// All that a verdict depends on and that was handed in.
-std::string everything_in(const Handed& handed) {
-  return fmt::format("{}\n{}\n{}", handed.unreadable, handed.submission.found_in,
-                     contents_of(handed.submission.files));
+std::string everything_in(const IntakeEntry& entry) {
+  return fmt::format("{}\n{}\n{}", entry.unreadable, entry.submission.found_in,
+                     contents_of(entry.submission.files));
 }
 
 /// Did the machine, and not only the autograder, keep from judging?
@@ -55,10 +55,10 @@ std::vector<std::string> absent_from(const Context& context, const Submission& s
 
 class Batch {
  public:
-  Batch(const Context& context, const std::vector<Handed>& handed, Book* book,
+  Batch(const Context& context, const std::vector<IntakeEntry>& entries, Book* book,
         const BatchOptions& options)
-      : context_(context), handed_(handed), book_(book), options_(options) {
-    for (const Handed& one : handed) {
+      : context_(context), entries_(entries), book_(book), options_(options) {
+    for (const IntakeEntry& one : entries) {
       widest_ = std::max(widest_, std::min<std::size_t>(columns_of(one.submission.label), 40));
     }
   }
@@ -78,8 +78,8 @@ class Batch {
 
  private:
   void find_known() {
-    for (std::size_t i = 0; i < handed_.size(); ++i) {
-      const Handed& one = handed_[i];
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const IntakeEntry& one = entries_[i];
       const auto labs = labs_of(context_, one.submission, options_.asked_for);
       const auto known = known_verdict(one, labs);
       if (!known) {
@@ -93,7 +93,7 @@ class Batch {
     if (book_ != nullptr) book_->begin();
   }
 
-  std::optional<Verdict> known_verdict(const Handed& one, const std::vector<Lab>& labs) const {
+  std::optional<Verdict> known_verdict(const IntakeEntry& one, const std::vector<Lab>& labs) const {
     if (book_ == nullptr) return {};
     try {
       return book_->known(one.submission.label, everything_in(one), context_.layout.version,
@@ -103,13 +103,13 @@ class Batch {
     }
   }
 
-  static std::vector<Lab> judged_labs(const Handed& handed, const std::vector<Lab>& labs) {
-    return handed.unreadable.empty() ? labs : std::vector<Lab>();
+  static std::vector<Lab> judged_labs(const IntakeEntry& entry, const std::vector<Lab>& labs) {
+    return entry.unreadable.empty() ? labs : std::vector<Lab>();
   }
 
   void judge(std::size_t at) {
     if (is_stopped_) return;
-    const Handed& one = handed_[open_[at]];
+    const IntakeEntry& one = entries_[open_[at]];
     SubmissionOptions options = options_.judging;
     options.judge.workers = 1;
     options.with_speed = false;
@@ -117,7 +117,7 @@ class Batch {
       tell(at, all > 0 ? done / all : 0);
     };
     const auto labs = labs_of(context_, one.submission, options_.asked_for);
-    const Verdict verdict = judge_handed(context_, one, labs, options);
+    const Verdict verdict = judge_entry(context_, one, labs, options);
     if (book_ != nullptr) book_->add(verdict);
     tell(at, 1);
     note(verdict);
@@ -156,7 +156,7 @@ class Batch {
     }
   }
 
-  void sweep(const Handed& done) {
+  void sweep(const IntakeEntry& done) {
     const std::lock_guard lock(mutex_);
     for (const auto& [lab, file] : done.submission.files) {
       const Lab& owner = find_lab(context_.labs, lab);
@@ -169,9 +169,9 @@ class Batch {
   void measure() {
     if (book_ == nullptr) return;
     ProgressLine line("timing");
-    for (std::size_t i = 0; i < handed_.size(); ++i) {
-      line.show(static_cast<double>(i), static_cast<double>(handed_.size()), "timed");
-      const Handed& one = handed_[i];
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      line.show(static_cast<double>(i), static_cast<double>(entries_.size()), "timed");
+      const IntakeEntry& one = entries_[i];
       auto verdict = book_->read(one.submission.label);
       if (!verdict || !verdict->not_judged.empty() || !verdict->unreadable.empty()) continue;
       bool changed = false;
@@ -185,7 +185,7 @@ class Batch {
   }
 
   const Context& context_;
-  const std::vector<Handed>& handed_;
+  const std::vector<IntakeEntry>& entries_;
   Book* const book_;
   const BatchOptions& options_;
   std::size_t widest_ = 10;
@@ -212,11 +212,11 @@ std::vector<Lab> labs_of(const Context& context, const Submission& submission,
   return present;
 }
 
-std::vector<LabColumns> columns_for(const Context& context, const std::vector<Handed>& handed,
+std::vector<LabColumns> columns_for(const Context& context, const std::vector<IntakeEntry>& entries,
                                     const std::vector<Lab>& asked_for) {
   std::vector<LabColumns> columns;
   for (const Lab& lab : context.labs) {
-    const bool is_judged = std::any_of(handed.begin(), handed.end(), [&](auto& one) {
+    const bool is_judged = std::any_of(entries.begin(), entries.end(), [&](auto& one) {
       const auto labs = labs_of(context, one.submission, asked_for);
       return std::any_of(labs.begin(), labs.end(), [&](auto& a) { return a.name == lab.name; });
     });
@@ -229,35 +229,35 @@ std::vector<LabColumns> columns_for(const Context& context, const std::vector<Ha
   return columns;
 }
 
-Verdict judge_handed(const Context& context, const Handed& handed, const std::vector<Lab>& labs,
-                     SubmissionOptions options) {
+Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std::vector<Lab>& labs,
+                    SubmissionOptions options) {
   Verdict verdict;
   std::string contents;
   // Whatever goes wrong with a submission is its own result: MachineError, a full disk, no memory.
   try {
     Budget budget;
     options.judge.budget = &budget;
-    contents = everything_in(handed);
-    if (handed.unreadable.empty()) {
-      verdict = judge_submission(context, handed.submission, labs, options);
+    contents = everything_in(entry);
+    if (entry.unreadable.empty()) {
+      verdict = judge_submission(context, entry.submission, labs, options);
     }
   } catch (const std::exception& error) {
     verdict.not_judged = error.what();
   }
-  verdict.submission = handed.submission.label;
-  verdict.found_in = handed.submission.found_in;
+  verdict.submission = entry.submission.label;
+  verdict.found_in = entry.submission.found_in;
   verdict.contents = std::move(contents);
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;
   verdict.jail_complete = sandbox::jail_is_complete();
-  verdict.unreadable = handed.unreadable;
-  if (verdict.absent.empty()) verdict.absent = absent_from(context, handed.submission);
+  verdict.unreadable = entry.unreadable;
+  if (verdict.absent.empty()) verdict.absent = absent_from(context, entry.submission);
   return verdict;
 }
 
-BatchOutcome run_batch(const Context& context, const std::vector<Handed>& handed, Book* book,
+BatchOutcome run_batch(const Context& context, const std::vector<IntakeEntry>& entries, Book* book,
                        const BatchOptions& options) {
-  return Batch(context, handed, book, options).run();
+  return Batch(context, entries, book, options).run();
 }
 
 }  // namespace mc::grader

@@ -16,12 +16,12 @@ std::vector<Lab> labs_of(const Context& context, const Submission& submission,
                          const std::vector<Lab>& asked_for);
 
 /// The columns of a table of these submissions.
-std::vector<LabColumns> columns_for(const Context& context, const std::vector<Handed>& handed,
+std::vector<LabColumns> columns_for(const Context& context, const std::vector<IntakeEntry>& entries,
                                     const std::vector<Lab>& asked_for);
 
 /// A verdict in any case: where the machine fails it says so instead of a grade.
-Verdict judge_handed(const Context& context, const Handed& handed, const std::vector<Lab>& labs,
-                     SubmissionOptions options);
+Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std::vector<Lab>& labs,
+                    SubmissionOptions options);
 
 struct BatchOptions {
   SubmissionOptions judging;
@@ -37,7 +37,7 @@ struct BatchOutcome {
 
 /// Judges them, prints a line for each as it comes, and writes each into the book (null: none)
 /// before its worker begins another.
-BatchOutcome run_batch(const Context& context, const std::vector<Handed>& handed, Book* book,
+BatchOutcome run_batch(const Context& context, const std::vector<IntakeEntry>& entries, Book* book,
                        const BatchOptions& options);
 
 }  // namespace mc::grader

@@ -14,8 +14,8 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/reports/verdict_json.hpp"
 
 namespace mc::grader {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/reports/html.hpp"
 #include "grader/submission/source.hpp"
 
@@ -149,10 +149,10 @@ std::string statistics_page(const ClassStatistics& statistics) {
 }
 
 void write_class_pages(const fs::path& directory, const Context& context, const Table& table,
-                       const std::vector<Handed>& handed) {
+                       const std::vector<IntakeEntry>& entries) {
   const auto verdicts = read_verdicts(table);
   fs::create_directories(directory / pages_folder);
-  for (const Handed& one : handed) {
+  for (const IntakeEntry& one : entries) {
     const auto verdict = verdicts.find(one.submission.label);
     if (verdict == verdicts.end()) continue;
     PageMaterial material;

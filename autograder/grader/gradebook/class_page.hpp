@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/context.hpp"
+#include "grader/checkout/context.hpp"
 #include "grader/gradebook/statistics.hpp"
 #include "grader/gradebook/table.hpp"
 #include "grader/submission/intake.hpp"
@@ -18,6 +18,6 @@ std::string statistics_page(const ClassStatistics& statistics);
 /// Writes directory/index.html, everybody's points and the statistics, and a page for each
 /// submission that the table has a verdict on: its failures and its text.
 void write_class_pages(const std::filesystem::path& directory, const Context& context,
-                       const Table& table, const std::vector<Handed>& handed);
+                       const Table& table, const std::vector<IntakeEntry>& entries);
 
 }  // namespace mc::grader

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "grader/reports/csv.hpp"
 #include "grader/submission/source.hpp"
 #include "runner/text.hpp"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/gradebook/book.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"

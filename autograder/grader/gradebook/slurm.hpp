@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/context.hpp"
+#include "grader/checkout/context.hpp"
 
 namespace mc::grader {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 
@@ -99,14 +99,14 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
   return statistics;
 }
 
-/// The hints in the stories of what failed, each once.
+/// The hints in the reports of what failed, each once.
 std::set<std::string> hints_of(const Verdict& verdict) {
   constexpr std::string_view label = "likely    ";
   std::set<std::string> hints;
   for (const LabVerdict& lab : verdict.labs) {
     for (const CheckResult& result : lab.checks) {
       if (result.status != Status::failed) continue;
-      for (const std::string_view line : text::split(result.story, '\n')) {
+      for (const std::string_view line : text::split(result.report, '\n')) {
         if (line.starts_with(label)) {
           hints.insert(sandbox::printable_line(line.substr(label.size())));
         }

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/reports/csv.hpp"
 #include "sandbox/printable.hpp"

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/side_by_side.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/side_by_side.hpp"
 #include "grader/judging/check_process.hpp"
-#include "grader/judging/commands.hpp"
+#include "grader/judging/repeat_commands.hpp"
 #include "grader/judging/task_runner.hpp"
 #include "protocol/environment.hpp"
 #include "runner/text.hpp"
@@ -184,7 +184,7 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
   } else {
     for (CheckResult& result : verdict.checks) {
       result.status = Status::not_run;
-      result.story = built.failure;
+      result.report = built.failure;
     }
   }
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

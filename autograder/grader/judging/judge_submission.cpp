@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/judging/speed.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/source.hpp"
@@ -86,7 +86,7 @@ class Finished {
 std::string fault_in(const LabVerdict& judged) {
   for (const CheckResult& result : judged.checks) {
     if (result.status != Status::not_judged && result.status != Status::internal_error) continue;
-    return fmt::format("{}: {}", result.check.name, result.story);
+    return fmt::format("{}: {}", result.check.name, result.report);
   }
   return {};
 }

@@ -53,14 +53,14 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
     if (options.budget != nullptr && (options.budget->is_used_up() || options.budget->is_late())) {
       const bool used_up = options.budget->is_used_up();
       result->status = used_up ? Status::not_run : Status::not_judged;
-      result->story = used_up ? Budget::why() : Budget::why_late();
+      result->report = used_up ? Budget::why() : Budget::why_late();
       done();
       continue;
     }
     if (left <= 0) {
       result->status = Status::not_run;
-      result->story = fmt::format("the {} s of CPU time of task {} were used up before this check",
-                                  task_cpu_seconds, result->check.task);
+      result->report = fmt::format("the {} s of CPU time of task {} were used up before this check",
+                                   task_cpu_seconds, result->check.task);
       done();
       continue;
     }
@@ -98,7 +98,7 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
           for (const auto line : text::split(record.text, '\n')) result->call.emplace_back(line);
           break;
         case protocol::RecordKind::cost:
-          result->dearest = record.text;
+          result->costliest = record.text;
           break;
         case protocol::RecordKind::machine:
           machine = record.text;
@@ -113,22 +113,22 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
                                   [&](auto& one) { return one.name == result->check.name; });
     if (run.out_of_time || !machine.empty()) {
       result->status = Status::not_judged;
-      result->story = run.out_of_time
-                          ? fmt::format("the machine is too busy: this check did not end in {} s",
-                                        check_wall_seconds)
-                          : sandbox::printable(machine);
+      result->report = run.out_of_time
+                           ? fmt::format("the machine is too busy: this check did not end in {} s",
+                                         check_wall_seconds)
+                           : sandbox::printable(machine);
     } else if (end == ends.end()) {
       result->status = Status::internal_error;
-      result->story = without_record(run);
+      result->report = without_record(run);
     } else if (end->crashed) {
       result->status = Status::internal_error;
-      result->story = fmt::format("the autograder failed in this check: tell your instructor\n{}",
-                                  sandbox::printable(end->message));
+      result->report = fmt::format("the autograder failed in this check: tell your instructor\n{}",
+                                   sandbox::printable(end->message));
     } else if (end->passed) {
       result->status = Status::passed;
     } else {
       result->status = todo ? Status::not_written : Status::failed;
-      result->story = sandbox::printable(end->message);
+      result->report = sandbox::printable(end->message);
     }
     done();
   }

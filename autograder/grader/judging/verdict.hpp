@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/labs.hpp"
+#include "grader/checkout/labs.hpp"
 #include "protocol/records.hpp"
 
 namespace mc::grader {
@@ -37,13 +37,13 @@ struct Check {
 struct CheckResult {
   Check check;
   Status status = Status::internal_error;
-  std::string story;    ///< of a failure: measured, expected, because, likely
+  std::string report;   ///< of a failure: measured, expected, because, likely
   std::string printed;  ///< what the submission printed meanwhile
   std::string repeat;   ///< the command that repeats this check, seed included
   /// Of a failure: what was asked last, an experiment and its arguments as one types them.
   std::vector<std::string> call;
-  std::string by_hand;  ///< the command that asks this again; empty where nothing was asked
-  std::string dearest;  ///< its dearest measurement: "0.12 stream", seconds of CPU time
+  std::string by_hand;    ///< the command that asks this again; empty where nothing was asked
+  std::string costliest;  ///< its costliest measurement: "0.12 stream", seconds of CPU time
   std::vector<protocol::PValue> p_values;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/reports/html.hpp"
 #include "grader/submission/build.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/context.hpp"
+#include "grader/checkout/context.hpp"
 #include "grader/submission/submission.hpp"
 
 namespace mc::grader {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/layout.hpp"
+#include "grader/checkout/layout.hpp"
 
 namespace mc::grader {
 

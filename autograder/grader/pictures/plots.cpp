@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/context/side_by_side.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/submission/build.hpp"
 #include "protocol/environment.hpp"

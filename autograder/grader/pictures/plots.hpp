@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/labs.hpp"
+#include "grader/checkout/labs.hpp"
 #include "grader/pictures/gnuplot.hpp"
 #include "grader/submission/submission.hpp"
 

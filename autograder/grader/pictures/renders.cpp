@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/pictures/gnuplot.hpp"
 #include "grader/submission/build.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/submission/submission.hpp"
 #include "protocol/render.hpp"
 

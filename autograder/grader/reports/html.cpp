@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/reports/report.hpp"
 #include "runner/text.hpp"
 
@@ -102,17 +102,17 @@ std::string check_row(const CheckResult& result, const LabVerdict& lab, std::uin
     mark = fmt::format("<span class=\"other\">{}</span>", html_escaped(describe(result, lab)));
   }
   std::string what = html_escaped(result.check.name);
-  if (!result.story.empty() && result.status == Status::failed) {
-    std::string story = result.story + "\nread      labs/" + lab.lab.folder +
-                        "/README.md, section " + result.check.task +
-                        // In the student's own checkout, wherever this was judged.
-                        fmt::format("\nagain     ./lab check {} --only {} --seed {}", lab.lab.name,
-                                    result.check.task, seed);
-    if (!result.by_hand.empty()) story += "\nby hand   " + result.by_hand;
-    what += "<pre>" + html_escaped(story) + "</pre>";
-  } else if (!result.story.empty() && result.status != Status::not_written &&
+  if (!result.report.empty() && result.status == Status::failed) {
+    std::string report = result.report + "\nread      labs/" + lab.lab.folder +
+                         "/README.md, section " + result.check.task +
+                         // In the student's own checkout, wherever this was judged.
+                         fmt::format("\nagain     ./lab check {} --only {} --seed {}", lab.lab.name,
+                                     result.check.task, seed);
+    if (!result.by_hand.empty()) report += "\nby hand   " + result.by_hand;
+    what += "<pre>" + html_escaped(report) + "</pre>";
+  } else if (!result.report.empty() && result.status != Status::not_written &&
              lab.no_program.empty()) {
-    what += "<pre>" + html_escaped(result.story) + "</pre>";
+    what += "<pre>" + html_escaped(result.report) + "</pre>";
   }
   if (!result.printed.empty()) {
     what += "<details><summary>it printed</summary><pre>" +

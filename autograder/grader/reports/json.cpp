@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "grader/judging/commands.hpp"
+#include "grader/judging/repeat_commands.hpp"
 #include "grader/reports/report.hpp"
 #include "sandbox/printable.hpp"
 
@@ -19,7 +19,7 @@ std::string output_of(const CheckResult& result, const LabVerdict& lab, std::uin
   // Why there is no program is said once, above all checks.
   if (!lab.no_program.empty()) return "not run: see the top";
   std::string text = describe(result, lab);
-  if (!result.story.empty() && result.status != Status::not_written) text += "\n" + result.story;
+  if (!result.report.empty() && result.status != Status::not_written) text += "\n" + result.report;
   if (result.status == Status::failed) {
     text += fmt::format("\nread      labs/{}/README.md, section {}\nagain     {}", lab.lab.folder,
                         result.check.task, repeat_command(lab.lab, result.check, own));

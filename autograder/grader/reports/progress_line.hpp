@@ -1,5 +1,5 @@
 #pragma once
-// How far a verb is, on standard error: at a terminal one line that is written again and again and
+// How far a command is, on standard error: at a terminal one line that is written again and again and
 // is gone in the end; elsewhere a line every ten seconds.
 
 #include <chrono>

@@ -19,7 +19,7 @@ struct Terminal {
 /// The terminal on standard output: colour only there, and not with NO_COLOR; 100 columns at most.
 Terminal this_terminal();
 
-/// One lab, check by check, with the story of each failure.
+/// One lab, check by check, with the report of each failure.
 std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal);
 
 /// The lines on a lab's speed tasks: "2.8 uniforms  0.6 ns, 1.1 times as fast as the reference".
@@ -46,7 +46,7 @@ struct ForGradescope {
   std::string visibility = "visible";  ///< of the checks: hidden, after_due_date, after_published
 };
 
-/// Gradescope's results.json: every check, its points, its story; complete whatever happened. It is
+/// Gradescope's results.json: every check, its points, its report; complete whatever happened. It is
 /// read by a student in a checkout of one's own: commands name no directory.
 /// Null in `grader`, which does without the JSON library: `course` sets it (json.cpp).
 using JsonReporter = std::string (*)(const Verdict& verdict, const ForGradescope& wanted);

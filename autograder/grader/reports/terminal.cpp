@@ -26,7 +26,7 @@ std::string painted(const Terminal& terminal, const char* colour, const std::str
 }
 
 /// "measured  x = 1" with its lines wrapped under the second column.
-std::string story_line(std::string_view line, std::size_t margin, std::size_t width) {
+std::string report_line(std::string_view line, std::size_t margin, std::size_t width) {
   constexpr std::size_t label = 10;
   const std::size_t inner = std::max<std::size_t>(width, margin + label + 20) - margin - label;
   const std::string blank(margin, ' ');
@@ -92,11 +92,11 @@ std::string roots_elsewhere(const LabVerdict& lab) {
 }
 
 /// All there is to say of a failure.
-std::string whole_story(const LabVerdict& lab, const CheckResult& result,
+std::string full_report(const LabVerdict& lab, const CheckResult& result,
                         const Terminal& terminal) {
   std::string all;
-  const auto add = [&](std::string_view line) { all += story_line(line, margin, terminal.width); };
-  for (const std::string_view line : text::split(result.story, '\n')) add(line);
+  const auto add = [&](std::string_view line) { all += report_line(line, margin, terminal.width); };
+  for (const std::string_view line : text::split(result.report, '\n')) add(line);
   add(fmt::format("read      labs/{}/README.md, section {}", lab.lab.folder, result.check.task));
   add("again     " + result.repeat);
   if (!result.by_hand.empty()) add("by hand   " + result.by_hand);
@@ -104,11 +104,11 @@ std::string whole_story(const LabVerdict& lab, const CheckResult& result,
 }
 
 /// Of a failure whose task has failed before: one line. The first hint is the one to follow.
-std::string short_story(const CheckResult& result, const Terminal& terminal) {
-  std::string_view line = std::string_view(result.story).substr(0, result.story.find('\n'));
+std::string short_report(const CheckResult& result, const Terminal& terminal) {
+  std::string_view line = std::string_view(result.report).substr(0, result.report.find('\n'));
   constexpr std::string_view label = "measured  ";
   if (line.starts_with(label)) line.remove_prefix(label.size());
-  return story_line("also      " + sandbox::shortened(line, 160), margin, terminal.width);
+  return report_line("also      " + sandbox::shortened(line, 160), margin, terminal.width);
 }
 
 }  // namespace
@@ -176,14 +176,14 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     if (result.status == Status::not_judged) {  // a machine fails at many in the same way
       std::size_t last = i;
       while (last + 1 < lab.checks.size() && lab.checks[last + 1].status == result.status &&
-             lab.checks[last + 1].story == result.story) {
+             lab.checks[last + 1].report == result.report) {
         ++last;
       }
       all += check_line(
           terminal, grey, "?",
           last > i ? fmt::format("{} and {} more", result.check.name, last - i) : result.check.name,
           "not judged");
-      all += story_line("because   " + result.story, margin, terminal.width);
+      all += report_line("because   " + result.report, margin, terminal.width);
       i = last;
       continue;
     }
@@ -199,8 +199,8 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     if (result.status == Status::failed || result.status == Status::internal_error) {
       all += check_line(terminal, red, "✗", result.check.name, points);
       const bool is_first = told.insert(result.check.task).second;
-      all += is_first || result.status != Status::failed ? whole_story(lab, result, terminal)
-                                                         : short_story(result, terminal);
+      all += is_first || result.status != Status::failed ? full_report(lab, result, terminal)
+                                                         : short_report(result, terminal);
     } else {
       // Said once for a task, however many checks it has.
       double together = result.check.points;
@@ -215,7 +215,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       all += check_line(terminal, grey, "·", what + ": " + describe(result, lab),
                         is_grade ? points_of(0, together) : std::string());
       if (result.status == Status::not_run) {
-        all += story_line("because   " + result.story, margin, terminal.width);
+        all += report_line("because   " + result.report, margin, terminal.width);
       }
       i = last;
     }

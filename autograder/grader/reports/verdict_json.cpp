@@ -77,7 +77,7 @@ Json json_of(const CheckResult& result) {
           {"edge", check.is_edge},
           {"slow", check.is_slow},
           {"status", name_of(result.status)},
-          {"story", result.story},
+          {"report", result.report},
           {"printed", result.printed},
           {"repeat", result.repeat},
           {"by_hand", result.by_hand},
@@ -89,7 +89,7 @@ CheckResult check_in(const Json& json) {
   result.check = {json.at("name"), json.at("task"), json.at("needs"), json.at("points"),
                   json.at("main"), json.at("edge"), json.at("slow")};
   result.status = status_named(json.at("status"));
-  result.story = json.at("story");
+  result.report = json.at("report");
   result.printed = json.at("printed");
   result.repeat = json.at("repeat");
   result.by_hand = json.at("by_hand");

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/submission/cache.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/diagnostics.hpp"

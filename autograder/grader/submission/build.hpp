@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/side_by_side.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/submission/submission.hpp"
 #include "sandbox/jail.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;

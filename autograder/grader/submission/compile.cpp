@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/submission/cache.hpp"
 #include "grader/submission/diagnostics.hpp"
 #include "grader/submission/include_policy.hpp"

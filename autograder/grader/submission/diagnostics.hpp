@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "grader/context/labs.hpp"
+#include "grader/checkout/labs.hpp"
 
 namespace mc::grader {
 

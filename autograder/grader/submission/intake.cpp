@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "grader/submission/archive.hpp"
 #include "grader/submission/exports.hpp"
 #include "grader/submission/source.hpp"
@@ -138,7 +138,7 @@ class Taking {
     // "alice/" and "." have names, too.
     const auto end = word.find_last_not_of('/');
     const fs::path place = end == std::string::npos ? word : word.substr(0, end + 1);
-    guarded(id_of(place), word, [&](Handed& handed) {
+    guarded(id_of(place), word, [&](IntakeEntry& entry) {
       const fs::file_status status = fs::symlink_status(place);
       const std::string shown = sandbox::printable_line(word);
       if (!fs::exists(status)) throw Unreadable("no such directory: " + shown);
@@ -149,9 +149,9 @@ class Taking {
       }
       const fs::path root = is_zip ? unpacked_once(place) : place;
       const auto parent = meaning_ == Meaning::many ? parent_in(context_.labs, root) : std::nullopt;
-      if (!parent) return open(root, handed);
+      if (!parent) return open(root, entry);
       children(*parent, is_zip);
-      handed.submission.label.clear();  // nobody's own
+      entry.submission.label.clear();  // nobody's own
     });
   }
 
@@ -183,20 +183,20 @@ class Taking {
   /// Adds what `work` makes of `named`, or why it cannot be read.
   template <class Work>
   void guarded(std::string id, const fs::path& named, const Work& work) {
-    Handed handed;
-    handed.submission.label = std::move(id);
-    handed.submission.path = named;
+    IntakeEntry entry;
+    entry.submission.label = std::move(id);
+    entry.submission.path = named;
     try {
-      work(handed);
+      work(entry);
     } catch (const Unreadable& error) {
-      handed.unreadable = error.what();
+      entry.unreadable = error.what();
     } catch (const std::system_error& error) {
       if (is_machine_fault(error.code())) throw;
-      handed.unreadable = error.code().message();
+      entry.unreadable = error.code().message();
     } catch (const std::exception& error) {
-      handed.unreadable = error.what();
+      entry.unreadable = error.what();
     }
-    if (!handed.submission.label.empty()) intake_.handed.push_back(std::move(handed));
+    if (!entry.submission.label.empty()) intake_.entries.push_back(std::move(entry));
   }
 
   /// Does a platform's export, of several people, lie there? False for what cannot be read.
@@ -237,7 +237,7 @@ class Taking {
   }
 
   /// One person's work below `root`. What holds nothing but a zip is that zip.
-  void open(fs::path root, Handed& handed) {
+  void open(fs::path root, IntakeEntry& entry) {
     std::vector<Files> places = places_in(root);
     if (places.empty()) {
       const Listing listing = listing_of(root);
@@ -247,7 +247,7 @@ class Taking {
         places = places_in(root);
       }
     }
-    take(root, places, handed);
+    take(root, places, entry);
   }
 
   std::vector<Files> places_in(const fs::path& root) const {
@@ -257,18 +257,18 @@ class Taking {
     return places;
   }
 
-  static void take(const fs::path& root, const std::vector<Files>& places, Handed& handed) {
-    handed.submission.files = together(root, places);
-    for (const auto& [lab, file] : handed.submission.files) {
+  static void take(const fs::path& root, const std::vector<Files>& places, IntakeEntry& entry) {
+    entry.submission.files = together(root, places);
+    for (const auto& [lab, file] : entry.submission.files) {
       if (access(file.c_str(), R_OK) == 0) continue;
       throw Unreadable(fmt::format("{} cannot be read: {}", file.filename().string(),
                                    std::generic_category().message(errno)));
     }
     std::set<std::string> where;
-    for (const auto& [lab, file] : handed.submission.files) where.insert(seen_from(root, file));
+    for (const auto& [lab, file] : entry.submission.files) where.insert(seen_from(root, file));
     for (const std::string& place : where) {
       if (place.empty()) continue;
-      handed.submission.found_in += (handed.submission.found_in.empty() ? "" : ", ") + place;
+      entry.submission.found_in += (entry.submission.found_in.empty() ? "" : ", ") + place;
     }
   }
 
@@ -299,30 +299,30 @@ class Taking {
       }
     }
     const auto named = [&](const fs::path& path) { return is_unpacked ? fs::path() : path; };
-    const std::size_t first = intake_.handed.size();
+    const std::size_t first = intake_.entries.size();
     const auto people = gradescope_people(parent);
     for (const auto& [key, directory] : directories_by_person(listing.directories)) {
       const auto known = people.find(directory.filename().string());
       guarded(known == people.end() ? id_of(directory) : id_from_name(known->second),
-              named(directory), [&, &from = directory](Handed& handed) { open(from, handed); });
+              named(directory), [&, &from = directory](IntakeEntry& entry) { open(from, entry); });
     }
     for (const fs::path& zip : listing.zips) {
       if (named_by_platform(zip)) continue;
-      guarded(id_of(zip), named(zip), [&](Handed& handed) { open(unpacked(zip), handed); });
+      guarded(id_of(zip), named(zip), [&](IntakeEntry& entry) { open(unpacked(zip), entry); });
     }
     for (const auto& [person, files] : flat) {
-      guarded(person, {}, [&, &all = files](Handed& handed) { gather(all, handed); });
+      guarded(person, {}, [&, &all = files](IntakeEntry& entry) { gather(all, entry); });
     }
     for (const fs::path& link : listing.links) {
-      guarded(id_of(link), {}, [](Handed&) { throw Unreadable("it is a link"); });
+      guarded(id_of(link), {}, [](IntakeEntry&) { throw Unreadable("it is a link"); });
     }
-    std::stable_sort(intake_.handed.begin() + static_cast<std::ptrdiff_t>(first),
-                     intake_.handed.end(),
+    std::stable_sort(intake_.entries.begin() + static_cast<std::ptrdiff_t>(first),
+                     intake_.entries.end(),
                      [](auto& a, auto& b) { return a.submission.label < b.submission.label; });
   }
 
   /// One person's files among everybody's.
-  void gather(const std::vector<PlatformName>& files, Handed& handed) {
+  void gather(const std::vector<PlatformName>& files, IntakeEntry& entry) {
     std::map<std::string, PlatformName> latest;  // by lab
     for (const PlatformName& one : files) {
       for (const Lab& lab : context_.labs) {
@@ -333,19 +333,19 @@ class Taking {
     }
     std::vector<Files> places;
     for (const auto& [lab, one] : latest) places.push_back({{lab, fs::canonical(one.path)}});
-    if (!places.empty()) return take(files[0].path.parent_path(), places, handed);
+    if (!places.empty()) return take(files[0].path.parent_path(), places, entry);
     std::vector<fs::path> zips;
     for (const PlatformName& one : files) {
       if (one.path.extension() == ".zip") zips.push_back(one.path);
     }
     if (zips.size() > 1) throw Unreadable("several zips: which one counts?");
-    if (zips.size() == 1) open(unpacked(zips[0]), handed);
+    if (zips.size() == 1) open(unpacked(zips[0]), entry);
   }
 
   /// An id is also the name of a file, on disks that take A for a.
   void make_unique() {
     std::set<std::string> taken;
-    for (Handed& one : intake_.handed) {
+    for (IntakeEntry& one : intake_.entries) {
       const std::string plain = one.submission.label;
       const auto key = [&] {
         std::string lower = one.submission.label;
@@ -375,7 +375,7 @@ Intake take_in(const Context& context, const std::vector<std::string>& words, Me
 
 Intake take_in_one(const Context& context, const fs::path& place) {
   Intake intake = take_in(context, {place.string()}, Meaning::one);
-  if (!intake.handed[0].unreadable.empty()) throw UsageError(intake.handed[0].unreadable);
+  if (!intake.entries[0].unreadable.empty()) throw UsageError(intake.entries[0].unreadable);
   return intake;
 }
 

@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/context.hpp"
+#include "grader/checkout/context.hpp"
 #include "grader/submission/scratch.hpp"
 #include "grader/submission/submission.hpp"
 
 namespace mc::grader {
 
 /// One person's work, or why it cannot be read.
-struct Handed {
+struct IntakeEntry {
   Submission submission;   ///< its label is its id: unique, and fit to be shown
   std::string unreadable;  ///< why; empty where it could be read. No files is readable
 };
 
 struct Intake {
-  std::vector<Handed> handed;
+  std::vector<IntakeEntry> entries;
   bool each_word_is_one = false;  ///< what was decided where several were named
   /// What was unpacked, and goes with this.
   std::vector<std::unique_ptr<ScratchDirectory>> unpacked;

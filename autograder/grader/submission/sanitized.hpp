@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/submission/submission.hpp"
 
 namespace mc::grader {

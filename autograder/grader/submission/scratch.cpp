@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;

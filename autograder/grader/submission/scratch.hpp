@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-#include "grader/context/layout.hpp"
+#include "grader/checkout/layout.hpp"
 
 namespace mc::grader {
 

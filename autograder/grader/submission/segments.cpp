@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 
 namespace mc::grader {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {

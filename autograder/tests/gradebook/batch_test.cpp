@@ -104,7 +104,7 @@ TEST_CASE("a verdict survives its way to disk") {
   lab.seconds = 1e-9;
   CheckResult result;
   result.check = {"6.1 a name", "6.1", {"3", "1.1"}, 2.5, true, true, true};
-  result.story = "measured  \x01 \xff";
+  result.report = "measured  \x01 \xff";
   result.printed = "…\n";
   result.repeat = "./lab";
   result.by_hand = "./lab run";

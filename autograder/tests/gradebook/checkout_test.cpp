@@ -48,18 +48,18 @@ struct CopiedBuild {
 };
 
 std::vector<std::string> listed_verbs(const std::string& help) {
-  std::vector<std::string> verbs;
+  std::vector<std::string> commands;
   for (std::string_view line : text::split(help, '\n')) {
     constexpr std::string_view start = "./lab ";
     line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
     if (!line.starts_with(start) || line[start.size()] == ' ') continue;
     line.remove_prefix(start.size());
-    verbs.emplace_back(line.substr(0, line.find(' ')));
+    commands.emplace_back(line.substr(0, line.find(' ')));
   }
-  return verbs;
+  return commands;
 }
 
-/// A build was copied along, as by `cp -r` of another checkout: the door's own tests
+/// A build was copied along, as by `cp -r` of another checkout: the entry script's own tests
 /// (moved_test.cpp) have a stub behind it, this is the whole. It is thrown away, so that all is
 /// built from nothing.
 void works_from_the_first_call_on(const Handout& handout) {
@@ -83,19 +83,19 @@ void works_from_the_first_call_on(const Handout& handout) {
   CHECK(contains(done.output, "100 of 100 points"));
 
   const auto help = handout.lab({"--help"});
-  const auto verbs = listed_verbs(help.output);
-  CHECK(verbs ==
+  const auto commands = listed_verbs(help.output);
+  CHECK(commands ==
         std::vector<std::string>{"setup", "check", "run", "plot", "report", "reset", "submit"});
-  for (const std::string& verb : verbs) {
-    const auto run = handout.lab({verb, "--help"});
-    CAPTURE(verb, run.errors);
+  for (const std::string& command : commands) {
+    const auto run = handout.lab({command, "--help"});
+    CAPTURE(command, run.errors);
     CHECK(run.exit_code == 0);
-    CHECK(contains(run.output, "usage: ./lab " + verb));
+    CHECK(contains(run.output, "usage: ./lab " + command));
   }
-  // What is not handed out is no verb there, and a line says so.
-  for (const char* verb : {"render", "bench", "test", "handout"}) {
-    const auto run = handout.lab({verb});
-    CAPTURE(verb, run.errors);
+  // What is not handed out is no command there, and a line says so.
+  for (const char* command : {"render", "bench", "test", "handout"}) {
+    const auto run = handout.lab({command});
+    CAPTURE(command, run.errors);
     CHECK(run.exit_code == 2);
     CHECK(contains(last_line(run.errors), "is not here"));
   }

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
 

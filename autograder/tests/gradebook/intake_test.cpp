@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/errors.hpp"
-#include "grader/context/shell.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/shell.hpp"
 #include "grader/submission/archive.hpp"
 #include "grader/submission/exports.hpp"
 #include "grader/submission/intake.hpp"
@@ -49,7 +49,7 @@ struct Place : Scratch {
 /// "alice: variance@x/y stratification; bob: !why"
 std::string told(const Intake& intake) {
   std::string all;
-  for (const Handed& one : intake.handed) {
+  for (const IntakeEntry& one : intake.entries) {
     all += (all.empty() ? "" : "; ") + one.submission.label + ":";
     if (!one.unreadable.empty()) all += " !" + one.unreadable;
     for (const auto& [lab, file] : one.submission.files) all += " " + lab;
@@ -226,7 +226,7 @@ TEST_CASE("the exports of learning platforms") {
       .file("class/doejane_4711_993_variance-1.cpp");
   const Intake latest = attempts.take();
   CHECK(told(latest) == "doejane_4711: variance");
-  CHECK(read_text(latest.handed.at(0).submission.files.at("variance")) == "int latest;\n");
+  CHECK(read_text(latest.entries.at(0).submission.files.at("variance")) == "int latest;\n");
 
   // Gradescope's names and addresses.
   Place people;
@@ -287,10 +287,10 @@ TEST_CASE("a word that cannot be read ends nothing but itself") {
   place.file("a/variance.cpp").file("b.cpp");
   const auto at = [&](const char* name) { return (place.path() / name).string(); };
   const Intake intake = take_in(place.context, {at("a"), at("gone"), at("b.cpp")}, Meaning::many);
-  REQUIRE(intake.handed.size() == 3);
-  CHECK(intake.handed[0].unreadable == "");
-  CHECK(intake.handed[1].unreadable.find("no such directory") == 0);
-  CHECK(intake.handed[2].unreadable.find("is a file") != std::string::npos);
+  REQUIRE(intake.entries.size() == 3);
+  CHECK(intake.entries[0].unreadable == "");
+  CHECK(intake.entries[1].unreadable.find("no such directory") == 0);
+  CHECK(intake.entries[2].unreadable.find("is a file") != std::string::npos);
   CHECK_THROWS_AS(take_in_one(place.context, at("gone")), UsageError);
 }
 

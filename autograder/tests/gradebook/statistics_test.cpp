@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/statistics.hpp"
 #include "grader/reports/report.hpp"
@@ -21,11 +21,11 @@ namespace {
 
 const std::vector<Lab> two_labs{{1, "variance", "1-variance", {}}, {5, "halton", "5-halton", {}}};
 
-CheckResult result_of(const std::string& name, Status status, const std::string& story = "") {
+CheckResult result_of(const std::string& name, Status status, const std::string& report = "") {
   CheckResult result;
   result.check.name = name;
   result.status = status;
-  result.story = story;
+  result.report = report;
   return result;
 }
 

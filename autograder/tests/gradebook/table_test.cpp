@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "checks/support/catch.hpp"
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/table.hpp"
 #include "tests/gradebook/course.hpp"

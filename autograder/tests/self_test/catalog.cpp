@@ -10,7 +10,7 @@
 #include <map>
 #include <memory>
 
-#include "grader/context/errors.hpp"
+#include "grader/base/errors.hpp"
 #include "runner/text.hpp"
 #include "sandbox/process.hpp"
 

@@ -17,14 +17,14 @@ namespace {
 /// A tenth of what a measurement may use: then a slow machine, or a plainer answer, is no fault.
 constexpr double most_allowed = 0.2;
 
-/// The dearest measurement of a check: its CPU time, and its experiment.
+/// The costliest measurement of a check: its CPU time, and its experiment.
 struct Cost {
   double seconds;
   std::string experiment, check, file;
 };
 
 double seconds_of(const CheckResult& result) {
-  return std::strtod(result.dearest.c_str(), nullptr);
+  return std::strtod(result.costliest.c_str(), nullptr);
 }
 
 /// The least of three: other work on the machine only ever adds.
@@ -53,9 +53,9 @@ void prove_cost(const std::string& lab) {
     const Proof proof = proof_of({file});
     if (!proof.built.program) return complain(proof.built.failure);
     for (const CheckResult& result : proof.judge(1).checks) {
-      if (result.check.is_slow || result.dearest.empty()) continue;
-      const auto blank = result.dearest.find(' ');
-      costs.push_back({seconds_at_least(proof, result), result.dearest.substr(blank + 1),
+      if (result.check.is_slow || result.costliest.empty()) continue;
+      const auto blank = result.costliest.find(' ');
+      costs.push_back({seconds_at_least(proof, result), result.costliest.substr(blank + 1),
                        result.check.name, file.filename().string()});
     }
   }

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/errors.hpp"
-#include "grader/context/side_by_side.hpp"
-#include "grader/context/text_file.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/submission/scratch.hpp"
 #include "tests/self_test/proof.hpp"
 
@@ -89,7 +89,7 @@ void prove_against_lies(const std::string& name, unsigned count) {
           result.status == Status::internal_error || result.status == Status::not_judged;
       if (has_fallen) {
         complain(
-            fmt::format("{}: '{}' has fallen: {}", plan.words(), result.check.name, result.story));
+            fmt::format("{}: '{}' has fallen: {}", plan.words(), result.check.name, result.report));
       }
       if (result.status == Status::passed && result.check.is_main && cannot_be_right(plan)) {
         complain(fmt::format("{}: '{}' passed", plan.words(), result.check.name));

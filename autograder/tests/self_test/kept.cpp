@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "protocol/records.hpp"
 
 namespace mc::self_test {

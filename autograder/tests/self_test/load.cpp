@@ -59,7 +59,7 @@ bool meets_a_limit(const LabVerdict& verdict) {
   if (!verdict.no_program.empty()) return false;  // the compiler's limits are another matter
   for (const CheckResult& result : verdict.checks) {
     if (result.status != grader::Status::failed) continue;  // one that waits, waits however it ends
-    if (result.story.find("did not end within") != std::string::npos) return true;
+    if (result.report.find("did not end within") != std::string::npos) return true;
   }
   return false;
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/context/labs.hpp"
-#include "grader/context/layout.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/judging/verdict.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"
@@ -70,7 +70,7 @@ std::string kind_of(const std::filesystem::path& file);
 Proof proof_of(const Subject& subject);
 
 /// No measurement costs a right answer of the lab more than 0.2 s of CPU time, compiled as for any
-/// x86-64; prints the dearest.
+/// x86-64; prints the costliest.
 void prove_cost(const std::string& lab);
 
 /// Task numbers, points, names.

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "grader/context/text_file.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/judging/judge.hpp"
 #include "tests/self_test/proof.hpp"
 

@@ -79,10 +79,10 @@ void print_cost(const LabVerdict& verdict) {
   double worst = 0;
   std::string which = "nothing above 0.02";
   for (const CheckResult& result : verdict.checks) {
-    const double seconds = std::strtod(result.dearest.c_str(), nullptr);
+    const double seconds = std::strtod(result.costliest.c_str(), nullptr);
     if (result.check.is_slow || seconds <= worst) continue;
     worst = seconds;
-    which = fmt::format("{} in '{}'", result.dearest, result.check.name);
+    which = fmt::format("{} in '{}'", result.costliest, result.check.name);
   }
   fmt::print("most expensive measurement, in seconds of CPU time: {}\n", which);
 }

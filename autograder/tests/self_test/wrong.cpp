@@ -43,7 +43,7 @@ std::string compare_failures(const LabVerdict& verdict, std::set<std::string> ta
                          result.status == Status::withheld ||
                          (may_be_unwritten && result.status == Status::not_written);
     if (result.status == Status::failed || result.status == Status::withheld) {
-      reports += result.story + '\n';
+      reports += result.report + '\n';
     }
     if (excused) continue;
     if (result.status != Status::failed) {
@@ -121,7 +121,7 @@ void prove_starter(const Proof& proof) {
   for (const CheckResult& result : verdict.checks) {
     if (result.status != Status::not_written) {
       complain(fmt::format("'{}' is {}\n{}", result.check.name, describe(result, verdict),
-                           result.story));
+                           result.report));
     }
   }
 }
@@ -174,20 +174,21 @@ void prove_attack(const Proof& proof, const Subject& subject) {
   if (verdict.earned() > most) {
     complain(fmt::format("it earned {:g} points; {:g} are the most", verdict.earned(), most));
   }
-  std::string stories = verdict.no_program;
+  std::string reports = verdict.no_program;
   for (const CheckResult& result : verdict.checks) {
-    stories += '\n' + result.story + '\n' + result.printed;
+    reports += '\n' + result.report + '\n' + result.printed;
     if (result.status == Status::internal_error) {
-      complain(fmt::format("it broke the autograder in '{}': {}", result.check.name, result.story));
+      complain(
+          fmt::format("it broke the autograder in '{}': {}", result.check.name, result.report));
     }
   }
   for (const std::string& word : words) {
-    if (stories.find(word) == std::string::npos) complain("no story says: " + word);
+    if (reports.find(word) == std::string::npos) complain("no report says: " + word);
   }
   for (const std::string& word : said(subject, "never says")) {
-    if (stories.find(word) != std::string::npos) complain("a story says: " + word);
+    if (reports.find(word) != std::string::npos) complain("a report says: " + word);
   }
-  if (sandbox::printable(stories) != stories) complain("what it is told is not printable");
+  if (sandbox::printable(reports) != reports) complain("what it is told is not printable");
   for (const std::string_view line : text::split(proof.report(verdict, seed), '\n')) {
     constexpr std::size_t longest = 420;  // a compiler's line, cut
     if (line.size() > longest) complain(fmt::format("too long a line: {}", line.substr(0, 80)));

@@ -1,0 +1,51 @@
+#include "grader/base/side_by_side.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace mc::grader {
+
+void run_side_by_side(std::size_t count, unsigned workers,
+                      const std::function<void(std::size_t)>& work) {
+  std::mutex mutex;
+  std::size_t next = 0;
+  std::exception_ptr failure;
+  const auto labour = [&] {
+    for (;;) {
+      std::size_t mine = 0;
+      {
+        const std::lock_guard lock(mutex);
+        if (failure || next == count) return;
+        mine = next++;
+      }
+      try {
+        work(mine);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  // One of them is the caller's own: with one worker no thread has to be made.
+  for (unsigned i = 1; i < workers && i < count; ++i) {
+    try {
+      threads.emplace_back(labour);
+    } catch (const std::system_error&) {  // no more threads: those there are do the work
+      break;
+    }
+  }
+  labour();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+unsigned cores() {
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,100 @@
+#include "grader/checkout/labs.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// Levenshtein's distance.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t above = row[j + 1];
+      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+/// The names X of a header's lines #include "X.hpp".
+std::vector<std::string> included_by(const fs::path& header) {
+  const std::string start = "#include \"", end = ".hpp\"";
+  std::vector<std::string> names;
+  std::ifstream file(header);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(start) && line.ends_with(end)) {
+      names.push_back(line.substr(start.size(), line.size() - start.size() - end.size()));
+    }
+  }
+  return names;
+}
+
+void add_ancestors(std::vector<Lab>& labs, const Layout& layout) {
+  for (Lab& lab : labs) {  // in order: those it stands on have lower numbers and are done
+    for (const std::string& name : included_by(layout.labs() / lab.folder / lab.header())) {
+      for (const Lab& other : labs) {
+        if (other.name != name || other.number >= lab.number) continue;
+        lab.stands_on.insert(lab.stands_on.end(), other.stands_on.begin(), other.stands_on.end());
+        lab.stands_on.push_back(other.name);
+      }
+    }
+    std::sort(lab.stands_on.begin(), lab.stands_on.end());
+    lab.stands_on.erase(std::unique(lab.stands_on.begin(), lab.stands_on.end()),
+                        lab.stands_on.end());
+  }
+}
+
+}  // namespace
+
+std::string Lab::title() const {
+  std::string words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return fmt::format("Lab {} · {}", number, words);
+}
+
+std::vector<Lab> find_labs(const Layout& layout) {
+  std::vector<Lab> labs;
+  for (const auto& entry : fs::directory_iterator(layout.labs())) {
+    const std::string folder = entry.path().filename().string();
+    const auto dash = folder.find('-');
+    if (!entry.is_directory() || dash == std::string::npos || dash == 0 ||
+        folder.find_first_not_of("0123456789") != dash) {
+      continue;
+    }
+    std::string name = folder.substr(dash + 1);
+    std::replace(name.begin(), name.end(), '-', '_');
+    labs.push_back({std::stoi(folder.substr(0, dash)), name, folder, {}});
+  }
+  std::sort(labs.begin(), labs.end(), [](auto& a, auto& b) { return a.number < b.number; });
+  add_ancestors(labs, layout);
+  return labs;
+}
+
+const Lab& find_lab(const std::vector<Lab>& labs, const std::string& text) {
+  std::vector<std::string> names;
+  for (const Lab& lab : labs) {
+    if (text == lab.name || text == lab.folder || text == std::to_string(lab.number)) return lab;
+    names.push_back(lab.name);
+  }
+  throw UsageError(fmt::format("no lab '{}'; did you mean '{}'? There are: {}", text,
+                               nearest(text, names), fmt::join(names, ", ")));
+}
+
+std::string nearest(const std::string& text, const std::vector<std::string>& choices) {
+  return *std::min_element(choices.begin(), choices.end(),
+                           [&](auto& a, auto& b) { return distance(text, a) < distance(text, b); });
+}
+
+}  // namespace mc::grader

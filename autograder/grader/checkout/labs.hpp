@@ -1,0 +1,31 @@
+#pragma once
+// The labs there are: a folder labs/N-name each, found by looking.
+
+#include <string>
+#include <vector>
+
+#include "grader/checkout/layout.hpp"
+
+namespace mc::grader {
+
+struct Lab {
+  int number = 0;
+  std::string name;                    ///< "blue_noise": of its header, its .cpp, its checks
+  std::string folder;                  ///< "4-blue-noise"
+  std::vector<std::string> stands_on;  ///< names of the labs whose files its program links too
+
+  std::string file() const { return name + ".cpp"; }
+  std::string header() const { return name + ".hpp"; }
+  std::string title() const;  ///< "Lab 4 · blue noise"
+};
+
+/// All labs, by number. A lab stands on those whose headers its own header includes, and on theirs.
+std::vector<Lab> find_labs(const Layout& layout);
+
+/// By number, name or folder. Throws UsageError with the nearest name where there is none.
+const Lab& find_lab(const std::vector<Lab>& labs, const std::string& text);
+
+/// The one of `choices` that is nearest to `text` in edits, for "did you mean".
+std::string nearest(const std::string& text, const std::vector<std::string>& choices);
+
+}  // namespace mc::grader

@@ -1,0 +1,121 @@
+// check: one lab of a submission, judged.
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/judging_options.hpp"
+#include "grader/commands/lab_and_task.hpp"
+#include "grader/commands/progress.hpp"
+#include "grader/commands/watch.hpp"
+#include "grader/judging/judge_submission.hpp"
+#include "grader/reports/progress_line.hpp"
+#include "grader/reports/report.hpp"
+#include "grader/submission/compile.hpp"
+#include "grader/submission/intake.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The same, without what the watching is for.
+std::vector<std::string> words_for_watched(const Arguments& arguments) {
+  std::vector<std::string> words{"check"};
+  for (const auto& [option, value] : arguments.options) {
+    if (option == "watch") continue;
+    words.push_back("--" + option + (value.empty() ? "" : '=' + value));
+  }
+  words.emplace_back("--");
+  words.insert(words.end(), arguments.words.begin(), arguments.words.end());
+  return words;
+}
+
+/// The files that a verdict on this lab hangs on.
+std::vector<fs::path> files_of(const Submission& submission, const Lab& lab) {
+  std::vector<fs::path> files{submission.files.at(lab.name)};
+  for (const std::string& name : lab.stands_on) {
+    const auto file = submission.files.find(name);
+    if (file != submission.files.end()) files.push_back(file->second);
+  }
+  return files;
+}
+
+int check(const Context& context, const Arguments& arguments) {
+  const char* const usage =
+      "usage: ./lab check LAB [TASK] [DIR] (LAB is 1, variance or 1-variance; TASK 1.3)";
+  if (arguments.words.empty()) throw UsageError(usage);
+  const LabAndTask meant = lab_and_task(context.labs, arguments.words);
+  if (meant.rest.size() > 1) throw UsageError(usage);
+  const Lab& lab = meant.lab;
+  const bool own = meant.rest.empty();
+  const fs::path directory = own ? context.layout.starter() : fs::path(meant.rest[0]);
+  const auto json = arguments.get("json");
+  require_writable(json);
+  const Intake intake = take_in_one(context, directory);
+  const Submission& submission = intake.entries[0].submission;
+  // For a machine that reads results.json, a missing file is a grade like any other: none.
+  if (!submission.files.contains(lab.name) && !json) {
+    throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));
+  }
+  if (arguments.has("watch")) {
+    if (json) throw UsageError("--watch writes no file: leave out --json");
+    if (!fs::is_directory(directory)) throw UsageError("--watch takes a directory");
+    return watch(context, words_for_watched(arguments), files_of(submission, lab));
+  }
+  const bool is_first_time = !fs::exists(context.layout.build / "programs");
+  SubmissionOptions options;
+  options.judge.seed = seed_of(arguments);
+  options.judge.only = arguments.get("only").value_or(meant.task);
+  options.judge.first = arguments.has("first");
+  options.with_speed = false;
+  const bool is_whole = options.judge.only.empty() && !options.judge.first;
+  Verdict verdict = [&] {
+    ProgressLine line("checking " + lab.name);
+    options.progress = [&](double done, double all, const std::string& what) {
+      line.show(100 * done, 100 * all, what);
+    };
+    return judge_submission(context, submission, {lab}, options);
+  }();
+  LabVerdict& judged = verdict.labs[0];
+  const auto watched = watching_terminal();
+  fmt::print("{}", watched ? report_open_first(judged, verdict, *watched)
+                           : report_lab(judged, verdict, this_terminal()));
+  std::fflush(stdout);  // into a pipe, too: what follows takes a while
+  // No grade, and no file that could be taken for one.
+  if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
+  if (judged.no_program.empty() && !watched) {  // who watches waits for the next verdict
+    {
+      const ProgressLine line("timing " + lab.name);
+      add_speed(context, submission, judged);
+    }
+    if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
+  }
+  if (json) write_text(*json, report_json(verdict, {}));
+  // For the next time; but who is here for the first time waits for nothing more.
+  if (!is_first_time) precompile_headers(context.layout);
+  if (own && is_whole) remember(context.layout, judged);
+  return verdict.earned() == verdict.points() ? 0 : 1;
+}
+
+const RegisterCommand check_command{
+    {"check",
+     "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE]",
+     {"only=", "first", "watch", "seed=", "json="},
+     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, its checks "
+     "alone:\n"
+     "./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
+     "  --first       stop at the first task that is not right\n"
+     "  --watch       judge again after each save; the first open task stands on top; Ctrl-C ends\n"
+     "  --seed S      the run with that seed again; every report names its own\n"
+     "  --json FILE   Gradescope's results.json as well\n"
+     "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "
+     "something.\n",
+     check}};
+
+}  // namespace
+}  // namespace mc::grader

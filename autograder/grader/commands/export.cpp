@@ -1,0 +1,90 @@
+// export: a class's files, laid out for another tool.
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/shell.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/submission/intake.hpp"
+#include "grader/submission/scratch.hpp"
+#include "grader/submission/source.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Files = std::map<std::string, fs::path>;  // lab name -> file
+
+void copy_files(const Context& context, const Files& files, const fs::path& to) {
+  fs::create_directories(to);
+  for (const auto& [lab, file] : files) {
+    const SourceFile source = read_source(file);
+    if (!source.problem.empty()) {
+      fmt::print("left out: {}: {}\n", to.filename().string(), source.problem);
+      continue;
+    }
+    write_text(to / find_lab(context.labs, lab).file(), source.text);
+  }
+}
+
+Files starters(const Context& context) {
+  Files files;
+  for (const Lab& lab : context.labs) {
+    const fs::path file = context.layout.starter() / lab.file();
+    if (fs::exists(file)) files[lab.name] = file;
+  }
+  return files;
+}
+
+int export_class(const Context& context, const Arguments& arguments) {
+  const auto out = arguments.get("out");
+  if (arguments.words.size() < 2 || arguments.words[0] != "jplag" || !out) {
+    throw UsageError("usage: ./lab export jplag DIR|ZIP... --out D");
+  }
+  const fs::path to = *out;
+  if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to))) {
+    throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(to.string())));
+  }
+  sweep_scratch(context.layout);
+  const Intake intake =
+      take_in(context, {arguments.words.begin() + 1, arguments.words.end()}, Meaning::many);
+  std::size_t count = 0;
+  for (const IntakeEntry& one : intake.entries) {
+    const Submission& submission = one.submission;
+    if (!one.unreadable.empty() || submission.files.empty()) {
+      fmt::print("left out: {}: {}\n", submission.label,
+                 one.unreadable.empty() ? "no lab's file in it" : one.unreadable);
+      continue;
+    }
+    copy_files(context, submission.files, to / "submissions" / submission.label);
+    ++count;
+  }
+  if (count == 0) throw UsageError("there is no file of any lab");
+  copy_files(context, starters(context), to / "base-code");
+  fmt::print("{} submissions: java -jar jplag.jar -l cpp -bc {} {}\n", count,
+             shell_quoted((to / "base-code").string()),
+             shell_quoted((to / "submissions").string()));
+  return 0;
+}
+
+const RegisterCommand export_command{
+    {"export",
+     "export jplag DIR|ZIP... --out D",
+     {"out="},
+     "For JPlag, which finds similar submissions: D/submissions/ with a folder for each submission "
+     "and\n"
+     "the labs' files in it, and D/base-code/ with the starters, which everybody was given. "
+     "Submissions\n"
+     "are found as ./lab grade finds them; no link is followed. JPlag itself is at\n"
+     "https://github.com/jplag/JPlag; this prints the command.\n",
+     export_class}};
+
+}  // namespace
+}  // namespace mc::grader

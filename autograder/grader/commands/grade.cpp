@@ -1,0 +1,334 @@
+// grade: whole submissions, judged.
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/judging_options.hpp"
+#include "grader/gradebook/batch.hpp"
+#include "grader/gradebook/book.hpp"
+#include "grader/gradebook/class_page.hpp"
+#include "grader/gradebook/corrections.hpp"
+#include "grader/gradebook/slurm.hpp"
+#include "grader/judging/judge_submission.hpp"
+#include "grader/reports/progress_line.hpp"
+#include "grader/reports/report.hpp"
+#include "grader/submission/compile.hpp"
+#include "grader/submission/intake.hpp"
+#include "grader/submission/scratch.hpp"
+#include "runner/text.hpp"
+#include "sandbox/printable.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// The labs that --lab names, by number; empty where it is not there: those that were handed in.
+std::vector<Lab> labs_asked_for(const Context& context, const Arguments& arguments) {
+  std::vector<Lab> labs;
+  const auto names = arguments.get("lab");
+  if (!names) return labs;
+  for (const std::string_view name : text::split(*names, ',')) {
+    const Lab& lab = find_lab(context.labs, std::string(name));
+    const auto same = [&](auto& one) { return one.number == lab.number; };
+    if (std::none_of(labs.begin(), labs.end(), same)) labs.push_back(lab);
+  }
+  std::sort(labs.begin(), labs.end(), [](auto& a, auto& b) { return a.number < b.number; });
+  return labs;
+}
+
+/// Draws with the program that can: its pictures are listed.
+void show_plots(const Context& context, const Submission& submission,
+                const std::vector<Lab>& labs) {
+  const std::string program = (context.layout.build / "bin" / "course").string();
+  for (const Lab& lab : labs) {
+    const auto file = submission.files.find(lab.name);
+    if (file == submission.files.end()) continue;
+    const auto drawn = sandbox::run_process(
+        {program, "plot", lab.name, file->second.parent_path().string(), "--alone"});
+    fmt::print("{}", drawn.output);
+    if (!drawn.succeeded()) fmt::print("{}", sandbox::printable(drawn.errors));
+  }
+}
+
+/// One of the class on n machines: "2/3" has every third submission, the second one first.
+std::vector<IntakeEntry> shard_of(std::vector<IntakeEntry> entries,
+                                  const std::optional<std::string>& shard) {
+  if (!shard) return entries;
+  std::size_t which = 0, count = 0;
+  const char* const end = shard->data() + shard->size();
+  const auto first = std::from_chars(shard->data(), end, which);
+  const bool is_pair = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+  const auto second = is_pair ? std::from_chars(first.ptr + 1, end, count) : first;
+  if (!is_pair || second.ec != std::errc{} || second.ptr != end || which == 0 || which > count) {
+    throw UsageError(fmt::format("--shard takes k/n with 1 <= k <= n, not '{}'",
+                                 sandbox::printable_line(*shard)));
+  }
+  std::vector<IntakeEntry> mine;
+  for (std::size_t i = which - 1; i < entries.size(); i += count) {
+    mine.push_back(std::move(entries[i]));
+  }
+  return mine;
+}
+
+/// The seed of what is gone on with; a new one is the given or a fresh one.
+std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::string>& csv) {
+  const auto given = arguments.number("seed");
+  if (!csv) {
+    if (arguments.has("resume")) throw UsageError("--resume takes the --csv that it goes on with");
+    return seed_of(arguments);
+  }
+  const BookState state = read_book_state(*csv);
+  if (!arguments.has("resume")) {
+    if (state.exists && !state.finished && state.verdicts > 0) {
+      throw UsageError(
+          fmt::format("{} has {} verdicts of a run that did not end: --resume goes on "
+                      "with it; to begin again, remove it",
+                      verdicts_beside(*csv).string(), state.verdicts));
+    }
+    return seed_of(arguments);
+  }
+  if (state.exists && given && *given != state.seed) {
+    throw UsageError(fmt::format("{} was begun with seed {}", *csv, state.seed));
+  }
+  return state.exists ? state.seed : seed_of(arguments);
+}
+
+/// What is kept of a run: its table and verdicts, where they are asked for, and its pages.
+class Records {
+ public:
+  Records(const Context& context, const Arguments& arguments, const std::vector<IntakeEntry>& all,
+          const std::vector<IntakeEntry>& mine, const std::vector<Lab>& asked_for,
+          std::uint64_t seed)
+      : context_(context), mine_(mine), csv_(arguments.get("csv")), html_(arguments.get("html")) {
+    if (html_) fs::create_directories(*html_);
+    if (html_ && !csv_) {  // pages are made of a table in any case
+      scratch_ = std::make_unique<ScratchDirectory>(context.layout);
+      csv_ = (scratch_->path() / "grades.csv").string();
+    }
+    if (!csv_) return;
+    std::vector<std::string> ids;
+    for (const IntakeEntry& one : mine) ids.push_back(one.submission.label);
+    // Of all, so that the tables of several shards have the same columns.
+    book_.emplace(Book::Setup{*csv_, columns_for(context, all, asked_for), std::move(ids), seed,
+                              arguments.has("resume")});
+  }
+
+  Book* book() { return book_ ? &*book_ : nullptr; }
+
+  void finish(bool whole) {
+    if (book_) book_->finish(whole);
+    if (!csv_) return;
+    const Table corrected = read_corrected_table(*csv_, context_.labs);
+    write_text(*csv_, table_text(corrected));
+    if (!html_) return;
+    write_class_pages(*html_, context_, corrected, mine_);
+    fmt::print("pages: {}\n", sandbox::printable_line((fs::path(*html_) / "index.html").string()));
+  }
+
+ private:
+  const Context& context_;
+  const std::vector<IntakeEntry>& mine_;
+  std::optional<std::string> csv_, html_;
+  std::unique_ptr<ScratchDirectory> scratch_;
+  std::optional<Book> book_;
+};
+
+/// Everything about one submission.
+int grade_one(const Context& context, const IntakeEntry& entry, Records& records,
+              const Arguments& arguments, const std::vector<Lab>& asked_for,
+              SubmissionOptions options) {
+  Book* const book = records.book();
+  const Submission& submission = entry.submission;
+  const auto json = arguments.get("json");
+  const auto labs = labs_of(context, submission, asked_for);
+  if (!entry.unreadable.empty() && book == nullptr && !json) throw UsageError(entry.unreadable);
+  if (labs.empty() && book == nullptr && !json && entry.unreadable.empty()) {
+    throw UsageError(fmt::format("{} has no file of any lab ({} …)", submission.label,
+                                 context.labs.empty() ? "" : context.labs[0].file()));
+  }
+  const Verdict verdict = [&] {
+    ProgressLine line("grading " + submission.label);
+    options.progress = [&](double done, double all, const std::string& what) {
+      line.show(100 * done, 100 * all, fmt::format("{}, {}", submission.label, what));
+    };
+    return judge_entry(context, entry, labs, options);
+  }();
+  if (book != nullptr) {
+    book->begin();
+    book->add(verdict);
+    records.finish(true);
+  }
+  for (const LabVerdict& lab : verdict.labs) {
+    fmt::print("{}\n", report_lab(lab, verdict, this_terminal()));
+  }
+  if (labs.size() > 1 || !verdict.unreadable.empty()) fmt::print("{}", report_summary({verdict}));
+  if (!verdict.absent.empty() && asked_for.empty() && verdict.unreadable.empty()) {
+    fmt::print("not handed in: {}\n", fmt::join(verdict.absent, ", "));
+  }
+  // No grade, and no file that could be taken for one.
+  if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
+  if (json) {
+    ForGradescope wanted;
+    wanted.leaderboard = arguments.has("leaderboard");
+    wanted.visibility = visibility_of(arguments).value_or(wanted.visibility);
+    write_text(*json, report_json(verdict, wanted));
+  }
+  if (!arguments.has("no-plots")) show_plots(context, submission, labs);
+  return 0;
+}
+
+int grade_many(const Context& context, const std::vector<IntakeEntry>& entries, Records& records,
+               bool can_resume, const BatchOptions& options) {
+  const BatchOutcome outcome = run_batch(context, entries, records.book(), options);
+  records.finish(outcome.stopped.empty() && outcome.not_judged == 0);
+  if (!sandbox::jail_is_complete()) {
+    Verdict without;
+    without.jail_complete = false;
+    fmt::print("{}", jail_warning(without));
+  }
+  fmt::print("{} submissions: {} judged", entries.size(), outcome.judged);
+  if (outcome.known > 0) fmt::print(", {} were before", outcome.known);
+  if (outcome.unreadable > 0) fmt::print(", {} unreadable", outcome.unreadable);
+  if (outcome.not_judged > 0) fmt::print(", {} not judged", outcome.not_judged);
+  fmt::print("; seed {}\n", options.judging.judge.seed);
+  const std::string next = can_resume ? "; once that is mended, go on with --resume" : "";
+  if (!outcome.stopped.empty()) {
+    throw MachineError(
+        fmt::format("the machine fails at a known program, too ({}): the rest was not "
+                    "tried{}",
+                    outcome.stopped, next));
+  }
+  if (outcome.not_judged > 0) {
+    throw MachineError(fmt::format("not judged: {} of {} submissions{}", outcome.not_judged,
+                                   entries.size(), next));
+  }
+  return 0;
+}
+
+/// One task of a cluster for each submission; the table is gathered by --resume.
+int grade_on_slurm(const Context& context, const Arguments& arguments, std::size_t count,
+                   Records& records, std::uint64_t seed) {
+  SlurmTasks tasks;
+  tasks.csv = *arguments.get("csv");
+  tasks.count = count;
+  tasks.seed = seed;
+  tasks.go_on = arguments.has("resume");
+  if (const auto labs = arguments.get("lab")) tasks.options = {"--lab", *labs};
+  if (arguments.has("speed")) tasks.options.emplace_back("--speed");
+  tasks.words = arguments.words;
+  if (!tasks.go_on) records.book()->begin();
+  const std::string job = submit_tasks(context, tasks);
+  fmt::print(
+      "job {}: {} tasks, seed {}; once squeue has none of them, the same with --resume and "
+      "without --slurm\ngathers what they judged, and judges here what they did not\n",
+      job, count, seed);
+  return 0;
+}
+
+void check_slurm(const Arguments& arguments) {
+  if (!arguments.has("slurm")) return;
+  if (!arguments.has("csv")) throw UsageError("--slurm takes --csv FILE, which --resume gathers");
+  for (const char* other : {"json", "html", "shard"}) {
+    if (arguments.has(other)) {
+      throw UsageError(fmt::format("--slurm takes no --{}: give it with --resume, later", other));
+    }
+  }
+}
+
+int grade(const Context& context, const Arguments& arguments) {
+  if (arguments.words.empty())
+    throw UsageError("usage: ./lab grade DIR|ZIP... (try: ./lab grade solutions)");
+  const auto json = arguments.get("json"), csv = arguments.get("csv");
+  require_writable(json);
+  require_writable(csv);
+  const auto html = arguments.get("html");
+  require_writable(html);
+  if (html && fs::exists(*html) && !fs::is_directory(*html)) {
+    throw UsageError(
+        fmt::format("--html takes a directory, and {} is none", sandbox::printable_line(*html)));
+  }
+  if (json && arguments.words.size() > 1) {
+    throw UsageError("--json takes one DIR; for several there is --csv");
+  }
+  if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard takes --json FILE");
+  if (visibility_of(arguments) && !json) throw UsageError("--visibility takes --json FILE");
+  check_slurm(arguments);
+  BatchOptions options;
+  options.asked_for = labs_asked_for(context, arguments);
+  options.workers = static_cast<unsigned>(
+      std::clamp<std::uint64_t>(arguments.number("jobs").value_or(cores()), 1, 512));
+  options.with_speed = arguments.has("speed");
+  options.judging.judge.seed = seed_for(arguments, csv);
+  options.judging.judge.workers = options.workers;
+  sweep_scratch(context.layout);
+  Intake intake = take_in(context, arguments.words, json ? Meaning::one : Meaning::many);
+  if (!json && (arguments.words.size() > 1 || intake.entries.size() > 1)) {
+    fmt::print("{} submissions: {}\n", intake.entries.size(),
+               intake.each_word_is_one ? "one in each directory or zip that is named"
+                                       : "one in each directory, zip or name in what is named");
+  }
+  if (arguments.has("resume")) gather_tasks(*csv);
+  const bool single = intake.entries.size() == 1 && !arguments.has("shard");
+  const std::vector<IntakeEntry> mine = shard_of(intake.entries, arguments.get("shard"));
+  Records records(context, arguments, intake.entries, mine, options.asked_for,
+                  options.judging.judge.seed);
+  precompile_headers(context.layout);
+  if (arguments.has("slurm")) {
+    return grade_on_slurm(context, arguments, mine.size(), records, options.judging.judge.seed);
+  }
+  if (single) {
+    return grade_one(context, mine[0], records, arguments, options.asked_for, options.judging);
+  }
+  return grade_many(context, mine, records, csv.has_value(), options);
+}
+
+const RegisterCommand grade_command{
+    {"grade",
+     "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--html DIR] [--json FILE] ...",
+     {"lab=,", "json=", "leaderboard", "visibility=", "csv=", "resume", "html=", "shard=", "slurm",
+      "seed=", "jobs=j", "speed", "no-plots"},
+     "Every lab that DIR has a file of: at its top, in starter/, or wherever it is below. A "
+     "directory\n"
+     "or zip of several people's work, as Gradescope, Canvas and Moodle export it, means each of "
+     "them.\n"
+     "One submission is reported check by check and its plots are drawn; of several, a line "
+     "each.\n"
+     "  --lab LAB     that lab, whatever was handed in: no file is 0 points (several: --lab 1,2)\n"
+     "  --csv FILE    a row for each submission as soon as it is judged, and its whole verdict in\n"
+     "                FILE-verdicts/\n"
+     "  --resume      go on where a run with the same FILE ended, with its seed; what has changed "
+     "or\n"
+     "                was not judged is judged again\n"
+     "  --html DIR    DIR/index.html, everybody's points and what ./lab stats says of them, and a "
+     "page\n"
+     "                for each submission\n"
+     "  --json FILE   Gradescope's results.json (one DIR)\n"
+     "  --leaderboard with --json: how many times as fast as the reference, for the class to see\n"
+     "  --visibility V  with --json: visible, hidden, after_due_date or after_published\n"
+     "  --seed S      the same seed again\n"
+     "  -j N          so many at the same time: submissions, or of one its checks (all cores)\n"
+     "  --speed       measure the speed tasks, too: of several in the end, one after the other\n"
+     "  --shard k/n   every n-th submission from the k-th on, for n machines; ./lab merge joins "
+     "the "
+     "tables\n"
+     "  --slurm       with --csv: submit a task for each submission to a cluster; --resume "
+     "gathers\n"
+     "  --no-plots    no plots\n"
+     "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some are not judged, and "
+     "have\n"
+     "no points.\n",
+     grade}};
+
+}  // namespace
+}  // namespace mc::grader

@@ -1,0 +1,107 @@
+// gradescope: the zip that Gradescope builds its image from.
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/judging_options.hpp"
+#include "grader/commands/tree.hpp"
+#include "grader/submission/scratch.hpp"
+#include "sandbox/printable.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Replaces the line of a shell script that sets this.
+void set(std::string& script, const std::string& name, const std::string& value) {
+  const auto at = script.find('\n' + name + '=');
+  if (at == std::string::npos) throw MachineError("run_autograder does not set " + name);
+  const auto begin = at + 1 + name.size() + 1;
+  script.replace(begin, script.find('\n', begin) - begin, value);
+}
+
+/// Everything that is zipped, in a directory.
+void lay_out(const Context& context, const Arguments& arguments, const std::string& labs,
+             const fs::path& to) {
+  const fs::path root = context.layout.root, place = root / "autograder" / "gradescope";
+  const auto chosen = labs_and_those_below(context, labs);
+  for (const std::string& file : files_without_answers(context, chosen)) {
+    copy_into(root / file, to / file);
+  }
+  if (arguments.has("leaderboard")) {  // it compares with them; nothing else needs them
+    for (const std::string& lab : chosen) {
+      const fs::path file = fs::path("solutions") / find_lab(context.labs, lab).file();
+      copy_into(root / file, to / file);
+    }
+  }
+  write_text(to / "VERSION.txt", context.layout.version + '\n');  // there is no git to ask
+  for (const char* script : {"setup.sh", "run_autograder"}) copy_into(place / script, to / script);
+  std::string run = read_whole_text(place / "run_autograder");
+  set(run, "LAB", labs);
+  set(run, "LEADERBOARD", arguments.has("leaderboard") ? "1" : "");
+  set(run, "VISIBILITY", visibility_of(arguments).value_or(""));
+  write_text(to / "run_autograder", run);
+  for (const char* script : {"setup.sh", "run_autograder"}) {
+    fs::permissions(to / script, fs::perms(0755));
+  }
+}
+
+int gradescope(const Context& context, const Arguments& arguments) {
+  const auto out = arguments.get("out");
+  if (arguments.words.empty() || !out) {
+    throw UsageError("usage: ./lab gradescope LAB... --out FILE.zip (./lab gradescope --help)");
+  }
+  require_writable(out);
+  std::vector<std::string> names;
+  for (const std::string& word : arguments.words) {
+    const std::string& name = find_lab(context.labs, word).name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const ScratchDirectory scratch(context.layout);
+  const fs::path tree = scratch.path() / "tree", zip = fs::absolute(*out);
+  lay_out(context, arguments, fmt::format("{}", fmt::join(names, ",")), tree);
+
+  // Packed in a directory of its own, renamed into place: the old zip or the new one, whole.
+  const fs::path aside = zip.string() + ".new";
+  std::vector<std::string> command{"cmake", "-E", "tar", "cf", aside.string(), "--format=zip"};
+  for (const auto& entry : fs::directory_iterator(tree)) {
+    command.push_back(entry.path().filename().string());
+  }
+  const auto made = sandbox::run_process(command, {.directory = tree});
+  if (!made.succeeded()) {
+    std::error_code ignored;
+    fs::remove(aside, ignored);
+    throw MachineError(
+        fmt::format("cannot write {}: {}", zip.string(), sandbox::printable_line(made.errors)));
+  }
+  fs::rename(aside, zip);
+  fmt::print("{}: {}, version {}\n", sandbox::printable_line(zip.string()), fmt::join(names, ", "),
+             context.layout.version);
+  fmt::print("Gradescope takes it as the autograder of an assignment (Ubuntu 22.04).\n");
+  return 0;
+}
+
+const RegisterCommand gradescope_command{
+    {"gradescope",
+     "gradescope LAB... --out FILE.zip [--visibility V] [--leaderboard]",
+     {"out=", "visibility=", "leaderboard"},
+     "For an assignment that grades these labs, whatever is handed in: no file is 0 points. What "
+     "the\n"
+     "labs need is in it, setup.sh and run_autograder at its top; of the solutions, nothing.\n"
+     "  --out FILE.zip  where to write it\n"
+     "  --visibility V  when students see the checks: visible, hidden, after_due_date,\n"
+     "                  after_published\n"
+     "  --leaderboard   of speed, which the whole class sees: the reference is in the zip then\n",
+     gradescope}};
+
+}  // namespace
+}  // namespace mc::grader

@@ -1,0 +1,104 @@
+// handout: what students get, as a fresh git repository.
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/list.hpp"
+#include "grader/commands/tree.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Puts `to` in the place of each `from`.
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+/// Does a line tell of a command that is about something that is not handed out?
+bool names_what_is_absent(const std::string& line, const fs::path& handed_out) {
+  return std::any_of(std::begin(command_list), std::end(command_list),
+                     [&](const CommandEntry& command) {
+                       const bool is_named =
+                           line.find(fmt::format("`./lab {}`", command.name)) != std::string::npos;
+                       return is_named && !fs::exists(handed_out / command.about);
+                     });
+}
+
+/// The README of docs/handout speaks of lab 1, and of all that there is: here it is that of these
+/// labs.
+std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
+                       const fs::path& handed_out) {
+  std::string all, list;
+  std::istringstream lines(given);
+  for (std::string line; std::getline(lines, line);) {
+    if (!names_what_is_absent(line, handed_out)) all += line + '\n';
+  }
+  const Lab& first = labs.front();
+  if (first.number != 1) {
+    replace_all(all, "1-variance", first.folder);
+    replace_all(all, "variance", first.name);
+    replace_all(all, "check 1.", fmt::format("check {}.", first.number));
+  }
+  for (const Lab& lab : labs) {
+    list += fmt::format("{}- [{}](labs/{}/README.md)", list.empty() ? "" : "\n", lab.title(),
+                        lab.folder);
+  }
+  replace_all(all, "<!-- labs -->", list);
+  return all;
+}
+
+int handout(const Context& context, const Arguments& arguments) {
+  if (arguments.words.size() != 1) throw UsageError("usage: ./lab handout DIR [--labs 1,2,…]");
+  const fs::path to = fs::absolute(arguments.words[0]), root = context.layout.root;
+  if (fs::exists(to) && !fs::is_empty(to)) {
+    throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(to.string())));
+  }
+  const auto chosen = labs_and_those_below(context, arguments.get("labs"));
+  std::size_t count = 0;
+  const auto copy = [&](const fs::path& from, const fs::path& name) {
+    copy_into(from, to / name);
+    ++count;
+  };
+  for (const std::string& file : files_without_answers(context, chosen)) copy(root / file, file);
+  const fs::path extra = root / "docs" / "handout";
+  for (const auto& entry : fs::recursive_directory_iterator(extra)) {
+    if (entry.is_regular_file()) copy(entry.path(), fs::relative(entry.path(), extra));
+  }
+  std::vector<Lab> labs = context.labs;
+  std::erase_if(labs, [&](const Lab& lab) { return !chosen.contains(lab.name); });
+  write_text(to / "README.md", readme_for(read_whole_text(to / "README.md"), labs, to));
+  git(to, {"init", "-q", "-b", "main"});
+  git(to, {"add", "-A"});
+  git(to, {"-c", "user.name=course", "-c", "user.email=course@localhost", "commit", "-q", "-m",
+           "Monte Carlo labs " + context.layout.version});
+  fmt::print("{}: {} files, one commit, labs {}\n", sandbox::printable_line(to.string()), count,
+             fmt::join(chosen, ", "));
+  return 0;
+}
+
+const RegisterCommand handout_command{
+    {"handout",
+     "handout DIR [--labs 1,2,…]",
+     {"labs="},
+     "Labs, starters, the grader and its checks, and a README for students, as a git repository "
+     "with\n"
+     "one commit. No solutions, no submissions, no tests of the repository. An editor's tasks, a\n"
+     "dev container, and a workflow that grades on each push are in it.\n"
+     "  --labs LIST   these labs and those that they stand on; all without it\n",
+     handout}};
+
+}  // namespace
+}  // namespace mc::grader

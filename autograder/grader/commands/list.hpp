@@ -1,0 +1,40 @@
+#pragma once
+// The commands, in the order in which ./lab --help lists them.
+
+#include <string_view>
+
+namespace mc::grader {
+
+struct CommandEntry {
+  std::string_view name, description;
+  bool for_instructors = false;  ///< not listed where there are no solutions: in a handout
+  std::string_view about = "";   ///< what it is about: without that it is not there at all
+};
+
+/// The program that has all commands; `grader` has those that a student waits for.
+inline constexpr std::string_view course_program = "course";
+
+inline constexpr CommandEntry command_list[] = {
+    {"", "where you stand: labs, points, what to do next"},
+    {"setup", "install what is missing and build everything"},
+    {"check", "judge one lab of starter/ (or DIR)"},
+    {"run", "run one experiment by hand and print its numbers"},
+    {"plot", "draw the lab's plots, several submissions side by side"},
+    {"render", "draw lab 6's pictures by every sampler, and their errors", false, "labs/6-sampler"},
+    {"demo", "points, an estimate and its error as N grows: the lecture's page", true},
+    {"report", "your work on a lab as a page"},
+    {"reset", "the starter of a lab again (your file is kept as a backup)"},
+    {"submit", "write the zip to hand in"},
+    {"grade", "judge whole submissions", true},
+    {"merge", "make one table of the tables of several shards", true},
+    {"stats", "what a table of grades says of the class and of the checks", true},
+    {"export", "lay a class's files out for JPlag, which finds similar ones", true},
+    {"handout", "write the repository that students get", true, "docs/handout"},
+    {"gradescope", "write the zip that Gradescope's autograder is made of", true,
+     "autograder/gradescope"},
+    {"bench", "speed against error: the solutions, any submission, libraries", true,
+     "autograder/bench"},
+    {"test", "the repository's own tests", true, "autograder/tests"},
+};
+
+}  // namespace mc::grader

@@ -1,0 +1,97 @@
+// merge: the tables of a class that several machines graded, made one.
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/judging_options.hpp"
+#include "grader/gradebook/book.hpp"
+#include "grader/gradebook/corrections.hpp"
+#include "grader/gradebook/table.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the rows were made from goes with them: stats reads hints there.
+void copy_verdicts(const Merged& merged, const fs::path& out) {
+  std::map<fs::path, std::string> texts;  // all are read before any is written
+  for (const auto& [id, table] : merged.from) {
+    const fs::path verdict = verdict_file(table, id);
+    if (fs::exists(verdict)) texts[verdict_file(out, id)] = read_whole_text(verdict);
+  }
+  if (!texts.empty()) fs::create_directories(verdicts_beside(out));
+  for (const auto& [file, text] : texts) write_text(file, text);
+}
+
+/// How the runs of these tables ended. Those that did not lack somebody: that is said.
+std::vector<BookState> states_of(const std::vector<Table>& tables) {
+  std::vector<BookState> states;
+  for (const Table& table : tables) {
+    states.push_back(read_book_state(table.file));
+    if (!states.back().exists || states.back().finished) continue;
+    fmt::print(stderr, "{} is not whole: its run did not end, --resume goes on with it\n",
+               sandbox::printable_line(table.file.string()));
+  }
+  return states;
+}
+
+/// One run, as far as a later ./lab grade --resume can tell; nothing if their seeds differ.
+void join_states(const std::vector<BookState>& states, const fs::path& out) {
+  const auto all = [&](auto holds) { return std::all_of(states.begin(), states.end(), holds); };
+  const std::uint64_t seed = states[0].seed;
+  if (!all([&](const BookState& one) { return one.exists && one.seed == seed; })) return;
+  write_book_state(out, all([](const BookState& one) { return one.finished; }), seed);
+}
+
+int merge(const Context& context, const Arguments& arguments) {
+  if (arguments.words.empty()) throw UsageError("usage: ./lab merge A.csv B.csv … [--out F]");
+  const auto out = arguments.get("out");
+  require_writable(out);
+  std::vector<Table> tables;
+  for (const std::string& word : arguments.words) tables.push_back(read_table(word));
+  const Merged merged = merge_tables(tables, context.labs);
+  for (const std::string& difference : merged.differences) {
+    fmt::print(stderr, "{}\n", difference);
+  }
+  const std::vector<BookState> states = states_of(tables);
+  if (!out) {
+    fmt::print("{}", table_text(merged.table));
+    return 0;
+  }
+  copy_verdicts(merged, *out);
+  write_text(*out, table_text(merged.table));
+  write_text(*out, table_text(read_corrected_table(*out, context.labs)));
+  join_states(states, *out);
+  fmt::print("{}: {} submissions of {} tables\n", sandbox::printable_line(*out),
+             merged.table.rows.size(), tables.size());
+  return 0;
+}
+
+const RegisterCommand merge_command{
+    {"merge",
+     "merge A.csv B.csv … [--out F]",
+     {"out="},
+     "The tables of ./lab grade --shard as the one that an unsharded run "
+     "writes: a row for each id,\n"
+     "in the order of the ids, under the columns of all. An id with "
+     "different rows in two tables is\n"
+     "an error; versions and seeds that differ are said.\n"
+     "  --out F       into this file, and the verdicts beside it, into "
+     "F-verdicts/; without it the\n"
+     "                table alone, to standard output\n",
+     merge}};
+
+}  // namespace
+}  // namespace mc::grader

@@ -1,0 +1,44 @@
+#include "grader/commands/progress.hpp"
+
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "grader/base/text_file.hpp"
+
+namespace mc::grader {
+namespace {
+
+std::filesystem::path file_of(const Layout& layout, const Lab& lab) {
+  return layout.build / "progress" / lab.name;
+}
+std::uint64_t text_now(const Layout& layout, const Lab& lab) {
+  return hash_text(read_text(layout.starter() / lab.file()));
+}
+
+}  // namespace
+
+void remember(const Layout& layout, const LabVerdict& verdict) {
+  std::string next = "-";
+  for (const CheckResult& result : verdict.checks) {
+    if (result.status == Status::passed || result.status == Status::waiting) continue;
+    next = result.check.task;
+    break;
+  }
+  const auto file = file_of(layout, verdict.lab);
+  std::filesystem::create_directories(file.parent_path());
+  write_text(file, fmt::format("{} {} {} {}\n", verdict.earned(), verdict.points(), next,
+                               text_now(layout, verdict.lab)));
+}
+
+std::optional<Progress> recall(const Layout& layout, const Lab& lab) {
+  std::istringstream file(read_text(file_of(layout, lab)));
+  Progress progress;
+  std::uint64_t text = 0;
+  if (!(file >> progress.earned >> progress.points >> progress.next >> text)) return {};
+  if (progress.next == "-") progress.next.clear();
+  progress.is_current = text == text_now(layout, lab);
+  return progress;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,106 @@
+// render: pictures by every kind of sampler beside each other.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/pictures/renders.hpp"
+#include "grader/reports/progress_line.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_one_of(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+RenderOptions options_of(const Arguments& arguments, const protocol::RenderList& list,
+                         std::vector<std::string>& directories) {
+  RenderOptions options;
+  options.reference = list.kinds[0];
+  directories = arguments.words;
+  if (!directories.empty() && is_one_of(list.pictures, directories[0])) {
+    options.pictures = {directories[0]};
+    directories.erase(directories.begin());
+  } else if (!directories.empty() && !fs::exists(directories[0])) {
+    throw UsageError(fmt::format("no picture and no directory '{}'; the pictures are {}",
+                                 directories[0], fmt::join(list.pictures, ", ")));
+  } else {
+    options.pictures = list.pictures;
+  }
+  options.kinds = list.kinds;
+  if (const auto kind = arguments.get("sampler")) {
+    if (!is_one_of(list.kinds, *kind)) {
+      throw UsageError(
+          fmt::format("no sampler '{}'; the kinds are {}", *kind, fmt::join(list.kinds, ", ")));
+    }
+    options.kinds = {*kind};
+  }
+  options.spp = arguments.number("spp").value_or(options.spp);
+  if (options.spp < 1 || options.spp > most_spp) {
+    throw UsageError(
+        fmt::format("--spp takes 1 to {} samples a pixel, not {}", most_spp, options.spp));
+  }
+  return options;
+}
+
+void print_table(const std::vector<Rendered>& table, std::uint64_t spp) {
+  std::string above;
+  for (const Rendered& row : table) {
+    const std::string what = fmt::format("{}, {}", row.submission, row.picture);
+    if (what != above) {
+      fmt::print("\n{:<24}{:>7} spp              in equal time\n", what, spp);
+      fmt::print("{:<24}{:>11}{:>8}{:>10}{:>8}{:>11}\n", "", "RMSE", "ms", "spp", "ms", "RMSE");
+    }
+    above = what;
+    if (!row.failure.empty()) {
+      fmt::print("  {:<22}   {}\n", row.kind, row.failure);
+      continue;
+    }
+    fmt::print("  {:<22}{:>11.3g}{:>8.3g}", row.kind, row.samples.rmse, 1e3 * row.samples.seconds);
+    if (row.timed) {
+      fmt::print("{:>10}{:>8.3g}{:>11.3g}", row.time.spp, 1e3 * row.time.seconds, row.time.rmse);
+    }
+    fmt::print("\n");
+  }
+}
+
+int render(const Context& context, const Arguments& arguments) {
+  std::vector<std::string> directories;
+  const Lab& lab = lab_with_pictures(context.layout, context.labs);
+  const RenderOptions options =
+      options_of(arguments, render_list(context.layout, lab), directories);
+  const std::vector<Submission> submissions = submissions_beside(context, lab, directories);
+  const Renders renders = [&] {
+    ProgressLine line("rendering");
+    return draw_renders(context.layout, lab, submissions, options,
+                        [&](std::size_t done, std::size_t all, const std::string& what) {
+                          line.show(static_cast<double>(done), static_cast<double>(all), what);
+                        });
+  }();
+  print_table(renders.table, options.spp);
+  fmt::print("\n");
+  for (const std::string& remark : renders.remarks) fmt::print("{}\n", remark);
+  for (const fs::path& sheet : renders.sheets) fmt::print("{}\n", sheet.string());
+  return renders.sheets.empty() ? 1 : 0;
+}
+
+const RegisterCommand render_command{
+    {"render",
+     "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
+     {"sampler=", "spp="},
+     "Two sheets of each picture, in build/render: with N samples a "
+     "pixel (16), and with as many as "
+     "a\n"
+     "sampler makes in the time of N independent ones. All pictures "
+     "without PICTURE; a name that is\n"
+     "none is answered by a list of them. DIR as in plot.\n"
+     "  --sampler KIND   only this kind of sampler\n",
+     render}};
+
+}  // namespace
+}  // namespace mc::grader

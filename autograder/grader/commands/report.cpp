@@ -1,0 +1,82 @@
+// report: one's own work as a page.
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/judging_options.hpp"
+#include "grader/judging/judge_submission.hpp"
+#include "grader/pictures/plots.hpp"
+#include "grader/reports/html.hpp"
+#include "grader/reports/progress_line.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Shows a file in a browser, where there is one and somebody to look.
+void open_in_browser(const fs::path& file) {
+  const bool has_screen =
+      std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+#ifdef __APPLE__
+  sandbox::run_process({"open", file.string()});
+  (void)has_screen;
+#else
+  if (has_screen) sandbox::run_process({"xdg-open", file.string()}, {.wall_seconds = 10});
+#endif
+}
+
+int report(const Context& context, const Arguments& arguments) {
+  if (arguments.words.empty() || arguments.words.size() > 2) {
+    throw UsageError("usage: ./lab report LAB [DIR]");
+  }
+  const Lab& lab = find_lab(context.labs, arguments.words[0]);
+  const bool own = arguments.words.size() == 1;
+  const fs::path directory = own ? context.layout.starter() : fs::path(arguments.words[1]);
+  Submission submission = open_submission(context.labs, directory);
+  if (own) submission.label = "starter";
+  if (!submission.files.contains(lab.name)) {
+    throw UsageError(fmt::format("{} has no {}", submission.label, lab.file()));
+  }
+  SubmissionOptions options;
+  options.judge.seed = seed_of(arguments);
+  ProgressLine line("checking " + lab.name);
+  options.progress = [&](double done, double all, const std::string& what) {
+    line.show(100 * done, 100 * all, what);
+  };
+  const Verdict verdict = judge_submission(context, submission, {lab}, options);
+  PageMaterial material;
+  material.sources[lab.name] = read_text(submission.files.at(lab.name));
+  line.show(0, 0, "drawing " + lab.name);
+  if (verdict.labs[0].no_program.empty()) {
+    const auto beside = submissions_beside(
+        context, lab, own ? std::vector<std::string>{} : std::vector{directory.string()});
+    for (const fs::path& picture : draw_plots(context.layout, lab, beside, "report").pictures) {
+      if (picture.extension() == ".svg") material.pictures[lab.name].push_back(picture);
+    }
+  }
+  const fs::path page = context.layout.build / "report" / (lab.name + ".html");
+  fs::create_directories(page.parent_path());
+  write_text(page, submission_page(verdict, material));
+  line.clear();
+  fmt::print("{:g} of {:g} points: {}\n", verdict.earned(), verdict.points(), page.string());
+  if (!arguments.has("no-browser")) open_in_browser(page);
+  return 0;
+}
+
+const RegisterCommand report_command{
+    {"report",
+     "report LAB [DIR] [--seed S] [--no-browser]",
+     {"seed=", "no-browser"},
+     "The verdict, your code with the compiler's messages at their "
+     "lines, your plots and your speed,\n"
+     "as build/report/LAB.html. It is opened if there is a browser.\n",
+     report}};
+
+}  // namespace
+}  // namespace mc::grader

@@ -1,0 +1,82 @@
+// run: one experiment by hand.
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/commands/become.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/reports/progress_line.hpp"
+#include "grader/reports/report.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/submission/intake.hpp"
+#include "grader/submission/sanitized.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The program to run, for judging or for finding mistakes; empty, and the reason printed, where
+/// there is none.
+std::string program_of(const Context& context, const Lab& lab, const Submission& submission,
+                       bool sanitized) {
+  if (!sanitized) {
+    const Built built = build_program(context.layout, lab, submission);
+    if (!built.program) fmt::print("{}\n", built.failure);
+    return built.program ? built.program->path : "";
+  }
+  const SanitizedProgram built = [&] {
+    const ProgressLine line(fmt::format("building {} with the sanitizers", lab.name));
+    return build_sanitized(context.layout, lab, submission);
+  }();
+  fmt::print(stderr, "{}{}", built.failure,
+             built.failure.empty() ? built.path.string() + "\n" : std::string());
+  setenv("UBSAN_OPTIONS", "print_stacktrace=1:halt_on_error=1", 0);
+  return built.path.string();
+}
+
+int run(const Context& context, const Arguments& arguments) {
+  if (arguments.words.empty()) throw UsageError("usage: ./lab run LAB [EXPERIMENT ARGUMENT...]");
+  const Lab& lab = find_lab(context.labs, arguments.words[0]);
+  const fs::path directory = arguments.get("dir").value_or(context.layout.starter().string());
+  const Intake intake = take_in_one(context, directory);
+  const Submission& submission = intake.entries[0].submission;
+  const std::string program = program_of(context, lab, submission, arguments.has("sanitize"));
+  if (program.empty()) return 1;
+  if (arguments.words.size() == 1) {
+    const std::size_t width = this_terminal().width;
+    fmt::print(
+        "The experiments of {}. Run one with\n\n  ./lab run {} EXPERIMENT --NAME VALUE "
+        "...\n\n{}\n\n",
+        lab.title(), lab.name,
+        wrapped("or with the values alone, in this order. Numbers are written 0.5, lists 1,2,4 "
+                "or @FILE, structs 3:0.5:2.",
+                width, 0));
+    become({program, "--list", std::to_string(width)});
+  }
+  std::vector<std::string> command{program};
+  command.insert(command.end(), arguments.words.begin() + 1, arguments.words.end());
+  become(std::move(command));
+}
+
+const RegisterCommand run_command{
+    {"run",
+     "run LAB [--dir DIR] [--sanitize] [EXPERIMENT ARGUMENT...]",
+     {"dir=", "sanitize"},
+     "Without EXPERIMENT: the experiments of the lab. Numbers are written 0.5, lists 1,2,4, "
+     "structs\n"
+     "3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
+     "  --dir DIR    the files of DIR, not those of starter/\n"
+     "  --sanitize   with the address and undefined-behaviour sanitizers, for a debugger too: the\n"
+     "               program is left in build/sanitize, and its path is told\n"
+     "  ./lab run variance mean 1,2,4\n",
+     run,
+     2}};
+
+}  // namespace
+}  // namespace mc::grader

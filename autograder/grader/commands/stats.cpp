@@ -1,0 +1,45 @@
+// stats: what a table of grades says of the class, and of the checks.
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/commands/judging_options.hpp"
+#include "grader/gradebook/class_page.hpp"
+#include "grader/gradebook/corrections.hpp"
+#include "grader/gradebook/statistics.hpp"
+#include "grader/gradebook/table.hpp"
+
+namespace mc::grader {
+namespace {
+
+int stats(const Context& context, const Arguments& arguments) {
+  if (arguments.words.size() != 1) throw UsageError("usage: ./lab stats grades.csv [--html F]");
+  const auto html = arguments.get("html");
+  require_writable(html);
+  const Table table = read_corrected_table(arguments.words[0], context.labs);
+  const auto statistics = statistics_of(table, read_verdicts(table), context.labs);
+  fmt::print("{}", report_statistics(statistics));
+  if (html) write_text(*html, statistics_page(statistics));
+  return 0;
+}
+
+const RegisterCommand stats_command{
+    {"stats",
+     "stats grades.csv [--html F]",
+     {"html="},
+     "Of a table that ./lab grade --csv wrote: the points of each lab as a histogram; how many "
+     "passed "
+     "each\n"
+     "check, failed it, did not write its task, or were not judged; its discrimination, the\n"
+     "point-biserial correlation of passing it with the points of the lab's other checks; and the "
+     "hints\n"
+     "that most submissions were given. What was not written, and the hints, are in the verdicts "
+     "beside\n"
+     "the table.\n"
+     "  --html F      the same as a page, with nobody's name on it\n",
+     stats}};
+
+}  // namespace
+}  // namespace mc::grader

@@ -1,0 +1,126 @@
+#include "grader/commands/tree.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+#include "runner/text.hpp"
+#include "sandbox/printable.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// What holds answers, or is of use to instructors only.
+constexpr const char* kept_back[] = {"solutions/",
+                                     "docs/",
+                                     "autograder/submissions/",
+                                     "autograder/tests/",
+                                     "autograder/bench/",
+                                     "autograder/gradescope/",
+                                     ".ci/",
+                                     ".github/",
+                                     "README.md",
+                                     "CONTRIBUTING.md",
+                                     "CHANGELOG.md",
+                                     "CITATION.cff"};
+
+bool is_kept_back(const std::string& file) {
+  return std::any_of(std::begin(kept_back), std::end(kept_back),
+                     [&](const char* place) { return file.starts_with(place); });
+}
+
+/// Is this file of a lab that is not handed out?
+bool is_left_out(const Context& context, const std::set<std::string>& chosen,
+                 const std::string& file) {
+  for (const Lab& lab : context.labs) {
+    if (chosen.contains(lab.name)) continue;
+    for (const std::string& place :
+         {"labs/" + lab.folder + '/', "starter/" + lab.file(),
+          "autograder/checks/" + lab.name + '/', "autograder/measurements/" + lab.name + '/'}) {
+      if (file.starts_with(place)) return true;
+    }
+  }
+  return false;
+}
+
+std::string list_of(const std::vector<std::string>& files) {
+  constexpr std::size_t most = 10;
+  std::string all;
+  for (std::size_t i = 0; i < std::min(most, files.size()); ++i) {
+    all += "\n  " + sandbox::printable_line(files[i]);
+  }
+  return all + (files.size() > most ? "\n  …" : "");
+}
+
+/// What git does not know would be missing from what is handed out, and what is changed would be in
+/// it without a version: the first is refused, the second named.
+void compare_with_git(const Context& context, const std::set<std::string>& chosen) {
+  const std::string listed = git(context.layout.root, {"status", "--porcelain", "-z",
+                                                       "--untracked-files=all", "--no-renames"});
+  std::vector<std::string> unknown, changed;
+  for (const std::string_view entry : text::split(listed, '\0')) {
+    const auto blank = entry.find(' ');  // "?? name", "M name"
+    if (blank == std::string_view::npos) continue;
+    const std::string file(entry.substr(blank + 1));
+    if (is_kept_back(file) || is_left_out(context, chosen, file)) continue;
+    (entry.starts_with("??") ? unknown : changed).push_back(file);
+  }
+  if (!unknown.empty()) {
+    throw UsageError("git does not know these files; add or remove them first:" + list_of(unknown));
+  }
+  if (!changed.empty()) {
+    fmt::print(stderr, "lab: handed out with changes that are not committed:{}\n",
+               list_of(changed));
+  }
+}
+
+}  // namespace
+
+std::string git(const fs::path& directory, std::vector<std::string> words) {
+  words.insert(words.begin(), {"git", "-C", directory.string()});
+  const auto run = sandbox::run_process(words);
+  if (!run.succeeded()) {
+    throw MachineError(fmt::format("{}: {}", fmt::join(words, " "),
+                                   sandbox::printable_line(run.errors.substr(0, 200))));
+  }
+  return run.output;
+}
+
+std::set<std::string> labs_and_those_below(const Context& context,
+                                           const std::optional<std::string>& list) {
+  std::set<std::string> chosen;
+  if (!list) {
+    for (const Lab& lab : context.labs) chosen.insert(lab.name);
+    return chosen;
+  }
+  for (const std::string_view word : text::split(*list, ',')) {
+    const Lab& lab = find_lab(context.labs, std::string(word));
+    chosen.insert(lab.name);
+    chosen.insert(lab.stands_on.begin(), lab.stands_on.end());
+  }
+  return chosen;
+}
+
+std::vector<std::string> files_without_answers(const Context& context,
+                                               const std::set<std::string>& labs) {
+  std::vector<std::string> files;
+  compare_with_git(context, labs);
+  const std::string listed = git(context.layout.root, {"ls-files", "-z"});
+  for (const std::string_view name : text::split(listed, '\0')) {
+    const std::string file(name);
+    if (file.empty() || is_kept_back(file) || is_left_out(context, labs, file)) continue;
+    if (fs::exists(context.layout.root / file)) files.push_back(file);
+  }
+  return files;
+}
+
+void copy_into(const fs::path& from, const fs::path& to) {
+  fs::create_directories(to.parent_path());
+  fs::copy_file(from, to);
+}
+
+}  // namespace mc::grader

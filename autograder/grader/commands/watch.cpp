@@ -1,0 +1,247 @@
+#include "grader/commands/watch.hpp"
+
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <sstream>
+#include <system_error>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "grader/commands/saves.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+/// How `watch` tells the programs that it starts what to write for: "100", or "100c" with colours.
+constexpr const char* terminal_variable = "MC_WATCHED";
+
+/// The writing end of a pipe that is polled: signals, and the end of a run.
+int wake_up = -1;
+std::atomic<bool> interrupted{false};
+
+void on_signal(int) {
+  const int before = errno;
+  interrupted = true;
+  (void)!write(wake_up, "", 1);
+  errno = before;
+}
+
+/// From now on an interrupt ends the watching, and not the program in the midst of it.
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+}
+
+std::string clock_time() {
+  const std::time_t now = std::time(nullptr);
+  char text[sizeof "00:00:00"];
+  std::strftime(text, sizeof text, "%H:%M:%S", std::localtime(&now));
+  return text;
+}
+
+/// One run of the judge beside the watching.
+class Run {
+ public:
+  Run(const std::vector<std::string>& command, const std::string& terminal)
+      : thread_([this, command, terminal] {
+          try {
+            result_ = sandbox::run_process(
+                command, {.environment = {{terminal_variable, terminal}}, .stop = &stop_});
+          } catch (const std::system_error& error) {  // no process or descriptor is left
+            result_.errors = fmt::format("lab: {}\n", error.what());
+          }
+          has_ended_ = true;
+          (void)!write(wake_up, "", 1);
+        }) {}
+  ~Run() {
+    stop_ = true;
+    thread_.join();
+  }
+  Run(const Run&) = delete;
+
+  bool has_ended() const { return has_ended_; }
+  /// Once it has ended.
+  std::string text() const {
+    const bool is_verdict = result_.exit_code == 0 || result_.exit_code == 1;
+    return result_.output + (is_verdict ? std::string() : result_.errors);
+  }
+
+ private:
+  std::atomic<bool> stop_{false}, has_ended_{false};
+  sandbox::ProcessResult result_;
+  std::thread thread_;
+};
+
+/// Where verdicts are shown: one screen of a terminal, or one after the other.
+class Screen {
+ public:
+  Screen() : terminal_(this_terminal()) {}
+
+  std::string terminal() const {
+    return fmt::format("{}{}", terminal_.width, terminal_.colour ? "c" : "");
+  }
+  /// A line below the verdict that is still there.
+  void say(const std::string& line) const {
+    if (terminal_.interactive) {
+      fmt::print("\r\x1b[K{}", line);
+    } else {
+      fmt::print("{}\n", line);
+    }
+    std::fflush(stdout);
+  }
+  void show(const std::string& text) const {
+    if (terminal_.interactive) {
+      fmt::print("\x1b[H\x1b[2J{}", first_rows(text, rows() - 1, columns()));
+      say(fmt::format("judged {}; Ctrl-C ends", clock_time()));
+    } else {
+      fmt::print("{}", text);
+      say(fmt::format("judged {}", clock_time()));
+    }
+  }
+  void leave() const {
+    if (terminal_.interactive) fmt::print("\n");
+  }
+
+ private:
+  static winsize size() {
+    winsize found{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &found) != 0) found = {};
+    return found;
+  }
+  static std::size_t rows() { return std::max<std::size_t>(size().ws_row, 10); }
+  static std::size_t columns() { return std::max<std::size_t>(size().ws_col, 40); }
+  Terminal terminal_;
+};
+
+/// Rows that a line takes in a window; colours take none.
+std::size_t rows_of(std::string_view line, std::size_t columns) {
+  std::string shown;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\x1b') {
+      i = std::min(line.find('m', i), line.size());
+    } else {
+      shown += line[i];
+    }
+  }
+  return std::max<std::size_t>(1, (columns_of(shown) + columns - 1) / columns);
+}
+
+/// Waits until something may have happened: a hint, a signal, the end of a run, a second.
+void wait_for_something(int wakes, int hint, int milliseconds) {
+  pollfd watched[] = {{wakes, POLLIN, 0}, {hint, POLLIN, 0}};
+  poll(watched, hint < 0 ? 1 : 2, milliseconds);
+  char some[64];
+  while (read(wakes, some, sizeof some) > 0) {
+  }
+}
+
+}  // namespace
+
+int watch(const Context& context, const std::vector<std::string>& words,
+          const std::vector<fs::path>& files) {
+  sandbox::Pipe wakes = sandbox::make_pipe();
+  sandbox::make_nonblocking(wakes.read);
+  sandbox::make_nonblocking(wakes.write);
+  wake_up = wakes.write.get();
+  catch_signals();
+  std::vector<std::string> command{(context.layout.build / "bin" / "grader").string()};
+  command.insert(command.end(), words.begin(), words.end());
+
+  const Screen screen;
+  Saves saves(files);
+  std::optional<Run> run;
+  bool is_due = true;  // there is a text that no run has begun with
+  std::string waits_for;
+  while (!interrupted) {
+    if (saves.changed()) {
+      if (run) screen.say("saved again: what was being judged is stopped");
+      run.reset();
+      is_due = true;
+      // An editor may save in several steps: begin when nothing more happens for a moment.
+      wait_for_something(wakes.read.get(), -1, 50);
+      continue;
+    }
+    const std::string missing = saves.missing();
+    if (is_due && missing.empty()) {
+      screen.say(fmt::format("judging {}", files[0].filename().string()));
+      run.emplace(command, screen.terminal());
+      is_due = false;
+    } else if (is_due && missing != waits_for) {
+      screen.say(fmt::format("{} is not there: waiting for it", missing));
+    }
+    waits_for = missing;
+    wait_for_something(wakes.read.get(), saves.hint(), 1000);
+    if (run && run->has_ended() && !interrupted) {
+      screen.show(run->text());
+      run.reset();
+    }
+  }
+  run.reset();
+  screen.leave();
+  return 0;
+}
+
+std::optional<Terminal> watching_terminal() {
+  const char* told = std::getenv(terminal_variable);
+  if (told == nullptr) return {};
+  Terminal terminal;
+  char* end = nullptr;
+  terminal.width = std::clamp<std::size_t>(std::strtoul(told, &end, 10), 40, 100);
+  terminal.colour = *end == 'c';
+  return terminal;
+}
+
+std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
+                              const Terminal& terminal) {
+  const auto is_open = [](const CheckResult& result) {
+    return result.status != Status::passed && result.status != Status::waiting &&
+           result.status != Status::withheld;
+  };
+  LabVerdict sorted = lab;
+  const auto open = std::find_if(lab.checks.begin(), lab.checks.end(), is_open);
+  if (open != lab.checks.end()) {
+    std::stable_partition(sorted.checks.begin(), sorted.checks.end(), [&](const CheckResult& one) {
+      return one.check.task == open->check.task;
+    });
+  }
+  std::string all;
+  if (lab.no_program.empty() && verdict.not_judged.empty()) {
+    all = fmt::format(
+        "{:g} of {:g} points; {}\n", lab.earned(), lab.points(),
+        open == lab.checks.end() ? "nothing is open" : "first open: " + open->check.task);
+  }
+  return all + report_lab(sorted, verdict, terminal);
+}
+
+std::string first_rows(const std::string& text, std::size_t rows, std::size_t columns) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  std::size_t all_rows = 0;
+  for (const std::string& line : lines) all_rows += rows_of(line, columns);
+  if (all_rows <= rows) return text;
+  std::string shown;
+  std::size_t used = 0, count = 0;
+  for (; count < lines.size(); ++count) {
+    const std::size_t takes = rows_of(lines[count], columns);
+    if (used + takes >= rows) break;
+    used += takes;
+    shown += lines[count] + '\n';
+  }
+  return shown + fmt::format("… {} more lines\n", lines.size() - count);
+}
+
+}  // namespace mc::grader

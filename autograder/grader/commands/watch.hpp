@@ -1,0 +1,31 @@
+#pragma once
+// check --watch: judges again whenever a file is saved.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/checkout/context.hpp"
+#include "grader/reports/report.hpp"
+
+namespace mc::grader {
+
+/// Judges by `./lab WORDS…` at once and after each save of one of `files`, until an interrupt.
+/// A run that a save overtakes is stopped. Gives back the exit status: 0.
+int watch(const Context& context, const std::vector<std::string>& words,
+          const std::vector<std::filesystem::path>& files);
+
+/// The terminal of the `watch` that has started this program; nothing where none has.
+std::optional<Terminal> watching_terminal();
+
+/// The report as one looks at it again and again: points, the first open task, the rest behind it.
+std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
+                              const Terminal& terminal);
+
+/// The first `rows` rows of a text in a window of so many columns, the last of them saying how many
+/// lines are left out; all of it where it fits.
+std::string first_rows(const std::string& text, std::size_t rows, std::size_t columns);
+
+}  // namespace mc::grader

@@ -1,0 +1,76 @@
+#include "grader/judging/repeat_commands.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "grader/base/shell.hpp"
+#include "grader/base/text_file.hpp"
+#include "runner/text.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_own(const JudgeOptions& options) {
+  return options.submission.empty() || options.submission == "starter";
+}
+
+/// The parameters' names of an experiment, as experiments.cpp lists them.
+std::vector<std::string> parameters_of(const Layout& layout, const Lab& lab,
+                                       const std::string& experiment) {
+  const std::string text = read_text(layout.labs() / lab.folder / "experiments.cpp");
+  const std::string start = "MC_EXPERIMENT(" + experiment + ",";
+  const auto at = text.find(start);
+  std::vector<std::string> names;
+  if (at == std::string::npos) return names;
+  const auto open = text.find('"', at), close = text.find('"', open + 1);
+  if (close == std::string::npos) return names;
+  const std::string words = text.substr(open + 1, close - open - 1);  // outlives its parts
+  for (const auto name : text::split(words, ' ')) {
+    if (!name.empty()) names.emplace_back(name);
+  }
+  return names;
+}
+
+/// The argument itself, or a file that holds it.
+std::string short_of(const Layout& layout, const std::string& argument) {
+  constexpr std::size_t longest = 60;
+  if (argument.size() <= longest) return shell_quoted(argument);
+  const fs::path file = layout.build / "inputs" / fmt::format("{:016x}.txt", hash_text(argument));
+  std::error_code ignored;
+  fs::create_directories(file.parent_path(), ignored);
+  if (!fs::exists(file)) {
+    std::string lines = argument;
+    std::replace(lines.begin(), lines.end(), ',', '\n');
+    write_text(file, lines + '\n');
+  }
+  // Short where it is typed: from the checkout.
+  std::error_code unrelated;
+  const fs::path near = fs::relative(file, layout.root, unrelated);
+  return '@' + (unrelated || near.empty() ? file : near).string();
+}
+
+}  // namespace
+
+std::string repeat_command(const Lab& lab, const Check& check, const JudgeOptions& options) {
+  return fmt::format("./lab check {}{} --only {} --seed {}", lab.name,
+                     is_own(options) ? "" : ' ' + shell_quoted(options.submission), check.task,
+                     options.seed);
+}
+
+std::string by_hand_command(const Layout& layout, const Lab& lab,
+                            const std::vector<std::string>& call, const JudgeOptions& options) {
+  std::string command =
+      fmt::format("./lab run {}{} {}", lab.name,
+                  is_own(options) ? "" : " --dir " + shell_quoted(options.submission), call[0]);
+  const auto names = parameters_of(layout, lab, call[0]);
+  for (std::size_t i = 1; i < call.size(); ++i) {
+    const bool is_named = names.size() + 1 == call.size();
+    if (is_named) command += " --" + names[i - 1];
+    command += ' ' + short_of(layout, call[i]);
+  }
+  return command;
+}
+
+}  // namespace mc::grader

@@ -1,0 +1,220 @@
+// What stands behind ./lab, used as a person would, right and wrong.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "checks/support/catch.hpp"
+#include "grader/commands/list.hpp"
+#include "grader/reports/report.hpp"
+#include "tests/entry_script.hpp"
+#include "tests/submissions.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::door {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+struct Wrong {
+  std::vector<std::string> words;
+  std::string says;
+};
+
+}  // namespace
+
+TEST_CASE("bad usage is one line that says what and how, and exit status 2", "[script]") {
+  const Scratch empty;
+  const Scratch full;
+  full.write("variance.cpp", "\n");
+  const std::string file = (full.path() / "variance.cpp").string();
+  const Wrong cases[] = {
+      {{"chekc", "1"}, "did you mean 'check'"},
+      {{"check"}, "usage: ./lab check LAB"},
+      {{"check", "varianc"}, "did you mean 'variance'"},
+      {{"check", "99"}, "no lab '99'"},
+      {{"check", "variance", "/no/such/place"}, "no such directory: /no/such/place"},
+      {{"check", "variance", file}, "is a file"},
+      {{"check", "variance", empty.path().string()}, "has no variance.cpp"},
+      {{"check", "variance", "--only"}, "--only takes a value"},
+      {{"check", "variance", "--onyl", "1.3"}, "no option --onyl; did you mean --only?"},
+      {{"check", "variance", "--only", "7.7"}, "no task 7.7"},
+      {{"check", "1.77"}, "no task 1.77"},
+      {{"check", "variance", "2.3"}, "2.3 is no task of lab variance"},
+      {{"check", "99.1"}, "no lab '99'"},
+      {{"check", "variance", "1.3", "a", "b"}, "usage: ./lab check LAB"},
+      {{"check", "variance", "--seed", "-1"}, "whole number"},
+      {{"check", "variance", "--seed", "12x"}, "whole number"},
+      {{"check", "variance", "--json", "/no/such/place/results.json"}, "no such directory"},
+      {{"check", "variance", "--watch", "--json", "x.json"}, "--watch writes no file"},
+      {{"grade"}, "usage: ./lab grade DIR"},
+      {{"grade", "/no/such/place"}, "no such directory"},
+      {{"grade", empty.path().string()}, "no file of any lab"},
+      {{"grade", "a", "b", "--json", "x.json"}, "--json takes one DIR"},
+      {{"grade", "a", "--leaderboard"}, "--leaderboard takes --json FILE"},
+      {{"grade", "a", "--slurm"}, "--slurm takes --csv FILE"},
+      {{"grade", "a", "--slurm", "--csv", "x.csv", "--html", "x"}, "--slurm takes no --html"},
+      {{"merge"}, "usage: ./lab merge A.csv"},
+      {{"stats"}, "usage: ./lab stats grades.csv"},
+      {{"grade", "a", "--visibility", "hidden"}, "--visibility takes --json FILE"},
+      {{"gradescope", "1"}, "usage: ./lab gradescope LAB"},
+      {{"export", "jplag", "a"}, "usage: ./lab export jplag DIR"},
+      {{"plot", "vriance"}, "did you mean 'variance'"},
+      {{"render", "egde"}, "the pictures are edge, penumbra"},
+      {{"render", "--sampler", "random"}, "the kinds are independent, stratified"},
+      {{"render", "--spp", "0"}, "--spp takes 1 to"},
+      {{"render", "--spp", "many"}, "whole number"},
+      {{"run"}, "usage: ./lab run LAB"},
+      {{"reset"}, "usage: ./lab reset LAB"},
+      {{"submit", "0"}, "no lab '0'"},
+      {{"test", "everything"}, "usage: ./lab test"},
+  };
+  for (const Wrong& wrong : cases) {
+    const auto run = lab(wrong.words);
+    CAPTURE(wrong.words);
+    CHECK(run.exit_code == 2);
+    CHECK(lines(run.errors) == 1);
+    CHECK(contains(run.errors, wrong.says));
+  }
+}
+
+TEST_CASE("every command has help", "[script]") {
+  for (const CommandEntry& command : command_list) {
+    if (command.name.empty()) continue;
+    const std::string name(command.name);
+    const auto run = lab({name, "--help"});
+    CAPTURE(name);
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.output, "usage: ./lab " + name));
+  }
+  CHECK(lab({"--help"}).exit_code == 0);
+}
+
+TEST_CASE("the same verdict in the terminal and in JSON and in CSV", "[script]") {
+  const Layout layout = read_layout();
+  const Scratch scratch;
+  // The solution with one mistake, so that there are points of both kinds.
+  std::string text = text_of(layout.solutions());
+  const std::string right = "if (columns == 0) throw";
+  text.replace(text.find(right), right.size(), "if (columns == 77) throw");
+  scratch.write("variance.cpp", text);
+  const std::string json = (scratch.path() / "results.json").string();
+  const std::string csv = (scratch.path() / "table.csv").string();
+  const auto run = lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,
+                        "--no-plots", "--seed", "5"});
+  REQUIRE(run.exit_code == 0);
+  CHECK(!contains(run.output, "\x1b["));  // no colour where there is no terminal
+
+  const auto results = nlohmann::json::parse(read_text(json));
+  const double told = results["score"].get<double>();
+  CHECK(told > 80);
+  CHECK(told < 100);
+  CHECK(contains(run.output, fmt::format("{:g} of 100 points", told)));
+  CHECK(results["execution_time"] > 0);
+  CHECK(results["extra_data"]["seed"] == 5);
+  CHECK(results["extra_data"].contains("version"));
+  double score = 0, most = 0;
+  for (const auto& test : results["tests"]) {
+    for (const char* key : {"name", "number", "status", "output", "visibility"}) {
+      CHECK(test[key].is_string());
+    }
+    CHECK((test["score"] == test["max_score"]) == (test["status"] == "passed"));
+    score += test["score"].get<double>();
+    most += test["max_score"].get<double>();
+    if (test["status"] == "failed") {
+      CHECK(contains(test["output"], "./lab check variance"));
+      CHECK(contains(test["output"], "--seed 5"));
+    }
+  }
+  CHECK(score == told);
+  CHECK(most == 100);
+  const std::string table = read_text(csv);
+  CHECK(lines(table) == 2);
+  CHECK(contains(table, fmt::format(",judged,{:g},", told)));
+}
+
+TEST_CASE("results are complete when nothing compiles or nothing was handed in", "[script]") {
+  const Scratch scratch;
+  const std::string json = (scratch.path() / "results.json").string();
+  const Scratch empty;
+  CHECK(lab({"check", "variance", empty.path().string(), "--json", json}).exit_code == 1);
+  CHECK(nlohmann::json::parse(read_text(json))["tests"].size() > 20);
+  CHECK(lab({"grade", empty.path().string(), "--json", json}).exit_code == 0);
+  CHECK(nlohmann::json::parse(read_text(json))["score"] == 0);
+  scratch.write("variance.cpp", "not C++ at all \xff\xfe \x1b[31m\n");
+  CHECK(lab({"check", "variance", scratch.path().string(), "--json", json}).exit_code == 1);
+  const auto results = nlohmann::json::parse(read_text(json));
+  CHECK(results["tests"].size() > 20);
+  CHECK(results["score"] == 0);
+  CHECK(contains(results["output"], "does not compile"));
+}
+
+TEST_CASE("a full disk leaves the old result whole") {
+  const Scratch scratch;
+  const fs::path json = scratch.write("results.json", "old");
+  // Where the new text is written first, a device that is always full.
+  fs::create_symlink("/dev/full", json.string() + ".new-" + std::to_string(getpid()));
+  CHECK_THROWS(write_text(json, "new"));
+  CHECK(read_text(json) == "old");
+}
+
+TEST_CASE("several submissions are a line each", "[script]") {
+  const Layout layout = read_layout();
+  const Scratch empty;
+  const auto run = lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"});
+  CHECK(run.exit_code == 0);
+  CHECK(lines(run.output) == 4);  // what the words mean, two rows, a summary
+  CHECK(contains(run.output, "no lab's file in it"));
+}
+
+TEST_CASE("the zip to hand in", "[script]") {
+  const Scratch scratch;
+  const auto run = lab({"submit", "variance"}, {.directory = scratch.path()});
+  CHECK(run.exit_code == 0);
+  CHECK(fs::file_size(scratch.path() / "submission.zip") > 500);
+}
+
+TEST_CASE("a report fits a small terminal") {
+  LabVerdict verdict;
+  verdict.lab = {1, "variance", "1-variance", {}};
+  CheckResult failed;
+  failed.check = {
+      "1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5, false};
+  failed.status = Status::failed;
+  failed.report = "measured  mean({1, 2, 3, 4, 5, … (1000 values)}) = 17\nexpected  3, with digits";
+  failed.repeat = "./lab check variance --only 1.1 --seed 1";
+  verdict.checks = {failed};
+  Verdict whole;
+  whole.submission = "starter";
+  const std::string report = report_lab(verdict, whole, {false, 48});
+  std::size_t column = 0, widest = 0;
+  for (const char c : report) {
+    if ((c & 0xc0) == 0x80) continue;
+    column = c == '\n' ? 0 : column + 1;
+    widest = std::max(widest, column);
+  }
+  CHECK(widest <= 52);  // a word that does not fit stands alone
+}
+
+TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished", "[script]") {
+  const Layout layout = read_layout();
+  // Always the same place: what six labs take to compile is taken once.
+  const fs::path student = layout.build / "tests" / "waiting";
+  fs::create_directories(student);
+  for (const auto& entry : fs::directory_iterator(layout.solutions())) {
+    write_text(student / entry.path().filename(), read_whole_text(entry.path()));
+  }
+  std::string text = read_text(student / "stratification.cpp");
+  const std::string moves = "    move_into(strata, first, block);\n";  // into their strata, in 3.1
+  REQUIRE(contains(text, moves));
+  text.erase(text.find(moves), moves.size());
+  write_text(student / "stratification.cpp", text);
+  const auto run = lab({"check", "sampler", student.string(), "--only", "6.2"});
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.output, "waiting for lab 3"));
+  CHECK(!contains(run.output, "measured"));  // one fault, and it is not here
+}
+
+}  // namespace mc::tests::door

@@ -1,0 +1,53 @@
+// How a report spells calls and numbers.
+#include <string>
+#include <vector>
+
+#include "2-independent/functions.hpp"
+#include "6-sampler/experiments.hpp"
+#include "checks/support/catch.hpp"
+#include "checks/support/plain_numbers.hpp"
+
+namespace mc::tests::report {
+
+using checks::without_empty_signs;
+using experiments::spelled;
+using experiments::spelled_call;
+using experiments::Spelling;
+using experiments::Step;
+
+TEST_CASE("signs of nothing are left out, and no others") {
+  CHECK(without_empty_signs("x = -nan, y = -0") == "x = nan, y = 0");
+  CHECK(without_empty_signs("{-0, -nan}, [-0]") == "{0, nan}, [0]");
+  CHECK(without_empty_signs("is -0.") == "is 0.");
+  for (const char* kept : {"-0.5", "1e-05", "2^-0", "-0x1p-3", "-nanny", "a-0", "-01"}) {
+    CHECK(without_empty_signs(kept) == kept);
+  }
+}
+
+TEST_CASE("calls of a sampler are spelled as a student makes them") {
+  std::vector<Step> steps{{0, 12, 7}, {1}, {2}, {3}};
+  CHECK(spelled_call(Spelling{}, "play", "sobol", steps) ==
+        "sobol: generate(12, 7); next(); next2(); advance()");
+  for (int i = 0; i < 41; ++i) steps.push_back({1});
+  CHECK(
+      spelled_call(Spelling{}, "play_two", "halton", steps) ==
+      "two of halton: generate(12, 7); next(); next2(); advance(); next(); next(); next(); next(); "
+      "… 37 more calls");
+  CHECK(spelled_call(Spelling{}, "columns", "sobol", 64, std::vector<std::uint64_t>{5},
+                     std::vector<unsigned>{1, 2}) ==
+        "sobol: generate(64, 5), then for each sample next(); next2()");
+  CHECK(
+      spelled_call(Spelling{}, "estimates", "sobol", "disk_light", std::vector<double>{1, 2, 3},
+                   2.0, -0.5, 64, std::vector<std::uint64_t>{5, 6}) ==
+      "integrate(2 * disk_light{radius = 1, height = 2, offset = 3} - 0.5, sobol, 64, seed), with "
+      "each of 2 seeds");
+}
+
+TEST_CASE("integrands and densities are spelled as formulas") {
+  CHECK(spelled(experiments::Function{4, 0.5, 2, -1}) == "2 * x^0.5 - 1");
+  CHECK(spelled(experiments::Function{1, 0, 1, 0}) == "exp(x)");
+  CHECK(spelled(experiments::Function{3, 0.25, 1, 3}) == "(1 if x < 0.25, else 0) + 3");
+  CHECK(spelled(experiments::Sampling{2, 3}) == "p(x) = 3 exp(-3 x) for x >= 0");
+}
+
+}  // namespace mc::tests::report
