@@ -22,8 +22,7 @@ std::string hint_for(double got, const Hints& hints, Meets meets) {
     if (found != nullptr && found->hint != suspect.hint) return hints.otherwise;
     found = &suspect;
   }
-  if (found != nullptr) return found->hint;
-  return std::isnan(got) && !hints.for_nan.empty() ? hints.for_nan : hints.otherwise;
+  return found != nullptr ? found->hint : hints.otherwise;
 }
 
 [[noreturn]] void fail_with(const std::string& measured, const std::string& expected,
@@ -57,17 +56,6 @@ double digits(double got, double exact) {
   return std::min(17.0, -std::log10(exact == 0 ? error : error / std::abs(exact)));
 }
 
-void expect_digits(const std::string& what, double got, double exact, double floor,
-                   const std::string& because, const Hints& hints) {
-  const double kept = digits(got, exact);
-  if (kept >= floor) return pass();
-  const std::string found =
-      std::isfinite(got) ? fmt::format("{:.1f} found", std::max(0.0, kept)) : "no number found";
-  fail_with(fmt::format("{} = {}", what, got),
-            fmt::format("{}: {:.1f} correct digits needed, {}", exact, floor, found), because,
-            hint_for(got, hints, [=](double value) { return digits(value, exact) >= floor; }));
-}
-
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Hints& hints) {
   const auto meets = [=](double value) { return std::abs(value - exact) <= tolerance; };
@@ -88,23 +76,6 @@ void expect_that(bool holds, const std::string& measured, const std::string& exp
 void expect_nan(const std::string& what, double got, const std::string& because) {
   expect_that(std::isnan(got), fmt::format("{} = {}", what, got), "NaN", because,
               "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
-}
-
-void expect_refused(const Call& call, const std::string& because) {
-  const auto& outcome = call.outcome;
-  const bool threw_another = outcome.answered && (outcome.status == wire::Status::out_of_range ||
-                                                  outcome.status == wire::Status::other_exception);
-  if (threw_another || (outcome.answered && outcome.status == wire::Status::value)) {
-    fail_with(threw_another
-                  ? fmt::format("{} threw another exception: {}", call.text, outcome.bytes)
-                  : fmt::format("{} returned a value", call.text),
-              "std::invalid_argument", because,
-              "misuse throws std::invalid_argument, before anything is computed");
-  }
-  if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
-    require_value(call);  // ends the check with what happened instead
-  }
-  pass();
 }
 
 void expect_invalid_argument(const Call& call, const std::string& argument,

@@ -17,28 +17,21 @@ struct Suspect {
   std::string hint;
 };
 
-/// Hints for a failure: that of the first suspect that the measured value equals; for a NaN, the
-/// one for NaNs, if there is one; else `otherwise`.
+/// Hints for a failure: that of the first suspect that the measured value equals, else `otherwise`.
 struct Hints {
   std::vector<Suspect> suspects;
   std::string otherwise;
-  std::string for_nan = {};
 };
 
 /// The digits of `exact` that `got` has: -log10 of the relative error (of the error, where `exact`
 /// is 0). 17 where they are equal, else -99 where one of them is not finite.
 double digits(double got, double exact);
 
-/// `got` has at least `floor` digits of `exact`; `because` says where the floor comes from. `what`
-/// names what was measured: "mean({1, 2})".
-void expect_digits(const std::string& what, double got, double exact, double floor,
-                   const std::string& because, const Hints& hints);
-
 /// |got - exact| <= tolerance.
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Hints& hints);
 
-/// The same with hints that are dear to find: asked for where the check fails.
+/// The same with hints that take long to find: asked for where the check fails.
 template <std::invocable Find>
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Find& find) {
@@ -52,9 +45,6 @@ void expect_that(bool holds, const std::string& measured, const std::string& exp
 
 /// `got` is NaN, as in numpy and R for what is undefined.
 void expect_nan(const std::string& what, double got, const std::string& because);
-
-/// The call threw std::invalid_argument, whatever it says.
-void expect_refused(const Call& call, const std::string& because);
 
 /// The call threw std::invalid_argument, and its text names `argument` (or one of several,
 /// separated by '|').

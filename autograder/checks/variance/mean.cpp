@@ -31,6 +31,7 @@ CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
   judge(lists_with_large_means(rng, {1000}), false);
   judge(lists_with_outliers(rng, 1), false);
   judge(lists_of_any_scale(rng), false);
+  judge({List(uniform_values(rng, 100, 1e-300, 2e-300))}, false);
 }
 
 CHECK_CASE("1.1 the mean of nothing is NaN", "[1.1][edge][points:1]") {
