@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "checks/support/battery.hpp"
 #include "checks/support/distributions.hpp"
 #include "checks/support/expect.hpp"
 
@@ -123,6 +124,22 @@ std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size
               "sizes that add up", "", "");
   require_random(got.call, parts);
   return parts;
+}
+
+void require_fine(const std::string& call, std::span<const Set> sets) {
+  const std::string few_bits = "coordinates have 53 random bits: a float has 24";
+  Uniforms rest{call + ", bits of coordinates from the 17th on", 1, {}, 36};
+  for (const Set& set : sets) {
+    for (const View axis : {set.x, set.y}) {
+      for (const double x : axis) rest.values.push_back(x * 0x1p16 - std::floor(x * 0x1p16));
+    }
+  }
+  expect_independent_uniforms(rest,
+                              {.words = "the lower bits of coordinates are uniform",
+                               .alpha = alpha,
+                               .otherwise = few_bits,
+                               .repeated = few_bits},
+                              true);
 }
 
 Spectrum mean_spectrum(std::span<const Set> sets, double n) {

@@ -25,7 +25,7 @@ inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double below_one = 1 - eps / 2;
 
-/// Of each of the lab's 16 tests that have one.
+/// Of each of the lab's 30 tests that have one.
 inline constexpr double alpha = 1e-8;
 
 /// The distance of neighbours in the densest pattern of n points, a triangular lattice: relative
@@ -54,6 +54,10 @@ std::vector<Set> sets_of(const Measured<Points>& got, std::size_t n, std::size_t
 
 /// The `sets` Poisson-disk patterns that were asked for, each of one point at least.
 std::vector<Set> sets_of(const Measured<Patterns>& got, double radius, std::size_t sets);
+
+/// What follows the first 16 bits of all coordinates is uniform, whatever places points prefer:
+/// fewer bits show there. At least 200 coordinates.
+void require_fine(const std::string& call, std::span<const Set> sets);
 
 /// The mean spectrum up to 2 sqrt(n) of sets of about n points.
 Spectrum mean_spectrum(std::span<const Set> sets, double n);

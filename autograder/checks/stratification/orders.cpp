@@ -1,6 +1,7 @@
 #include "checks/stratification/orders.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -25,6 +26,20 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
                  fmt::format("two random permutations of {} are equal with probability 1 / {}!",
                              orders.n, orders.n),
                  claim.repeated});
+  }
+}
+
+/// Ends the check where a value is in its place in all R permutations: for some of n values with
+/// probability n^(1-R), which is below 1e-9 where it is asked.
+void fail_at_fixed_value(const Permutations& orders) {
+  if (static_cast<double>(orders.size() - 1) * std::log(orders.n) < 9 * std::log(10.0)) return;
+  for (std::size_t value = 0; value < orders.n; ++value) {
+    std::size_t stays = 0;
+    while (stays < orders.size() && orders[stays][value] == value) ++stays;
+    if (stays < orders.size()) continue;
+    fail(Failure{fmt::format("{}: value {} of {} is in its place in all {} permutations",
+                             orders.call, value, orders.n, stays),
+                 "each value in any place", "", "all values take part, the last one too"});
   }
 }
 
@@ -55,7 +70,10 @@ std::size_t rank_of(std::span<const std::size_t> order) {
 
 void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
                                 bool only_repeats) {
-  if (orders.n >= 20) fail_at_repeat(orders, claim);
+  if (orders.n >= 20) {
+    fail_at_repeat(orders, claim);
+    fail_at_fixed_value(orders);
+  }
   if (only_repeats) return pass();
   if (orders.n <= 5) return expect_all_ranks(orders, claim);
   for (const bool backwards : {false, true}) {
