@@ -61,6 +61,8 @@ CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]")
   plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
   judge_plans(plans);
   plans = {{{1, 0.1, 1000}, 0.7},                   // fewer than the pilot had
+           {{1, 0.5, 5}, 1},                        // 1.25, so two
+           {{1, 0.5, 4}, 1},                        // one
            {{1, 0.5, 1000000}, 1e-4},               // 2.5e13
            {{-5, 3e170, 17}, 1e169},                // squares that overflow, one by one
            {{-5, 3e-170, 17}, 1e-170},              // and that are 0
