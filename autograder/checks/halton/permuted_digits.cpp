@@ -7,9 +7,9 @@
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
-#include "checks/halton/expect_all_seeds.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/compare.hpp"
+#include "checks/support/expect_all_seeds.hpp"
 #include "checks/support/refusals.hpp"
 #include "checks/support/sample_sets.hpp"
 

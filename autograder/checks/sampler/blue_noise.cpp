@@ -59,15 +59,13 @@ CHECK_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]"
                           call, radius, sets),
               "more than 0.6; 0.667 on average for best candidates",
               "a fixed number of candidates lets the last points come close", hint);
-  const Columns firsts = columns_of("blue_noise", 4, neighbours(fresh_seed(rng), 600), {2});
-  for (std::size_t c = 0; c < 2; ++c) {
-    const Values x = firsts.first(c);
-    expect_uniform(fmt::format("{}: {} of the first sample", firsts.call, c == 0 ? "x" : "y"), x,
-                   "the first sample is uniform over seeds",
-                   std::set(x.begin(), x.end()).size() == 1
-                       ? "does every pattern begin at the same place? " + same_for_seeds
-                       : "does every pattern begin at the same place?");
-  }
+  expect_independent_uniforms(
+      columns_of("blue_noise", 4, neighbours(fresh_seed(rng), 600), {2}).first_samples(),
+      {.words = "the first sample is uniform over seeds",
+       .alpha = alpha,
+       .otherwise = "does every pattern begin at the same place?",
+       .repeated = "does every pattern begin at the same place? " + same_for_seeds,
+       .same = "does every pattern begin at the same place? " + same_for_seeds});
   expect_all_different(call + " and others", all, "forty sets",
                        "no two points of a set are one, and no point is in every set");
 }

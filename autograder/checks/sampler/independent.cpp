@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "checks/sampler/relations.hpp"
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
@@ -13,32 +12,24 @@ namespace {
 
 CHECK_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][needs:2]") {
   Rng rng = check_rng();
-  const std::size_t n = 16384;
-  const Columns got = columns_of("independent", n, {fresh_seed(rng)}, {1, 2, 1});
-  const std::string hint = "uniforms of lab 2, fresh ones for every coordinate of every sample";
-  for (std::size_t c = 0; c < got.dims; ++c) {
-    const std::string call = fmt::format("{}, coordinate {}", got.call, c);
-    expect_uniform(call, got[c], "each coordinate is uniform in [0, 1)", hint);
-    Values before, after;
-    for (std::size_t i = 0; i < n; i += 2) {
-      before.push_back(got[c][i]);
-      after.push_back(got[c][i + 1]);
+  const Randomness fresh{
+      .words = "all numbers of all samples are uniform and independent",
+      .alpha = alpha,
+      .otherwise = "uniforms of lab 2, fresh ones for every coordinate of every sample",
+      .repeated = "the same numbers come again for another sample dimension or another sample",
+      .same = "the same numbers come again for another sample dimension"};
+  for (const std::size_t n : {4096u, 1000u, 65537u}) {
+    const Uses uses = n > 10000 ? Uses{1, 2} : repeated(17, {1, 2});
+    const Columns got = columns_of("independent", n, {fresh_seed(rng)}, uses);
+    Uniforms samples{got.call, got.dims};
+    samples.name = [](std::size_t c) { return fmt::format("coordinate {}", c); };
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t c = 0; c < got.dims; ++c) samples.values.push_back(got[c][i]);
     }
-    expect_uniform_pairs(call + ", pairs of a sample and the next", before, after,
-                         "samples are independent of each other", hint);
+    expect_independent_uniforms(samples, fresh);
   }
-  // Nor later: numbers that come again a few samples on are no new ones.
-  Values all;
-  for (std::size_t c = 0; c < got.dims; ++c) {
-    all.insert(all.end(), got[c].begin(), got[c].begin() + 2048);
-  }
-  expect_all_different(got.call, all, "four coordinates of 2,048 samples",
-                       "the same numbers come again for another sample dimension");
-  for (const auto& [a, b] : {std::pair{0u, 1u}, {1u, 2u}, {0u, 3u}}) {
-    expect_uniform_pairs(fmt::format("{}, pairs of coordinates {} and {}", got.call, a, b), got[a],
-                         got[b], "different coordinates are independent of each other",
-                         "the same numbers come again for another sample dimension");
-  }
+  const Columns few = columns_of("independent", 1, neighbours(fresh_seed(rng), 2000), {1, 2, 1});
+  expect_independent_uniforms(few.first_samples(), fresh);
 }
 
 CHECK_CASE("6.1 the error is that of independent samples", "[6.1][points:4][needs:6.5][needs:2]") {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "checks/sampler/relations.hpp"
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/catch.hpp"
 
@@ -112,28 +111,15 @@ CHECK_CASE("6.6 the same seed is the same picture", "[6.6][edge][points:1]") {
 
 CHECK_CASE("6.6 the noise of a picture is white across pixels", "[6.6][points:1][needs:6.4]") {
   Rng rng = check_rng();
-  const std::size_t width = 80, height = 80;
+  const std::size_t width = 64, height = 100;  // so that pixels one below the other are tested, too
   for (const std::string& kind : sampler_kinds) {
     const auto got = MEASURE(render_noise, kind, width, height, 1, fresh_seed(rng));
-    const Values& pixels = got.exactly(width * height, unit).pixels;
-    Values left, right, above, below;
-    for (std::size_t row = 0; row < height; ++row) {
-      for (std::size_t column = 0; column < width; column += 2) {
-        left.push_back(pixels[row * width + column]);
-        right.push_back(pixels[row * width + column + 1]);
-      }
-    }
-    for (std::size_t row = 0; row < height; row += 2) {
-      for (std::size_t column = 0; column < width; ++column) {
-        above.push_back(pixels[row * width + column]);
-        below.push_back(pixels[(row + 1) * width + column]);
-      }
-    }
-    const std::string hint = "the numbers of neighbouring pixels have something in common";
-    expect_uniform_pairs(got.call + ", pairs of a pixel and the one beside it", left, right,
-                         "neighbours in a row are independent", hint);
-    expect_uniform_pairs(got.call + ", pairs of a pixel and the one below it", above, below,
-                         "neighbours in a column are independent", hint);
+    expect_independent_uniforms(
+        {got.call, 1, got.exactly(width * height, unit).pixels},
+        {.words = "pixels are independent of each other",
+         .alpha = alpha,
+         .otherwise = "the numbers of neighbouring pixels have something in common",
+         .repeated = "the numbers of pixels come again: a seed for each pixel"});
   }
 }
 

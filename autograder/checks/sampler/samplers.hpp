@@ -17,7 +17,9 @@
 #include <fmt/format.h>
 
 #include "6-sampler/experiments.hpp"
+#include "checks/support/battery.hpp"
 #include "checks/support/data.hpp"
+#include "checks/support/domain.hpp"
 #include "checks/support/expect.hpp"
 
 namespace mc::checks {
@@ -76,11 +78,16 @@ struct Columns {
   }
   View operator[](std::size_t c) const { return (*this)(0, c); }
 
-  /// The first sample's coordinate c, over all seeds.
-  Values first(std::size_t c) const {
-    Values values;
-    for (std::size_t set = 0; set < sets(); ++set) values.push_back((*this)(set, c)[0]);
-    return values;
+  /// The coordinates of the first sample, a replicate for each seed.
+  Uniforms first_samples() const {
+    Uniforms numbers{call, dims};
+    for (std::size_t set = 0; set < sets(); ++set) {
+      for (std::size_t c = 0; c < dims; ++c) numbers.values.push_back((*this)(set, c)[0]);
+    }
+    numbers.name = [](std::size_t c) {
+      return fmt::format("coordinate {} of the first sample, over seeds", c);
+    };
+    return numbers;
   }
 };
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "checks/sampler/planes.hpp"
-#include "checks/sampler/relations.hpp"
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/catch.hpp"
+#include "checks/support/inversions.hpp"
 #include "checks/support/known_scenes.hpp"
 #include "checks/support/measure.hpp"
 
@@ -37,53 +38,72 @@ CHECK_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][poin
   }
 }
 
+/// The coordinates whose order is free: next(), and x of next2(), which decides about y.
+std::vector<std::size_t> free_coordinates(const Uses& uses) {
+  std::vector<std::size_t> free;
+  std::size_t c = 0;
+  for (const unsigned use : uses) free.push_back(c), c += use;
+  return free;
+}
+
+/// In which strata the samples are, as the uniform numbers that decide about a permutation; of each
+/// set and each free coordinate.
+Uniforms orders_of(const Columns& got, const std::vector<std::size_t>& coordinates, Rng& rng) {
+  Uniforms orders{got.call, coordinates.size() * (got.n - 1)};
+  orders.name = [=, n = got.n](std::size_t position) {
+    return fmt::format("choice {} of the permutation of coordinate {}", position % (n - 1),
+                       coordinates[position / (n - 1)]);
+  };
+  for (std::size_t set = 0; set < got.sets(); ++set) {
+    for (const std::size_t c : coordinates) {
+      std::vector<std::size_t> strata;
+      for (const double x : got(set, c)) strata.push_back(stratum_of(x, got.n).value_or(0));
+      if (!is_stratified(got(set, c), got.n)) {
+        expect_one_in_each(got.call, fmt::format("coordinate {}", c).c_str(), got(set, c), got.n,
+                           "a column has one number in each stratum");
+      }
+      const Values more = uniforms_of_permutation(strata, rng);
+      orders.values.insert(orders.values.end(), more.begin(), more.end());
+    }
+  }
+  return orders;
+}
+
 CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][points:5][needs:3]") {
   Rng rng = check_rng();
-  const std::size_t n = 10007;
-  const Columns got = columns_of("stratified", n, {fresh_seed(rng)}, repeated(6, {1, 2}));
-  const auto use_of = [](std::size_t c) { return c / 3 * 2 + (c % 3 > 0 ? 1 : 0); };
-  Values index(n);
-  std::iota(index.begin(), index.end(), 0.0);
-  for (std::size_t c = 0; c < got.dims; ++c) {
-    expect_unrelated(got.call, index, got[c],
-                     fmt::format("the numbers of the samples and coordinate {}", c),
-                     "the strata come in order: the pattern must be shuffled");
-    for (std::size_t other = 0; other < c; ++other) {
-      if (use_of(other) == use_of(c)) continue;
-      expect_unrelated(
-          got.call, got[other], got[c], fmt::format("coordinates {} and {}", other, c),
-          "one permutation for different sample dimensions: each needs a shuffle of its own");
-    }
-  }
-  pass();
-  // Where a point lies within its stratum: uniform, and of its own for every sample dimension.
-  const auto jitter = [&](std::size_t c) {
-    Values jitters;
-    for (const double x : got[c]) {
-      const double scaled = x * static_cast<double>(n);
-      jitters.push_back(std::clamp(scaled - std::floor(scaled), 0.0, 1 - 0x1p-53));
-    }
-    return jitters;
+  const Randomness permuted{
+      .words = "each sample dimension is in an independent random permutation",
+      .alpha = alpha,
+      .otherwise =
+          "the pattern must be shuffled, by a permutation of its own for each sample "
+          "dimension and each seed",
+      .repeated = same_for_seeds,
+      .same = "one permutation for different sample dimensions: each needs a shuffle of its own"};
+  const auto in_order = [](const Uniforms& orders) {  // the first stratum first, and so on
+    const auto is_low = [](double u) { return u < 0.34; };
+    return std::all_of(orders.values.begin(), orders.values.end(), is_low);
   };
-  const std::string hint = "points are uniform in their strata: a number for each";
-  for (const std::size_t c : {0u, 1u}) {
-    expect_uniform(fmt::format("{}, places within the strata of coordinate {}", got.call, c),
-                   jitter(c), "points are uniform in their strata", hint);
-  }
-  expect_uniform_pairs(got.call + ", pairs of places within the strata of coordinates 0 and 3",
-                       jitter(0), jitter(3),
-                       "the jitter of different sample dimensions is independent", hint);
-  // Which stratum the first sample is in.
-  const Columns firsts = columns_of("stratified", 5, neighbours(fresh_seed(rng), 600), {1, 2});
-  for (std::size_t c = 0; c < 3; ++c) {
-    const char* const which[] = {"next()", "x of next2()", "y of next2()"};
-    const Values x = firsts.first(c);
-    expect_uniform(
-        fmt::format("{}: {} of the first sample", firsts.call, which[c]), x,
-        "the first sample is uniform over seeds",
-        std::set(x.begin(), x.end()).size() == 1
-            ? same_for_seeds
-            : "the first sample may lie anywhere: the shuffle's numbers come from the seed");
+  for (const auto& [n, uses, sets] :
+       {std::tuple{std::size_t{12}, repeated(6, {1, 2}), std::size_t{300}},
+        {std::size_t{5}, repeated(17, {2, 1}), std::size_t{300}},
+        {std::size_t{10007}, Uses{1, 2, 1}, std::size_t{1}}}) {
+    const Columns got = columns_of("stratified", n, neighbours(fresh_seed(rng), sets), uses);
+    const auto coordinates = free_coordinates(uses);
+    const Uniforms orders = orders_of(got, coordinates, rng);
+    auto failure = dependence_in(orders, permuted);
+    if (failure && in_order(orders)) {
+      failure->likely = "the strata come in order: the pattern must be shuffled";
+    }
+    if (failure) fail(*failure);
+    // Where a point lies within its stratum: uniform, and of its own for every sample dimension.
+    Uniforms jitters{got.call, got.dims * n};
+    jitters.bits = bits_of_jitter(n);
+    for (const double x : got.all) jitters.values.push_back(jitter_of(x, n));
+    expect_independent_uniforms(
+        jitters, {.words = "points are uniform in their strata, each by a number of its own",
+                  .alpha = alpha,
+                  .otherwise = "points are uniform in their strata: a number for each",
+                  .repeated = same_for_seeds});
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What 5.8 and 5.9 promise of their seeds.
+// What randomized constructions promise of their seeds.
 
 #include <cmath>
 #include <string>
@@ -11,11 +11,12 @@
 
 namespace mc::checks {
 
-/// There are 20 tests at most in a run of this lab.
+/// Labs have 40 such tests at most in a run.
 inline constexpr double one_alpha = 1e-8;
 
-/// `measure(seeds)` scrambles 0 by each of them, in base `base`. Seeds that follow each other, as
-/// those of axes and pixels do, and seeds that differ in one bit, give unrelated numbers.
+/// `measure(seeds)` gives one number for each of them: where a construction has digits in `base`,
+/// of 0 scrambled. Seeds that follow each other, as those of axes and pixels do, and seeds that
+/// differ in one bit, give unrelated numbers.
 template <class Measurement>
 void expect_all_seeds(Rng& rng, double base, const std::string& level, Measurement measure) {
   const auto row = measure(domain::seeds_in_a_row(rng() >> 1, 6400));
