@@ -169,6 +169,7 @@ CHECK_CASE("5.2 a column past the last index is refused", "[5.2][points:1][edge]
       {MEASURE_OUTCOME(radical_inverses, 0, 0, 10), "base", no_digits},
       {MEASURE_OUTCOME(radical_inverses, 1, 0, 10), "base", no_digits},
       {MEASURE_OUTCOME(radical_inverses, 1, 7, 1), "base", no_digits},
+      {MEASURE_OUTCOME(radical_inverses, 1, 7, 0), "base", no_digits},
       {MEASURE_OUTCOME(radical_inverses, 3, last_index - 1, 3), range, past_the_end},
       {MEASURE_OUTCOME(radical_inverses, 2, last_index, 2), range, past_the_end},
       {MEASURE_OUTCOME(radical_inverses, 2, last_index - 4094, 4097), range, past_the_end}};

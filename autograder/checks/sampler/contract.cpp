@@ -26,8 +26,8 @@ CHECK_CASE("6.4 there are numbers for N samples and no others", "[6.4][edge][poi
                                : i < 16 ? "after the last of two samples"
                                : i < 19 ? "after a second generate()"
                                         : "after the last of its samples";
-      expect_thrown(got, i, refused.contains(i) ? 1 : 0, when,
-                    "next() and next2() need a sample; advance() never throws");
+      check_thrown(got, i, refused.contains(i) ? 1 : 0, when,
+                   "next() and next2() need a sample; advance() never throws");
     }
   }
   pass();
@@ -41,9 +41,9 @@ CHECK_CASE("6.4 no samples and too many are refused", "[6.4][edge][points:1]") {
                                      generate(3, 1),
                                      {next_call}});
     for (std::size_t i = 0; i < got.steps.size(); ++i) {
-      expect_thrown(got, i, i < 3 ? 2 : 0,
-                    i < 3 ? fmt::format("with {} samples", got.steps[i].samples) : "after that",
-                    "there must be samples, and memory for a column of them");
+      check_thrown(got, i, i < 3 ? 2 : 0,
+                   i < 3 ? fmt::format("with {} samples", got.steps[i].samples) : "after that",
+                   "there must be samples, and memory for a column of them");
     }
   }
   pass();
@@ -60,10 +60,10 @@ CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
     const std::vector<Uses> all(n, Uses{1, 2, 2, 1, 1});
     const Played alone = played(kind, walk(n, seed, all));
     const ByUse due = by_use(alone);
-    expect_different(alone, due);
-    expect_same(alone, due, by_use(played(kind, walk(n, seed, all))),
-                "the same kind, seed and calls in another object",
-                "nothing but the seed may decide: no clock, no global generator");
+    check_different(alone, due);
+    check_same(alone, due, by_use(played(kind, walk(n, seed, all))),
+               "the same kind, seed and calls in another object",
+               "nothing but the seed may decide: no clock, no global generator");
     // One object, asked for these; for as many with another seed, and left in the middle of a
     // sample; for these again; for fewer, and left in the middle; and for these again: each is what
     // a new object has.
@@ -82,10 +82,10 @@ CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
     for (const std::size_t end : ends) {
       const Played fresh = played(kind, {steps.begin() + static_cast<std::ptrdiff_t>(begin),
                                          steps.begin() + static_cast<std::ptrdiff_t>(end)});
-      expect_same(reused, by_use(fresh), by_use(reused, begin, end, left_over),
-                  "generate() begins anew, whatever the object was used for before: a new object "
-                  "has that number",
-                  left_over);
+      check_same(reused, by_use(fresh), by_use(reused, begin, end, left_over),
+                 "generate() begins anew, whatever the object was used for before: a new object "
+                 "has that number",
+                 left_over);
       begin = end;
     }
   }
@@ -104,10 +104,10 @@ CHECK_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
     const std::string because = "two samplers, asked in turn, are those of two programs";
     const Played one = admitted(kind, steps, both.first(steps.size()), ", one of two in turn");
     const ByUse due = by_use(played(kind, steps));
-    expect_same(one, due, by_use(one), because, hint);
+    check_same(one, due, by_use(one), because, hint);
     const Played other =
         admitted(kind, of_other, both.last(steps.size()), ", the other of two in turn");
-    expect_same(other, by_use(played(kind, of_other)), by_use(other), because, hint);
+    check_same(other, by_use(played(kind, of_other)), by_use(other), because, hint);
     if (is_sequence(kind)) continue;  // whether it is randomised, 6.3 looks
     expect_that(
         one.answers[1].x != other.answers[1].x || one.answers[2].x != other.answers[2].x,
@@ -147,10 +147,10 @@ CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][main][poi
     some[3] = {};
     const Played full = played(kind, walk(n, seed, std::vector<Uses>(n, all)));
     const ByUse due = by_use(full);
-    expect_different(full, due);
+    check_different(full, due);
     check_first_column(full, due, n);
     const Played fewer = played(kind, walk(n, seed, some));
-    expect_same(
+    check_same(
         fewer, due, by_use(fewer),
         "sample i's value in a sample dimension does not depend on what other samples ask for",
         "a sample that ends early must not hand its numbers to the next one");
@@ -161,7 +161,7 @@ CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][main][poi
       growing.back().resize(i == n - 1 ? all.size() : i / 2);
     }
     const Played late = played(kind, walk(n, seed, growing));
-    expect_same(
+    check_same(
         late, due, by_use(late),
         "a sample dimension may first be asked for by a later sample: its values are the same",
         "make a whole column, also for the samples before, and hand out this sample's");
@@ -182,12 +182,12 @@ CHECK_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
     }
     const Played plain = played(kind, walk(n, seed, std::vector<Uses>(n, all)));
     const ByUse due = by_use(plain);
-    expect_different(plain, due);
+    check_different(plain, due);
     const Played other = played(kind, walk(n, seed, mixed));
-    expect_same(other, due, by_use(other),
-                "the k-th next() of a sample is the same sample dimension, wherever next2() stands",
-                "count the calls of next() and those of next2() in counters of their own, and set "
-                "both to 0 in advance()");
+    check_same(other, due, by_use(other),
+               "the k-th next() of a sample is the same sample dimension, wherever next2() stands",
+               "count the calls of next() and those of next2() in counters of their own, and set "
+               "both to 0 in advance()");
   }
 }
 

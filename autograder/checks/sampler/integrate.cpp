@@ -6,6 +6,7 @@
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/known_scenes.hpp"
+#include "checks/support/refusals.hpp"
 
 namespace mc::checks {
 namespace {
@@ -96,8 +97,10 @@ CHECK_CASE("6.5 the seed of integrate decides about the samples", "[6.5][points:
 }
 
 CHECK_CASE("6.5 no samples are refused", "[6.5][edge][points:1]") {
-  expect_invalid_argument(MEASURE_OUTCOME(integrate_recorded, {}, 0, 1), "",
-                          "a mean of no samples is nothing");
+  const std::vector<InvalidCall> calls{{MEASURE_OUTCOME(integrate_recorded, {}, 0, 1), "samples",
+                                        "a mean of no samples is nothing"}};
+  expect_refused(calls);
+  expect_argument_named(calls);
 }
 
 // No kind may have more than e times the variance of independent samples: that is the most a

@@ -18,7 +18,7 @@ inline Grid grid_of(std::size_t n) {
 }
 
 /// One point in each cell of strata(N), and one in each of N strata on either axis.
-inline void expect_multi_jittered(const std::string& call, View x, View y) {
+inline void check_multi_jittered(const std::string& call, View x, View y) {
   const std::size_t n = x.size();
   const Grid grid = grid_of(n);
   const bool has_cells = !cells_of(x, y, grid).empty();

@@ -4,42 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <string>
 
 #include "checks/sampler/samplers.hpp"
-#include "checks/support/statistics.hpp"
-#include "checks/support/strata.hpp"
 
 namespace mc::checks {
-
-/// The pairs (u[i], v[i]) are uniform in 8 x 8 cells.
-inline void expect_uniform_pairs(const std::string& call, View u, View v, const std::string& words,
-                                 const std::string& hint) {
-  std::vector<std::uint64_t> counts(64);
-  for (std::size_t i = 0; i < std::min(u.size(), v.size()); ++i) {
-    const auto column = stratum_of(u[i], 8), row = stratum_of(v[i], 8);
-    if (!column || !row) fail(fmt::format("measured  {}: ({}, {})", call, u[i], v[i]));
-    ++counts[*column * 8 + *row];
-  }
-  const double each = 1.0 / 64;
-  expect_counts(call + ", pairs in 8 x 8 cells", counts, std::span(&each, 1), {words, alpha},
-                {{}, hint});
-}
-
-inline void expect_uniform(const std::string& call, View x, const std::string& words,
-                           const std::string& hint) {
-  expect_distribution(call, Values(x.begin(), x.end()), [](double u) { return u; }, {words, alpha},
-                      {{}, hint});
-}
 
 /// Two columns, one of them in a random order of its own, have nothing to do with each other. Then
 /// the sum of products has mean 0 and variance Sxx Syy / (N - 1), exactly; its distribution is that
 /// of a rank correlation, normal for a thousand samples but for tails that are lighter still. 6.8
 /// standard deviations: one pair in 1e11 fails; fewer than two thousand are looked at. Orders that
 /// are not uniform permutations have another `variance` than 1 / (N - 1), by this factor at most.
-inline void expect_unrelated(const std::string& call, View x, View y, const std::string& which,
-                             const std::string& hint, double variance = 1) {
+inline void check_unrelated(const std::string& call, View x, View y, const std::string& which,
+                            const std::string& hint, double variance = 1) {
   const auto n = static_cast<double>(x.size());
   const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
   const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
@@ -61,8 +38,8 @@ inline void expect_unrelated(const std::string& call, View x, View y, const std:
 
 /// No number comes twice. Of n numbers of 53 random bits two are the same with probability
 /// n^2 / 2^54: 4e-9 for 8,000.
-inline void expect_all_different(const std::string& call, Values numbers, const std::string& which,
-                                 const std::string& hint) {
+inline void check_all_different(const std::string& call, Values numbers, const std::string& which,
+                                const std::string& hint) {
   const std::size_t count = numbers.size();
   std::sort(numbers.begin(), numbers.end());
   const auto twice = std::adjacent_find(numbers.begin(), numbers.end());

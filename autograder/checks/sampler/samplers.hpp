@@ -98,10 +98,6 @@ inline Columns columns_of(const std::string& kind, std::size_t n, const Seeds& s
   return {got.call, n, dims, got.exactly(seeds.size() * n * dims, unit)};
 }
 
-inline bool is_refused(const Call& call) {
-  return call.outcome.answered && call.outcome.status == wire::Status::invalid_argument;
-}
-
 /// What to suspect where all seeds, or several, have the same numbers: every seed got a new
 /// sampler.
 inline const std::string same_for_seeds =

@@ -57,8 +57,8 @@ CHECK_CASE("6.3 each of the first twenty next2 gains", "[6.3][points:3][needs:6.
     const Columns got = columns_of(promise.kind, n, fresh_seeds(rng, seeds), repeated(uses, {2}));
     const std::string because = fmt::format(
         "every next2() of {} is a good point set in the plane, with {} samples", promise.kind, n);
-    const auto expect_ratio = [&](const std::string& which, double ratio, double most,
-                                  const std::string& hint) {
+    const auto check_ratio = [&](const std::string& which, double ratio, double most,
+                                 const std::string& hint) {
       expect_that(ratio <= most,
                   fmt::format("{}: {} {:.3g} times the mean squared error of independent samples "
                               "on exp({:.3g} x + {:.3g} y)",
@@ -82,11 +82,11 @@ CHECK_CASE("6.3 each of the first twenty next2 gains", "[6.3][points:3][needs:6.
       }
       const double ratio =
           squares / static_cast<double>(seeds) / (g.variance() / static_cast<double>(n));
-      expect_ratio(fmt::format("the {}-th next2() has", use), ratio, promise.most,
-                   use < 4 ? together : poor);
+      check_ratio(fmt::format("the {}-th next2() has", use), ratio, promise.most,
+                  use < 4 ? together : poor);
       all += ratio / static_cast<double>(uses);
     }
-    expect_ratio("the first twenty next2() have on average", all, promise.most_on_average, poor);
+    check_ratio("the first twenty next2() have on average", all, promise.most_on_average, poor);
   }
 }
 

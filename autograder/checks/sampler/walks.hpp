@@ -70,9 +70,8 @@ inline Played played(const std::string& kind, const std::vector<Step>& steps) {
 }
 
 /// 0 is no exception, 1 std::out_of_range, 2 std::invalid_argument.
-inline void expect_thrown(const Played& got, std::size_t i, unsigned thrown,
-                          const std::string& when, const std::string& because,
-                          const std::string& hint = "") {
+inline void check_thrown(const Played& got, std::size_t i, unsigned thrown, const std::string& when,
+                         const std::string& because, const std::string& hint = "") {
   if (got.answers[i].thrown == thrown) return;
   const char* const words[] = {"no exception", "std::out_of_range", "std::invalid_argument",
                                "another exception"};
@@ -113,8 +112,8 @@ inline ByUse by_use(const Played& got, std::size_t first, std::size_t end,
   std::size_t sample = 0;
   std::array<std::size_t, 4> count{};
   for (std::size_t i = first; i < end; ++i) {
-    expect_thrown(got, i, 0, "within the samples", "there are samples, and this is one of them",
-                  hint);
+    check_thrown(got, i, 0, "within the samples", "there are samples, and this is one of them",
+                 hint);
     const unsigned call = got.steps[i].call;
     if (call == advance_call) {
       ++sample;
@@ -132,8 +131,8 @@ inline ByUse by_use(const Played& got) {
 }
 
 /// Whatever both walks asked for, both were told.
-inline void expect_same(const Played& got, const ByUse& known, const ByUse& values,
-                        const std::string& because, const std::string& hint) {
+inline void check_same(const Played& got, const ByUse& known, const ByUse& values,
+                       const std::string& because, const std::string& hint) {
   for (const auto& [asked, here] : values) {
     const auto other = known.find(asked);
     if (other == known.end()) continue;
@@ -154,7 +153,7 @@ inline void expect_same(const Played& got, const ByUse& known, const ByUse& valu
 
 /// Nothing can be said of numbers that are all the same, or of none. A sequence that is not
 /// randomised has many twice, but that is the business of 6.3.
-inline void expect_different(const Played& got, const ByUse& values) {
+inline void check_different(const Played& got, const ByUse& values) {
   if (is_sequence(got.kind)) return;
   std::set<double> different;
   for (const auto& [asked, here] : values) different.insert(here.point.x);

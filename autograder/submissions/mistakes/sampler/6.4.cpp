@@ -277,7 +277,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::round_and_round
 
 // mistake: takes one step of a linear congruential generator from the seed as the first number
-// hint: mix the bits of the seed
+// hint: mix all 64 bits of the seed
 namespace mc::seed_is_the_state {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -404,7 +404,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::static_generator
 
 // mistake: stores four numbers per sample; further requests read the next sample's
-// fails: 6.8
+// fails: 6.1, 6.8
 // hint: next() to another sample dimension?
 namespace mc::takes_from_the_next_sample {
 struct Wrong : ColumnSampler {
