@@ -103,24 +103,6 @@ CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][poin
     }
     return true;
   };
-  const auto share_an_order = [](const Columns& got, const std::vector<std::size_t>& coordinates) {
-    const auto is_same = [&](std::size_t a, std::size_t b) {
-      for (std::size_t i = 0; i < got.n; ++i) {
-        if (stratum_of(got[a][i], got.n) != stratum_of(got[b][i], got.n)) return false;
-      }
-      return true;
-    };
-    for (const std::size_t a : coordinates) {
-      for (const std::size_t b : coordinates) {
-        if (a < b && is_same(a, b)) return true;
-      }
-    }
-    return false;
-  };
-  const auto in_order = [](const Uniforms& orders) {  // the first stratum first, and so on
-    const auto is_low = [](double u) { return u < 0.34; };
-    return std::all_of(orders.values.begin(), orders.values.end(), is_low);
-  };
   for (const auto& [n, uses, sets] :
        {std::tuple{std::size_t{12}, repeated(6, {1, 2}), std::size_t{300}},
         {std::size_t{5}, repeated(17, {2, 1}), std::size_t{300}},
