@@ -1,5 +1,5 @@
-# What the project stands on. The system's packages first; where one is missing, its source at a
-# version that is known to work (this needs the network; ./lab setup installs packages instead).
+# The project's dependencies. The system's packages come first; where one is missing, its source at
+# a known-good version (this needs the network; ./lab setup installs packages instead).
 include(FetchContent)
 
 # dependency(<package> <target> <repository> <tag>)

@@ -2,7 +2,7 @@
 # builds so (a newcomer waits for it); the presets for developers compile each file by itself.
 option(MC_UNITY "compile the files of a target together" OFF)
 option(MC_WERROR "a warning is an error" OFF)
-option(MC_SANITIZE "grader and checks under the address and undefined-behaviour sanitizers" OFF)
+option(MC_SANITIZE "grader and checks under the address and undefined-behavior sanitizers" OFF)
 
 # with_warnings(<target>): every warning that the project promises to be free of.
 function(with_warnings target)

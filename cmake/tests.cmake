@@ -27,7 +27,7 @@ add_executable(mutants EXCLUDE_FROM_ALL autograder/tests/mutants/main.cpp autogr
 own_target(mutants)
 target_link_libraries(mutants PRIVATE grading)
 
-# Intake, batches, machines that fail: what only whoever grades has.
+# Intake, batches, failing machines: the tests of what only graders use.
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/gradebook/*.cpp)
 add_executable(gradebook_tests EXCLUDE_FROM_ALL ${sources})
 own_target(gradebook_tests)
@@ -57,7 +57,7 @@ function(quick name)
   set_tests_properties(${name} PROPERTIES LABELS quick)
 endfunction()
 
-# What ./lab does for whoever types it is tested beside the rest: two that take half as long.
+# The tests of ./lab's commands run in parallel with the rest: two that take half as long.
 test_of(grader 100 grader_tests "~[script]~[.]")
 test_of(script 100 grader_tests "[script]~[.]")
 test_of(gradebook 100 gradebook_tests)
@@ -121,7 +121,7 @@ foreach(file ${submissions})
 endforeach()
 
 # Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The
-# fuzzing wire stands before the labs' own.
+# fuzzing wire comes before the labs' own in the include path.
 set(solution_files)
 add_custom_target(fuzz_programs)
 foreach(lab ${LABS})

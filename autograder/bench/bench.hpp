@@ -68,7 +68,7 @@ struct Curve {
 std::vector<Curve> curves_of(const Bench& bench);
 
 /// Seconds until the error is `target`.
-struct Reached {
+struct TimeToTarget {
   double seconds = 0;
   enum {
     between,  ///< two sizes: interpolated, by a line in the logarithms
@@ -78,7 +78,7 @@ struct Reached {
   } how = between;
 };
 /// Nothing where no size is good enough.
-std::optional<Reached> time_to(const Curve& curve, double target);
+std::optional<TimeToTarget> time_to(const Curve& curve, double target);
 
 /// The slope of log(value) over log(size), by least squares, and its standard error.
 struct Exponent {
@@ -98,13 +98,13 @@ std::vector<BenchRow> read_bench_rows(const std::filesystem::path& file, const s
 /// Many times the same row, taken in several rounds: medians.
 std::vector<BenchRow> medians(const std::vector<BenchRow>& rows);
 
-/// Libraries behind the labs' interfaces, installed or not.
+/// Libraries that implement the labs' interfaces, installed or not.
 std::vector<Peer> peers_of(const Layout& layout, const std::vector<Lab>& labs);
 
 std::string bench_csv(const Bench& bench);
 std::string bench_json(const Bench& bench);
-/// The page: `outline` (autograder/bench/page.md) with its tables, its pictures in `pictures` (a
-/// path as it stands in the page).
+/// The page: `outline` (autograder/bench/page.md) with its tables, and its pictures from `pictures`
+/// (a path as the page links it).
 std::string bench_page(const Bench& bench, const std::string& outline, const std::string& pictures);
 /// The tables that labs' cases have filled (rows of a kind "table TITLE"), each below its title.
 std::string bench_tables(const Bench& bench);

@@ -1,4 +1,4 @@
-// bench --calibrate: what the reference takes, kept with each lab for whoever has no reference.
+// bench --calibrate: stores the reference's times with each lab, for handouts without solutions.
 
 #include <algorithm>
 #include <map>
@@ -50,7 +50,7 @@ std::map<std::string, double> ratios_of(const Layout& layout, const Lab& lab,
 void calibrate(const Context& context, const std::vector<Lab>& labs, unsigned rounds) {
   const Submission solutions = open_submission(context.labs, context.layout.solutions());
   for (const Lab& lab : labs) {
-    const Built built = build_program(context.layout, lab, solutions);
+    const BuildResult built = build_program(context.layout, lab, solutions);
     if (!built.program) throw MachineError(built.failure);
     std::string text =
         "# What the reference takes, in additions of a running sum: ./lab bench --calibrate\n";

@@ -34,8 +34,8 @@ double median(std::vector<double> values) {
   return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-/// Nanoseconds a sample of each curve, where they were measured: on its integrand, if it is one
-/// whose cost cannot be told from the sample's; else anywhere.
+/// Nanoseconds per sample of each curve, if measured: on its own integrand if evaluating that is
+/// not separable from drawing the sample; else on any.
 class Times {
  public:
   explicit Times(const Bench& bench) {
@@ -173,21 +173,21 @@ std::vector<Curve> curves_of(const Bench& bench) {
   return curves;
 }
 
-std::optional<Reached> time_to(const Curve& curve, double target) {
+std::optional<TimeToTarget> time_to(const Curve& curve, double target) {
   const auto& points = curve.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(points[i].rmse <= target)) continue;
-    if (!(points[i].seconds() > 0)) return {};  // nobody measured its time
-    if (i == 0) return Reached{points[0].seconds(), Reached::or_less};
+    if (!(points[i].seconds() > 0)) return {};  // its time was not measured
+    if (i == 0) return TimeToTarget{points[0].seconds(), TimeToTarget::or_less};
     const auto& before = points[i - 1];
     const auto& after = points[i];
     const double part = std::log(before.rmse / target) / std::log(before.rmse / after.rmse);
-    return Reached{before.seconds() * std::pow(after.seconds() / before.seconds(), part),
-                   Reached::between};
+    return TimeToTarget{before.seconds() * std::pow(after.seconds() / before.seconds(), part),
+                        TimeToTarget::between};
   }
   if (curve.what != "independent" || points.empty() || !(points.back().seconds() > 0)) return {};
   const double n = curve.variance / (target * target);
-  return Reached{n * points.back().seconds() / points.back().n, Reached::by_law};
+  return TimeToTarget{n * points.back().seconds() / points.back().n, TimeToTarget::by_law};
 }
 
 std::optional<Exponent> exponent_of(const std::vector<std::pair<double, double>>& points) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The judge's figures, measured on this machine (those of the labs are ./lab bench's), beside what
-# is promised. Takes about a quarter of an hour; leave the machine alone meanwhile. The packages
-# must be installed (./lab setup).
+# Measures the judge's numbers on this machine next to the promised ones (./lab bench measures those
+# of the labs). Takes about 15 minutes; leave the machine idle meanwhile. The packages must be
+# installed (./lab setup).
 set -euo pipefail
 root=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd -P)
 work=$(mktemp -d)

@@ -27,8 +27,8 @@ std::string reached(const Curve* curve, double target) {
   if (curve == nullptr) return "";
   const auto when = time_to(*curve, target);
   if (!when) return "not reached";
-  if (when->how == Reached::by_law) return '(' + duration(when->seconds) + ')';
-  return (when->how == Reached::or_less ? "≤ " : "") + duration(when->seconds);
+  if (when->how == TimeToTarget::by_law) return '(' + duration(when->seconds) + ')';
+  return (when->how == TimeToTarget::or_less ? "≤ " : "") + duration(when->seconds);
 }
 
 /// Two digits that count.

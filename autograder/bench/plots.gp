@@ -8,7 +8,7 @@ array what[6] = ["independent", "jittered", "multi-jittered", "Poisson disk", "H
 array called[6] = ["independent", "jittered", "multi-jittered; Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 array many[6] = ["independent", "jittered, padded", "Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 # A library's line (peer[k] is its block, peerwhat[k] what it draws; both come from the bench) has
-# the colour of the method that it is to be compared with.
+# the color of the method that it is to be compared with.
 method(k) = sum [j=1:|what|] (what[j][1:4] eq peerwhat[k][1:4] ? j : 0)
 second(k) = sum [j=1:k] (peerwhat[j] eq peerwhat[k] ? 1 : 0)
 curves = data."/curves.tsv"

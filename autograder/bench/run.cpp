@@ -1,4 +1,4 @@
-// bench: speed against error, of the solutions, of any submission, of the libraries beside them.
+// bench: speed against error, of the solutions, of any submission, and of libraries.
 
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -53,7 +53,7 @@ class StopOnInterrupt {
 };
 
 /// Somebody to be measured: a lab's program of a submission.
-struct Entrant {
+struct Contender {
   Lab lab;
   std::string label;
   sandbox::Program program;
@@ -61,7 +61,7 @@ struct Entrant {
 
 /// One run of a lab's bench cases on an entrant's program.
 struct Job {
-  const Entrant* entrant;
+  const Contender* entrant;
   std::string kind;  ///< "error", "time", "growth", "table", "table-time"
   fs::path rows;     ///< where they are written
 };
@@ -127,7 +127,7 @@ class BenchRun {
   void enter(const Lab& lab, const std::vector<Submission>& submissions) {
     for (const Submission& submission : submissions) {
       if (stop || !submission.files.contains(lab.name)) continue;
-      Built built = build_program(context_.layout, lab, submission);
+      BuildResult built = build_program(context_.layout, lab, submission);
       if (built.program) {
         entrants_.push_back({lab, submission.label, std::move(*built.program)});
       } else {
@@ -141,7 +141,7 @@ class BenchRun {
   void measure(unsigned rounds, bool tables_only) {
     std::vector<Job> errors, times, growth;
     const auto add = [&](std::vector<Job>& jobs, const char* kind, unsigned round) {
-      for (const Entrant& entrant : entrants_) {
+      for (const Contender& entrant : entrants_) {
         if (kind == std::string("growth") && entrant.label != "solutions") continue;
         if (has_cases(entrant.lab, kind)) jobs.push_back(job(entrant, kind, round));
       }
@@ -159,7 +159,7 @@ class BenchRun {
     for (const Job& one : times) progress_.expect(name_of(one));
     for (const Job& one : growth) progress_.expect(name_of(one));
     fmt::print("About {:.0f} s; what it has is kept if you interrupt it.\n", progress_.expected());
-    run_beside(errors, workers);
+    run_concurrently(errors, workers);
     for (const Job& one : times) run(one);
     for (const Job& one : growth) run(one);
   }
@@ -184,7 +184,7 @@ class BenchRun {
     for (const auto& entry : fs::directory_iterator(place_ / "rows")) files.push_back(entry);
     std::sort(files.begin(), files.end());
     std::vector<BenchRow> all;
-    for (const Entrant& entrant : entrants_) {
+    for (const Contender& entrant : entrants_) {
       std::vector<BenchRow> mine;
       for (const fs::path& file : files) {
         if (!file.filename().string().starts_with(stem(entrant) + ".")) continue;
@@ -199,12 +199,12 @@ class BenchRun {
   }
 
  private:
-  std::string stem(const Entrant& entrant) const {
+  std::string stem(const Contender& entrant) const {
     std::string label = entrant.label;
     std::replace(label.begin(), label.end(), '/', '_');
     return fmt::format("{}-{}", entrant.lab.name, label);
   }
-  Job job(const Entrant& entrant, const std::string& kind, unsigned round) const {
+  Job job(const Contender& entrant, const std::string& kind, unsigned round) const {
     return {&entrant, kind,
             place_ / "rows" / fmt::format("{}.{}-{}.tsv", stem(entrant), kind, round)};
   }
@@ -232,14 +232,14 @@ class BenchRun {
     progress_.end(name_of(one), std::chrono::duration<double>(Clock::now() - start).count(),
                   workers);
   }
-  void run_beside(const std::vector<Job>& jobs, double workers) {
+  void run_concurrently(const std::vector<Job>& jobs, double workers) {
     run_side_by_side(jobs.size(), static_cast<unsigned>(workers),
                      [&](std::size_t k) { run(jobs[k], workers); });
   }
 
   const Context& context_;
   fs::path place_;
-  std::vector<Entrant> entrants_;
+  std::vector<Contender> entrants_;
   std::map<std::pair<std::string, std::string>, bool> has_cases_;  // of a lab, of a kind
   Progress progress_;
 };
@@ -360,8 +360,8 @@ int run_bench(const Context& context, const Arguments& arguments) {
   const Plots plots = draw_bench(context.layout, bench, place);
   for (const std::string& remark : plots.remarks) fmt::print("{}\n", remark);
   fmt::print("\n{}\n", bench_summary(bench));
-  fmt::print("{:.0f} s{}; {} (and .json), {} pictures beside it\n", bench.seconds,
-             stop ? ", interrupted: this is what there is" : "", (place / "results.csv").string(),
+  fmt::print("{:.0f} s{}; {} (and .json), {} pictures next to it\n", bench.seconds,
+             stop ? ", interrupted: results are partial" : "", (place / "results.csv").string(),
              plots.pictures.size());
   if (const auto page = arguments.get("page")) {
     const fs::path file = fs::absolute(*page);
@@ -382,19 +382,16 @@ const RegisterCommand bench_command{
     {"bench",
      "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
      {"tables", "rounds=", "page=", "calibrate"},
-     "Every lab, unless some are named; the solutions, the libraries that are installed, each DIR\n"
-     "and each FILE.cpp of autograder/submissions. Minutes, on an idle machine; what it has is "
-     "kept\n"
-     "if it is interrupted. Numbers and pictures go to build/bench/.\n"
-     "  --tables      only the small tables, in a minute: what each next2() of a sampler is "
-     "worth,\n"
-     "                what a number costs where samples are few, the tails of scrambling, and "
-     "what\n"
-     "                handouts quote\n"
-     "  --rounds N    time everything so often, in turn (5)\n"
-     "  --page FILE   write the page as well: docs/speed-against-error.md\n"
-     "  --calibrate   nothing but labs/*/speed.tsv: what the solutions take, by which a handout\n"
-     "                says how fast the reference is\n",
+     "Measures every lab, unless some are named: the solutions, the installed libraries, each DIR\n"
+     "and each FILE.cpp of autograder/submissions. Takes minutes, on an idle machine; an\n"
+     "interrupted run keeps its results. Numbers and pictures go to build/bench/.\n"
+     "  --tables      only the small tables, in a minute: the worth of each next2() of a sampler,\n"
+     "                the cost of a number at small sample sizes, the tails of scrambling, and\n"
+     "                what handouts quote\n"
+     "  --rounds N    time everything N times, in turn (5)\n"
+     "  --page FILE   also write the page: docs/speed-against-error.md\n"
+     "  --calibrate   only write labs/*/speed.tsv: the solutions' times, from which a handout\n"
+     "                estimates the reference's speed\n",
      run_bench}};
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view prefix = "table ";
 
-/// A cell with a larger error, as a part of it, has that beside it.
+/// A cell whose relative error exceeds this shows the error too.
 constexpr double uncertain = 0.15;
 
 /// Names in the order in which they came.
@@ -69,7 +69,7 @@ std::string bench_tables(const Bench& bench) {
     auto table = std::find_if(tables.begin(), tables.end(),
                               [&](const Table& one) { return one.title == title; });
     if (table == tables.end()) table = tables.insert(tables.end(), {title});
-    // What is exact is nobody's.
+    // Exact values have no author.
     const bool without_name = cell.submission == "solutions" || cell.what.ends_with(", exact");
     const std::string row =
         without_name ? cell.what : fmt::format("{}, {}", cell.what, cell.submission);

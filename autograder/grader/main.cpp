@@ -1,4 +1,4 @@
-// Each of the programs behind ./lab: they differ in the commands that are linked into them.
+// The main function of every program that ./lab runs; they differ in the commands linked in.
 
 #include "grader/commands/dispatch.hpp"
 

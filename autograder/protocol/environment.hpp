@@ -1,9 +1,9 @@
 #pragma once
-// What the grader tells a process of checks: in variables of its environment, and on descriptors.
+// What the grader passes to a process of checks: environment variables and descriptors.
 
 namespace mc::protocol {
 
-// The program under judgement, open on this descriptor.
+// The program under judgment, open on this descriptor.
 inline constexpr const char* program_variable = "MC_PROGRAM_DESCRIPTOR";
 inline constexpr int program_descriptor = 10;
 // By hand instead: its path.

@@ -1,5 +1,5 @@
 #pragma once
-// What a process of checks tells the grader, over one pipe: a line for each record, "kind text",
+// What a process of checks sends to the grader, over one pipe: one line per record, "kind text",
 // line ends in the text escaped.
 
 #include <string>

@@ -10,9 +10,9 @@ namespace mc::sandbox {
 class Descriptor {
  public:
   Descriptor() = default;
-  /// Takes `raw` over and moves it to a number that no child is given (children know a few low
-  /// ones). Throws std::system_error, with `action` in its text, if `raw` is none: so the result of
-  /// open() goes in as it is.
+  /// Takes ownership of `raw` and moves it to a number that no child inherits (children use a few
+  /// low ones). Throws std::system_error, with `action` in its text, if `raw` is negative, so the
+  /// result of open() can be passed directly.
   Descriptor(int raw, std::string_view action);
   Descriptor(Descriptor&& other) noexcept;
   Descriptor& operator=(Descriptor&& other) noexcept;

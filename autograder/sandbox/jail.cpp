@@ -182,7 +182,7 @@ bool read_response(std::string_view bytes, Outcome& outcome) {
   outcome.status = header.status;
   outcome.bytes = std::string(bytes);
   if (header.status != wire::Status::value) {
-    // One line of a story: 16 MB of it would drown the check's report, lines could pass for ours.
+    // One short line: 16 MB would bury the check's report, and lines could pass for ours.
     constexpr std::size_t longest_text = 200;
     outcome.bytes = printable_line(shortened(bytes, longest_text));
   }

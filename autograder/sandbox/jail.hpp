@@ -13,7 +13,7 @@ namespace mc::sandbox {
 /// What one measurement may use.
 struct Limits {
   double cpu_seconds = 2;  ///< rounded up to whole seconds, as the kernel counts them
-  /// Far behind the CPU time: who uses it up without that was kept waiting by the machine.
+  /// Far above the CPU time: a program that uses it up without that was delayed by the machine.
   double wall_seconds = 60;
   std::size_t memory = std::size_t{512} << 20;  ///< address space, in bytes
   std::size_t printed = std::size_t{64} << 10;  ///< on standard output and standard error together
@@ -43,9 +43,9 @@ struct Program {
 };
 Program open_program(const std::string& path);  ///< throws std::system_error
 
-/// Starts the program in the jail, gives it `request`, and waits for its end. What the jail is
-/// stands in docs/security.md. Throws std::system_error where the machine fails, or is too busy to
-/// run it within its wall time, never for anything that the program does.
+/// Starts the program in the jail, gives it `request`, and waits for its end. docs/security.md
+/// describes the jail. Throws std::system_error if the machine fails, or is too busy to run it
+/// within its wall time, never for anything that the program does.
 Outcome run_jailed(const Program& program, std::string_view request, const Limits& limits = {});
 
 /// The same of a program that another process has opened: `descriptor` stays the caller's.

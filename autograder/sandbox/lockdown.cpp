@@ -30,10 +30,10 @@
 namespace mc::sandbox {
 namespace {
 
-constexpr int program_descriptor = 4;  // behind request 0, printed 1 and 2, response 3
+constexpr int program_descriptor = 4;  // after request 0, printed 1 and 2, response 3
 
-/// What execveat is given, on one page at an address nobody can guess. The filter lets exec through
-/// only with pointers into this page; the page goes with the exec, so no second one can follow.
+/// The arguments of execveat, on one page at an unpredictable address. The filter allows exec only
+/// with pointers into this page; the page disappears with the exec, so no second one can follow.
 struct LaunchPage {
   char empty_path[8];
   char name[16];
@@ -104,7 +104,7 @@ void add_rules(scmp_filter_ctx context) {
                          SCMP_SYS(rseq), SCMP_SYS(uname)}) {
     allow(context, call);
   }
-  // pthread_once, under std::call_once and the locales, always wakes; nobody may wait.
+  // pthread_once, under std::call_once and the locales, always wakes; waiting is not allowed.
   for (const unsigned wake : {1u, 129u}) {  // FUTEX_WAKE, and private
     allow(context, SCMP_SYS(futex), equal(1, wake));
   }
@@ -233,7 +233,7 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
 #ifdef __linux__
   // After the user change, which forgets it.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return failed("prctl");
-  if (getppid() != parent) _exit(127);  // the parent died before it could be told
+  if (getppid() != parent) _exit(127);  // the parent died before prctl took effect
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("no_new_privs");
 #else
   (void)parent;

@@ -8,7 +8,7 @@
 
 namespace mc::sandbox {
 
-/// The program, as it is opened or (where there is no execveat) by its path.
+/// The program: an open descriptor, or its path where there is no execveat.
 struct Executable {
   int descriptor;
   const char* path;
@@ -35,7 +35,7 @@ void prepare_lockdown();
 void lock_down_and_exec(const Executable& program, const Ends& ends, const Limits& limits,
                         pid_t parent, LaunchFailure& failure);
 
-/// The user that programs run as when the judge is root: nobody.
+/// The user `nobody`, which runs programs when the judge is root.
 constexpr uid_t jailed_user = 65534;
 
 }  // namespace mc::sandbox

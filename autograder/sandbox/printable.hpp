@@ -1,5 +1,5 @@
 #pragma once
-// Text of strangers, made fit to be shown.
+// Makes untrusted text safe to show.
 
 #include <cstddef>
 #include <string>
@@ -8,8 +8,8 @@
 namespace mc::sandbox {
 
 /// `text` with everything that is not printable ASCII or well-formed UTF-8 replaced by '?', so that
-/// it can stand in a terminal, in JSON and in XML; line ends and tabs stay. What turns the
-/// direction of writing, and what nobody can see, goes too: whoever reads it sees what there is.
+/// it is valid in a terminal, in JSON and in XML; line ends and tabs stay. Also replaces characters
+/// that change the writing direction or are invisible: readers see the text as it really is.
 std::string printable(std::string_view text);
 
 /// The same on one line: line ends and tabs become blanks. For names.

@@ -164,7 +164,7 @@ class Patience {
   /// Milliseconds to wait for something to happen; -1: as long as it takes.
   int milliseconds() const { return patience_of(options_, start_, killed_); }
 
-  /// Kills the program's session when its time is up or it is told to stop.
+  /// Kills the program's session when its time is up or a stop is requested.
   void enforce(pid_t pid, ProcessResult& result) {
     const bool late =
         options_.wall_seconds > 0 &&

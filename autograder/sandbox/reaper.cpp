@@ -49,7 +49,7 @@ int notes() {
     Pipe pipe = make_pipe();
     const pid_t watchman = fork();
     if (watchman == 0) {
-      // Twice, so that it is nobody's child and needs no waiting for.
+      // Forked twice, so that init adopts it and this process need not wait for it.
       const pid_t grandchild = fork();
       if (grandchild == 0) watch(pipe.read.get());
       _exit(grandchild < 0 ? 1 : 0);
@@ -68,7 +68,7 @@ int notes() {
   return descriptor;
 }
 
-void tell(pid_t note) {
+void send_to_reaper(pid_t note) {
   const int descriptor = notes();
   if (descriptor < 0) return;
   // Notes are shorter than PIPE_BUF: they never mix.
@@ -79,11 +79,11 @@ void tell(pid_t note) {
 }  // namespace
 
 GroupGuard::GroupGuard(pid_t leader) : leader_(leader) {
-  tell(leader_);
+  send_to_reaper(leader_);
 }
 
 GroupGuard::~GroupGuard() {
-  tell(-leader_);
+  send_to_reaper(-leader_);
 }
 
 }  // namespace mc::sandbox

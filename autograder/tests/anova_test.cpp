@@ -9,7 +9,7 @@ namespace mc::checks {
 namespace {
 
 /// Mean 0, variance 1.
-double centred(double x) {
+double centered(double x) {
   return std::sqrt(12.0) * (x - 0.5);
 }
 
@@ -19,7 +19,7 @@ struct Product {
   double a = 0.6, b = 0.3, c = 0.8;
   double operator()(Sampler& sampler) const {
     const Point2 p = sampler.next2();
-    return (1 + a * centred(p.x)) * (1 + b * centred(p.y)) * (1 + c * centred(sampler.next()));
+    return (1 + a * centered(p.x)) * (1 + b * centered(p.y)) * (1 + c * centered(sampler.next()));
   }
 };
 
@@ -40,7 +40,7 @@ TEST_CASE("the variance by order of a product") {
 }
 
 /// One dimension, of two that are asked for.
-struct Single {
+struct OneDimension {
   static constexpr std::string_view uses = "next next";
   double operator()(Sampler& sampler) const {
     const double x = sampler.next();
@@ -50,7 +50,7 @@ struct Single {
 
 TEST_CASE("a function of one dimension has no variance of higher order") {
   Rng rng(6);
-  const Anova anova = anova_of(Single{}, 1 << 14, rng);
+  const Anova anova = anova_of(OneDimension{}, 1 << 14, rng);
   CHECK(anova.by_order[0] == Approx(1).margin(0.03));
   CHECK(anova.by_order[1] == Approx(0).margin(0.03));
   CHECK(anova.within_uses == Approx(anova.by_order[0]).epsilon(1e-9));

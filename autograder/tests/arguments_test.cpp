@@ -15,14 +15,14 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// As `run` has them: behind two words all is an experiment's own.
+/// Arguments of `run`: after two words, the rest belongs to the experiment.
 Arguments of_run(const Words& words) {
   return parse_arguments(words, {"dir=", "sanitize"}, 2);
 }
 
 }  // namespace
 
-TEST_CASE("options stand before the words, between them, and behind them") {
+TEST_CASE("options may come before, between, or after the words") {
   for (const Words& words : {Words{"--seed", "7", "variance", "try"},
                              {"variance", "--seed", "7", "try"},
                              {"variance", "try", "--seed", "7"},
@@ -35,7 +35,7 @@ TEST_CASE("options stand before the words, between them, and behind them") {
   }
 }
 
-TEST_CASE("behind an experiment's name there are no options") {
+TEST_CASE("after an experiment's name there are no options") {
   for (const Words& words : {Words{"variance", "--dir", "try", "mean", "-1,-2", "--dir"},
                              {"--dir", "try", "variance", "mean", "-1,-2", "--dir"},
                              {"--dir=try", "variance", "mean", "-1,-2", "--dir"}}) {
@@ -50,13 +50,13 @@ TEST_CASE("behind an experiment's name there are no options") {
   CHECK(both.get("dir") == "try");
 }
 
-TEST_CASE("behind two dashes there are no options") {
+TEST_CASE("after two dashes there are no options") {
   const Arguments arguments = of_run({"variance", "--", "--dir", "x"});
   CHECK(arguments.words == Words{"variance", "--dir", "x"});
   CHECK_FALSE(arguments.has("dir"));
 }
 
-TEST_CASE("a short option has its value beside it or behind it") {
+TEST_CASE("a short option's value may be attached or the next word") {
   for (const Words& words : {Words{"-j", "4", "a"}, {"-j4", "a"}, {"a", "--jobs", "4"}}) {
     const Arguments arguments = parse_arguments(words, {"jobs=j"});
     CHECK(arguments.words == Words{"a"});

@@ -40,7 +40,7 @@ TEST_CASE("the battery passes independent uniform numbers") {
   CHECK_FALSE(dependence_in(independent_numbers(2, 200, 500), claim));
 }
 
-/// What is said of 1000 replicates of 16 numbers of which `spoil` changes each replicate.
+/// The battery's findings for 1000 replicates of 16 numbers, each replicate changed by `spoil`.
 template <class Spoil>
 std::string fault_of(Spoil spoil) {
   auto numbers = independent_numbers(3, 16, 1000);

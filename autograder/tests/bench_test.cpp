@@ -17,7 +17,7 @@ namespace {
 
 /// Errors c / n at 2 ns a sample, integrand included.
 Curve falling(double c) {
-  Curve curve{"lab", "somebody", "points", "g", 2, 1.0, {}};
+  Curve curve{"lab", "anna", "points", "g", 2, 1.0, {}};
   for (double n = 16; n <= 65536; n *= 4) curve.points.push_back({n, c / n, 0, 1.5, 0.5, 0});
   return curve;
 }
@@ -25,14 +25,14 @@ Curve falling(double c) {
 TEST_CASE("the time to an error is interpolated") {
   const auto when = time_to(falling(1), 1e-3);  // n = 1000, 2 ns each
   REQUIRE(when);
-  CHECK(when->how == Reached::between);
+  CHECK(when->how == TimeToTarget::between);
   CHECK(when->seconds == Approx(2e-6));
 }
 
 TEST_CASE("an error below the first is had with the first size or less") {
   const auto when = time_to(falling(1), 0.5);
   REQUIRE(when);
-  CHECK(when->how == Reached::or_less);
+  CHECK(when->how == TimeToTarget::or_less);
   CHECK(when->seconds == Approx(16 * 2e-9));
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("an error that no size has is not reached, unless the points are indep
   independent.what = "independent";
   const auto when = time_to(independent, 1e-6);
   REQUIRE(when);
-  CHECK(when->how == Reached::by_law);
+  CHECK(when->how == TimeToTarget::by_law);
   CHECK(when->seconds == Approx(1e12 * 2e-9));  // variance 1 over 1e-12, 2 ns each
 }
 
@@ -84,9 +84,9 @@ TEST_CASE("efficiency takes the exact variance where it is known") {
 }
 
 TEST_CASE("rounds of the same row become their median") {
-  std::vector<BenchRow> rows(5, {{"time", "points", "", 2, 64, 0, 0}, "lab", "somebody"});
+  std::vector<BenchRow> rows(5, {{"time", "points", "", 2, 64, 0, 0}, "lab", "anna"});
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].value = static_cast<double>(i * i);
-  rows.push_back({{"time", "points", "", 2, 256, 7, 0}, "lab", "somebody"});
+  rows.push_back({{"time", "points", "", 2, 256, 7, 0}, "lab", "anna"});
   const auto all = medians(rows);
   REQUIRE(all.size() == 2);
   CHECK(all[0].value == 4);
@@ -96,7 +96,7 @@ TEST_CASE("rounds of the same row become their median") {
 TEST_CASE("a row that was cut short is left out") {
   const auto file = std::filesystem::temp_directory_path() / "mc-bench-rows.tsv";
   write_text(file, "time\tpoints\t\t2\t64\t1.5\tnan\ntime\tpoints\t\t2");
-  const auto rows = read_bench_rows(file, "lab", "somebody");
+  const auto rows = read_bench_rows(file, "lab", "anna");
   std::filesystem::remove(file);
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].n == 64);

@@ -21,17 +21,17 @@ inline std::string chromium() {
 }
 
 /// What a page's scripts make of its title in the end, and what the console has to say.
-struct Opened {
+struct PageState {
   std::string title, console;
 };
-inline Opened open_page(const std::filesystem::path& file) {
+inline PageState open_page(const std::filesystem::path& file) {
   const Scratch place;
   const auto run = sandbox::run_process(
       {chromium(), "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
        "--user-data-dir=" + (place.path() / "profile").string(), "--dump-dom",
        "file://" + file.string()},
       {.wall_seconds = 60});
-  Opened opened;
+  PageState opened;
   const auto begin = run.output.find("<title>") + 7;
   opened.title = run.output.substr(begin, run.output.find("</title>") - begin);
   for (auto at = run.errors.find("CONSOLE"); at != std::string::npos;

@@ -1,4 +1,4 @@
-// What the compiler is given and what a student is told when it does not like it.
+// How a submission is compiled, and the student's message if it does not compile.
 #include <thread>
 
 #include "checks/support/catch.hpp"
@@ -44,7 +44,7 @@ TEST_CASE("a byte order mark, carriage returns, blanks and umlauts are no mistak
   CHECK(labs.failure(text, "übung eins (Müller)").empty());
 }
 
-TEST_CASE("a file that does not compile is told where, under its own name") {
+TEST_CASE("a compile error names the line and the file's own name") {
   const Labs labs;
   const std::string failure =
       labs.failure("#include \"variance.hpp\"\n\nint x = \"no\";\nint y = z;\n");
@@ -103,7 +103,7 @@ TEST_CASE("two builds at once do not meet") {
   const Scratch scratch;
   scratch.write("variance.cpp", text_of(labs.layout.starter()));
   const auto submission = open_submission(labs.labs, scratch.path());
-  Built one, two;
+  BuildResult one, two;
   std::thread first([&] { one = build_program(labs.layout, labs.lab, submission); });
   two = build_program(labs.layout, labs.lab, submission);
   first.join();

@@ -40,7 +40,7 @@ bool is_command(std::string_view text) {
   return text.starts_with("./lab") || text.starts_with(".ci/") || text.starts_with("build/bin/");
 }
 
-/// What stands in a document as code: whole lines of blocks, and spans in the text.
+/// The code in a document: whole lines of blocks, and spans in the text.
 struct Code {
   Words lines, spans;
 };
@@ -77,7 +77,7 @@ std::vector<CommandLine> command_lines(const Layout& layout) {
       }
       if (!is_command(line)) continue;
       Words words = words_of(line);
-      // "…" stands for more of the same, and what is behind a pipe, an & or ::: is not ours.
+      // "…" means more of the same; what follows a pipe, an & or ::: is not a command of ours.
       std::erase_if(words, [](auto& word) { return word == "…" || word == "..."; });
       const auto end = std::find_if(words.begin(), words.end(), [](auto& word) {
         return word == ":::" || word == "|" || word == "&" || word == "&&" || word.starts_with(">");
@@ -89,7 +89,7 @@ std::vector<CommandLine> command_lines(const Layout& layout) {
   return all;
 }
 
-/// A word that stands for any: LAB, DIR…, F.zip
+/// Is a word a placeholder: LAB, DIR…, F.zip?
 bool is_placeholder(const std::string& word) {
   return !word.empty() && word[0] >= 'A' && word[0] <= 'Z';
 }
@@ -149,7 +149,7 @@ TEST_CASE("every command in a document can be typed") {
       CHECK(fs::exists(layout.build / "CMakeFiles" / (target + ".dir")));
     }
   }
-  // Each command is told of somewhere; and what is wrong is seen.
+  // Some document mentions each command, and the test detects wrong ones.
   for (const CommandEntry& command : command_list) {
     if (command.name.empty() || command.name == "setup" || command.name == "report") continue;
     CAPTURE(command.name);
@@ -180,7 +180,7 @@ TEST_CASE("every option that a document names belongs to a command") {
   }
 }
 
-TEST_CASE("what a handout tells to run by hand runs, with the solutions") {
+TEST_CASE("the commands that a handout gives run, with the solutions") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   std::size_t count = 0;

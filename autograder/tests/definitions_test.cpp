@@ -275,7 +275,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("5.8 what becomes of a value depends on the value, not on those beside it") {
+TEST_CASE("5.8 a scrambled value depends on the value, not on its neighbors") {
   mc::Rng rng(85);
   Column together(700);  // more than are scrambled at a time; every other one of 32 bits
   for (std::size_t i = 0; i < together.size(); ++i) {
@@ -283,9 +283,9 @@ TEST_CASE("5.8 what becomes of a value depends on the value, not on those beside
         static_cast<double>(rng() >> (i % 2 == 0 ? 11 : 32)) * (i % 2 == 0 ? 0x1p-53 : 0x1p-32);
   }
   for (const auto scramble : {mc::definition::owen_scramble, mc::owen_scramble}) {
-    Column alone = together, beside = together;
+    Column alone = together, column = together;
     for (double& value : alone) scramble({&value, 1}, 7);
-    scramble(beside, 7);
-    CHECK(alone == beside);
+    scramble(column, 7);
+    CHECK(alone == column);
   }
 }

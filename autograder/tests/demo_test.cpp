@@ -81,12 +81,12 @@ TEST_CASE("the demo is one page, and everything on it answers", "[.demo]") {
     CHECK(!contains(page, foreign));
   }
   if (chromium().empty()) return;  // nothing to open it with
-  const Opened opened = open_page(place.write("driven.html", page + driver));
+  const PageState opened = open_page(place.write("driven.html", page + driver));
   CHECK(opened.console.empty());
   CHECK(opened.title ==
         "13 pictures, 13 right; ArrowLeft ArrowRight p i s ; 6 ways; 0 without a name");
   // A phone: 390 pixels are enough.
-  const Opened phone = open_page(place.write(
+  const PageState phone = open_page(place.write(
       "phone.html",
       fmt::format("<title>none</title><iframe width=390 height=800 style='border:0' srcdoc=\"{}\">"
                   "</iframe><script>onload = () => {{ const page = "
@@ -98,7 +98,7 @@ TEST_CASE("the demo is one page, and everything on it answers", "[.demo]") {
   CHECK(phone.title == "fits");
 }
 
-TEST_CASE("a demo of what somebody has, and why the rest is missing", "[.demo]") {
+TEST_CASE("a demo of a partly written lab says why the rest is missing", "[.demo]") {
   const Layout layout = read_layout();
   const Scratch place;
   const fs::path file = place.path() / "demo.html";

@@ -61,7 +61,7 @@ inline std::string without_comments(std::string document) {
   return document;
 }
 
-/// Where a reader is told what to type.
+/// The documents that contain commands to type.
 inline std::vector<std::filesystem::path> documents(const grader::Layout& layout) {
   std::vector<std::filesystem::path> all{layout.root / "README.md", layout.root / "CONTRIBUTING.md",
                                          layout.root / "docs" / "handout" / "README.md"};

@@ -1,5 +1,5 @@
 #pragma once
-// ./lab, as a person would use it, from behind its door: everything is built.
+// Runs ./lab as a user would; everything is built already.
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-// What stands behind ./lab, used as a person would, right and wrong.
+// The commands of ./lab, used as a user would, correctly and wrongly.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -11,14 +11,14 @@
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
 
-namespace mc::tests::door {
+namespace mc::tests::entry_script {
 
 namespace fs = std::filesystem;
 using namespace grader;
 
 namespace {
 
-struct Wrong {
+struct BadUsage {
   std::vector<std::string> words;
   std::string says;
 };
@@ -30,7 +30,7 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2", "[s
   const Scratch full;
   full.write("variance.cpp", "\n");
   const std::string file = (full.path() / "variance.cpp").string();
-  const Wrong cases[] = {
+  const BadUsage cases[] = {
       {{"chekc", "1"}, "did you mean 'check'"},
       {{"check"}, "usage: ./lab check LAB"},
       {{"check", "varianc"}, "did you mean 'variance'"},
@@ -71,7 +71,7 @@ TEST_CASE("bad usage is one line that says what and how, and exit status 2", "[s
       {{"submit", "0"}, "no lab '0'"},
       {{"test", "everything"}, "usage: ./lab test"},
   };
-  for (const Wrong& wrong : cases) {
+  for (const BadUsage& wrong : cases) {
     const auto run = lab(wrong.words);
     CAPTURE(wrong.words);
     CHECK(run.exit_code == 2);
@@ -105,13 +105,13 @@ TEST_CASE("the same verdict in the terminal and in JSON and in CSV", "[script]")
   const auto run = lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,
                         "--no-plots", "--seed", "5"});
   REQUIRE(run.exit_code == 0);
-  CHECK(!contains(run.output, "\x1b["));  // no colour where there is no terminal
+  CHECK(!contains(run.output, "\x1b["));  // no color where there is no terminal
 
   const auto results = nlohmann::json::parse(read_text(json));
-  const double told = results["score"].get<double>();
-  CHECK(told > 80);
-  CHECK(told < 100);
-  CHECK(contains(run.output, fmt::format("{:g} of 100 points", told)));
+  const double score_of_100 = results["score"].get<double>();
+  CHECK(score_of_100 > 80);
+  CHECK(score_of_100 < 100);
+  CHECK(contains(run.output, fmt::format("{:g} of 100 points", score_of_100)));
   CHECK(results["execution_time"] > 0);
   CHECK(results["extra_data"]["seed"] == 5);
   CHECK(results["extra_data"].contains("version"));
@@ -128,11 +128,11 @@ TEST_CASE("the same verdict in the terminal and in JSON and in CSV", "[script]")
       CHECK(contains(test["output"], "--seed 5"));
     }
   }
-  CHECK(score == told);
+  CHECK(score == score_of_100);
   CHECK(most == 100);
   const std::string table = read_text(csv);
   CHECK(lines(table) == 2);
-  CHECK(contains(table, fmt::format(",judged,{:g},", told)));
+  CHECK(contains(table, fmt::format(",judged,{:g},", score_of_100)));
 }
 
 TEST_CASE("results are complete when nothing compiles or nothing was handed in", "[script]") {
@@ -195,10 +195,10 @@ TEST_CASE("a report fits a small terminal") {
     column = c == '\n' ? 0 : column + 1;
     widest = std::max(widest, column);
   }
-  CHECK(widest <= 52);  // a word that does not fit stands alone
+  CHECK(widest <= 52);  // a word that does not fit is alone on its line
 }
 
-TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished", "[script]") {
+TEST_CASE("a failure in lab 6 waits for a lab it depends on that is not finished", "[script]") {
   const Layout layout = read_layout();
   // Always the same place: what six labs take to compile is taken once.
   const fs::path student = layout.build / "tests" / "waiting";
@@ -217,4 +217,4 @@ TEST_CASE("a failure in lab 6 waits for a lab it stands on that is not finished"
   CHECK(!contains(run.output, "measured"));  // one fault, and it is not here
 }
 
-}  // namespace mc::tests::door
+}  // namespace mc::tests::entry_script

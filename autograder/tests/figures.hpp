@@ -128,7 +128,7 @@ inline bool agree(const Figure& figure, const Figure& printed) {
 }
 
 /// Does this figure stand in the text, and not as a part of a longer number?
-inline bool stands_in(const std::string& text, const std::string& figure) {
+inline bool contains_number(const std::string& text, const std::string& figure) {
   const auto digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
   };
@@ -156,8 +156,8 @@ inline std::vector<Claim> claims_in(const std::string& document) {
   for (std::size_t at = document.find("<!-- ./lab "); at != std::string::npos;
        at = document.find("<!-- ./lab ", at + 1)) {
     const auto end = document.find(closing, at);
-    const auto behind = std::min(end + closing.size() + 1, document.size());
-    const std::string rest = without_comments(document.substr(behind));
+    const auto after = std::min(end + closing.size() + 1, document.size());
+    const std::string rest = without_comments(document.substr(after));
     const std::string passage = replaced(rest.substr(0, rest.find("\n\n")), "\n", " ");
     const auto first = at + opening.size();
     std::istringstream lines(document.substr(first, end - first));
@@ -192,7 +192,7 @@ inline std::string objection(const Claim& claim, const std::vector<std::string>&
   for (const std::string& figure : claim.figures) {
     const auto value = figure_of(figure);
     if (!value) return "no number: " + figure;
-    if (!stands_in(claim.passage, figure)) return "not in the passage: " + figure;
+    if (!contains_number(claim.passage, figure)) return "not in the passage: " + figure;
     for (;; ++next) {
       if (next == printed.size()) return "not printed, or not in this order: " + figure;
       const auto number = figure_of(printed[next]);
@@ -246,13 +246,13 @@ inline std::map<std::string, std::string> cells_in(const std::string& tables) {
 }
 
 /// A command and what it prints, as a block shows it.
-struct Shown {
+struct Transcript {
   Words words;
   std::string output;
 };
 
-inline std::vector<Shown> shown_in(const std::string& document) {
-  std::vector<Shown> all;
+inline std::vector<Transcript> transcripts_of(const std::string& document) {
+  std::vector<Transcript> all;
   bool inside = false;  // below a prompt, until the block ends
   std::istringstream lines(document);
   for (std::string line; std::getline(lines, line);) {

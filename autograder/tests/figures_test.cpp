@@ -46,26 +46,26 @@ std::string objection_in_tables(const std::string& tables, const Claim& claim) {
 ///   <!-- output of ./lab bench sampler --tables: BEGINNING OF TITLES -->
 ///   …
 ///   <!-- end -->
-struct Written {
+struct OutputBlock {
   Words words;
   std::vector<std::string> lines;
 };
-std::vector<Written> written_in(const std::string& document) {
+std::vector<OutputBlock> output_blocks(const std::string& document) {
   constexpr std::string_view opening = "<!-- output of ";
-  std::vector<Written> all;
+  std::vector<OutputBlock> all;
   for (auto at = document.find(opening); at != std::string::npos;
        at = document.find(opening, at + 1)) {
     const auto colon = document.find(':', at), head = document.find("-->", at);
     const auto end = document.find("<!-- end -->", at);
-    Written written{words_of(document.substr(at + opening.size(), colon - at - opening.size())),
-                    {}};
+    OutputBlock block{words_of(document.substr(at + opening.size(), colon - at - opening.size())),
+                      {}};
     std::istringstream text(document.substr(head, end - head));
     std::string line;
     std::getline(text, line);  // of the marker
     while (std::getline(text, line)) {
-      if (!line.empty()) written.lines.push_back(line);
+      if (!line.empty()) block.lines.push_back(line);
     }
-    all.push_back(written);
+    all.push_back(block);
   }
   return all;
 }
@@ -78,7 +78,7 @@ bool is_printed(const std::string& tables, std::string line) {
 
 }  // namespace
 
-TEST_CASE("a figure is read as it is written") {
+TEST_CASE("a number's value and precision are those of its digits") {
   const auto is = [](const char* text, double value, double half_unit) {
     CAPTURE(text);
     const auto figure = figure_of(text);
@@ -98,13 +98,13 @@ TEST_CASE("a figure is read as it is written") {
   for (const char* text : {"", "x", "three", "3 x", "3/", "2 · 3"}) CHECK(!figure_of(text));
 }
 
-TEST_CASE("a figure stands in a text by itself") {
-  CHECK(stands_in("which is 3/8.", "3/8"));
-  CHECK(stands_in("0.375, or so", "0.375"));
-  CHECK(!stands_in("which is 13/8", "3/8"));
-  CHECK(!stands_in("10.375", "0.375"));
-  CHECK(!stands_in("0.3751", "0.375"));
-  CHECK(!stands_in("47.5 of 64", "47"));
+TEST_CASE("a number is found in a text only as a whole") {
+  CHECK(contains_number("which is 3/8.", "3/8"));
+  CHECK(contains_number("0.375, or so", "0.375"));
+  CHECK(!contains_number("which is 13/8", "3/8"));
+  CHECK(!contains_number("10.375", "0.375"));
+  CHECK(!contains_number("0.3751", "0.375"));
+  CHECK(!contains_number("47.5 of 64", "47"));
 }
 
 /// One wrong figure of each kind, and each kind as it should be.
@@ -137,8 +137,8 @@ TEST_CASE("a wrong figure is seen") {
                   {"4"}) == "not in the passage: 4");
 
   const auto block = [&](const std::string& output) {
-    const auto shown = shown_in("```console\n$ ./lab run halton radical_inverse 2 6\n" + output +
-                                "```\nbehind it\n");
+    const auto shown = transcripts_of("```console\n$ ./lab run halton radical_inverse 2 6\n" +
+                                      output + "```\nbehind it\n");
     REQUIRE(shown.size() == 1);
     return printed_by_hand(layout, shown[0].words) == shown[0].output;
   };
@@ -164,24 +164,24 @@ TEST_CASE("a wrong figure is seen") {
   CHECK(contains(cell("errors | b | b", "62"), "no such cell"));
   CHECK(contains(cell("errors | c | a", "62"), "not printed"));
 
-  const auto written = written_in(
+  const auto blocks = output_blocks(
       "a\n<!-- output of ./lab bench halton --tables:\n errors -->\nerrors (± 3 % at most):\n\n"
       "| b | 62 |\n| b | 63 |\n\n<!-- end -->\nc\n");
-  REQUIRE(written.size() == 1);
-  CHECK(written[0].words == Words{"./lab", "bench", "halton", "--tables"});
-  REQUIRE(written[0].lines.size() == 3);
-  CHECK(is_printed(tables, written[0].lines[0]));
-  CHECK(is_printed(tables, written[0].lines[1]));
-  CHECK(!is_printed(tables, written[0].lines[2]));
+  REQUIRE(blocks.size() == 1);
+  CHECK(blocks[0].words == Words{"./lab", "bench", "halton", "--tables"});
+  REQUIRE(blocks[0].lines.size() == 3);
+  CHECK(is_printed(tables, blocks[0].lines[0]));
+  CHECK(is_printed(tables, blocks[0].lines[1]));
+  CHECK(!is_printed(tables, blocks[0].lines[2]));
 }
 
 TEST_CASE("the bench takes a file of the repository's submissions, and no other") {
   const auto run = lab({"bench", "variance", "solutions/variance.cpp", "--tables"});
   CHECK(run.exit_code == 2);
   CHECK(contains(run.errors, "solutions/variance.cpp is not in autograder/submissions"));
-  const auto missing = lab({"bench", "variance", "nobody.cpp"});
+  const auto missing = lab({"bench", "variance", "missing.cpp"});
   CHECK(missing.exit_code == 2);
-  CHECK(contains(missing.errors, "there is no file nobody.cpp"));
+  CHECK(contains(missing.errors, "there is no file missing.cpp"));
 }
 
 /// A minute: the bench measures all that handouts quote. The tables of a lab are printed once, with
@@ -190,8 +190,8 @@ TEST_CASE("the figures of handouts are printed by their commands", "[.figures]")
   const Layout layout = read_layout();
   for (const Lab& one : find_labs(layout)) {
     const std::string handout = read_text(layout.labs() / one.folder / "README.md");
-    const auto all_shown = shown_in(handout);
-    for (const Shown& shown : all_shown) {
+    const auto all_shown = transcripts_of(handout);
+    for (const Transcript& shown : all_shown) {
       CAPTURE(one.name, shown.words);
       CHECK(printed_by_hand(layout, shown.words) == shown.output);
     }
@@ -208,9 +208,9 @@ TEST_CASE("the figures of handouts are printed by their commands", "[.figures]")
         benches.push_back(claim.words);
       }
     }
-    const auto all_written = written_in(handout);
-    for (const Written& written : all_written) benches.push_back(written.words);
-    CHECK(all_shown.size() + claims.size() + all_written.size() > 0);
+    const auto blocks = output_blocks(handout);
+    for (const OutputBlock& block : blocks) benches.push_back(block.words);
+    CHECK(all_shown.size() + claims.size() + blocks.size() > 0);
     if (benches.empty()) continue;
     std::set<std::string> submissions;
     for (const Words& words : benches) {
@@ -232,8 +232,8 @@ TEST_CASE("the figures of handouts are printed by their commands", "[.figures]")
       CAPTURE(claim.cell, claim.figures);
       CHECK(objection_in_tables(run.output, claim) == "");
     }
-    for (const Written& written : all_written) {
-      for (const std::string& line : written.lines) {
+    for (const OutputBlock& block : blocks) {
+      for (const std::string& line : block.lines) {
         CAPTURE(line);
         CHECK(is_printed(run.output, line));
       }

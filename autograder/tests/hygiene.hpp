@@ -34,9 +34,9 @@ class FewDescriptors {
 };
 
 /// A signal every millisecond, whose handler lets no system call go on.
-class Interrupted {
+class SignalTimer {
  public:
-  Interrupted() {
+  SignalTimer() {
     count = 0;
     struct sigaction action {};
     action.sa_handler = [](int) { ++count; };
@@ -44,12 +44,12 @@ class Interrupted {
     const itimerval often{{0, 1000}, {0, 1000}};
     setitimer(ITIMER_REAL, &often, nullptr);
   }
-  ~Interrupted() {
+  ~SignalTimer() {
     const itimerval never{};
     setitimer(ITIMER_REAL, &never, nullptr);
     sigaction(SIGALRM, &before_, nullptr);
   }
-  Interrupted(const Interrupted&) = delete;
+  SignalTimer(const SignalTimer&) = delete;
   int times() const { return count; }
 
  private:

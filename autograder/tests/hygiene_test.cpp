@@ -59,7 +59,7 @@ TEST_CASE("300 submissions under 64 descriptors", "[.descriptors]") {
   const FewDescriptors few(64);
   const std::size_t before = open_descriptors();
   for (int i = 0; i < 300; ++i) {  // ten of them are compiled, 290 found where they were left
-    const Built built = build_program(labs.layout, labs.lab, labs.submission(place, i % 10));
+    const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, i % 10));
     REQUIRE(built.program);
     const LabVerdict verdict = judge_lab(labs.layout, labs.lab, built, options);
     judged += count(verdict, Status::not_written) == verdict.checks.size();
@@ -93,18 +93,18 @@ TEST_CASE("a plot draws what there is, and says in its place what is missing") {
   const auto picture = [&](const std::string& name) {
     return read_text(labs.layout.build / "plots" / "tests" / ("variance-" + name + ".svg"));
   };
-  const Plots none = drawn(text_of(labs.layout.starter()), "nobody");
+  const Plots none = drawn(text_of(labs.layout.starter()), "starter");
   CHECK(picture("digits").find("not drawn: ") != std::string::npos);
   CHECK(picture("digits").find("is not written yet") != std::string::npos);
   CHECK(std::any_of(none.remarks.begin(), none.remarks.end(), [](const std::string& remark) {
-    return remark.starts_with("nobody, digits: 1.") && remark.ends_with(" is not written yet");
+    return remark.starts_with("starter, digits: 1.") && remark.ends_with(" is not written yet");
   }));
 
   std::string text = text_of(labs.layout.starter());
   const std::string todo = "throw todo(\"1.2\");";
   REQUIRE(text.find(todo) != std::string::npos);
   text.replace(text.find(todo), todo.size(), "return 1.0 / 12;");
-  const Plots some = drawn(text, "somebody");
+  const Plots some = drawn(text, "anna");
   CHECK(picture("digits").find("not drawn: ") == std::string::npos);
   CHECK_FALSE(some.remarks.empty());
 }
@@ -112,15 +112,15 @@ TEST_CASE("a plot draws what there is, and says in its place what is missing") {
 TEST_CASE("an exception in a worker reaches who asked, and the others come to an end") {
   const Labs labs;
   const Scratch place;
-  const Built built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
+  const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
   REQUIRE(built.program);
   const std::size_t before = open_descriptors();
   for (const unsigned workers : {1u, 2u, 4u}) {
     JudgeOptions options;
     options.workers = workers;
-    std::size_t told = 0;
+    std::size_t calls = 0;
     options.progress = [&](std::size_t, std::size_t) {
-      if (++told == 3) throw std::runtime_error("no more of this");
+      if (++calls == 3) throw std::runtime_error("no more of this");
     };
     CHECK_THROWS_WITH(judge_lab(labs.layout, labs.lab, built, options), "no more of this");
     options.progress = {};
@@ -134,8 +134,8 @@ TEST_CASE("signals change no verdict") {
   const Labs labs;
   const Scratch place;
   JudgeOptions options;
-  const Interrupted interrupted;
-  const Built built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
+  const SignalTimer interrupted;
+  const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
   INFO(built.failure);
   REQUIRE(built.program);
   const LabVerdict verdict = judge_lab(labs.layout, labs.lab, built, options);

@@ -29,12 +29,12 @@ using namespace grader;
 
 namespace {
 
-// make_call is system call x[1] with arguments x[2], x[3], …: its result or -errno. Those that tell
-// throw what they find, as text.
+// make_call is system call x[1] with arguments x[2], x[3], …: its result or -errno. Those that
+// report throw what they find, as text.
 #define DEEDS                                                                                  \
   return_second, loop, take_memory, segfault, abort_it, exit_3, print_100_kb, print_strangely, \
       send_garbage, send_20_mb, send_then_fail, throw_much, throw_lines, divide, make_call,    \
-      tell_environment, tell_descriptors, tell_limits, tell_user
+      report_environment, report_descriptors, report_limits, report_user
 #define TEXT(...) #__VA_ARGS__
 #define TEXT_OF(...) TEXT(__VA_ARGS__)
 enum Deed { DEEDS };
@@ -71,7 +71,7 @@ long call(std::span<const double> x) {
   return result == -1 ? -errno : result;
 }
 
-[[noreturn]] void tell(const std::string& text) { throw std::runtime_error(text); }
+[[noreturn]] void report(const std::string& text) { throw std::runtime_error(text); }
 
 }  // namespace
 
@@ -99,25 +99,25 @@ double mean(std::span<const double> x) {
       (void)!write(3, &header, 8);
       _exit(1);
     }
-    case throw_much: tell(much);
-    case throw_lines: tell("one\ntwo\tthree\x1b");
+    case throw_much: report(much);
+    case throw_lines: report("one\ntwo\tthree\x1b");
     case divide: return 7 / zero;
     case make_call: return static_cast<double>(call(x));
-    case tell_environment: {
+    case report_environment: {
       std::string all;
       for (char** one = environ; *one != nullptr; ++one) all += *one;
-      tell("[" + all + "] " + program_invocation_name);
+      report("[" + all + "] " + program_invocation_name);
     }
-    case tell_descriptors: {
+    case report_descriptors: {
       std::string open;
       for (int i = 0; i < 1100; ++i) {  // mmap says what a descriptor is without touching it
         errno = 0;
         mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE, i, 0);
         if (errno != EBADF) open += std::to_string(i) + ' ';
       }
-      tell(open);
+      report(open);
     }
-    case tell_limits: {
+    case report_limits: {
       std::string all;
       for (const auto which : {RLIMIT_CPU, RLIMIT_AS, RLIMIT_STACK, RLIMIT_FSIZE, RLIMIT_CORE,
                                RLIMIT_NPROC}) {
@@ -125,10 +125,10 @@ double mean(std::span<const double> x) {
         getrlimit(which, &limit);
         all += std::to_string(limit.rlim_cur) + '/' + std::to_string(limit.rlim_max) + ' ';
       }
-      tell(all);
+      report(all);
     }
-    case tell_user:
-      tell(std::to_string(getauxval(AT_UID)) + ' ' + std::to_string(getauxval(AT_EUID)) + ' ' +
+    case report_user:
+      report(std::to_string(getauxval(AT_UID)) + ' ' + std::to_string(getauxval(AT_EUID)) + ' ' +
            std::to_string(getauxval(AT_GID)) + ' ' + std::to_string(getauxval(AT_EGID)));
   }
   throw todo("no such deed");
@@ -154,7 +154,7 @@ fs::path submission_directory(const std::string& name) {
   return directory;
 }
 
-Built build_submission(const std::string& name, const std::string& text) {
+BuildResult build_submission(const std::string& name, const std::string& text) {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const fs::path directory = submission_directory(name);
@@ -163,7 +163,7 @@ Built build_submission(const std::string& name, const std::string& text) {
 }
 
 const sandbox::Program& program() {
-  static const Built built = build_submission("jail", source);
+  static const BuildResult built = build_submission("jail", source);
   INFO(built.failure);
   REQUIRE(built.program);
   return *built.program;
@@ -247,23 +247,23 @@ TEST_CASE("what it prints and throws is made harmless") {
 }
 
 TEST_CASE("it inherits nothing") {
-  CHECK(text_of(run(tell_environment)) == "[] submission");
+  CHECK(text_of(run(report_environment)) == "[] submission");
 #ifdef __linux__
-  CHECK(text_of(run(tell_descriptors)) == "0 1 2 3 ");
+  CHECK(text_of(run(report_descriptors)) == "0 1 2 3 ");
 #endif
 }
 
 TEST_CASE("limits are as promised") {
 #ifdef __linux__
-  CHECK(text_of(run(tell_limits)) == "2/3 536870912/536870912 16777216/16777216 0/0 0/0 0/0 ");
+  CHECK(text_of(run(report_limits)) == "2/3 536870912/536870912 16777216/16777216 0/0 0/0 0/0 ");
 #endif
 }
 
-TEST_CASE("it is nobody where the judge is root") {
+TEST_CASE("the program runs as user nobody if the judge is root") {
 #ifdef __linux__
   const std::string id =
       geteuid() == 0 ? std::to_string(sandbox::jailed_user) : std::to_string(geteuid());
-  const auto ids = text_of(run(tell_user));
+  const auto ids = text_of(run(report_user));
   CHECK(ids.starts_with(id + ' ' + id + ' '));
   if (geteuid() == 0) CHECK(ids == id + ' ' + id + ' ' + id + ' ' + id);
 #endif
@@ -354,11 +354,11 @@ TEST_CASE("system calls with an argument that is allowed, and with others") {
 #endif
 
 TEST_CASE("a long request to a program that does not read it") {
-  const Built deaf = build_submission("deaf",
-                                      "#include <unistd.h>\n"
-                                      "#include \"starter.hpp\"\n");
+  const BuildResult deaf = build_submission("deaf",
+                                            "#include <unistd.h>\n"
+                                            "#include \"starter.hpp\"\n");
   CHECK_FALSE(deaf.program);  // there is no such header
-  const Built built =
+  const BuildResult built =
       build_submission("deaf", "#include <unistd.h>\nconst int early = (_exit(7), 0);\n" +
                                    read_text(read_layout().starter() / "variance.cpp"));
   INFO(built.failure);

@@ -1,4 +1,4 @@
-// A checkout that was moved or copied with its build. What stands behind the entry script is a stub here:
+// A checkout that was moved or copied with its build. A stub replaces what the entry script builds:
 // it says where it was configured.
 #include <algorithm>
 #include <filesystem>
@@ -29,7 +29,7 @@ file(CHMOD ${CMAKE_BINARY_DIR}/bin/grader PERMISSIONS OWNER_READ OWNER_WRITE OWN
 add_custom_target(grader COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/built)
 )";
 
-sandbox::ProcessResult door(const fs::path& checkout) {
+sandbox::ProcessResult run_lab(const fs::path& checkout) {
   return sandbox::run_process({(checkout / "lab").string(), "--version"},
                               {.environment = {{"MC_BUILD", ""}, {"CI", "true"}}});
 }
@@ -47,7 +47,7 @@ struct Checkout : Scratch {
     fs::copy_file(root / "lab", first / "lab");
     fs::copy_file(root / "cmake" / "setup.sh", first / "cmake" / "setup.sh");
     write_text(first / "CMakeLists.txt", stub);
-    REQUIRE(door(first).output == first.string() + '\n');
+    REQUIRE(run_lab(first).output == first.string() + '\n');
     fs::create_directories(first / "build" / "progress");
     write_text(first / "build" / "progress" / "variance", "40 100 1.5 1\n");
   }
@@ -68,14 +68,14 @@ std::size_t configured(const fs::path& checkout) {
   return lines(read_text(checkout / "configured.txt"));
 }
 
-/// It is configured and built where it stands, once, and a line says so.
-void stands_there(const Checkout& checkout) {
-  const auto run = door(checkout.other);
+/// It is configured and built at its own path, once, and a message says so.
+void is_rebuilt_there(const Checkout& checkout) {
+  const auto run = run_lab(checkout.other);
   CAPTURE(run.output, run.errors);
   CHECK(run.exit_code == 0);
   CHECK(run.output == checkout.other.string() + '\n');
   CHECK(contains(run.errors, "was built for " + checkout.first.string()));
-  const auto again = door(checkout.other);
+  const auto again = run_lab(checkout.other);
   CHECK(again.output == run.output);
   CHECK(again.errors.empty());
   CHECK(configured(checkout.other) == 2);
@@ -88,7 +88,7 @@ void stands_there(const Checkout& checkout) {
 TEST_CASE("a checkout that was moved is built again, once", "[script]") {
   const Checkout checkout;
   fs::rename(checkout.first, checkout.other);
-  stands_there(checkout);
+  is_rebuilt_there(checkout);
 }
 
 TEST_CASE("a copied checkout is built again, and nothing is written into the original",
@@ -96,7 +96,7 @@ TEST_CASE("a copied checkout is built again, and nothing is written into the ori
   const Checkout checkout;
   fs::copy(checkout.first, checkout.other, fs::copy_options::recursive);
   const auto before = listing(checkout.first);
-  stands_there(checkout);
+  is_rebuilt_there(checkout);
   CHECK(listing(checkout.first) == before);
 }
 
@@ -104,8 +104,8 @@ TEST_CASE("two calls at once in a moved checkout configure it once", "[script]")
   const Checkout checkout;
   fs::rename(checkout.first, checkout.other);
   sandbox::ProcessResult runs[2];
-  std::thread second([&] { runs[1] = door(checkout.other); });
-  runs[0] = door(checkout.other);
+  std::thread second([&] { runs[1] = run_lab(checkout.other); });
+  runs[0] = run_lab(checkout.other);
   second.join();
   for (const auto& run : runs) {
     CAPTURE(run.errors);
@@ -114,10 +114,10 @@ TEST_CASE("two calls at once in a moved checkout configure it once", "[script]")
   CHECK(configured(checkout.other) == 2);
 }
 
-TEST_CASE("a checkout that is called through a link stands where it stood", "[script]") {
+TEST_CASE("a checkout called through a link keeps its build", "[script]") {
   const Checkout checkout;
   fs::create_directory_symlink(checkout.first, checkout.other);
-  const auto run = door(checkout.other);
+  const auto run = run_lab(checkout.other);
   CHECK(run.output == checkout.first.string() + '\n');
   CHECK(run.errors.empty());
   CHECK(configured(checkout.first) == 1);

@@ -21,12 +21,12 @@ struct Cell {
 using Cells = std::vector<Cell>;
 
 /// How often each outcome comes, among all that are equally likely.
-struct Law {
+struct OutcomeCounts {
   std::map<Strata, std::uint64_t> counts;
   std::uint64_t total = 0;
   void add(const Strata& outcome) { ++counts[outcome], ++total; }
 
-  bool operator==(const Law& other) const {
+  bool operator==(const OutcomeCounts& other) const {
     if (counts.size() != other.counts.size()) return false;
     return std::equal(counts.begin(), counts.end(), other.counts.begin(),
                       [&](const auto& a, const auto& b) {
@@ -65,9 +65,9 @@ Strata outcome_of(const Cells& cells, StratumOf stratum_of) {
 }
 
 /// A permutation for each of the nx columns.
-Law with_own_permutations(const Cells& cells, std::size_t nx, std::size_t ny) {
+OutcomeCounts with_own_permutations(const Cells& cells, std::size_t nx, std::size_t ny) {
   const auto permutations = permutations_of(ny);
-  Law law;
+  OutcomeCounts law;
   for_all(nx, permutations.size(), [&](const Strata& which) {
     law.add(outcome_of(
         cells, [&](const Cell& cell) { return permutations[which[cell.column]][cell.row]; }));
@@ -76,8 +76,8 @@ Law with_own_permutations(const Cells& cells, std::size_t nx, std::size_t ny) {
 }
 
 /// One permutation, which each column begins at a place of its own.
-Law with_rotations(const Cells& cells, std::size_t nx, std::size_t ny) {
-  Law law;
+OutcomeCounts with_rotations(const Cells& cells, std::size_t nx, std::size_t ny) {
+  OutcomeCounts law;
   for (const Strata& permutation : permutations_of(ny)) {
     for_all(nx, ny, [&](const Strata& begins) {
       law.add(outcome_of(cells, [&](const Cell& cell) {
@@ -130,37 +130,37 @@ TEST_CASE("to four points they do not, where a column has three cells or more") 
 
 /// What the solution makes, cell by cell: the stratum of x among those of its column, and of y
 /// among those of its row.
-struct Dealt {
+struct StratumAssignment {
   std::vector<std::size_t> x, y;
 };
-Dealt dealt_by_the_solution(mc::Grid grid, mc::Rng& rng) {
+StratumAssignment solution_strata(mc::Grid grid, mc::Rng& rng) {
   const std::size_t n = grid.nx * grid.ny;
   std::vector<double> x(n), y(n);
   mc::multi_jittered(x, y, grid, rng);
-  Dealt dealt{std::vector<std::size_t>(n), std::vector<std::size_t>(n)};
+  StratumAssignment strata{std::vector<std::size_t>(n), std::vector<std::size_t>(n)};
   for (std::size_t k = 0; k < n; ++k) {
     const auto in_x = static_cast<std::size_t>(x[k] * static_cast<double>(n));
     const auto in_y = static_cast<std::size_t>(y[k] * static_cast<double>(n));
     const std::size_t cell = in_x / grid.ny + grid.nx * (in_y / grid.nx);
-    dealt.x[cell] = in_x % grid.ny;
-    dealt.y[cell] = in_y % grid.nx;
+    strata.x[cell] = in_x % grid.ny;
+    strata.y[cell] = in_y % grid.nx;
   }
-  return dealt;
+  return strata;
 }
 
 TEST_CASE("the solution of 3.7 deals strata to pairs of points as its definition does") {
   constexpr std::size_t side = 3, n = side * side, sets = 50'000;
   mc::Rng rng(20260101);
-  std::vector<Dealt> all;
+  std::vector<StratumAssignment> all;
   for (std::size_t set = 0; set < sets; ++set) {
-    all.push_back(dealt_by_the_solution({side, side}, rng));
+    all.push_back(solution_strata({side, side}, rng));
   }
   double smallest = 1;
   std::size_t pairs = 0;
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = a + 1; b < n; ++b, ++pairs) {
       std::map<std::array<std::size_t, 4>, double> counts;
-      for (const Dealt& one : all) ++counts[{one.x[a], one.x[b], one.y[a], one.y[b]}];
+      for (const StratumAssignment& one : all) ++counts[{one.x[a], one.x[b], one.y[a], one.y[b]}];
       // In one column two different strata of x; in one row two different ones of y; else any two.
       const std::size_t of_x = a % side == b % side ? 6 : 9, of_y = a / side == b / side ? 6 : 9;
       const auto outcomes = static_cast<double>(of_x * of_y), expected = sets / outcomes;

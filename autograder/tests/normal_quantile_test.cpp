@@ -1,5 +1,5 @@
 // normal_quantile() against values computed with mpmath to 22 digits, by the root of
-// log(erfc(-x / sqrt(2)) / 2) - log(p), p being the double as it is.
+// log(erfc(-x / sqrt(2)) / 2) - log(p), where p is the exact value of the double.
 
 #include "common/normal_quantile.hpp"
 

@@ -41,7 +41,7 @@ TEST_CASE("a child inherits what it is given and nothing else") {
   const auto seen_by_child = [](const sandbox::ProcessOptions& options = {}) {
     return run_process({"ls", "/proc/self/fd"}, options).output;
   };
-  const std::string before = seen_by_child();  // what whoever started the tests has left open, too
+  const std::string before = seen_by_child();  // includes descriptors inherited by the tests
 #endif
   const sandbox::Pipe pipe = sandbox::make_pipe();
   for (const auto* end : {&pipe.read, &pipe.write}) {
@@ -76,7 +76,7 @@ TEST_CASE("what a process has started goes with it") {
   CHECK(run.out_of_time);
   const auto child = static_cast<pid_t>(std::stol(run.output));
   bool gone = false;
-  for (int i = 0; i < 200 && !gone; ++i) {  // it may stay for whoever inherits it, dead
+  for (int i = 0; i < 200 && !gone; ++i) {  // it may remain a zombie until init reaps it
     gone = kill(child, 0) != 0 ||
            contains(run_process({"ps", "-o", "stat=", "-p", std::to_string(child)}).output, "Z");
     if (!gone) usleep(10'000);
@@ -85,7 +85,7 @@ TEST_CASE("what a process has started goes with it") {
 }
 
 TEST_CASE("a signal is not the end of a pipe") {
-  const Interrupted interrupted;
+  const SignalTimer interrupted;
   const auto run = run_process(
       {"sh", "-c", "i=0; while [ $i -lt 3000 ]; do echo $i; echo $i >&2; i=$((i + 1)); done"});
   CHECK(run.succeeded());

@@ -17,8 +17,8 @@ using namespace grader;
 
 namespace {
 
-/// A checkout beside which the grader is built, as far as it can tell: it is found by where it
-/// lies, and the checkout by the layout beside it.
+/// A checkout with the grader apparently built in it: the grader finds its folder by its own path,
+/// and the checkout by the layout file next to it.
 class Checkout {
  public:
   Checkout() {
@@ -39,7 +39,7 @@ class Checkout {
   void commit(const std::string& text) const {
     write_text(file(), text);
     git({"add", "starter"});
-    git({"-c", "user.name=somebody", "-c", "user.email=somebody@example.org", "commit", "-q", "-m",
+    git({"-c", "user.name=anna", "-c", "user.email=anna@example.org", "commit", "-q", "-m",
          "a step"});
   }
   sandbox::ProcessResult reset() const {
@@ -104,7 +104,7 @@ TEST_CASE("the starter again, and nothing that was written is lost", "[script]")
   CHECK_FALSE(fs::exists(checkout.file().string() + ".3.bak"));
 }
 
-TEST_CASE("without a history there is no starter, and the file stays as it is", "[script]") {
+TEST_CASE("without a history there is no starter, and the file stays unchanged", "[script]") {
   const Checkout checkout;
   write_text(checkout.file(), "mine\n");
   const auto run = checkout.reset();

@@ -25,7 +25,7 @@ TEST_CASE("an experiment by hand", "[script]") {
   CHECK(contains(lab({"run", "--dir", solutions, "variance"}).output,
                  "welford                --x LIST\n"));
   CHECK(lab({"run", "--dir", solutions, "variance", "nothing"}).exit_code == 2);
-  // As its help writes it, options behind the lab; behind the experiment, all is its own.
+  // As in its help, options follow the lab; what follows the experiment is its own.
   CHECK(lab({"run", "variance", "--dir", solutions, "mean", "1,2,6"}).output == "3\n");
   CHECK(lab({"run", "variance", "--dir", solutions, "mean", "-1,-2,-6"}).output == "-3\n");
   CHECK(lab({"run", "variance", "mean", "--dir", solutions}).exit_code == 1);
@@ -70,7 +70,7 @@ TEST_CASE("a result by hand says which number is what", "[script]") {
         "1\n"
         "# generates  evaluations  advances\n"
         "1            2            2\n");
-  // A dash is typed for an underscore; a name that is wrong is told with the right ones.
+  // A dash works for an underscore; for a wrong name the error lists the right ones.
   const auto named = [&](const std::string& last) {
     return run({"stratification", "stratified_nd", "--n", "1", "--dims", "1", last, "1", "--sets",
                 "1", "--seed", "1"});

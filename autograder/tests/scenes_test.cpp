@@ -1,5 +1,5 @@
 // The scenes of lab 6 and their closed forms, each against the other, and both against reference
-// values; wrong scenes are told apart.
+// values; wrong scenes give different values.
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -14,9 +14,9 @@ using namespace mc::checks;
 namespace {
 
 /// Random numbers, and a note of what was asked for.
-class NotingSampler final : public Sampler {
+class RecordingSampler final : public Sampler {
  public:
-  explicit NotingSampler(std::uint64_t seed) : rng_(seed) {}
+  explicit RecordingSampler(std::uint64_t seed) : rng_(seed) {}
   void generate(std::size_t, std::uint64_t) override {}
   double next() override {
     asked += "next ";
@@ -40,7 +40,7 @@ constexpr double samples = 200'000;
 
 /// Moments of so many samples.
 Population brute_force(const Sample& sample, std::uint64_t seed) {
-  NotingSampler sampler(seed);
+  RecordingSampler sampler(seed);
   double sum = 0, squares = 0;
   for (double i = 0; i < samples; ++i, sampler.advance()) {
     const double value = sample(sampler);
@@ -105,7 +105,7 @@ TEST_CASE("fresh parameters have a variance worth measuring") {
 TEST_CASE("a scene asks for exactly what it lists, whatever it is given") {
   AllScenes::each([](const std::string& name, auto scene) {
     INFO(name);
-    NotingSampler sampler(1);
+    RecordingSampler sampler(1);
     for (int i = 0; i < 1000; ++i, sampler.advance()) {
       scene(sampler);
       REQUIRE(sampler.asked == std::string(scene.uses) + ' ');
@@ -172,8 +172,8 @@ TEST_CASE("a scene with parameters is the scene that has them") {
 
 // What the scenes would come to with a well-known mistake in them: the values were computed
 // beforehand, apart from this code, to 15 digits where they have no shorter form.
-TEST_CASE("wrong scenes give wrong values, and are told apart") {
-  struct Wrong {
+TEST_CASE("wrong scenes give wrong, distinguishable values") {
+  struct WrongScene {
     std::string what;
     double exact, wrong;
     Sample sample;
@@ -192,8 +192,8 @@ TEST_CASE("wrong scenes give wrong values, and are told apart") {
     return 3 * cosine(z) / std::pow(1 + y * y + z * z, 2);
   };
   const double circle = 0.05;  // of confusion: aperture |depth - focus| / focus
-  const std::vector<Wrong> all{
-      {"the edge through the pixel's centre", exact(scenes::PixelEdge{}), 0.5,
+  const std::vector<WrongScene> all{
+      {"the edge through the pixel's center", exact(scenes::PixelEdge{}), 0.5,
        scenes::PixelEdge{1, 1, 1}},
       {"no cosine at the light", exact(rect), 1.28700221758657,
        [=](Sampler& s) { return 2 * std::pow(r2_of(s.next2()), -1.5); }},
@@ -211,7 +211,7 @@ TEST_CASE("wrong scenes give wrong values, and are told apart") {
        }},
       {"the area of the square around the disk", exact(disk), 1.44,
        [=](Sampler& s) { return 4 / pi * disk(s); }},
-      {"the solid angle times the cosine of the centre", exact(ball), 0.432930500038501,
+      {"the solid angle times the cosine of the center", exact(ball), 0.432930500038501,
        [=](Sampler&) {
          return 2 * pi * (1 - std::sqrt(1 - std::pow(ball.radius / ball.distance, 2))) *
                 std::cos(ball.tilt);
@@ -271,7 +271,7 @@ void require_exact_pixels(At at) {
     for (double column = 0; column < width; ++column) {
       const auto scene = at(width, height, column, row);
       const double variance = second_moment(scene) - exact(scene) * exact(scene);
-      NotingSampler sampler(static_cast<std::uint64_t>(column + width * row));
+      RecordingSampler sampler(static_cast<std::uint64_t>(column + width * row));
       double sum = 0;
       for (double i = 0; i < spp; ++i, sampler.advance()) sum += scene(sampler);
       // What is rarely 1 is nearer to Poisson's distribution than to Gauss's: 12 events where 0.5

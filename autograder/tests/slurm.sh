@@ -125,7 +125,7 @@ wait_until is_over || fail "the job does not end"
 
 grade --resume >gathered.log 2>&1 || fail "it does not gather: $(cat gathered.log)"
 grep -q '4 submissions: 1 judged, 3 were before; seed 7' gathered.log || fail "$(cat gathered.log)"
-[ "$(wc -l <grades.csv)" = 5 ] || fail "a row for each is due: $(cat grades.csv)"
+[ "$(wc -l <grades.csv)" = 5 ] || fail "not one row for each: $(cat grades.csv)"
 [ "$(grep -c ',judged,0,' grades.csv)" = 4 ] || fail "all have 0 points: $(cat grades.csv)"
 grade --resume >again.log 2>&1
 grep -q '4 submissions: 0 judged, 4 were before; seed 7' again.log || fail "$(cat again.log)"

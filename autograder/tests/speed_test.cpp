@@ -1,4 +1,4 @@
-// Speed in a report: told, never graded.
+// Speed in a report: shown, never graded.
 
 #include <set>
 #include <string>
@@ -37,7 +37,7 @@ Speed task(double nanoseconds, std::optional<double> reference) {
 }
 
 nlohmann::json results_of(const LabVerdict& lab,
-                          const ForGradescope& wanted = {.leaderboard = true}) {
+                          const GradescopeOptions& wanted = {.leaderboard = true}) {
   Verdict verdict;
   verdict.labs.push_back(lab);
   return nlohmann::json::parse(report_json(verdict, wanted));
@@ -58,16 +58,16 @@ TEST_CASE("without a reference nothing is compared") {
   CHECK(report_speed(lab).find("1 ns") != std::string::npos);
 }
 
-TEST_CASE("what the reference takes where it is not at hand is told as an estimate") {
+TEST_CASE("without the reference, its time is shown as an estimate") {
   LabVerdict lab = passed_lab();
   lab.speed = {task(1, 4.0)};
   lab.speed[0].is_estimate = true;
   lab.speed[0].addition = 0.5;
-  const std::string told = report_speed(lab);
-  CHECK(told.find("1 ns   (the reference: about 4 ns)") != std::string::npos);
-  CHECK(told.find("a running sum, to compare") != std::string::npos);
-  CHECK(told.find("0.5 ns\n") != std::string::npos);
-  CHECK(told.find("about 4.0 times as fast as the reference") != std::string::npos);
+  const std::string report = report_speed(lab);
+  CHECK(report.find("1 ns   (the reference: about 4 ns)") != std::string::npos);
+  CHECK(report.find("a running sum, to compare") != std::string::npos);
+  CHECK(report.find("0.5 ns\n") != std::string::npos);
+  CHECK(report.find("about 4.0 times as fast as the reference") != std::string::npos);
 }
 
 // Not in --quick: it times every speed task.
@@ -77,7 +77,7 @@ TEST_CASE("each speed task has a ratio, kept with its lab", "[.figures]") {
   const Submission solutions = open_submission(labs, layout.solutions());
   for (const Lab& lab : labs) {
     CAPTURE(lab.name);
-    const Built built = build_program(layout, lab, solutions);
+    const BuildResult built = build_program(layout, lab, solutions);
     REQUIRE(built.program);
     std::set<std::string> tasks, measured;
     for (const Check& check : expected_checks(layout, lab)) tasks.insert(check.task);

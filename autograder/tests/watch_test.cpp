@@ -34,9 +34,9 @@ constexpr auto patience = std::chrono::minutes(2);
 constexpr const char* begun = "judging variance.cpp";
 
 /// A variance.cpp, and `check variance DIR --only 1.1 --watch` that runs and watches it.
-class Watching {
+class WatchProcess {
  public:
-  explicit Watching(const std::string& text) : output_(sandbox::make_pipe()) {
+  explicit WatchProcess(const std::string& text) : output_(sandbox::make_pipe()) {
     save(text);
     const std::string grader = (read_layout().build / "bin" / "grader").string();
     const std::string place = place_.path().string();
@@ -51,13 +51,13 @@ class Watching {
     output_.write.reset();
     sandbox::make_nonblocking(output_.read);
   }
-  ~Watching() {
+  ~WatchProcess() {
     if (pid_ > 0) kill(pid_, SIGKILL);
     if (pid_ > 0) waitpid(pid_, nullptr, 0);
   }
-  Watching(const Watching&) = delete;
+  WatchProcess(const WatchProcess&) = delete;
 
-  /// As most editors do: written beside it, and renamed over it.
+  /// As most editors do: writes a temporary file, and renames it.
   void save(const std::string& text) const { place_.write("variance.cpp", text); }
   fs::path file() const { return place_.path() / "variance.cpp"; }
 
@@ -94,9 +94,9 @@ class Watching {
     std::vector<fs::path> all;
     for (const auto& entry : fs::directory_iterator("/proc")) {
       const std::string stat = read_text(entry.path() / "stat");  // "12 (name) S 11 …"
-      const auto behind = stat.rfind(") ");
-      if (behind == std::string::npos) continue;
-      if (std::atoi(stat.c_str() + behind + 4) == pid_) all.push_back(entry.path());
+      const auto name_end = stat.rfind(") ");
+      if (name_end == std::string::npos) continue;
+      if (std::atoi(stat.c_str() + name_end + 4) == pid_) all.push_back(entry.path());
     }
     return all;
   }
@@ -121,7 +121,7 @@ std::string endless() {
 TEST_CASE("watching judges at once and after each save, however an editor saves", "[script]") {
   const std::string starter = text_of(read_layout().starter());
   const std::string solution = text_of(read_layout().solutions());
-  Watching watching(starter);
+  WatchProcess watching(starter);
   CHECK(contains(watching.until_judged(), "\n0 of 10 points; first open: 1.1"));
 
   {  // into the file
@@ -142,7 +142,7 @@ TEST_CASE("watching judges at once and after each save, however an editor saves"
 }
 
 TEST_CASE("a save stops the run before it, whose verdict is never shown", "[script]") {
-  Watching watching(endless());
+  WatchProcess watching(endless());
   watching.until(begun);
   watching.save(text_of(read_layout().solutions()));
   const std::string shown = watching.until_judged();
@@ -154,10 +154,10 @@ TEST_CASE("a save stops the run before it, whose verdict is never shown", "[scri
 }
 
 TEST_CASE("an interrupt ends the watching and what is being judged", "[script]") {
-  Watching watching(endless());
+  WatchProcess watching(endless());
   watching.until(begun);
   const auto end = std::chrono::steady_clock::now() + patience;
-  std::vector<fs::path> judges;  // begun just behind that line
+  std::vector<fs::path> judges;  // started right after that line
   while (judges.empty() && std::chrono::steady_clock::now() < end) judges = watching.children();
   REQUIRE_FALSE(judges.empty());
   CHECK(watching.interrupt() == 0);
@@ -172,7 +172,7 @@ TEST_CASE("a screen has the first rows, and says how many are left out") {
   CHECK(first_rows("\x1b[31m" + std::string(40, 'x') + "\x1b[0m\nb\n", 2, 40).ends_with("b\n"));
 }
 
-TEST_CASE("of a report that is watched, the first open task stands on top") {
+TEST_CASE("watch shows the first open task on top of the report") {
   LabVerdict lab;
   lab.lab = {1, "variance", "1-variance", {}};
   const auto add = [&](const char* name, const char* task, Status status) {

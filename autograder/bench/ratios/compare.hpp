@@ -1,7 +1,7 @@
 #pragma once
-// The project's ratios, in one process: what the reference solutions take against what one would
-// write first, or call instead. A tenth of a nanosecond is measured best where nothing else stands
-// between. A file here has the ratios of a lab, or of a library where that is installed.
+// The project's ratios, measured in one process: the reference solutions against what one would
+// write first, or call instead. Nothing else may run between the two sides, because the differences
+// are tenths of a nanosecond. A file here has the ratios of a lab, or of a library if installed.
 
 #include <cstddef>
 #include <functional>
@@ -19,7 +19,7 @@ extern volatile double sink;
 struct Ratio {
   std::string name;     ///< what is timed
   std::string against;  ///< against what
-  double wanted = 0;    ///< the ratio that the project wants to have; 0: none
+  double wanted = 0;    ///< the ratio that the project aims for; 0: none
   double values = 1;    ///< numbers made by one call of either side
 };
 

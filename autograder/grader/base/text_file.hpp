@@ -29,8 +29,8 @@ inline std::string read_text(const std::filesystem::path& path) {
   return rest_of(file);
 }
 
-/// The same, but throws std::system_error where there is no such file or it cannot be read: for
-/// texts that are taken for empty by nobody.
+/// The same, but throws std::system_error if the file does not exist or cannot be read: for texts
+/// whose absence must not pass for an empty file.
 inline std::string read_whole_text(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -42,8 +42,8 @@ inline std::string read_whole_text(const std::filesystem::path& path) {
   return text;
 }
 
-/// Writes beside and renames into place: whoever reads sees the old text or the new one, whole.
-/// Throws std::system_error where that fails (a full disk, no such directory); the old text stays.
+/// Writes a temporary file and renames it, so readers see either the old text or the new one.
+/// Throws std::system_error if that fails (full disk, no such directory); the old text stays.
 inline void write_text(const std::filesystem::path& path, std::string_view text) {
   auto aside = path;
   aside += ".new-" + std::to_string(getpid());

@@ -42,7 +42,7 @@ std::vector<std::string> included_by(const fs::path& header) {
 }
 
 void add_ancestors(std::vector<Lab>& labs, const Layout& layout) {
-  for (Lab& lab : labs) {  // in order: those it stands on have lower numbers and are done
+  for (Lab& lab : labs) {  // in order: the labs it depends on have lower numbers and are done
     for (const std::string& name : included_by(layout.labs() / lab.folder / lab.header())) {
       for (const Lab& other : labs) {
         if (other.name != name || other.number >= lab.number) continue;

@@ -19,7 +19,7 @@ struct Lab {
   std::string title() const;  ///< "Lab 4 · blue noise"
 };
 
-/// All labs, by number. A lab stands on those whose headers its own header includes, and on theirs.
+/// All labs, by number. A lab depends on those whose headers its header includes, transitively.
 std::vector<Lab> find_labs(const Layout& layout);
 
 /// By number, name or folder. Throws UsageError with the nearest name where there is none.

@@ -33,12 +33,12 @@ std::optional<std::uint64_t> Arguments::number(const std::string& option) const 
 
 Arguments parse_arguments(const std::vector<std::string>& words,
                           const std::vector<std::string>& known, std::size_t before_verbatim) {
-  struct Known {
+  struct OptionSpec {
     std::string name;
     bool takes_value;
     char letter;
   };
-  std::vector<Known> options;
+  std::vector<OptionSpec> options;
   std::string letters = "+:";  // ends at the first word
   for (const std::string& text : known) {
     const auto equals = text.find('=');
@@ -48,7 +48,7 @@ Arguments parse_arguments(const std::vector<std::string>& words,
     if (letter != '\0' && letter != ',') letters += std::string(1, letter) + ':';
   }
   std::vector<option> longs;
-  for (const Known& one : options) {
+  for (const OptionSpec& one : options) {
     longs.push_back(
         {one.name.c_str(), one.takes_value ? required_argument : no_argument, nullptr, 0});
   }
@@ -71,7 +71,7 @@ Arguments parse_arguments(const std::vector<std::string>& words,
     }
     int index = -1;
     const int found = getopt_long(count, pointers.data(), letters.c_str(), longs.data(), &index);
-    if (found == -1) {  // a word, or "--", behind which there are only words
+    if (found == -1) {  // a word, or "--", after which there are only words
       const bool verbatim =
           optind > 1 && std::string_view(pointers[static_cast<std::size_t>(optind - 1)]) == "--";
       if (verbatim) before_verbatim = 0;
@@ -84,7 +84,7 @@ Arguments parse_arguments(const std::vector<std::string>& words,
     if (found == ':') throw UsageError(fmt::format("{} takes a value", given));
     if (found == '?') {
       std::vector<std::string> names;
-      for (const Known& one : options) names.push_back("--" + one.name);
+      for (const OptionSpec& one : options) names.push_back("--" + one.name);
       throw UsageError(names.empty() ? fmt::format("no option {}", given)
                                      : fmt::format("no option {}; did you mean {}?", given,
                                                    nearest(given, names)));

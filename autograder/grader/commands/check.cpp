@@ -106,14 +106,13 @@ const RegisterCommand check_command{
     {"check",
      "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE]",
      {"only=", "first", "watch", "seed=", "json="},
-     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, its checks "
-     "alone:\n"
+     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, only its checks:\n"
      "./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
      "  --first       stop at the first task that is not right\n"
-     "  --watch       judge again after each save; the first open task stands on top; Ctrl-C ends\n"
-     "  --seed S      the run with that seed again; every report names its own\n"
-     "  --json FILE   Gradescope's results.json as well\n"
-     "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "
+     "  --watch       judge again after each save; the first open task is on top; Ctrl-C ends\n"
+     "  --seed S      repeat the run with that seed; every report names its seed\n"
+     "  --json FILE   also write Gradescope's results.json\n"
+     "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks\n"
      "something.\n",
      check}};
 

@@ -21,8 +21,8 @@ const std::vector<Command>& registered_commands() {
   return registry();
 }
 
-std::vector<Submission> submissions_beside(const Context& context, const Lab& lab,
-                                           const std::vector<std::string>& directories) {
+std::vector<Submission> submissions_with_solutions(const Context& context, const Lab& lab,
+                                                   const std::vector<std::string>& directories) {
   const Layout& layout = context.layout;
   std::vector<Submission> submissions;
   for (const std::string& directory : directories) {

@@ -1,6 +1,5 @@
 #pragma once
-// What ./lab can do. A command is a file that registers itself; which program has it, stands in
-// list.hpp.
+// The commands of ./lab. Each is a file that registers itself; list.hpp says which program has it.
 
 #include <string>
 #include <vector>
@@ -11,9 +10,9 @@
 
 namespace mc::grader {
 
-/// A command takes the words behind its name, writes to standard output and gives back its exit
-/// status: 0, or 1 where `check` finds points missing. Bad usage and a lacking machine are thrown
-/// (errors.hpp).
+/// A command takes the words after its name, writes to standard output, and returns its exit
+/// status: 0, or 1 if `check` finds points missing. Bad usage and a missing machine feature are
+/// thrown (errors.hpp).
 struct Command {
   std::string name;                  ///< as list.hpp has it
   std::string usage;                 ///< "check LAB [DIR] [--seed S]"
@@ -34,7 +33,7 @@ const std::vector<Command>& registered_commands();
 
 /// What is drawn side by side: these directories (the starter, where there are none), and the
 /// solutions, where the checkout has this lab's.
-std::vector<Submission> submissions_beside(const Context& context, const Lab& lab,
-                                           const std::vector<std::string>& directories);
+std::vector<Submission> submissions_with_solutions(const Context& context, const Lab& lab,
+                                                   const std::vector<std::string>& directories);
 
 }  // namespace mc::grader

@@ -48,10 +48,9 @@ const RegisterCommand demo_command{
     {"demo",
      "demo [--out F.html] [--dir DIR]",
      {"out=", "dir="},
-     "One page, with nothing from elsewhere: choose points and an integrand, move N, and see the\n"
-     "points, the estimate, its error, and the measured RMSE against N. Of the solutions, where "
-     "the\n"
-     "checkout has them, else of starter/.\n"
+     "One self-contained page: choose points and an integrand, move N, and see the points, the\n"
+     "estimate, its error, and the measured RMSE against N. Measures the solutions if the\n"
+     "checkout has them, else starter/.\n"
      "  --out F.html  the file (build/demo.html)\n"
      "  --dir DIR     measure this submission instead\n",
      demo}};

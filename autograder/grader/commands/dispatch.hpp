@@ -1,5 +1,5 @@
 #pragma once
-// ./lab, behind its door.
+// Runs the command that ./lab was called with.
 
 namespace mc::grader {
 

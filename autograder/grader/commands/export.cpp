@@ -78,11 +78,9 @@ const RegisterCommand export_command{
     {"export",
      "export jplag DIR|ZIP... --out D",
      {"out="},
-     "For JPlag, which finds similar submissions: D/submissions/ with a folder for each submission "
-     "and\n"
-     "the labs' files in it, and D/base-code/ with the starters, which everybody was given. "
-     "Submissions\n"
-     "are found as ./lab grade finds them; no link is followed. JPlag itself is at\n"
+     "For JPlag, which finds similar submissions: D/submissions/ with a folder for each\n"
+     "submission and the labs' files in it, and D/base-code/ with the starters that all students\n"
+     "have. Submissions are found as in ./lab grade; links are not followed. JPlag itself is at\n"
      "https://github.com/jplag/JPlag; this prints the command.\n",
      export_class}};
 

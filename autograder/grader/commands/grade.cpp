@@ -94,7 +94,7 @@ std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::stri
       throw UsageError(
           fmt::format("{} has {} verdicts of a run that did not end: --resume goes on "
                       "with it; to begin again, remove it",
-                      verdicts_beside(*csv).string(), state.verdicts));
+                      verdict_directory(*csv).string(), state.verdicts));
     }
     return seed_of(arguments);
   }
@@ -179,7 +179,7 @@ int grade_one(const Context& context, const IntakeEntry& entry, Records& records
   // No grade, and no file that could be taken for one.
   if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
   if (json) {
-    ForGradescope wanted;
+    GradescopeOptions wanted;
     wanted.leaderboard = arguments.has("leaderboard");
     wanted.visibility = visibility_of(arguments).value_or(wanted.visibility);
     write_text(*json, report_json(verdict, wanted));
@@ -298,36 +298,32 @@ const RegisterCommand grade_command{
      "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--html DIR] [--json FILE] ...",
      {"lab=,", "json=", "leaderboard", "visibility=", "csv=", "resume", "html=", "shard=", "slurm",
       "seed=", "jobs=j", "speed", "no-plots"},
-     "Every lab that DIR has a file of: at its top, in starter/, or wherever it is below. A "
-     "directory\n"
-     "or zip of several people's work, as Gradescope, Canvas and Moodle export it, means each of "
-     "them.\n"
-     "One submission is reported check by check and its plots are drawn; of several, a line "
-     "each.\n"
-     "  --lab LAB     that lab, whatever was handed in: no file is 0 points (several: --lab 1,2)\n"
-     "  --csv FILE    a row for each submission as soon as it is judged, and its whole verdict in\n"
-     "                FILE-verdicts/\n"
-     "  --resume      go on where a run with the same FILE ended, with its seed; what has changed "
-     "or\n"
-     "                was not judged is judged again\n"
-     "  --html DIR    DIR/index.html, everybody's points and what ./lab stats says of them, and a "
-     "page\n"
+     "Grades every lab that DIR has a file of: at its top, in starter/, or anywhere below. A\n"
+     "directory or zip of several people's work, as Gradescope, Canvas and Moodle export it,\n"
+     "means each of them. One submission gets a report of each check, and plots; several get one\n"
+     "line each.\n"
+     "  --lab LAB     that lab; a missing file earns 0 points (several: --lab "
+     "1,2)\n"
+     "  --csv FILE    write a row for each submission as soon as it is judged, and its full "
+     "verdict\n"
+     "                to FILE-verdicts/\n"
+     "  --resume      continue a run with the same FILE and its seed; changed submissions and "
+     "those\n"
+     "                that were not judged are judged again\n"
+     "  --html DIR    write DIR/index.html with all points and what ./lab stats shows, and a page\n"
      "                for each submission\n"
-     "  --json FILE   Gradescope's results.json (one DIR)\n"
-     "  --leaderboard with --json: how many times as fast as the reference, for the class to see\n"
+     "  --json FILE   write Gradescope's results.json (one DIR)\n"
+     "  --leaderboard with --json: publish the speed relative to the reference to the class\n"
      "  --visibility V  with --json: visible, hidden, after_due_date or after_published\n"
-     "  --seed S      the same seed again\n"
-     "  -j N          so many at the same time: submissions, or of one its checks (all cores)\n"
-     "  --speed       measure the speed tasks, too: of several in the end, one after the other\n"
-     "  --shard k/n   every n-th submission from the k-th on, for n machines; ./lab merge joins "
-     "the "
-     "tables\n"
-     "  --slurm       with --csv: submit a task for each submission to a cluster; --resume "
-     "gathers\n"
+     "  --seed S      use this seed\n"
+     "  -j N          run N jobs at once: submissions, or checks of a single one (all cores)\n"
+     "  --speed       also measure the speed tasks; for several submissions, at the end, in turn\n"
+     "  --shard k/n   every n-th submission from the k-th on, for n machines; ./lab merge joins\n"
+     "                the tables\n"
+     "  --slurm       with --csv: submit a cluster task per submission; --resume gathers them\n"
      "  --no-plots    no plots\n"
-     "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some are not judged, and "
-     "have\n"
-     "no points.\n",
+     "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some submissions are not\n"
+     "judged and have no points.\n",
      grade}};
 
 }  // namespace

@@ -94,13 +94,13 @@ const RegisterCommand gradescope_command{
     {"gradescope",
      "gradescope LAB... --out FILE.zip [--visibility V] [--leaderboard]",
      {"out=", "visibility=", "leaderboard"},
-     "For an assignment that grades these labs, whatever is handed in: no file is 0 points. What "
-     "the\n"
-     "labs need is in it, setup.sh and run_autograder at its top; of the solutions, nothing.\n"
+     "An assignment that grades these labs; a missing file earns 0 points. The zip has all that\n"
+     "the labs need, with setup.sh and run_autograder at its top, but no solutions.\n"
      "  --out FILE.zip  where to write it\n"
      "  --visibility V  when students see the checks: visible, hidden, after_due_date,\n"
      "                  after_published\n"
-     "  --leaderboard   of speed, which the whole class sees: the reference is in the zip then\n",
+     "  --leaderboard   a leaderboard of speed for the whole class; the zip then has the "
+     "reference\n",
      gradescope}};
 
 }  // namespace

@@ -27,7 +27,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   }
 }
 
-/// Does a line tell of a command that is about something that is not handed out?
+/// Does a line mention a command for something that is not part of the handout?
 bool names_what_is_absent(const std::string& line, const fs::path& handed_out) {
   return std::any_of(std::begin(command_list), std::end(command_list),
                      [&](const CommandEntry& command) {
@@ -93,11 +93,10 @@ const RegisterCommand handout_command{
     {"handout",
      "handout DIR [--labs 1,2,…]",
      {"labs="},
-     "Labs, starters, the grader and its checks, and a README for students, as a git repository "
-     "with\n"
-     "one commit. No solutions, no submissions, no tests of the repository. An editor's tasks, a\n"
-     "dev container, and a workflow that grades on each push are in it.\n"
-     "  --labs LIST   these labs and those that they stand on; all without it\n",
+     "Labs, starters, the grader and its checks, and a README for students, as a git repository\n"
+     "with one commit. No solutions, no submissions, no tests of the repository. Includes an\n"
+     "editor's tasks, a dev container, and a workflow that grades each push.\n"
+     "  --labs LIST   only these labs and those that they depend on\n",
      handout}};
 
 }  // namespace

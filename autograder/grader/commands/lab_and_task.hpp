@@ -27,7 +27,7 @@ inline std::optional<std::string> lab_of_task(const std::string& word) {
 struct LabAndTask {
   const Lab& lab;
   std::string task;               ///< "1.3"; empty: all of them
-  std::vector<std::string> rest;  ///< the words behind
+  std::vector<std::string> rest;  ///< the words after them
 };
 
 /// Reads "variance", "1.3" or "variance 1.3" off the beginning of `words`, of which there is one at

@@ -25,17 +25,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What the rows were made from goes with them: stats reads hints there.
-void copy_verdicts(const Merged& merged, const fs::path& out) {
+void copy_verdicts(const MergeResult& merged, const fs::path& out) {
   std::map<fs::path, std::string> texts;  // all are read before any is written
   for (const auto& [id, table] : merged.from) {
     const fs::path verdict = verdict_file(table, id);
     if (fs::exists(verdict)) texts[verdict_file(out, id)] = read_whole_text(verdict);
   }
-  if (!texts.empty()) fs::create_directories(verdicts_beside(out));
+  if (!texts.empty()) fs::create_directories(verdict_directory(out));
   for (const auto& [file, text] : texts) write_text(file, text);
 }
 
-/// How the runs of these tables ended. Those that did not lack somebody: that is said.
+/// How the runs of these tables ended. Reports the runs that did not finish.
 std::vector<BookState> states_of(const std::vector<Table>& tables) {
   std::vector<BookState> states;
   for (const Table& table : tables) {
@@ -47,7 +47,7 @@ std::vector<BookState> states_of(const std::vector<Table>& tables) {
   return states;
 }
 
-/// One run, as far as a later ./lab grade --resume can tell; nothing if their seeds differ.
+/// One run, as far as a later ./lab grade --resume can see; nothing if their seeds differ.
 void join_states(const std::vector<BookState>& states, const fs::path& out) {
   const auto all = [&](auto holds) { return std::all_of(states.begin(), states.end(), holds); };
   const std::uint64_t seed = states[0].seed;
@@ -61,7 +61,7 @@ int merge(const Context& context, const Arguments& arguments) {
   require_writable(out);
   std::vector<Table> tables;
   for (const std::string& word : arguments.words) tables.push_back(read_table(word));
-  const Merged merged = merge_tables(tables, context.labs);
+  const MergeResult merged = merge_tables(tables, context.labs);
   for (const std::string& difference : merged.differences) {
     fmt::print(stderr, "{}\n", difference);
   }
@@ -83,14 +83,11 @@ const RegisterCommand merge_command{
     {"merge",
      "merge A.csv B.csv … [--out F]",
      {"out="},
-     "The tables of ./lab grade --shard as the one that an unsharded run "
-     "writes: a row for each id,\n"
-     "in the order of the ids, under the columns of all. An id with "
-     "different rows in two tables is\n"
-     "an error; versions and seeds that differ are said.\n"
-     "  --out F       into this file, and the verdicts beside it, into "
-     "F-verdicts/; without it the\n"
-     "                table alone, to standard output\n",
+     "Merges the tables of ./lab grade --shard into the one that an unsharded run writes: a row\n"
+     "for each id, in the order of the ids, with the columns of all tables. Different rows for\n"
+     "one id are an error; different versions and seeds are reported.\n"
+     "  --out F       write the table to this file, and the verdicts to F-verdicts/ next to it;\n"
+     "                without it, print the table only\n",
      merge}};
 
 }  // namespace

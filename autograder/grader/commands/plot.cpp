@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 int plot(const Context& context, const Arguments& arguments) {
   if (arguments.words.empty()) throw UsageError("usage: ./lab plot LAB [DIR...]");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
-  std::vector<Submission> submissions =
-      submissions_beside(context, lab, {arguments.words.begin() + 1, arguments.words.end()});
+  std::vector<Submission> submissions = submissions_with_solutions(
+      context, lab, {arguments.words.begin() + 1, arguments.words.end()});
   std::string folder = "side-by-side";
   if (arguments.has("alone")) {
     submissions.resize(std::max<std::size_t>(1, arguments.words.size() - 1));
@@ -35,7 +35,7 @@ const RegisterCommand plot_command{
     {"plot",
      "plot LAB [DIR...] [--alone]",
      {"alone"},
-     "starter/ without DIR; beside it the solutions, where the checkout has them.\n"
+     "starter/ without DIR; next to it the solutions, if the checkout has them.\n"
      "  --alone   without the solutions\n",
      plot}};
 

@@ -1,4 +1,4 @@
-// render: pictures by every kind of sampler beside each other.
+// render: pictures by every kind of sampler, side by side.
 
 #include <algorithm>
 
@@ -48,9 +48,9 @@ RenderOptions options_of(const Arguments& arguments, const protocol::RenderList&
   return options;
 }
 
-void print_table(const std::vector<Rendered>& table, std::uint64_t spp) {
+void print_table(const std::vector<RenderResult>& table, std::uint64_t spp) {
   std::string above;
-  for (const Rendered& row : table) {
+  for (const RenderResult& row : table) {
     const std::string what = fmt::format("{}, {}", row.submission, row.picture);
     if (what != above) {
       fmt::print("\n{:<24}{:>7} spp              in equal time\n", what, spp);
@@ -74,7 +74,7 @@ int render(const Context& context, const Arguments& arguments) {
   const Lab& lab = lab_with_pictures(context.layout, context.labs);
   const RenderOptions options =
       options_of(arguments, render_list(context.layout, lab), directories);
-  const std::vector<Submission> submissions = submissions_beside(context, lab, directories);
+  const std::vector<Submission> submissions = submissions_with_solutions(context, lab, directories);
   const Renders renders = [&] {
     ProgressLine line("rendering");
     return draw_renders(context.layout, lab, submissions, options,
@@ -93,12 +93,9 @@ const RegisterCommand render_command{
     {"render",
      "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
      {"sampler=", "spp="},
-     "Two sheets of each picture, in build/render: with N samples a "
-     "pixel (16), and with as many as "
-     "a\n"
-     "sampler makes in the time of N independent ones. All pictures "
-     "without PICTURE; a name that is\n"
-     "none is answered by a list of them. DIR as in plot.\n"
+     "Draws two sheets of each picture in build/render: with N samples per pixel (16), and with\n"
+     "as many as a sampler makes in the time of N independent ones. Draws all pictures without\n"
+     "PICTURE; an unknown name prints a list of them. DIR as in plot.\n"
      "  --sampler KIND   only this kind of sampler\n",
      render}};
 

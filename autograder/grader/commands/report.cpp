@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shows a file in a browser, where there is one and somebody to look.
+/// Shows a file in a browser if there is a browser and a display.
 void open_in_browser(const fs::path& file) {
   const bool has_screen =
       std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
@@ -54,9 +54,9 @@ int report(const Context& context, const Arguments& arguments) {
   material.sources[lab.name] = read_text(submission.files.at(lab.name));
   line.show(0, 0, "drawing " + lab.name);
   if (verdict.labs[0].no_program.empty()) {
-    const auto beside = submissions_beside(
+    const auto compared = submissions_with_solutions(
         context, lab, own ? std::vector<std::string>{} : std::vector{directory.string()});
-    for (const fs::path& picture : draw_plots(context.layout, lab, beside, "report").pictures) {
+    for (const fs::path& picture : draw_plots(context.layout, lab, compared, "report").pictures) {
       if (picture.extension() == ".svg") material.pictures[lab.name].push_back(picture);
     }
   }
@@ -73,9 +73,8 @@ const RegisterCommand report_command{
     {"report",
      "report LAB [DIR] [--seed S] [--no-browser]",
      {"seed=", "no-browser"},
-     "The verdict, your code with the compiler's messages at their "
-     "lines, your plots and your speed,\n"
-     "as build/report/LAB.html. It is opened if there is a browser.\n",
+     "Writes the verdict, your code with the compiler's messages at their lines, your plots and\n"
+     "your speed to build/report/LAB.html, and opens it if there is a browser.\n",
      report}};
 
 }  // namespace

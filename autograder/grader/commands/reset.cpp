@@ -68,7 +68,7 @@ const RegisterCommand reset_command{
     {"reset",
      "reset LAB",
      {},
-     "The newest version in git's history in which no task was begun.\n",
+     "Restores the newest version in git's history in which no task was begun.\n",
      reset}};
 
 }  // namespace

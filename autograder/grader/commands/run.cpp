@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 std::string program_of(const Context& context, const Lab& lab, const Submission& submission,
                        bool sanitized) {
   if (!sanitized) {
-    const Built built = build_program(context.layout, lab, submission);
+    const BuildResult built = build_program(context.layout, lab, submission);
     if (!built.program) fmt::print("{}\n", built.failure);
     return built.program ? built.program->path : "";
   }
@@ -68,12 +68,12 @@ const RegisterCommand run_command{
     {"run",
      "run LAB [--dir DIR] [--sanitize] [EXPERIMENT ARGUMENT...]",
      {"dir=", "sanitize"},
-     "Without EXPERIMENT: the experiments of the lab. Numbers are written 0.5, lists 1,2,4, "
-     "structs\n"
-     "3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
-     "  --dir DIR    the files of DIR, not those of starter/\n"
-     "  --sanitize   with the address and undefined-behaviour sanitizers, for a debugger too: the\n"
-     "               program is left in build/sanitize, and its path is told\n"
+     "Without EXPERIMENT: list the experiments of the lab. Numbers are written 0.5, lists 1,2,4,\n"
+     "structs 3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
+     "  --dir DIR    use the files of DIR instead of starter/\n"
+     "  --sanitize   build with the address and undefined-behavior sanitizers; prints the path of "
+     "the\n"
+     "               program, which stays in build/sanitize for a debugger\n"
      "  ./lab run variance mean 1,2,4\n",
      run,
      2}};

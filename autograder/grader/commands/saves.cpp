@@ -28,7 +28,7 @@ void Saves::listen() {
   if (!notes_) return;
   std::set<fs::path> directories;
   for (const fs::path& file : files_) directories.insert(file.parent_path());
-  for (const fs::path& directory : directories) {  // one that is known already stays as it is
+  for (const fs::path& directory : directories) {  // watching one again changes nothing
     inotify_add_watch(notes_.get(), directory.empty() ? "." : directory.c_str(),
                       IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | IN_DELETE | IN_MOVED_FROM);
   }

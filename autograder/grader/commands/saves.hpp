@@ -16,8 +16,8 @@ class Saves {
  public:
   explicit Saves(std::vector<std::filesystem::path> files);
 
-  /// Becomes readable when something happens beside the files (inotify); -1 where the system does
-  /// not tell. It is a hint to look at once: whoever looks every second misses nothing either.
+  /// Becomes readable when something happens near the files (inotify); -1 if the system does not
+  /// report that. It only says to look now: looking every second misses nothing either.
   int hint() const { return notes_.get(); }
 
   /// Was a file saved, or did it vanish, since this was asked last?

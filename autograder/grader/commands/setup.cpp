@@ -18,9 +18,8 @@ const RegisterCommand setup_command{
     {"setup",
      "setup",
      {},
-     "With apt, dnf or brew; it says what it runs. At a terminal it asks first, without one or "
-     "with\n"
-     "CI=true it does not. Where nothing is missing, nothing is touched.\n",
+     "Uses apt, dnf or brew, and prints what it runs. Asks first at a terminal, but not without\n"
+     "one or with CI=true. Changes nothing if nothing is missing.\n",
      setup}};
 
 }  // namespace

@@ -29,16 +29,12 @@ const RegisterCommand stats_command{
     {"stats",
      "stats grades.csv [--html F]",
      {"html="},
-     "Of a table that ./lab grade --csv wrote: the points of each lab as a histogram; how many "
-     "passed "
-     "each\n"
-     "check, failed it, did not write its task, or were not judged; its discrimination, the\n"
-     "point-biserial correlation of passing it with the points of the lab's other checks; and the "
-     "hints\n"
-     "that most submissions were given. What was not written, and the hints, are in the verdicts "
-     "beside\n"
-     "the table.\n"
-     "  --html F      the same as a page, with nobody's name on it\n",
+     "Statistics of a table from ./lab grade --csv: a histogram of the points of each lab; how\n"
+     "many passed each check, failed it, did not write its task, or were not judged; its\n"
+     "discrimination, the point-biserial correlation of passing it with the points of the lab's\n"
+     "other checks; and the most frequent hints. Unwritten tasks and hints are known from the\n"
+     "verdicts next to the table.\n"
+     "  --html F      write the same as a page, without names\n",
      stats}};
 
 }  // namespace

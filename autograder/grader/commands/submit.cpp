@@ -37,7 +37,7 @@ int submit(const Context& context, const Arguments& arguments) {
     throw MachineError(fmt::format("cannot write {}: {}", zip.string(), made.errors));
   }
   fs::rename(aside, zip);
-  fmt::print("{}: {}\nHand it in as it is.\n", zip.string(), fmt::join(files, ", "));
+  fmt::print("{}: {}\nHand it in unchanged.\n", zip.string(), fmt::join(files, ", "));
   return 0;
 }
 
@@ -45,7 +45,7 @@ const RegisterCommand submit_command{
     {"submit",
      "submit LAB",
      {},
-     "submission.zip, here: your file of that lab and of the labs it stands on.\n",
+     "Writes submission.zip here: your file of that lab and of the labs it depends on.\n",
      submit}};
 
 }  // namespace

@@ -39,20 +39,20 @@ const RegisterCommand test_command{
     {"test",
      "test [--quick | --all | --full] [--power] [--mutants LAB]",
      {"quick", "all", "full", "power", "mutants=", "sample=", "seed="},
-     "Every submission of the repository is judged: the starters, the solutions, the mistakes, "
-     "the\n"
-     "alternatives, the attacks; those that passed only if they, the checks or the grader\n"
+     "Judges every submission of the repository: the starters, the solutions, the mistakes, the\n"
+     "alternatives, the attacks. Skips those that passed unless they, the checks or the grader\n"
      "changed since.\n"
-     "  --all     all of them\n"
+     "  --all     skip none\n"
      "  --quick   a minute: the grader's own tests, without those that build a checkout or\n"
      "            measure, and one submission of every kind and lab\n"
-     "  --full    right ones with 1,000 seeds (their checks that are not random with 2,000),\n"
-     "            mistakes with 200 (the checks of their tasks): a night, but it goes on\n"
-     "            where it was interrupted\n"
-     "  --power   the table of seeds and alphas that runs of --full have left\n"
+     "  --full    right answers with 1,000 seeds (their checks that are not random with 2,000),\n"
+     "            mistakes with 200 (the checks of their tasks): takes a night, and continues "
+     "after\n"
+     "            an interruption\n"
+     "  --power   print the seeds and alphas that runs of --full have recorded\n"
      "  --mutants LAB [--sample N] [--seed S]\n"
      "            small changes to right answers of a lab, 300 by default: a check should\n"
-     "            fail each of them; lists those that survive, ends with the score\n",
+     "            fail each of them; lists the survivors and ends with the score\n",
      test}};
 
 }  // namespace

@@ -1,6 +1,5 @@
 #pragma once
-// A part of this repository that goes to somebody else: no answers, and only what is about some
-// labs.
+// A part of this repository for students or graders: no answers, and only some labs.
 
 #include <filesystem>
 #include <optional>

@@ -24,7 +24,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// How `watch` tells the programs that it starts what to write for: "100", or "100c" with colours.
+/// Tells the programs that `watch` starts what to write for: "100", or "100c" with colors.
 constexpr const char* terminal_variable = "MC_WATCHED";
 
 /// The writing end of a pipe that is polled: signals, and the end of a run.
@@ -52,7 +52,7 @@ std::string clock_time() {
   return text;
 }
 
-/// One run of the judge beside the watching.
+/// One run of the judge, concurrent with the watching.
 class Run {
  public:
   Run(const std::vector<std::string>& command, const std::string& terminal)
@@ -91,7 +91,7 @@ class Screen {
   Screen() : terminal_(this_terminal()) {}
 
   std::string terminal() const {
-    return fmt::format("{}{}", terminal_.width, terminal_.colour ? "c" : "");
+    return fmt::format("{}{}", terminal_.width, terminal_.color ? "c" : "");
   }
   /// A line below the verdict that is still there.
   void say(const std::string& line) const {
@@ -126,7 +126,7 @@ class Screen {
   Terminal terminal_;
 };
 
-/// Rows that a line takes in a window; colours take none.
+/// Rows that a line takes in a window; colors take none.
 std::size_t rows_of(std::string_view line, std::size_t columns) {
   std::string shown;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -195,12 +195,12 @@ int watch(const Context& context, const std::vector<std::string>& words,
 }
 
 std::optional<Terminal> watching_terminal() {
-  const char* told = std::getenv(terminal_variable);
-  if (told == nullptr) return {};
+  const char* value = std::getenv(terminal_variable);
+  if (value == nullptr) return {};
   Terminal terminal;
   char* end = nullptr;
-  terminal.width = std::clamp<std::size_t>(std::strtoul(told, &end, 10), 40, 100);
-  terminal.colour = *end == 'c';
+  terminal.width = std::clamp<std::size_t>(std::strtoul(value, &end, 10), 40, 100);
+  terminal.color = *end == 'c';
   return terminal;
 }
 

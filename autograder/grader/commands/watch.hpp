@@ -20,7 +20,7 @@ int watch(const Context& context, const std::vector<std::string>& words,
 /// The terminal of the `watch` that has started this program; nothing where none has.
 std::optional<Terminal> watching_terminal();
 
-/// The report as one looks at it again and again: points, the first open task, the rest behind it.
+/// The report for repeated looks: points, the first open task, then the rest.
 std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
                               const Terminal& terminal);
 

@@ -114,17 +114,17 @@ class Batch {
     options.judge.workers = 1;
     options.with_speed = false;
     options.progress = [&](double done, double all, const std::string&) {
-      tell(at, all > 0 ? done / all : 0);
+      show_progress(at, all > 0 ? done / all : 0);
     };
     const auto labs = labs_of(context_, one.submission, options_.asked_for);
     const Verdict verdict = judge_entry(context_, one, labs, options);
     if (book_ != nullptr) book_->add(verdict);
-    tell(at, 1);
+    show_progress(at, 1);
     note(verdict);
     sweep(one);
   }
 
-  void tell(std::size_t at, double part) {
+  void show_progress(std::size_t at, double part) {
     const std::lock_guard lock(mutex_);
     parts_[at] = part;
     const double done = std::accumulate(parts_.begin(), parts_.end(), 0.0);

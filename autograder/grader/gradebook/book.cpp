@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path state_file(const fs::path& csv) {
-  return verdicts_beside(csv) / "state";
+  return verdict_directory(csv) / "state";
 }
 
 /// Removes what write_text() had not renamed when its process died.
@@ -40,12 +40,12 @@ void sweep_unfinished(const fs::path& directory, const std::string& begin) {
 
 }  // namespace
 
-fs::path verdicts_beside(const fs::path& csv) {
+fs::path verdict_directory(const fs::path& csv) {
   return fs::absolute(csv).parent_path() / (csv.stem().string() + "-verdicts");
 }
 
 fs::path verdict_file(const fs::path& csv, const std::string& id) {
-  return verdicts_beside(csv) / (id + ".json");
+  return verdict_directory(csv) / (id + ".json");
 }
 
 std::optional<Verdict> read_verdict(const fs::path& csv, const std::string& id) {
@@ -67,7 +67,7 @@ BookState read_book_state(const fs::path& csv) {
   state.exists = static_cast<bool>(text >> how >> seed >> state.seed);
   state.finished = how == "finished";
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(verdicts_beside(csv), none)) {
+  for (const auto& entry : fs::directory_iterator(verdict_directory(csv), none)) {
     state.verdicts += entry.path().extension() == ".json" ? 1 : 0;
   }
   return state;
@@ -78,7 +78,7 @@ void write_book_state(const fs::path& csv, bool finished, std::uint64_t seed) {
 }
 
 Book::Book(Setup setup) : setup_(std::move(setup)) {
-  const fs::path directory = verdicts_beside(setup_.csv);
+  const fs::path directory = verdict_directory(setup_.csv);
   fs::create_directories(directory);
   // Held until this process is gone, however it goes.
   lock_ = sandbox::Descriptor(
@@ -120,9 +120,9 @@ std::optional<Verdict> Book::known(const std::string& id, const std::string& con
   const bool same_labs = verdict->labs.size() == labs.size() &&
                          std::equal(labs.begin(), labs.end(), verdict->labs.begin(),
                                     [](auto& lab, auto& one) { return lab.name == one.lab.name; });
-  const bool stands = verdict->contents == contents && verdict->version == version &&
-                      verdict->seed == setup_.seed && same_labs && verdict->not_judged.empty();
-  return stands ? verdict : std::nullopt;
+  const bool is_current = verdict->contents == contents && verdict->version == version &&
+                          verdict->seed == setup_.seed && same_labs && verdict->not_judged.empty();
+  return is_current ? verdict : std::nullopt;
 }
 
 std::optional<Verdict> Book::read(const std::string& id) const {
@@ -134,7 +134,7 @@ void Book::add(const Verdict& verdict) {
   const std::lock_guard lock(mutex_);
   write_text(verdict_file(setup_.csv, verdict.submission), verdict_to_json(verdict));
   rows_[verdict.submission] = row;
-  // In one piece: a reader, and whoever comes after a kill, sees whole rows.
+  // In one write: a reader, and the next run after a kill, sees whole rows.
   const ssize_t written = write(table_.get(), row.data(), row.size());
   if (written != static_cast<ssize_t>(row.size())) {
     if (written >= 0) errno = ENOSPC;

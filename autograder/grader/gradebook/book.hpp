@@ -1,6 +1,6 @@
 #pragma once
-// The grades of a class on disk: a table, and beside it the whole verdicts, each there before the
-// next submission is begun. Whatever kills the judge, what was judged stays.
+// The grades of a class on disk: a table, and next to it the full verdicts. Each is written before
+// the next submission is judged, so a killed run loses no finished work.
 
 #include <cstdint>
 #include <filesystem>
@@ -17,7 +17,7 @@
 namespace mc::grader {
 
 /// Where the verdicts of a table lie: grades.csv has grades-verdicts/.
-std::filesystem::path verdicts_beside(const std::filesystem::path& csv);
+std::filesystem::path verdict_directory(const std::filesystem::path& csv);
 
 /// The file of one verdict in there.
 std::filesystem::path verdict_file(const std::filesystem::path& csv, const std::string& id);
@@ -25,7 +25,7 @@ std::filesystem::path verdict_file(const std::filesystem::path& csv, const std::
 /// That verdict; nothing where it is not there, or is none that this autograder can read.
 std::optional<Verdict> read_verdict(const std::filesystem::path& csv, const std::string& id);
 
-/// What an earlier run left beside a table.
+/// What an earlier run left next to a table.
 struct BookState {
   bool exists = false, finished = false;
   std::uint64_t seed = 0;

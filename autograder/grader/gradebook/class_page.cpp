@@ -45,7 +45,7 @@ std::string histogram(const std::vector<double>& totals) {
       "<table>\n<tr><th scope=\"col\" class=\"number\">points</th><th scope=\"col\" "
       "class=\"number\">submissions"
       "</th><td></td></tr>\n";
-  for (const PointsBar& bar : bars) {  // the number beside it says what the bar shows
+  for (const PointsBar& bar : bars) {  // the number next to it gives the bar's value
     all += fmt::format(
         "<tr><th scope=\"row\" class=\"number\">{}</th>{}<td class=\"wide\"><span class=\"bar\" "
         "aria-hidden=\"true\" "
@@ -76,8 +76,8 @@ std::string statistics_sections(const ClassStatistics& statistics) {
   std::string all;
   if (statistics.without_verdict > 0) {
     all += fmt::format(
-        "<p>{} of {} submissions have no verdict beside the table: of those, what was not written "
-        "counts as failed, and no hint is known.</p>\n",
+        "<p>{} of {} submissions have no verdict next to the table: their unwritten tasks count "
+        "as failed, and their hints are unknown.</p>\n",
         statistics.without_verdict, statistics.submissions);
   }
   for (const LabStatistics& lab : statistics.labs) all += lab_section(lab);

@@ -12,7 +12,7 @@
 
 namespace mc::grader {
 
-/// The statistics as a page, with nobody's name on it.
+/// The statistics as a page, without names.
 std::string statistics_page(const ClassStatistics& statistics);
 
 /// Writes directory/index.html, everybody's points and the statistics, and a page for each

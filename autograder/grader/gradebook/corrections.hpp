@@ -1,6 +1,6 @@
 #pragma once
-// Points that an instructor changes by hand. They are in corrections.csv beside the table of grades,
-// which no run writes and every run, merge, statistic and page applies:
+// Points that an instructor changes by hand. They are in corrections.csv next to the table of
+// grades, which no run writes and every run, merge, statistic and page applies:
 //
 //   id,what,points,comment
 //   anna,variance,91,typo in the file name
@@ -24,8 +24,8 @@ struct Correction {
   std::string comment;
 };
 
-/// The corrections beside this table; none where there is no such file. Throws UsageError, naming
-/// the line, for what is not a correction of a lab or check.
+/// The corrections next to this table; empty if there is no such file. Throws UsageError, naming
+/// the line, for an entry that is not a correction of a lab or check.
 std::vector<Correction> read_corrections(const std::filesystem::path& csv,
                                          const std::vector<Lab>& labs);
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Where the tasks write: grades.csv has grades-slurm/.
-fs::path tasks_beside(const fs::path& csv) {
+fs::path task_directory(const fs::path& csv) {
   return fs::absolute(csv).parent_path() / (csv.stem().string() + "-slurm");
 }
 
@@ -49,7 +49,7 @@ std::string trimmed(std::string text) {
 }  // namespace
 
 std::string submit_tasks(const Context& context, const SlurmTasks& tasks) {
-  const fs::path place = tasks_beside(tasks.csv), script = place / "task.sh";
+  const fs::path place = task_directory(tasks.csv), script = place / "task.sh";
   if (!tasks.go_on) fs::remove_all(place);
   fs::create_directories(place);
   write_text(script, script_of(context, tasks, place));
@@ -67,7 +67,7 @@ std::string submit_tasks(const Context& context, const SlurmTasks& tasks) {
 }
 
 std::size_t gather_tasks(const fs::path& csv) {
-  const fs::path place = tasks_beside(csv);
+  const fs::path place = task_directory(csv);
   if (!fs::exists(place / "job")) return 0;
   const std::string job = trimmed(read_text(place / "job"));
   // A job that has ended is forgotten after a while: then this fails, and says nothing.
@@ -79,12 +79,12 @@ std::size_t gather_tasks(const fs::path& csv) {
                     job, job));
   }
   std::size_t count = 0;
-  fs::create_directories(verdicts_beside(csv));
+  fs::create_directories(verdict_directory(csv));
   for (const auto& task : fs::directory_iterator(place)) {
     if (!task.is_directory()) continue;  // 7-verdicts
     for (const auto& entry : fs::directory_iterator(task.path())) {
       if (entry.path().extension() != ".json") continue;
-      const fs::path to = verdicts_beside(csv) / entry.path().filename();
+      const fs::path to = verdict_directory(csv) / entry.path().filename();
       ++count;
       // What was judged here since is newer.
       if (fs::exists(to) && fs::last_write_time(to) > entry.last_write_time()) continue;

@@ -25,7 +25,7 @@ struct SlurmTasks {
 /// there is no Slurm, or it takes no job.
 std::string submit_tasks(const Context& context, const SlurmTasks& tasks);
 
-/// Takes over the verdicts that tasks have written beside this table; how many there are. Throws
+/// Reads the verdicts that tasks have written next to this table; returns their number. Throws
 /// UsageError while the job is still in the queue.
 std::size_t gather_tasks(const std::filesystem::path& csv);
 

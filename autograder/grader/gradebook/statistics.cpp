@@ -24,7 +24,7 @@ std::optional<double> points_in(const Table& table, const Row& row, const std::s
     double value = 0;
     text::parse(text, value);
     if (std::isfinite(value)) return value;
-  } catch (const std::invalid_argument&) {  // told below
+  } catch (const std::invalid_argument&) {  // reported below
   }
   throw UsageError(fmt::format("{}: '{}' of {} is no number of points, in column '{}'",
                                sandbox::printable_line(table.file.string()), text, field(row, "id"),

@@ -19,7 +19,7 @@ struct CheckStatistics {
   std::size_t not_written = 0;  ///< no points: the task throws mc::todo, or there is no file
   std::size_t not_judged = 0;   ///< no grade: the machine failed, or nothing could be read
   /// The point-biserial correlation of passing it with the points of the lab's other checks, over
-  /// those who have points. Near 0 it tells nothing of a submission; below, the better fail it.
+  /// submissions with points. Near 0 it does not discriminate; below 0 the better ones fail it.
   std::optional<double> discrimination;  ///< nothing where all pass, all fail, or the rest is equal
 };
 
@@ -42,8 +42,8 @@ struct ClassStatistics {
   std::vector<HintStatistics> hints;  ///< the most frequent first
 };
 
-/// Points are the table's, where somebody may have corrected them. Verdicts, by id, tell what was
-/// not written and which hints were given. Throws UsageError for points that are no number.
+/// Points come from the table, where an instructor may have corrected them. Verdicts, by id, say
+/// what was not written and which hints were given. Throws UsageError if points are not a number.
 ClassStatistics statistics_of(const Table& table, const std::map<std::string, Verdict>& verdicts,
                               const std::vector<Lab>& labs);
 

@@ -50,8 +50,8 @@ std::string report_statistics(const ClassStatistics& statistics) {
   std::string all = fmt::format("{} submissions\n", statistics.submissions);
   if (statistics.without_verdict > 0) {
     all +=
-        wrapped(fmt::format("{} of them have no verdict beside the table: of those, what was not "
-                            "written counts as failed, and no hint is known.",
+        wrapped(fmt::format("{} of them have no verdict next to the table: their unwritten tasks "
+                            "count as failed, and their hints are unknown.",
                             statistics.without_verdict),
                 width, 0) +
         '\n';

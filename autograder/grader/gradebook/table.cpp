@@ -32,7 +32,7 @@ std::string_view lab_number(std::string_view column) {
   return column.substr(0, dot);
 }
 
-/// Where a column stands among the others: what every row has, the labs, their checks, one's own.
+/// Sort key of a column: first what every row has, then labs, checks, and added columns.
 std::pair<int, int> place_of(const std::vector<Lab>& labs, const std::string& column) {
   constexpr std::string_view fixed[] = {"id", "seed", "version", "seconds", "reason"};
   if (std::find(std::begin(fixed), std::end(fixed), column) != std::end(fixed)) return {0, 0};
@@ -42,8 +42,8 @@ std::pair<int, int> place_of(const std::vector<Lab>& labs, const std::string& co
 }
 
 /// "the seeds differ: a.csv 7, b.csv 8"; nothing where all rows have the same.
-void tell_difference(const std::vector<Table>& tables, const std::string& column,
-                     std::vector<std::string>& differences) {
+void report_difference(const std::vector<Table>& tables, const std::string& column,
+                       std::vector<std::string>& differences) {
   std::set<std::string> all;
   std::vector<std::string> each;
   for (const Table& table : tables) {
@@ -78,7 +78,7 @@ Table read_table(const fs::path& file) {
   Table table{file, rows.empty() ? std::vector<std::string>() : std::move(rows[0]), {}};
   std::set<std::string> names;
   for (std::string& column : table.columns) {
-    column = sandbox::printable_line(column);  // whoever wrote it: it is shown
+    column = sandbox::printable_line(column);  // untrusted text that is shown
     if (!names.insert(column).second) {
       is_no_table(fmt::format("two columns are called '{}'", column));
     }
@@ -118,8 +118,8 @@ std::string table_text(const Table& table) {
   return text;
 }
 
-Merged merge_tables(const std::vector<Table>& tables, const std::vector<Lab>& labs) {
-  Merged merged;
+MergeResult merge_tables(const std::vector<Table>& tables, const std::vector<Lab>& labs) {
+  MergeResult merged;
   auto& columns = merged.table.columns;
   std::map<std::string, Row> rows;
   for (const Table& table : tables) {
@@ -141,7 +141,7 @@ Merged merge_tables(const std::vector<Table>& tables, const std::vector<Lab>& la
                    [&](auto& a, auto& b) { return place_of(labs, a) < place_of(labs, b); });
   for (auto& [id, row] : rows) merged.table.rows.push_back(std::move(row));
   for (const char* column : {"version", "seed"}) {
-    tell_difference(tables, column, merged.differences);
+    report_difference(tables, column, merged.differences);
   }
   return merged;
 }

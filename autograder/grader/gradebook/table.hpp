@@ -28,7 +28,7 @@ Table read_table(const std::filesystem::path& file);
 /// As csv_header() and csv_row() would have written it.
 std::string table_text(const Table& table);
 
-struct Merged {
+struct MergeResult {
   Table table;
   /// Each id with the table that its row is from.
   std::map<std::string, std::filesystem::path> from;
@@ -38,7 +38,7 @@ struct Merged {
 /// The rows of all, in the order of their ids, under the columns of all: those of an unsharded run.
 /// A row that two tables have alike is there once. Throws UsageError where they have different rows
 /// for an id.
-Merged merge_tables(const std::vector<Table>& tables, const std::vector<Lab>& labs);
+MergeResult merge_tables(const std::vector<Table>& tables, const std::vector<Lab>& labs);
 
 /// The lab that a column is about, "variance total" or "1.3 …"; null for a column about none.
 const Lab* lab_of_column(const std::vector<Lab>& labs, const std::string& column);
@@ -46,7 +46,7 @@ const Lab* lab_of_column(const std::vector<Lab>& labs, const std::string& column
 /// Is this the column of a check, "1.3 …"?
 bool is_check_column(const std::string& column);
 
-/// Of the table's rows, the verdicts that lie beside it and that they were made from, by id.
+/// The verdicts next to the table that its rows were made from, by id.
 std::map<std::string, Verdict> read_verdicts(const Table& table);
 
 }  // namespace mc::grader

@@ -1,5 +1,5 @@
 #pragma once
-// What one submission may use in all, so that nobody waits for a bomb.
+// The total resources of one submission, so that a resource bomb cannot block grading.
 
 #include <atomic>
 #include <chrono>

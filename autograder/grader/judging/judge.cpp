@@ -52,7 +52,7 @@ std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results
   return tasks;
 }
 
-/// Tasks in their order, until one is not right; what is behind it is not reported.
+/// Runs tasks in order until one is not right; later ones are not reported.
 void run_until_first_failure(const Layout& layout, const Lab& lab, const sandbox::Program& program,
                              const JudgeOptions& options, std::vector<CheckResult>& results) {
   std::size_t begin = 0, done = 0;
@@ -87,17 +87,18 @@ void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& pr
   });
 }
 
-/// A check that failed while a task it needs has failed too is waiting: one fault, shown once. What
-/// a task does with misuse and edge cases is nothing that another one stands on.
+/// A check that fails after a task it needs has failed is waiting: one fault is shown once. A
+/// task's misuse and edge cases do not hold up other tasks.
 void find_waiting(std::vector<CheckResult>& results) {
-  const auto stands = [&](const std::string& task) {
+  const auto passed_basics = [&](const std::string& task) {
     return std::all_of(results.begin(), results.end(), [&](auto& other) {
       return other.check.task != task || other.check.is_edge || other.status == Status::passed;
     });
   };
   for (CheckResult& result : results) {
     const auto& needs = result.check.needs;
-    if (result.status == Status::failed && !std::all_of(needs.begin(), needs.end(), stands)) {
+    if (result.status == Status::failed &&
+        !std::all_of(needs.begin(), needs.end(), passed_basics)) {
       result.status = Status::waiting;
     }
   }
@@ -155,7 +156,7 @@ void wait_for_labs(LabVerdict& verdict,
   }
 }
 
-LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
+LabVerdict judge_lab(const Layout& layout, const Lab& lab, const BuildResult& built,
                      const JudgeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   LabVerdict verdict{lab, {}, built.failure, {}, 0, {}};

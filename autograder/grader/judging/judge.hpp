@@ -38,7 +38,7 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab);
 /// A verdict depends on the program alone, not on the machine's speed or load nor on the number of
 /// workers: a task is judged by one worker, check after check, within a budget of CPU time. A check
 /// depends on its own measurements only.
-LabVerdict judge_lab(const Layout& layout, const Lab& lab, const Built& built,
+LabVerdict judge_lab(const Layout& layout, const Lab& lab, const BuildResult& built,
                      const JudgeOptions& options);
 
 /// A failed check that needs another lab ("3"), or a task of one ("1.4"), is waiting while that is
@@ -54,8 +54,8 @@ enum class CaseKind { checks, measurements };
 std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
                                       const std::string& tag);
 
-/// Runs the hidden cases with this tag, or the one of this name, on a program. `options` brings
-/// what they are told and how long they may take; their records say how they ended.
+/// Runs the hidden cases with this tag, or the one of this name, on a program. `options` has their
+/// request and time limit; their records say how they ended.
 CheckProcess run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
                               const sandbox::Program& program, const std::string& which,
                               sandbox::ProcessOptions options);

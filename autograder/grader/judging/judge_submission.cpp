@@ -18,21 +18,22 @@ namespace mc::grader {
 namespace {
 
 /// The program, as long as the submission's budget lasts.
-Built build_within(const Context& context, const Lab& lab, const Submission& submission,
-                   const JudgeOptions& options) {
+BuildResult build_within(const Context& context, const Lab& lab, const Submission& submission,
+                         const JudgeOptions& options) {
   if (options.budget != nullptr && options.budget->is_used_up()) {
-    Built none;
+    BuildResult none;
     none.failure = Budget::why() + ".";
     return none;
   }
   // One worker: others have submissions of their own.
-  Built built = build_program(context.layout, lab, submission, options.workers == 1 ? 1 : cores());
+  BuildResult built =
+      build_program(context.layout, lab, submission, options.workers == 1 ? 1 : cores());
   if (options.budget != nullptr) options.budget->use(built.cpu_seconds);
   return built;
 }
 
-/// The files of several labs at the same time: what their programs are linked from is there then.
-/// The lab that stands on most others has them all.
+/// Compiles the files of several labs at the same time, for their programs to be linked from. The
+/// lab that depends on most others has them all.
 void compile_side_by_side(const Context& context, const Submission& submission,
                           const std::vector<Lab>& labs, const JudgeOptions& options) {
   if (labs.size() < 2 || options.workers == 1) return;
@@ -46,9 +47,9 @@ void compile_side_by_side(const Context& context, const Submission& submission,
 
 /// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judged now,
 /// unless it was already.
-class Finished {
+class CompletionCache {
  public:
-  Finished(const Context& context, const Submission& submission, const JudgeOptions& options)
+  CompletionCache(const Context& context, const Submission& submission, const JudgeOptions& options)
       : context_(context), submission_(submission), options_(options) {
     options_.only.clear();
     options_.progress = {};
@@ -68,7 +69,7 @@ class Finished {
       const auto dot = need.find('.');
       const Lab& lab = find_lab(context_.labs, need.substr(0, dot));
       options_.only = dot == std::string::npos ? "" : need;
-      const Built built = build_within(context_, lab, submission_, options_);
+      const BuildResult built = build_within(context_, lab, submission_, options_);
       const LabVerdict verdict = judge_lab(context_.layout, lab, built, options_);
       known_[need] = verdict.earned() == verdict.points();
     }
@@ -109,7 +110,7 @@ void keep_for_report(const Layout& layout, const Submission& submission, const V
 
 void add_speed(const Context& context, const Submission& submission, LabVerdict& judged) {
   if (!judged.no_program.empty()) return;
-  const Built fast = build_program(context.layout, judged.lab, submission);
+  const BuildResult fast = build_program(context.layout, judged.lab, submission);
   if (fast.program) judged.speed = measure_speed(context.layout, judged, *fast.program);
 }
 
@@ -128,25 +129,25 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   std::error_code none;
   const bool own = std::filesystem::equivalent(submission.path, context.layout.starter(), none);
   judge.submission = own ? "" : submission.path.string();
-  Finished finished(context, submission, judge);
+  CompletionCache finished(context, submission, judge);
   const auto all = static_cast<double>(labs.size());
   if (labs.size() > 1 && options.progress) options.progress(0, all, "compiling");
   compile_side_by_side(context, submission, labs, judge);
   for (std::size_t i = 0; i < labs.size(); ++i) {
     const Lab& lab = labs[i];
-    const auto tell = [&](double part, const std::string& what) {
+    const auto show_progress = [&](double part, const std::string& what) {
       if (options.progress) options.progress(static_cast<double>(i) + part, all, what);
     };
-    tell(0, "compiling " + lab.file());
-    const Built built = build_within(context, lab, submission, judge);
+    show_progress(0, "compiling " + lab.file());
+    const BuildResult built = build_within(context, lab, submission, judge);
     judge.progress = [&](std::size_t done, std::size_t checks) {
-      tell(static_cast<double>(done) / static_cast<double>(checks), "judging " + lab.name);
+      show_progress(static_cast<double>(done) / static_cast<double>(checks), "judging " + lab.name);
     };
     LabVerdict judged = judge_lab(context.layout, lab, built, judge);
     wait_for_labs(judged, std::ref(finished));
     if (judge.only.empty()) finished.add(judged);
     if (judge.only.empty() && options.with_speed && built.program) {
-      tell(1, "timing " + lab.name);
+      show_progress(1, "timing " + lab.name);
       judged.speed = measure_speed(context.layout, judged, *built.program);
     }
     if (verdict.not_judged.empty()) verdict.not_judged = fault_in(judged);

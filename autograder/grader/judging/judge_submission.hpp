@@ -10,9 +10,8 @@ namespace mc::grader {
 
 struct SubmissionOptions {
   JudgeOptions judge;
-  bool with_speed =
-      true;  ///< false: somebody waits for the verdict, and asks for add_speed() later
-  /// Told what is being done, and how much of all of it is.
+  bool with_speed = true;  ///< false: a user waits for the verdict; add_speed() comes later
+  /// Called with the current step and the fraction of all work that is done.
   std::function<void(double done, double all, const std::string& what)> progress = {};
 };
 

@@ -47,7 +47,7 @@ std::vector<protocol::Row> rows_of_reference(const Layout& layout, const Lab& la
   if (!fs::exists(layout.solutions() / lab.file())) return {};
   const auto labs = find_labs(layout);
   const Submission solutions = open_submission(labs, layout.solutions());
-  const Built built = build_program(layout, lab, solutions);
+  const BuildResult built = build_program(layout, lab, solutions);
   if (!built.program) return {};
   if (built.program->path == program.path) return own;  // it is the reference itself
   return measure(layout, lab, *built.program, tasks,

@@ -1,5 +1,5 @@
 #pragma once
-// The speed tasks of a submission beside the reference: reported with a grade, no part of it.
+// The speed tasks of a submission compared with the reference: reported, never graded.
 
 #include <filesystem>
 #include <map>

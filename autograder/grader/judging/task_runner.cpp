@@ -14,8 +14,8 @@
 namespace mc::grader {
 namespace {
 
-/// What a process of checks may use for itself, beside the programs that it asks. A right answer is
-/// judged in a second and 200 MB.
+/// What a process of checks may use for itself, apart from the programs that it runs. A right
+/// answer is judged in 1 s of CPU time and 200 MB.
 constexpr double check_cpu_seconds = 10;
 constexpr std::size_t check_memory = std::size_t{1} << 30;
 /// No verdict hangs on it: who comes this far was kept waiting by the machine.

@@ -1,5 +1,5 @@
 #pragma once
-// What a judgement comes to. Every report (terminal, JSON, CSV) is drawn from this and nothing
+// What a judgment comes to. Every report (terminal, JSON, CSV) is drawn from this and nothing
 // else.
 
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class Status {
   internal_error,  ///< the autograder's own fault: no record of this check
 };
 
-/// What the autograder expects to run: a check as it is written down.
+/// A check as it is registered, before it runs.
 struct Check {
   std::string name;                ///< "1.3 two passes keep their digits under a large mean"
   std::string task;                ///< "1.3"
@@ -31,7 +31,7 @@ struct Check {
   double points = 0;
   bool is_main = false;  ///< of its task: what the task is about
   bool is_edge = false;  ///< refusals, edge cases, speed: other tasks do not wait for it
-  bool is_slow = false;  ///< takes a good part of the lab's time: begun first, beside the others
+  bool is_slow = false;  ///< takes much of the lab's time: started first, alongside the others
 };
 
 struct CheckResult {
@@ -59,7 +59,7 @@ struct Speed {
   std::optional<double> reference_error;  ///< of the solution's, as many points
   std::uint64_t points = 0;
   std::string integrand;
-  double addition = 0;  ///< nanoseconds of one addition of a running sum, measured beside it
+  double addition = 0;  ///< nanoseconds per addition of a running sum, measured in the same run
 };
 
 struct LabVerdict {
@@ -95,7 +95,7 @@ struct Verdict {
   double points() const;
 };
 
-/// Where a task, "1.10", stands in its lab: 10.
+/// The number of a task within its lab: 10 for "1.10".
 int task_number(const std::string& task);
 
 /// "passed", "failed", "not written yet", "waiting for 1.1", "not run", "internal error"

@@ -52,7 +52,7 @@ void add_reasons(const Lab& lab, const fs::path& data, std::vector<std::string>&
 void measure(const Layout& layout, const Lab& lab, const Submission& submission,
              const fs::path& data, std::map<std::string, std::string>& ways,
              std::vector<std::string>& remarks) {
-  const Built built = build_program(layout, lab, submission);
+  const BuildResult built = build_program(layout, lab, submission);
   if (!built.program) {
     const std::string why = built.failure.substr(0, built.failure.find('\n'));
     remarks.push_back(fmt::format("lab {}: {}", lab.number, why));

@@ -33,7 +33,7 @@ std::string script_beginning(const Layout& layout, const std::filesystem::path& 
 /// Writes a script and runs it; what gnuplot complains of, or nothing.
 std::string run_gnuplot(const std::filesystem::path& script, const std::string& text);
 
-/// Draws with `script(extension)`, which is kept beside `name`, once for SVG and once for PNG.
+/// Draws with `script(extension)`, which is saved next to `name`, once for SVG and once for PNG.
 void draw(Plots& plots, const std::filesystem::path& name,
           const std::function<std::string(const std::string& extension)>& script);
 

@@ -22,7 +22,7 @@ namespace {
 /// A submission whose numbers are drawn.
 struct Panel {
   std::string label;
-  Built built;
+  BuildResult built;
   fs::path data;
 };
 
@@ -100,7 +100,7 @@ std::set<std::string> missing_in(const Panel& panel, const std::string& name) {
   return reasons;
 }
 
-/// Is there a number in a picture's data, behind the first of each row (where it is drawn)?
+/// Do a picture's rows have a number after the first, which says where to draw?
 bool has_data(const Panel& panel, const std::string& name) {
   for (const auto& entry : fs::directory_iterator(panel.data)) {
     const std::string file = entry.path().filename().string();
@@ -194,7 +194,7 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   const fs::path place = layout.build / "plots" / folder;
   std::vector<Panel> panels;
   for (const Submission& submission : submissions) {
-    Built built = build_program(layout, lab, submission);
+    BuildResult built = build_program(layout, lab, submission);
     if (!built.program) {
       plots.remarks.push_back(fmt::format("{} is not drawn: {}", submission.label, built.failure));
       continue;

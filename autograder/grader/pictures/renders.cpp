@@ -29,7 +29,7 @@ std::string reason_of(const CheckProcess& run) {
   return "its measurements failed";
 }
 
-struct Rendering {
+struct RenderJob {
   const Layout& layout;
   const Lab& lab;
   const sandbox::Program& program;
@@ -37,7 +37,7 @@ struct Rendering {
   fs::path data;
 
   /// Fills in the row; `seconds` is the time to keep to, 0 for none.
-  void measure(Rendered& row, std::uint64_t spp, double seconds) const {
+  void measure(RenderResult& row, std::uint64_t spp, double seconds) const {
     fs::create_directories(data);
     const CheckProcess run = run_hidden_cases(
         layout, lab, CaseKind::measurements, program, "[.render]",
@@ -53,7 +53,7 @@ struct Rendering {
 };
 
 /// The title of a row's picture; "" where there is none.
-std::string title_of(const Rendered& row, bool in_time) {
+std::string title_of(const RenderResult& row, bool in_time) {
   if (!row.failure.empty() || (in_time && !row.timed)) return "";
   const protocol::RenderFigures& drawn = in_time ? row.time : row.samples;
   return fmt::format("{}, {} spp\nRMSE {:.3g}", row.kind, drawn.spp, drawn.rmse);
@@ -141,7 +141,7 @@ Renders draw_renders(
   }
   for (const Submission& submission : submissions) {
     step(done, steps, "compiling " + submission.label);
-    const Built built = build_program(layout, lab, submission);
+    const BuildResult built = build_program(layout, lab, submission);
     ++done;
     if (!built.program) {
       renders.remarks.push_back(
@@ -151,22 +151,22 @@ Renders draw_renders(
     }
     for (std::size_t p = 0; p < options.pictures.size(); ++p) {
       const std::string& picture = options.pictures[p];
-      const Rendering rendering{
+      const RenderJob rendering{
           layout, lab, *built.program, options.reference,
           layout.build / "render" / "data" /
               fmt::format("{}-{}", picture, &submission - submissions.data())};
       fs::remove_all(rendering.data);
       const auto row_of = [&](const std::string& kind) {
-        Rendered row;
+        RenderResult row;
         row.submission = submission.label;
         row.picture = picture;
         row.kind = kind;
         return row;
       };
-      Rendered reference = row_of(options.reference);
+      RenderResult reference = row_of(options.reference);
       step(done, steps, fmt::format("{}, {}", submission.label, picture));
       rendering.measure(reference, options.spp, 0);
-      std::vector<Rendered> rows;
+      std::vector<RenderResult> rows;
       for (const std::string& kind : options.kinds) {
         step(done++, steps, fmt::format("{}, {}, {}", submission.label, picture, kind));
         rows.push_back(kind == reference.kind ? reference : row_of(kind));
@@ -178,7 +178,7 @@ Renders draw_renders(
         Sheet& sheet = sheets[s];
         const bool in_time = s % 2 == 1;
         std::vector<std::string> titles;
-        for (const Rendered& row : rows) {
+        for (const RenderResult& row : rows) {
           titles.push_back(title_of(row, in_time));
           if (!titles.back().empty())
             sheet.range = std::max(sheet.range, (in_time ? row.time : row.samples).large_error);

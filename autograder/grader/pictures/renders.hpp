@@ -31,7 +31,7 @@ struct RenderOptions {
 };
 
 /// One picture by one kind of sampler of one submission.
-struct Rendered {
+struct RenderResult {
   std::string submission, picture, kind;
   std::string failure = {};              ///< why there is nothing, in one line
   protocol::RenderFigures samples = {};  ///< with as many as were asked for
@@ -40,13 +40,13 @@ struct Rendered {
 };
 
 struct Renders {
-  std::vector<Rendered> table;
+  std::vector<RenderResult> table;
   std::vector<std::filesystem::path> sheets;
   std::vector<std::string> remarks;
 };
 
-/// Renders everything, and draws two sheets a picture into build/render. `step` is told before each
-/// of the steps, how many there were and will be, and what is next.
+/// Renders everything, and draws two sheets per picture into build/render. Calls `step` before each
+/// step with the number of finished steps, the number of all steps, and the name of the next.
 Renders draw_renders(
     const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
     const RenderOptions& options,

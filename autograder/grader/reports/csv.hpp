@@ -19,7 +19,7 @@ struct LabColumns {
 std::string csv_header(const std::vector<LabColumns>& labs);
 std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict);
 
-/// A field as it stands in a table: quoted where it must be, and never a formula for a spreadsheet.
+/// A field of a CSV table: quoted where needed, and never a formula for a spreadsheet.
 std::string csv_field(const std::string& text);
 
 /// A table as rows of fields, formulas made harmless by csv_field() as they were before. Lines may

@@ -13,8 +13,8 @@
 namespace mc::grader {
 namespace {
 
-/// Colours of 4.5:1 and more on both grounds; status is told by a word and a mark, never by colour
-/// alone.
+/// Colors have a contrast of at least 4.5:1 on both backgrounds; a word and a mark show the status,
+/// never color alone.
 constexpr const char* style = R"css(
 :root { color-scheme: light dark; --ink: #1b1b1b; --ground: #fff; --soft: #f2f2f0; --line: #c9c9c5;
   --good: #00664f; --bad: #a63a00; --quiet: #5c5c5c; --bar: #0072b2; }
@@ -57,9 +57,9 @@ std::multimap<std::size_t, std::string> messages_in(const std::string& text,
     std::size_t row = 0;
     if (parts.size() < 3) continue;
     std::from_chars(parts[1].data(), parts[1].data() + parts[1].size(), row);
-    const auto behind = line.find(": ", file.size());
-    if (row > 0 && behind != std::string_view::npos) {
-      messages.emplace(row, std::string(line.substr(behind + 2)));
+    const auto colon = line.find(": ", file.size());
+    if (row > 0 && colon != std::string_view::npos) {
+      messages.emplace(row, std::string(line.substr(colon + 2)));
     }
   }
   return messages;
@@ -73,7 +73,7 @@ std::string code(const std::string& source, const std::string& file,
   std::size_t row = 0;
   for (std::size_t begin = 0; begin <= source.size();) {
     const auto end = std::min(source.find('\n', begin), source.size());
-    if (begin == source.size()) break;  // behind the last line's end
+    if (begin == source.size()) break;  // after the last line's end
     ++row;
     all += "<li>" + html_escaped(source.substr(begin, end - begin));
     const auto [first, last] = messages.equal_range(row);

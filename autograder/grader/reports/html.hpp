@@ -11,7 +11,7 @@
 
 namespace mc::grader {
 
-/// What stands on a submission's page beside its verdict, by the lab's name.
+/// What a submission's page shows in addition to its verdict, by the lab's name.
 struct PageMaterial {
   std::map<std::string, std::string> sources;                          ///< the text of its file
   std::map<std::string, std::vector<std::filesystem::path>> pictures;  ///< SVG files, put inline

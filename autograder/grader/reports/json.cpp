@@ -16,7 +16,7 @@ std::string output_of(const CheckResult& result, const LabVerdict& lab, std::uin
   JudgeOptions own;  // the reader's own checkout
   own.seed = seed;
   if (result.status == Status::passed) return "";
-  // Why there is no program is said once, above all checks.
+  // The reason is reported once, above all checks.
   if (!lab.no_program.empty()) return "not run: see the top";
   std::string text = describe(result, lab);
   if (!result.report.empty() && result.status != Status::not_written) text += "\n" + result.report;
@@ -40,7 +40,7 @@ nlohmann::ordered_json as_json(const Speed& speed) {
           {"points", speed.points}};
 }
 
-std::string as_results(const Verdict& verdict, const ForGradescope& wanted) {
+std::string as_results(const Verdict& verdict, const GradescopeOptions& wanted) {
   auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
   std::string output = jail_warning(verdict);
   if (!verdict.found_in.empty()) output += fmt::format("found in {}\n", verdict.found_in);

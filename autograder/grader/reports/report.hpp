@@ -1,5 +1,5 @@
 #pragma once
-// A verdict, told: to a student at a terminal, to Gradescope, to a spreadsheet.
+// Reports of a verdict: for a student at a terminal, for Gradescope, for a spreadsheet.
 
 #include <filesystem>
 #include <string>
@@ -11,12 +11,12 @@
 namespace mc::grader {
 
 struct Terminal {
-  bool colour = false;
+  bool color = false;
   std::size_t width = 100;
   bool interactive = false;  ///< is there one? Then a line may be written again and again
 };
 
-/// The terminal on standard output: colour only there, and not with NO_COLOR; 100 columns at most.
+/// The terminal on standard output: color only there, and not with NO_COLOR; 100 columns at most.
 Terminal this_terminal();
 
 /// One lab, check by check, with the report of each failure.
@@ -40,8 +40,8 @@ std::string not_judged_line(const Verdict& verdict);
 /// What must be said of every grade that was given without the whole jail; empty with it.
 std::string jail_warning(const Verdict& verdict);
 
-/// What an instructor wants of a results.json.
-struct ForGradescope {
+/// An instructor's options for results.json.
+struct GradescopeOptions {
   bool leaderboard = false;            ///< of speed: Gradescope shows it to the whole class
   std::string visibility = "visible";  ///< of the checks: hidden, after_due_date, after_published
 };
@@ -49,7 +49,7 @@ struct ForGradescope {
 /// Gradescope's results.json: every check, its points, its report; complete whatever happened. It is
 /// read by a student in a checkout of one's own: commands name no directory.
 /// Null in `grader`, which does without the JSON library: `course` sets it (json.cpp).
-using JsonReporter = std::string (*)(const Verdict& verdict, const ForGradescope& wanted);
+using JsonReporter = std::string (*)(const Verdict& verdict, const GradescopeOptions& wanted);
 inline JsonReporter report_json = nullptr;
 
 }  // namespace mc::grader

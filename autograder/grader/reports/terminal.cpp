@@ -21,8 +21,8 @@ constexpr const char* red = "\x1b[31m";
 constexpr const char* grey = "\x1b[2m";
 constexpr const char* bold = "\x1b[1m";
 
-std::string painted(const Terminal& terminal, const char* colour, const std::string& text) {
-  return terminal.colour ? colour + text + "\x1b[0m" : text;
+std::string painted(const Terminal& terminal, const char* color, const std::string& text) {
+  return terminal.color ? color + text + "\x1b[0m" : text;
 }
 
 /// "measured  x = 1" with its lines wrapped under the second column.
@@ -34,12 +34,12 @@ std::string report_line(std::string_view line, std::size_t margin, std::size_t w
     return blank + std::string(line.substr(0, label)) +
            wrapped(line.substr(label), inner, margin + label) + '\n';
   }
-  return blank + std::string(line) + '\n';  // not of that shape: a compiler's line, kept as it is
+  return blank + std::string(line) + '\n';  // another shape: a compiler's line, unchanged
 }
 
 constexpr std::size_t margin = 9;
 
-std::string check_line(const Terminal& terminal, const char* colour, const std::string& mark,
+std::string check_line(const Terminal& terminal, const char* color, const std::string& mark,
                        const std::string& name, const std::string& right) {
   const std::size_t room = terminal.width > 24 ? terminal.width - 14 : 10;
   std::string text = wrapped(name, room - 9, margin);
@@ -48,7 +48,7 @@ std::string check_line(const Terminal& terminal, const char* colour, const std::
       last == std::string::npos ? margin + columns_of(text) : columns_of(text.substr(last + 1));
   const std::size_t gap =
       used + 1 + right.size() < terminal.width ? terminal.width - used - right.size() : 1;
-  return fmt::format("  {} {}{}{}\n", painted(terminal, colour, mark), text,
+  return fmt::format("  {} {}{}{}\n", painted(terminal, color, mark), text,
                      std::string(gap > 0 ? gap : 1, ' '), right);
 }
 
@@ -133,11 +133,11 @@ std::size_t columns_of(std::string_view text) {
 
 Terminal this_terminal() {
   Terminal terminal;
-  const char* no_colour = std::getenv("NO_COLOR");
+  const char* no_color = std::getenv("NO_COLOR");
   const char* kind = std::getenv("TERM");
   terminal.interactive =
       isatty(STDOUT_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
-  terminal.colour = terminal.interactive && (no_colour == nullptr || *no_colour == '\0');
+  terminal.color = terminal.interactive && (no_color == nullptr || *no_color == '\0');
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
     terminal.width = std::clamp<std::size_t>(size.ws_col, 40, 100);
@@ -168,7 +168,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
            jail_warning(verdict);
   }
   all += roots_elsewhere(lab);
-  std::set<std::string> told;  // tasks of which the first failure stands above
+  std::set<std::string> explained;  // tasks whose first failure is above
   const CheckResult* next = nullptr;
   const bool is_grade = verdict.not_judged.empty();
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
@@ -198,7 +198,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     }
     if (result.status == Status::failed || result.status == Status::internal_error) {
       all += check_line(terminal, red, "✗", result.check.name, points);
-      const bool is_first = told.insert(result.check.task).second;
+      const bool is_first = explained.insert(result.check.task).second;
       all += is_first || result.status != Status::failed ? full_report(lab, result, terminal)
                                                          : short_report(result, terminal);
     } else {
@@ -259,9 +259,9 @@ std::string report_speed(const LabVerdict& lab) {
   }
   if (addition > 0) line("a running sum, to compare", nanoseconds(addition), "");
   if (const auto times = lab.times_the_reference()) {
-    const std::string told =
+    const std::string ratio =
         is_estimate ? fmt::format("about {:.1f}", *times) : fmt::format("{:.2f}", *times);
-    all += fmt::format("  {} times as fast as the reference; speed is not graded.\n", told);
+    all += fmt::format("  {} times as fast as the reference; speed is not graded.\n", ratio);
   }
   return all;
 }

@@ -127,7 +127,7 @@ Json json_of(const LabVerdict& lab) {
   auto checks = Json::array(), speed = Json::array();
   for (const CheckResult& result : lab.checks) checks.push_back(json_of(result));
   for (const Speed& one : lab.speed) speed.push_back(json_of(one));
-  // "earned" is for whoever reads the file; it is not read back.
+  // "earned" is for people and scripts; the grader does not read it back.
   return {{"lab", json_of(lab.lab)},      {"earned", lab.earned()},       {"points", lab.points()},
           {"no_program", lab.no_program}, {"unfinished", lab.unfinished}, {"seconds", lab.seconds},
           {"checks", std::move(checks)},  {"speed", std::move(speed)}};

@@ -40,29 +40,29 @@ bool is_ignored(const fs::path& name) {
 #ifdef MC_HAVE_ARCHIVE
 namespace {
 
-/// A byte more than a compilation takes: the student is told that it is too long.
+/// One byte more than a compilation accepts, so that the student learns that it is too long.
 constexpr std::size_t most_of_a_source = (std::size_t{1} << 20) + 1;
 
 /// libarchive turns names into the locale's; in "C" those with an umlaut are lost. Of this thread
 /// only.
-class NamesAsTheyAre {
+class Utf8Names {
  public:
-  NamesAsTheyAre() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+  Utf8Names() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
     if (utf8_ == nullptr) utf8_ = newlocale(LC_CTYPE_MASK, "en_US.UTF-8", nullptr);
     if (utf8_ != nullptr) before_ = uselocale(utf8_);
   }
-  ~NamesAsTheyAre() {
+  ~Utf8Names() {
     if (utf8_ == nullptr) return;
     uselocale(before_);
     freelocale(utf8_);
   }
-  NamesAsTheyAre(const NamesAsTheyAre&) = delete;
+  Utf8Names(const Utf8Names&) = delete;
 
  private:
   locale_t utf8_, before_ = nullptr;
 };
 
-struct Closed {
+struct ArchiveDeleter {
   void operator()(archive* one) const { archive_read_free(one); }
 };
 
@@ -76,8 +76,9 @@ fs::path place_of(archive_entry* entry) {
   bool ignored = false;
   for (const fs::path& part : whole) {
     if (part == ".." || part.is_absolute()) {
-      throw Unreadable(fmt::format("the zip names a place outside of itself, {}",
-                                   sandbox::printable_line(sandbox::shortened(name, 100))));
+      throw UnreadableSubmission(
+          fmt::format("the zip names a place outside of itself, {}",
+                      sandbox::printable_line(sandbox::shortened(name, 100))));
     }
     if (part.empty() || part == ".") continue;
     ignored |= is_ignored(part);
@@ -95,7 +96,7 @@ std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& long
   std::size_t written = 0;
   for (;;) {
     const la_ssize_t got = archive_read_data(from, buffer.data(), buffer.size());
-    if (got < 0) throw Unreadable("the zip is damaged");
+    if (got < 0) throw UnreadableSubmission("the zip is damaged");
     if (got == 0) return written;
     longer = written + static_cast<std::size_t>(got) > most;
     const std::size_t part = longer ? most - written : static_cast<std::size_t>(got);
@@ -130,8 +131,8 @@ bool takes_name(const fs::path& file) {
 }  // namespace
 
 void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits& limits) {
-  const NamesAsTheyAre utf8;
-  const std::unique_ptr<archive, Closed> reading(archive_read_new());
+  const Utf8Names utf8;
+  const std::unique_ptr<archive, ArchiveDeleter> reading(archive_read_new());
   if (!reading) throw std::system_error(ENOMEM, std::generic_category(), "unpacking");
   archive_read_support_format_zip_seekable(reading.get());
   const auto damaged = [&](const char* what) {
@@ -139,7 +140,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
     if (error == EMFILE || error == ENFILE || error == ENOMEM || error == EIO) {
       throw std::system_error(error, std::generic_category(), "unpacking");
     }
-    throw Unreadable(what);
+    throw UnreadableSubmission(what);
   };
   constexpr std::size_t block = std::size_t{1} << 16;
   if (archive_read_open_filename(reading.get(), zip.c_str(), block) != ARCHIVE_OK) {
@@ -151,7 +152,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
     if (next == ARCHIVE_EOF) return;
     if (next < ARCHIVE_WARN) damaged(entries == 0 ? "it is no zip" : "the zip is damaged");
     if (++entries > limits.entries) {
-      throw Unreadable(fmt::format("the zip has more than {} entries", limits.entries));
+      throw UnreadableSubmission(fmt::format("the zip has more than {} entries", limits.entries));
     }
     const fs::path place = place_of(entry);
     // Deeper than anybody looks; a name of a thousand parts would make a thousand directories.
@@ -164,7 +165,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
     if (type == AE_IFDIR || !takes_name(to)) continue;
     const bool is_source = to.extension() == ".cpp", is_zip = to.extension() == ".zip";
     if (archive_entry_is_encrypted(entry) != 0 && (is_source || is_zip)) {
-      throw Unreadable("the zip has a password");
+      throw UnreadableSubmission("the zip has a password");
     }
     bool longer = false;
     const std::size_t most = is_source ? most_of_a_source : is_zip ? limits.file : 0;
@@ -176,7 +177,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
     bytes += copy(reading.get(), to, most, longer);
     if (longer && is_zip) fs::resize_file(to, 0);  // said when it is looked at
     if (bytes > limits.bytes) {
-      throw Unreadable(fmt::format("the zip holds more than {} MB", limits.bytes >> 20));
+      throw UnreadableSubmission(fmt::format("the zip holds more than {} MB", limits.bytes >> 20));
     }
   }
 }
@@ -184,7 +185,8 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
 #else
 
 void unpack(const fs::path&, const fs::path&, const ArchiveLimits&) {
-  throw Unreadable("a zip, and this build has no libarchive: run ./lab setup, or unpack it");
+  throw UnreadableSubmission(
+      "a zip, and this build has no libarchive: run ./lab setup, or unpack it");
 }
 
 #endif

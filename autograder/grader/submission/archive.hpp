@@ -7,8 +7,8 @@
 
 namespace mc::grader {
 
-/// What was handed in cannot be read, and why: one line. It is nobody's fault but its own.
-struct Unreadable : std::runtime_error {
+/// A submission that cannot be read, and why, in one line. Others are not affected.
+struct UnreadableSubmission : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -20,14 +20,14 @@ struct ArchiveLimits {
   std::ptrdiff_t depth = 14;                   ///< parts of a name; deeper entries are left out
 };
 
-/// Unpacks below `directory`, which is ours and holds no link: directories, .cpp files and zips. Of
-/// other files there is only the name, so that pictures and builds cost nothing; links, .git, build
-/// and what macOS adds are left out. Throws Unreadable for what is no zip, leads out of itself, is
-/// encrypted or above the limits; std::system_error where the disk is full.
+/// Unpacks directories, .cpp files and zips into `directory`, which must be ours and hold no links. Of
+/// other files only the name is kept, so that pictures and builds cost nothing; links, .git, build and
+/// what macOS adds are left out. Throws UnreadableSubmission for a file that is not a zip, escapes
+/// `directory`, is encrypted or exceeds the limits; std::system_error if the disk is full.
 void unpack(const std::filesystem::path& zip, const std::filesystem::path& directory,
             const ArchiveLimits& limits = {});
 
-/// Is this a name that nobody hands in on purpose: .git, __MACOSX, build?
+/// Is this a name that is never handed in on purpose: .git, __MACOSX, build?
 bool is_ignored(const std::filesystem::path& name);
 
 }  // namespace mc::grader

@@ -22,9 +22,9 @@ constexpr std::size_t most_static_memory = std::size_t{400} << 20;
 
 }  // namespace
 
-Built build_program(const Layout& layout, const Lab& lab, const Submission& submission,
-                    unsigned workers) {
-  Built built;
+BuildResult build_program(const Layout& layout, const Lab& lab, const Submission& submission,
+                          unsigned workers) {
+  BuildResult built;
   std::vector<std::string> names = lab.stands_on;
   names.push_back(lab.name);
   const std::vector<Lab> labs = find_labs(layout);
@@ -34,7 +34,7 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
     const Lab& owner = find_lab(labs, name);
     if (file == submission.files.end()) {
       built.failure = name == lab.name ? fmt::format("There is no {}.", owner.file())
-                                       : fmt::format("{} stands on lab {}: it needs {} too.",
+                                       : fmt::format("{} depends on lab {}: it needs {} too.",
                                                      lab.file(), owner.number, owner.file());
       return built;
     }
@@ -70,8 +70,8 @@ Built build_program(const Layout& layout, const Lab& lab, const Submission& subm
   const ScratchDirectory scratch(layout);
   const fs::path aside = scratch.path() / "program";
   std::vector<std::string> command{layout.compiler, "-s"};
-  // An object that looks like link-time optimisation would have the linker start a compiler, whose
-  // reading nobody judges.
+  // For an object that looks like link-time optimization, the linker would start a compiler, whose
+  // includes are not checked.
   command.push_back("-fno-lto");
   if (!layout.is_clang) command.push_back("-fno-use-linker-plugin");
   command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());

@@ -12,18 +12,18 @@
 
 namespace mc::grader {
 
-struct Built {
+struct BuildResult {
   std::optional<sandbox::Program> program;
   std::string failure;     ///< where there is no program: why, for the student, in a few lines
   double cpu_seconds = 0;  ///< of compilers and linker
 };
 
-/// Compiles what is new (one translation unit a file) and links. Works beside other builds, of this
-/// process or of others. There is one program: what is timed is what was judged, so that no text
-/// can tell the one from the other. The library's assertions are on in it; in a loop over a list's
-/// own size they cost nothing. Throws MachineError where the machine fails: that is no grade.
+/// Compiles what is new (one translation unit per file) and links. Other builds, of this process or
+/// of others, may run at the same time. There is one program: what is timed is what was judged, so
+/// that no text can distinguish the two. The library's assertions are on in it; in a loop over a
+/// list's own size they cost nothing. Throws MachineError if the machine fails: that is no grade.
 /// `workers` files are compiled at the same time.
-Built build_program(const Layout& layout, const Lab& lab, const Submission& submission,
-                    unsigned workers = cores());
+BuildResult build_program(const Layout& layout, const Lab& lab, const Submission& submission,
+                          unsigned workers = cores());
 
 }  // namespace mc::grader

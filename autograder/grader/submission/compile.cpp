@@ -53,8 +53,8 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
   return hash;
 }
 
-/// Where the standard headers lie that nearly every file includes, and compiled beside them, if
-/// somebody did that: then a file takes half of the time. They are included in any case.
+/// A header that includes the standard headers that nearly every file needs. If it was precompiled,
+/// a file takes half the time. Every file includes it in any case.
 fs::path standard_headers(const Layout& layout, const std::vector<std::string>& flags) {
   const std::string text = read_whole_text(layout.labs() / "runner" / "standard_headers.hpp");
   const std::string key =
@@ -98,9 +98,9 @@ std::vector<std::string> include_flags(const Unit& unit) {
   return flags;
 }
 
-/// The command that compiles `name` and lists what it reads: -H names each file as it is opened,
-/// also where the compilation fails in the end; -MD and --MD write their lists only where it
-/// succeeds, but leave nothing out.
+/// The command that compiles `name` and lists what it reads: -H names each file on opening it, even
+/// if the compilation fails later; -MD and --MD write their lists only if it succeeds, but those
+/// are complete.
 std::vector<std::string> command_for(const Unit& unit, const std::vector<std::string>& flags,
                                      const std::vector<std::string>& includes,
                                      const std::string& name) {
@@ -126,7 +126,7 @@ sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
   sandbox::ProcessOptions options;
   options.directory = directory;
   options.environment = {
-      {"LC_ALL", "C"},                  // the messages that are recognised below
+      {"LC_ALL", "C"},                  // the messages that are recognized below
       {"TMPDIR", directory.string()}};  // the assembler's input lies in there too
   options.cpu_seconds = 20;
   options.wall_seconds = 120;
@@ -179,7 +179,7 @@ bool blames(const std::string& errors, const std::string& name) {
   return errors.starts_with(name + ':') || errors.find('\n' + name + ':') != std::string::npos;
 }
 
-/// What a failed compilation tells the student.
+/// The student's message for a failed compilation.
 std::string failure_of(const Unit& unit, const std::string& text, const fs::path& directory,
                        const sandbox::ProcessResult& compiled) {
   const std::string name = unit.lab.file();
@@ -188,8 +188,8 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
     remove_all_of(messages,
                   place.string() + '/');  // where the checkout lies is no student's concern
   }
-  // What it may not read must not show in a message. The list may hold lines that the text itself
-  // has put there: they hide its messages, and accuse nobody.
+  // Messages must not show files that are off limits. The text itself may add lines to the list:
+  // they hide its own messages and do no other harm.
   if (const auto file = forbidden(unit.layout, unit.trusted, directory, opened)) {
     return fmt::format(
         "{} does not compile, and nothing is shown of it: its compilation names {}, which is no "
@@ -201,7 +201,7 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
     return fmt::format("The assembler does not understand an asm in {}.", name);
   }
   if (may_embed(text)) {  // -H does not know of those
-    return fmt::format("{} does not compile. Take the word embed out of it to be told why.", name);
+    return fmt::format("{} does not compile. Remove the word embed from it to see why.", name);
   }
   return fmt::format("{} does not compile:\n{}", name, first_errors(messages, name, text));
 }
@@ -349,9 +349,9 @@ Object compile(const Unit& unit) {
   const fs::path slot = slot_of(unit);
   if (const auto object = find_cached(slot, "o", key)) return {*object, {}, 0, key};
 
-  // Compiled in a directory that holds nothing else. What counts is what this very run opened: a
-  // second run that only lists could be told apart (by the precompiled header, by /proc) and shown
-  // another text.
+  // Compiled in a directory that holds nothing else. What counts is what this very run opened: the
+  // text could detect a second run that only lists (by the precompiled header, by /proc) and behave
+  // differently in it.
   const ScratchDirectory scratch(unit.layout);
   const fs::path& directory = scratch.path();
   write_text(directory / name, text);

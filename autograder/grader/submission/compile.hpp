@@ -1,6 +1,6 @@
 #pragma once
-// One file of a submission, compiled. Compiling a stranger's text is already dangerous: it can
-// include what it should not see, print it in an error message, or never end. See docs/security.md.
+// One file of a submission, compiled. Compiling untrusted text is already dangerous: it can include
+// what it should not see, print it in an error message, or never end. See docs/security.md.
 
 #include <filesystem>
 #include <functional>

@@ -40,8 +40,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return all;
 }
 
-/// The word behind "file:12:5: ": error, warning, note, fatal; empty where a line is not of that
-/// kind.
+/// The word after "file:12:5: ": error, warning, note, fatal; empty for any other line.
 std::string_view severity(std::string_view line) {
   const auto parts = text::split(line.substr(0, line.find_first_of("`'\"")), ':');
   const auto is_number = [](std::string_view part) {
@@ -67,14 +66,14 @@ void quote(const std::string& line, const std::vector<std::string>& source,
   };
   const std::size_t row = number(1), column = number(2);
   if (row == 0 || row > source.size() || column == 0 || column > source[row - 1].size() + 1) return;
-  // Blanks up to the caret; a tab stays one, so that it stands where the source's does.
+  // Blanks up to the caret; tabs stay, so that it is below the right character.
   std::string blanks = source[row - 1].substr(0, column - 1);
   for (char& c : blanks) c = c == '\t' ? '\t' : ' ';
   to.push_back("| " + source[row - 1]);
   to.push_back("| " + blanks + '^');
 }
 
-/// What stands behind `words` in a linker's line, up to the closing quote.
+/// What follows `words` in a linker's line, up to the closing quote.
 std::optional<std::string> quoted_after(std::string_view line, std::string_view words) {
   const auto at = line.find(words);
   if (at == std::string_view::npos) return {};
@@ -108,7 +107,7 @@ std::string first_errors(const std::string& diagnostics, const std::string& file
 
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
                                 const std::map<std::string, std::string>& headers_below) {
-  // The lab whose header declares it: where the program stands on others, theirs may be missing.
+  // The lab whose header declares it: a program that depends on other labs may lack theirs.
   const auto owner_of = [&](const std::string& plain) {
     const std::string declared = ' ' + plain.substr(plain.rfind(':') + 1) + '(';
     for (const auto& [name, header] : headers_below) {

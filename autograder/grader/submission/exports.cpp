@@ -33,7 +33,7 @@ void take_count_off(PlatformName& one) {
   one.attempt = std::atoi(stem.c_str() + dash + 1);
 }
 
-/// The value behind ":name: " or ":email: "; YAML may quote it.
+/// The value after ":name: " or ":email: "; YAML may quote it.
 std::string yaml_value(std::string_view line) {
   auto value = line.substr(line.find(": ") + 2);
   while (!value.empty() &&

@@ -50,8 +50,8 @@ CompilerOutput parse_compiler_output(const std::string& errors) {
       output.opened.emplace_back(line.substr(blank + 1));  // ".. file", "! file.gch"
     } else if (!line.empty() && line[0] != '/' &&
                line != "Multiple include guards may be useful for:") {
-      // What GCC advises in the end is a list of paths: no message. Nothing ends the list of files
-      // that were opened, for any line can be a stranger's.
+      // GCC's advice at the end is a list of paths, not a message. No line reliably ends the list
+      // of opened files, because a submission can print any line.
       output.messages += std::string(line) + '\n';
     }
   }

@@ -51,7 +51,7 @@ Listing listing_of(const fs::path& directory) {
   std::vector<fs::directory_entry> entries;
   for (const auto& entry : fs::directory_iterator(directory)) {
     if (entries.size() == most_entries) {
-      throw Unreadable(fmt::format("more than {} files in one directory", most_entries));
+      throw UnreadableSubmission(fmt::format("more than {} files in one directory", most_entries));
     }
     if (!is_ignored(entry.path().filename())) entries.push_back(entry);
   }
@@ -79,7 +79,8 @@ void search(const std::vector<Lab>& labs, const fs::path& directory, int depth, 
   }
   if (depth == deepest) return;
   for (const fs::path& below : listing_of(directory).directories) {
-    if (left-- == 0) throw Unreadable(fmt::format("more than {} directories", most_entries));
+    if (left-- == 0)
+      throw UnreadableSubmission(fmt::format("more than {} directories", most_entries));
     search(labs, below, depth + 1, left, places);
   }
 }
@@ -97,9 +98,9 @@ Files together(const fs::path& root, const std::vector<Files>& places) {
     for (const auto& [lab, file] : files) {
       const auto [before, is_new] = all.emplace(lab, file);
       if (is_new) continue;
-      throw Unreadable(fmt::format("{} is in {} and in {}: which one counts?",
-                                   file.filename().string(), seen_from(root, before->second),
-                                   seen_from(root, file)));
+      throw UnreadableSubmission(
+          fmt::format("{} is in {} and in {}: which one counts?", file.filename().string(),
+                      seen_from(root, before->second), seen_from(root, file)));
     }
   }
   return all;
@@ -130,9 +131,9 @@ std::optional<fs::path> parent_in(const std::vector<Lab>& labs, fs::path directo
   return {};
 }
 
-class Taking {
+class IntakeBuilder {
  public:
-  Taking(const Context& context, Meaning meaning) : context_(context), meaning_(meaning) {}
+  IntakeBuilder(const Context& context, Meaning meaning) : context_(context), meaning_(meaning) {}
 
   void word(const std::string& word) {
     // "alice/" and "." have names, too.
@@ -141,22 +142,23 @@ class Taking {
     guarded(id_of(place), word, [&](IntakeEntry& entry) {
       const fs::file_status status = fs::symlink_status(place);
       const std::string shown = sandbox::printable_line(word);
-      if (!fs::exists(status)) throw Unreadable("no such directory: " + shown);
-      if (fs::is_symlink(status)) throw Unreadable(shown + " is a link: name the directory itself");
+      if (!fs::exists(status)) throw UnreadableSubmission("no such directory: " + shown);
+      if (fs::is_symlink(status))
+        throw UnreadableSubmission(shown + " is a link: name the directory itself");
       const bool is_zip = fs::is_regular_file(status) && place.extension() == ".zip";
       if (!is_zip && !fs::is_directory(status)) {
-        throw Unreadable(shown + " is a file: name the directory it is in, or a zip");
+        throw UnreadableSubmission(shown + " is a file: name the directory it is in, or a zip");
       }
       const fs::path root = is_zip ? unpacked_once(place) : place;
       const auto parent = meaning_ == Meaning::many ? parent_in(context_.labs, root) : std::nullopt;
       if (!parent) return open(root, entry);
       children(*parent, is_zip);
-      entry.submission.label.clear();  // nobody's own
+      entry.submission.label.clear();  // belongs to no single person
     });
   }
 
-  /// What a word names is decided once for all words alike: several of them are one submission
-  /// each, so that nobody's own directories become other people, unless platforms exported them all.
+  /// Decides what a word means, once for all words: several words are one submission each, so that
+  /// a directory without an owner does not become people, unless platforms exported them all.
   void decide(const std::vector<std::string>& words) {
     if (meaning_ == Meaning::one || words.size() < 2) return;
     if (std::all_of(words.begin(), words.end(), [&](auto& word) { return is_export(word); }))
@@ -188,7 +190,7 @@ class Taking {
     entry.submission.path = named;
     try {
       work(entry);
-    } catch (const Unreadable& error) {
+    } catch (const UnreadableSubmission& error) {
       entry.unreadable = error.what();
     } catch (const std::system_error& error) {
       if (is_machine_fault(error.code())) throw;
@@ -230,7 +232,8 @@ class Taking {
   }
 
   fs::path unpacked(const fs::path& zip) {
-    if (fs::file_size(zip) == 0) throw Unreadable("the zip is empty, or longer than 64 MB");
+    if (fs::file_size(zip) == 0)
+      throw UnreadableSubmission("the zip is empty, or longer than 64 MB");
     intake_.unpacked.push_back(std::make_unique<ScratchDirectory>(context_.layout));
     unpack(zip, intake_.unpacked.back()->path());
     return intake_.unpacked.back()->path();
@@ -241,7 +244,7 @@ class Taking {
     std::vector<Files> places = places_in(root);
     if (places.empty()) {
       const Listing listing = listing_of(root);
-      if (listing.zips.size() > 1) throw Unreadable("several zips: which one counts?");
+      if (listing.zips.size() > 1) throw UnreadableSubmission("several zips: which one counts?");
       if (listing.zips.size() == 1) {
         root = unpacked(listing.zips[0]);
         places = places_in(root);
@@ -261,8 +264,8 @@ class Taking {
     entry.submission.files = together(root, places);
     for (const auto& [lab, file] : entry.submission.files) {
       if (access(file.c_str(), R_OK) == 0) continue;
-      throw Unreadable(fmt::format("{} cannot be read: {}", file.filename().string(),
-                                   std::generic_category().message(errno)));
+      throw UnreadableSubmission(fmt::format("{} cannot be read: {}", file.filename().string(),
+                                             std::generic_category().message(errno)));
     }
     std::set<std::string> where;
     for (const auto& [lab, file] : entry.submission.files) where.insert(seen_from(root, file));
@@ -272,7 +275,7 @@ class Taking {
     }
   }
 
-  /// One directory a person: of Moodle's, which has an online text beside the files, the one with
+  /// One directory per person; Moodle has an online text as well as the files: take the one with
   /// the files.
   static std::map<std::string, fs::path> directories_by_person(const std::vector<fs::path>& all) {
     std::map<std::string, fs::path> chosen;
@@ -314,7 +317,7 @@ class Taking {
       guarded(person, {}, [&, &all = files](IntakeEntry& entry) { gather(all, entry); });
     }
     for (const fs::path& link : listing.links) {
-      guarded(id_of(link), {}, [](IntakeEntry&) { throw Unreadable("it is a link"); });
+      guarded(id_of(link), {}, [](IntakeEntry&) { throw UnreadableSubmission("it is a link"); });
     }
     std::stable_sort(intake_.entries.begin() + static_cast<std::ptrdiff_t>(first),
                      intake_.entries.end(),
@@ -338,7 +341,7 @@ class Taking {
     for (const PlatformName& one : files) {
       if (one.path.extension() == ".zip") zips.push_back(one.path);
     }
-    if (zips.size() > 1) throw Unreadable("several zips: which one counts?");
+    if (zips.size() > 1) throw UnreadableSubmission("several zips: which one counts?");
     if (zips.size() == 1) open(unpacked(zips[0]), entry);
   }
 
@@ -367,7 +370,7 @@ class Taking {
 }  // namespace
 
 Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning) {
-  Taking taking(context, meaning);
+  IntakeBuilder taking(context, meaning);
   taking.decide(words);
   for (const std::string& word : words) taking.word(word);
   return taking.finish();

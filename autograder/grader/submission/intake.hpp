@@ -30,12 +30,12 @@ enum class Meaning {
   many,  ///< a directory or zip that holds several people's is theirs
 };
 
-/// Takes in directories and zips. A person's files are looked for at the top, else in starter/,
-/// else wherever they are below (no links; .git, build, __MACOSX are passed over), if each is there
-/// once. A directory that is nobody's own means its children, directories and zips, in the order of
-/// their names; so are the exports of Gradescope, Canvas (name_12_34_variance.cpp, all in one
-/// directory) and Moodle (name_12_assignsubmission_file_). Several words are one submission each,
-/// unless all of them are such exports. What cannot be read is among them, with the reason.
+/// Takes in directories and zips. Looks for a person's files at the top, else in starter/, else
+/// anywhere below (skipping links, .git, build, __MACOSX) if each is there exactly once. A directory
+/// that belongs to no single person means its children, directories and zips, in the order of their
+/// names; so do the exports of Gradescope, Canvas (name_12_34_variance.cpp, all in one directory)
+/// and Moodle (name_12_assignsubmission_file_). Several words are one submission each, unless all
+/// of them are such exports. Unreadable entries are included, with the reason.
 Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning);
 
 /// One person's work, as `check` and Gradescope name it. Throws UsageError for what cannot be read.

@@ -40,7 +40,7 @@ std::string name_of(const Layout& layout, const fs::path& directory) {
   return name;
 }
 
-fs::path beside(const fs::path& file, const char* extension) {
+fs::path sibling(const fs::path& file, const char* extension) {
   fs::path other = file;
   return other.replace_extension(extension);
 }
@@ -49,7 +49,7 @@ fs::path beside(const fs::path& file, const char* extension) {
 /// out: as long as this stays, so does the object.
 std::string fingerprint(const std::string& command, const fs::path& object) {
   std::uint64_t hash = hash_text(command);
-  for (const fs::path& file : dependencies(read_text(beside(object, ".d")))) {
+  for (const fs::path& file : dependencies(read_text(sibling(object, ".d")))) {
     hash = hash_text(read_text(file), hash);
   }
   return fmt::format("{:016x}", hash);
@@ -73,13 +73,13 @@ std::string compile_sanitized(const Layout& layout, const Source& source,
   std::vector<std::string> command = command_for(layout);
   command.insert(command.end(), {"-c", source.file.string()});
   const std::string key = fmt::format("{}", fmt::join(command, " "));
-  const fs::path known = beside(source.object, ".key");
+  const fs::path known = sibling(source.object, ".key");
   if (fs::exists(source.object) && read_text(known) == fingerprint(key, source.object)) return {};
   something_new = true;
   fs::create_directories(source.object.parent_path());
   const std::string aside = fmt::format("{}.{}", source.object.string(), getpid());
   command.insert(command.end(), {"-o", aside, "-MMD", "-MT", "object", "-MF",
-                                 beside(source.object, ".d").string()});
+                                 sibling(source.object, ".d").string()});
   const auto run = sandbox::run_process(command);
   if (!run.succeeded()) return run.errors.empty() ? "the compiler failed\n" : run.errors;
   fs::rename(aside, source.object);

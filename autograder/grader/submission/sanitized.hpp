@@ -16,7 +16,7 @@ struct SanitizedProgram {
 };
 
 /// Compiles the submission's files, the lab's experiments and the runner with debug information and
-/// the address and undefined-behaviour sanitizers, and links them into build/sanitize/<lab>/. What
+/// the address and undefined-behavior sanitizers, and links them into build/sanitize/<lab>/. What
 /// has not changed since the last time, in itself and in what it includes, is taken from there.
 SanitizedProgram build_sanitized(const Layout& layout, const Lab& lab,
                                  const Submission& submission);

@@ -1,5 +1,5 @@
 #pragma once
-// A source file that somebody handed in. Its size and its kind are checked before it is read.
+// A submitted source file. Its size and kind are checked before it is read.
 
 #include <filesystem>
 #include <map>
@@ -19,8 +19,8 @@ struct SourceFile {
 /// std::system_error where the machine fails (no descriptors, no memory, a broken disk).
 SourceFile read_source(const std::filesystem::path& file);
 
-/// All that was handed in, in one text: two submissions are the same if theirs are equal. A file
-/// that is not accepted stands there with its problem.
+/// All submitted files in one text: two submissions are the same if their texts are equal. A file
+/// that is not accepted is represented by its problem.
 std::string contents_of(const std::map<std::string, std::filesystem::path>& files);
 
 /// Says nothing of what was handed in: no descriptors, no memory, no disk.

@@ -14,8 +14,7 @@ namespace mc::grader {
 
 struct Submission {
   std::string label;  ///< how it is called in reports
-  /// The directory, zip or file, as whoever runs this calls it; empty where it lies in a zip of
-  /// many.
+  /// The directory, zip or file, as named on the command line; empty if it is inside a zip of many.
   std::filesystem::path path;
   std::map<std::string, std::filesystem::path> files;  ///< lab name -> file
   /// May include the repository's own sources, as mistakes and alternatives do. Given by who opens
@@ -32,12 +31,12 @@ Submission open_submission(const std::vector<Lab>& labs, const std::filesystem::
 /// Is this the directory of the reference solutions?
 bool is_reference(const Layout& layout, const Submission& submission);
 
-/// One file that stands for the file of `lab`; what it lacks of other labs is the solutions'.
+/// One file for `lab`; the other labs' files are the solutions.
 Submission single_file_submission(const Layout& layout, const std::vector<Lab>& labs,
                                   const Lab& lab, const std::filesystem::path& file, bool trusted);
 
-/// A library behind the interface of a lab, autograder/submissions/peers/<library>/<lab>.cpp; not
-/// every lab has one from every library, and not every library is installed: then nothing.
+/// A library behind a lab's interface, autograder/submissions/peers/<library>/<lab>.cpp. Nothing if
+/// the library has no adapter for this lab or is not installed.
 std::optional<Submission> peer_submission(const Layout& layout, const std::vector<Lab>& labs,
                                           const Lab& lab, const std::string& library);
 

@@ -12,10 +12,10 @@ namespace {
 /// for a jailed program can read nothing.
 struct Plan {
   char mark[16];
-  std::uint8_t value;    ///< which of `values`; past them: one drawn for each process
-  std::uint8_t size;     ///< which of the sizes below; past them: drawn
-  std::uint8_t few;      ///< 0: all numbers; else one of so many
-  std::uint8_t honesty;  ///< of 256 processes so many tell the truth
+  std::uint8_t value;    ///< which of `values`; past them: one process_plan for each process
+  std::uint8_t size;     ///< which of the sizes below; past them: process_plan
+  std::uint8_t few;      ///< 0: any number; else one of `few` values
+  std::uint8_t honesty;  ///< of 256 processes, this many are honest
 };
 volatile const Plan plan{
     {'m', 'c', '-', 'f', 'u', 'z', 'z', '-', 'p', 'l', 'a', 'n', '-', '-', '>', '>'}, 0, 0, 0, 0};
@@ -40,44 +40,44 @@ std::uint32_t random_bits() {
 }
 
 /// The plan of this process.
-struct Drawn {
+struct ProcessPlan {
   bool lies = random_bits() % 256 >= plan.honesty;
   double value = values[(plan.value < value_count ? plan.value : random_bits()) % value_count];
   std::uint32_t size = (plan.size < size_count ? plan.size : random_bits()) % size_count;
   std::uint32_t count = 0;
 };
-Drawn& drawn() {
-  static Drawn one;
+ProcessPlan& process_plan() {
+  static ProcessPlan one;
   return one;
 }
 
 /// Is this number one of the few?
 bool is_chosen() {
-  Drawn& now = drawn();
+  ProcessPlan& now = process_plan();
   return now.lies && (plan.few == 0 || now.count++ % plan.few == plan.few / 2u);
 }
 
 }  // namespace
 
 double mutated_double(double value) {
-  return is_chosen() ? drawn().value : value;
+  return is_chosen() ? process_plan().value : value;
 }
 
 std::uint64_t mutated_integer(std::uint64_t value) {
   if (!is_chosen()) return value;
   if (plan.value < value_count) {
-    // Beside numbers that no right answer has, whole ones that none has either.
-    const double told = values[plan.value];
-    return plan.few == 0 && !(std::abs(told) <= 1) ? ~value : value;
+    // In addition to numbers that no right answer has, integers that none has either.
+    const double lie = values[plan.value];
+    return plan.few == 0 && !(std::abs(lie) <= 1) ? ~value : value;
   }
   const std::uint64_t odd[] = {0, 1, value + 1, value - 1, 1000, ~std::uint64_t{0}};
   return odd[random_bits() % 6];
 }
 
 std::size_t mutated_size(std::size_t size) {
-  if (!drawn().lies) return size;
-  const std::size_t told[size_count] = {size, 0, 1, size / 2, size + 1, 2 * size};
-  return told[drawn().size];
+  if (!process_plan().lies) return size;
+  const std::size_t sizes[size_count] = {size, 0, 1, size / 2, size + 1, 2 * size};
+  return sizes[process_plan().size];
 }
 
 }  // namespace mc::fuzz

@@ -7,8 +7,8 @@
 
 namespace mc::fuzz {
 
-/// Whether this process lies is drawn when it starts: some answers of a check must be honest, or
-/// nothing behind its first one would ever be reached.
+/// Each process draws at its start whether it lies: some answers of a check must be honest, or the
+/// check would never get past its first one.
 double mutated_double(double value);
 std::uint64_t mutated_integer(std::uint64_t value);
 std::size_t mutated_size(std::size_t size);

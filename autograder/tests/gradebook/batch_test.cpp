@@ -37,15 +37,15 @@ std::map<std::string, std::vector<std::string>> rows_of(const fs::path& csv) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     REQUIRE(rows[i].size() == rows[0].size());  // no half row
     rows[i][3] = "";
-    REQUIRE(by_id.emplace(rows[i][0], rows[i]).second);  // nobody twice
+    REQUIRE(by_id.emplace(rows[i][0], rows[i]).second);  // each id once
   }
   return by_id;
 }
 
-/// All verdicts beside a table, without seconds.
+/// All verdicts next to a table, without seconds.
 std::map<std::string, std::string> verdicts_of(const fs::path& csv) {
   std::map<std::string, std::string> all;
-  for (const auto& entry : fs::directory_iterator(verdicts_beside(csv))) {
+  for (const auto& entry : fs::directory_iterator(verdict_directory(csv))) {
     if (entry.path().extension() != ".json") continue;
     Verdict verdict = verdict_from_json(read_text(entry.path()));
     verdict.seconds = 0;
@@ -229,7 +229,7 @@ TEST_CASE("what changed is judged again, and nothing else") {
   CHECK(again.output.find("6 submissions: 1 judged, 5 were before; seed 7") != std::string::npos);
   CHECK(course.grade({"--csv", csv, "--resume", "--seed", "8"}).exit_code == 2);
   // What was not finished is not thrown away by forgetting --resume.
-  write_text(verdicts_beside(csv) / "state", "begun seed 7\n");
+  write_text(verdict_directory(csv) / "state", "begun seed 7\n");
   const auto forgotten = course.grade({"--csv", csv});
   CHECK(forgotten.exit_code == 2);
   CHECK(forgotten.errors.find("--resume goes on") != std::string::npos);
@@ -244,9 +244,9 @@ TEST_CASE("what changed is judged again, and nothing else") {
 TEST_CASE("two runs do not write one table") {
   Course course;
   course.hand_in_tiny(2);
-  fs::create_directories(verdicts_beside(course.csv()));
+  fs::create_directories(verdict_directory(course.csv()));
   const mc::sandbox::Descriptor other(
-      open((verdicts_beside(course.csv()) / "lock").c_str(), O_RDWR | O_CREAT, 0644), "lock");
+      open((verdict_directory(course.csv()) / "lock").c_str(), O_RDWR | O_CREAT, 0644), "lock");
   REQUIRE(flock(other.get(), LOCK_EX) == 0);
   const auto run = course.grade({"--csv", course.csv().string()});
   CHECK(run.exit_code == 2);
@@ -288,7 +288,7 @@ TEST_CASE("shards are a class in parts") {
   }
 }
 
-TEST_CASE("programs that nobody needs any more are swept, those just used are not") {
+TEST_CASE("unused programs are swept, recently used ones stay") {
   Layout layout = read_layout();
   const Scratch build;
   layout.build = build.path();

@@ -1,5 +1,5 @@
-// What students get, and what Gradescope gets, works. They have the same labs, judge and starters,
-// byte by byte: one stands in the place of the other, and a minute's building is done once.
+// The student handout and the Gradescope package work. Both have the same labs, judge and starters,
+// byte by byte: one replaces the other in place, so the minute-long build happens once.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -22,8 +22,8 @@ using namespace grader;
 
 namespace {
 
-/// Files of a build that was copied with a checkout, and when they were written. That checkout must
-/// stay as it is.
+/// Files of a build that was copied with a checkout, and their modification times. The original
+/// checkout must stay unchanged.
 struct CopiedBuild {
   fs::path original;
   std::vector<fs::path> files;
@@ -59,9 +59,9 @@ std::vector<std::string> listed_verbs(const std::string& help) {
   return commands;
 }
 
-/// A build was copied along, as by `cp -r` of another checkout: the entry script's own tests
-/// (moved_test.cpp) have a stub behind it, this is the whole. It is thrown away, so that all is
-/// built from nothing.
+/// A build was copied along, as by `cp -r` of another checkout. The entry script's own tests
+/// (moved_test.cpp) use a stub; this is the real build. The copy is discarded and everything is
+/// built from scratch.
 void works_from_the_first_call_on(const Handout& handout) {
   REQUIRE(handout.written.exit_code == 0);
   const CopiedBuild copied(handout.layout.build, handout.root / "build");
@@ -107,7 +107,7 @@ void works_from_the_first_call_on(const Handout& handout) {
   CHECK(read_text(file) == starter);
 }
 
-/// Makes the checkout what the tree is. What both have stays as it is, and with it what is built.
+/// Makes the checkout equal to the tree. Common files stay untouched, and so do their builds.
 void put_in_place_of(const fs::path& checkout, const fs::path& tree) {
   for (auto file = fs::recursive_directory_iterator(checkout);
        file != fs::recursive_directory_iterator(); ++file) {
@@ -207,9 +207,9 @@ void grades_what_is_handed_in(const Container& container) {
            fs::copy_options::recursive);
   fs::copy_file(compared.source / "run_autograder", container.source / "run_autograder",
                 fs::copy_options::overwrite_existing);
-  const auto told = container.grade({{"variance.cpp", solution}});
-  CAPTURE(told.output, told.errors);
-  REQUIRE(told.exit_code == 0);
+  const auto graded = container.grade({{"variance.cpp", solution}});
+  CAPTURE(graded.output, graded.errors);
+  REQUIRE(graded.exit_code == 0);
   const auto ranked = nlohmann::json::parse(read_text(container.results));
   CHECK(ranked["score"] == 100);
   CHECK(ranked["visibility"] == "visible");
@@ -219,7 +219,7 @@ void grades_what_is_handed_in(const Container& container) {
   CHECK(container.grade({{"variance.cpp", starter}}).exit_code == 0);
   CHECK_FALSE(nlohmann::json::parse(read_text(container.results)).contains("leaderboard"));
 
-  // A grader that cannot be built is nobody's zero: no results.json, not even the last one.
+  // A grader that cannot be built gives no student a zero: no results.json, not even an old one.
   write_text(container.source / "autograder" / "grader" / "main.cpp", "no grader\n");
   const auto fails = container.grade({{"variance.cpp", solution}});
   CHECK(fails.exit_code == 3);

@@ -1,4 +1,4 @@
-// A class of forty with every hostile file that has ever cost somebody a grade: forty rows, each
+// A class of forty with every hostile file that has ever cost a student a grade: forty rows, each
 // right.
 #include <sys/stat.h>
 #include <unistd.h>

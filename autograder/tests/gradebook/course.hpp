@@ -1,5 +1,5 @@
 #pragma once
-// A class of small submissions of lab 1, and ./lab for whoever grades it.
+// A class of small submissions of lab 1, and ./lab as a grader uses it.
 
 #include <filesystem>
 #include <string>

@@ -34,7 +34,7 @@ TEST_CASE("Gradescope's zip has what it asks for at its top, the version, and no
   CHECK_FALSE(fs::exists(compared.source / "solutions" / "halton.cpp"));
 }
 
-TEST_CASE("a lab's zip has the labs that it stands on") {
+TEST_CASE("a lab's zip has the labs that it depends on") {
   const Course course;
   const fs::path zip = course.path() / "6.zip";
   const auto run = course.run({"gradescope", "6", "1", "--out", zip.string()});

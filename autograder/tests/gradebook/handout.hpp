@@ -9,7 +9,7 @@
 
 namespace mc::tests {
 
-/// A handout, as somebody has it who has just cloned it.
+/// A freshly cloned handout.
 struct Handout : Course {
   std::filesystem::path root = path() / "labs";
   sandbox::ProcessResult written;

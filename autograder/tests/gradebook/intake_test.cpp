@@ -31,7 +31,7 @@ struct Place : Scratch {
     write_text(path() / name, text);
     return *this;
   }
-  /// Packs what is in `directory`, as it is named from there, and takes it away.
+  /// Zips the content of `directory`, with paths relative to it, and removes the directory.
   Place& zip(const std::string& directory, const std::string& name) {
     std::vector<std::string> command{"cmake", "-E", "tar", "cf", path() / name, "--format=zip"};
     for (const auto& entry : fs::directory_iterator(path() / directory)) {
@@ -47,7 +47,7 @@ struct Place : Scratch {
 };
 
 /// "alice: variance@x/y stratification; bob: !why"
-std::string told(const Intake& intake) {
+std::string summary(const Intake& intake) {
   std::string all;
   for (const IntakeEntry& one : intake.entries) {
     all += (all.empty() ? "" : "; ") + one.submission.label + ":";
@@ -104,31 +104,33 @@ std::string raw_zip(const std::vector<std::pair<std::string, std::string>>& entr
 }  // namespace
 
 TEST_CASE("one person's files are found wherever they are") {
-  CHECK(told(Place().file("a/variance.cpp").take("a")) == "a: variance");
-  CHECK(told(Place().file("a/variance.cpp").file("a/x/variance.cpp").take("a/")) == "a: variance");
-  CHECK(told(Place().file("a/starter/variance.cpp").file("a/old/variance.cpp").take("a")) ==
+  CHECK(summary(Place().file("a/variance.cpp").take("a")) == "a: variance");
+  CHECK(summary(Place().file("a/variance.cpp").file("a/x/variance.cpp").take("a/")) ==
+        "a: variance");
+  CHECK(summary(Place().file("a/starter/variance.cpp").file("a/old/variance.cpp").take("a")) ==
         "a: variance @starter");
-  CHECK(told(Place().file("a/x/y/variance.cpp").file("a/x/notes.txt").take("a")) ==
+  CHECK(summary(Place().file("a/x/y/variance.cpp").file("a/x/notes.txt").take("a")) ==
         "a: variance @x/y");
   // A checkout in a directory: what it brings along does not count.
-  CHECK(told(Place()
-                 .file("a/mc/README.md")
-                 .file("a/mc/starter/variance.cpp")
-                 .file("a/mc/solutions/variance.cpp")
-                 .take("a")) == "a: variance @mc/starter");
-  CHECK(told(Place()
-                 .file("a/README.md")
-                 .file("a/1/variance.cpp")
-                 .file("a/2/independent.cpp")
-                 .take("a")) == "a: independent variance @1, 2");
-  CHECK(told(Place()
-                 .file("a/README.md")
-                 .file("a/__MACOSX/variance.cpp")
-                 .file("a/.git/variance.cpp")
-                 .file("a/build/variance.cpp")
-                 .take("a")) == "a:");
-  CHECK(told(Place().file("a/1/variance.cpp").file("a/2/variance.cpp").take("a", Meaning::one)) ==
-        "a: !variance.cpp is in 1 and in 2: which one counts?");
+  CHECK(summary(Place()
+                    .file("a/mc/README.md")
+                    .file("a/mc/starter/variance.cpp")
+                    .file("a/mc/solutions/variance.cpp")
+                    .take("a")) == "a: variance @mc/starter");
+  CHECK(summary(Place()
+                    .file("a/README.md")
+                    .file("a/1/variance.cpp")
+                    .file("a/2/independent.cpp")
+                    .take("a")) == "a: independent variance @1, 2");
+  CHECK(summary(Place()
+                    .file("a/README.md")
+                    .file("a/__MACOSX/variance.cpp")
+                    .file("a/.git/variance.cpp")
+                    .file("a/build/variance.cpp")
+                    .take("a")) == "a:");
+  CHECK(
+      summary(Place().file("a/1/variance.cpp").file("a/2/variance.cpp").take("a", Meaning::one)) ==
+      "a: !variance.cpp is in 1 and in 2: which one counts?");
 }
 
 TEST_CASE("a parent directory means its children") {
@@ -145,7 +147,7 @@ TEST_CASE("a parent directory means its children") {
       .file("class/broken.zip", "no zip at all");
   fs::create_directory_symlink(place.context.layout.solutions(),
                                place.path() / "class" / "mallory");
-  CHECK(told(place.take()) ==
+  CHECK(summary(place.take()) ==
         "anna: variance @starter; bob: variance; broken: !it is no zip; mallory: !it is a link; "
         "nothing:; two: !variance.cpp is in 1 and in 2: which one counts?; zoe: variance @sub");
 }
@@ -155,7 +157,7 @@ TEST_CASE("ids are unique, printable, and fit to name files") {
   place.file("x/anna/variance.cpp").file("x/Anna/variance.cpp");
   place.file("z/variance.cpp").zip("z", "x/anna.zip");
   place.file("x/\x1b[31m\n\xe2\x80\xae/variance.cpp");
-  CHECK(told(place.take("x")) ==
+  CHECK(summary(place.take("x")) ==
         "?[31m ???: variance; Anna: variance; anna (2): variance; anna (3): variance");
 }
 
@@ -167,14 +169,14 @@ TEST_CASE("several words are one submission each, whatever a student calls direc
   const auto at = [&](const char* name) { return (place.path() / name).string(); };
   const Intake intake = take_in(
       place.context, {at("class/mallory"), at("class/two"), at("class/zoe")}, Meaning::many);
-  CHECK(told(intake) ==
+  CHECK(summary(intake) ==
         "mallory: !variance.cpp is in yann and in zoe: which one counts?; "
         "two: independent variance @1, 2; zoe: variance");
   CHECK(intake.each_word_is_one);
   place.file("a/Jo_12_assignsubmission_file_variance.cpp");
   place.file("b/doejane_4711_992_variance.cpp");
   const Intake exports = take_in(place.context, {at("a"), at("b")}, Meaning::many);
-  CHECK(told(exports) == "Jo_12: variance; doejane_4711: variance");
+  CHECK(summary(exports) == "Jo_12: variance; doejane_4711: variance");
 }
 
 TEST_CASE("the exports of learning platforms") {
@@ -184,7 +186,7 @@ TEST_CASE("the exports of learning platforms") {
       .file("z/assignment_7_export/submission_13/notes.txt")
       .file("z/assignment_7_export/submission_metadata.yml")
       .zip("z", "class.zip");
-  CHECK(told(gradescope.take("class.zip")) ==
+  CHECK(summary(gradescope.take("class.zip")) ==
         "submission_11: variance; submission_12: variance @lab/starter; submission_13:");
 
   Place canvas;
@@ -194,7 +196,7 @@ TEST_CASE("the exports of learning platforms") {
       .file("in/x/variance.cpp")
       .zip("in", "z/müller_4713_994_submission.zip")
       .zip("z", "submissions.zip");
-  CHECK(told(canvas.take("submissions.zip")) ==
+  CHECK(summary(canvas.take("submissions.zip")) ==
         "doejane_4711: independent variance; müller_4713: variance @x; roe_4712: variance");
 
   Place moodle;
@@ -205,19 +207,19 @@ TEST_CASE("the exports of learning platforms") {
   fs::rename(moodle.path() / "z.zip",
              moodle.path() / "z" / "Rob Roe_124_assignsubmission_file_" / "my work.zip");
   moodle.zip("z", "class.zip");
-  CHECK(told(moodle.take("class.zip")) == "Jane Doe_123: variance; Rob Roe_124: variance");
+  CHECK(summary(moodle.take("class.zip")) == "Jane Doe_123: variance; Rob Roe_124: variance");
 
-  // An online text beside the files, in either form, is nobody else's work; alone it is no file.
+  // An online text next to files, in either form, is not another person; alone it is no file.
   Place texts;
   texts.file("class/Jane Doe_123_assignsubmission_file_/variance.cpp")
       .file("class/Jane Doe_123_assignsubmission_onlinetext_/onlinetext.html")
       .file("class/Rob Roe_124_assignsubmission_onlinetext_/onlinetext.html");
-  CHECK(told(texts.take()) == "Jane Doe_123: variance; Rob Roe_124:");
+  CHECK(summary(texts.take()) == "Jane Doe_123: variance; Rob Roe_124:");
   Place flat;
   flat.file("class/Jane Doe_123_assignsubmission_file_variance.cpp")
       .file("class/Jane Doe_123_assignsubmission_onlinetext.html")
       .file("class/Rob Roe_124_assignsubmission_onlinetext.html");
-  CHECK(told(flat.take()) == "Jane Doe_123: variance; Rob Roe_124:");
+  CHECK(summary(flat.take()) == "Jane Doe_123: variance; Rob Roe_124:");
 
   // Canvas keeps earlier attempts: the latest counts.
   Place attempts;
@@ -225,7 +227,7 @@ TEST_CASE("the exports of learning platforms") {
       .file("class/doejane_LATE_4711_995_variance-2.cpp", "int latest;\n")
       .file("class/doejane_4711_993_variance-1.cpp");
   const Intake latest = attempts.take();
-  CHECK(told(latest) == "doejane_4711: variance");
+  CHECK(summary(latest) == "doejane_4711: variance");
   CHECK(read_text(latest.entries.at(0).submission.files.at("variance")) == "int latest;\n");
 
   // Gradescope's names and addresses.
@@ -238,7 +240,7 @@ TEST_CASE("the exports of learning platforms") {
             "    :email: jane@example.edu\n  :created_at: 2026-01-02 03:04:05 Z\n"
             "submission_12:\n  :submitters:\n  - :name: \"Rob Roe\"\n    :email: rob@example.edu\n"
             "  - :name: Ann Poe\n    :email: ann@example.edu\n");
-  CHECK(told(people.take()) ==
+  CHECK(summary(people.take()) ==
         "Jane Doe (jane@example.edu): variance; "
         "Rob Roe (rob@example.edu) & Ann Poe (ann@example.edu): variance; submission_13: variance");
 
@@ -246,7 +248,7 @@ TEST_CASE("the exports of learning platforms") {
   Place clones;
   clones.file("class/lab-anna/.git/HEAD").file("class/lab-anna/starter/variance.cpp");
   clones.file("class/lab-bob/.git/HEAD").file("class/lab-bob/starter/independent.cpp");
-  CHECK(told(clones.take()) == "lab-anna: variance @starter; lab-bob: independent @starter");
+  CHECK(summary(clones.take()) == "lab-anna: variance @starter; lab-bob: independent @starter");
 
   CHECK(!named_by_platform("lab_1_2_alice.zip"));
   CHECK(named_by_platform("Jo_12_assignsubmission_file_variance.cpp")->file == "variance.cpp");
@@ -256,7 +258,7 @@ TEST_CASE("a zip leads nowhere but into its own directory") {
   Place place;
   const auto taken = [&](const std::string& zip) {
     place.file("a.zip", zip);
-    return told(place.take("a.zip"));
+    return summary(place.take("a.zip"));
   };
   CHECK(taken(raw_zip({{"variance.cpp", "int x;\n"}})) == "a: variance");
   for (const char* name : {"../variance.cpp", "/tmp/variance.cpp", "x/../../variance.cpp"}) {
@@ -272,12 +274,14 @@ TEST_CASE("a zip leads nowhere but into its own directory") {
 
   place.file("many.zip", raw_zip({{"1", ""}, {"2", ""}, {"3", ""}}));
   const Scratch to;
-  CHECK_THROWS_AS(unpack(place.path() / "many.zip", to.path(), {.entries = 2}), Unreadable);
+  CHECK_THROWS_AS(unpack(place.path() / "many.zip", to.path(), {.entries = 2}),
+                  UnreadableSubmission);
   place
       .file("z/variance.cpp", std::string(std::size_t{3} << 20, ' '))  // 3 MB of blanks
       .file("z/independent.cpp", std::string(std::size_t{3} << 20, ' '))
       .zip("z", "large.zip");
-  CHECK_THROWS_AS(unpack(place.path() / "large.zip", to.path(), {.bytes = 1'500'000}), Unreadable);
+  CHECK_THROWS_AS(unpack(place.path() / "large.zip", to.path(), {.bytes = 1'500'000}),
+                  UnreadableSubmission);
   // A text is unpacked up to where the compiler says that it is too long.
   CHECK(fs::file_size(to.path() / "variance.cpp") <= (std::size_t{1} << 20) + 1);
 }

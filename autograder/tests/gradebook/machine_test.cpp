@@ -1,5 +1,5 @@
-// Machines that fail: no disk, no processes, no descriptors, no jail. Nobody gets points from them,
-// and nobody a zero. Not in --quick: right answers are judged dozens of times.
+// Failing machines: no disk, no processes, no descriptors, no jail. They give no submission points,
+// and none a zero. Not in --quick: right answers are judged dozens of times.
 #include <unistd.h>
 
 #include <algorithm>
@@ -129,7 +129,7 @@ TEST_CASE("a full disk is no grade, and four in a row are not tried", "[.machine
   };
   if (is_no_grade(course, disk(0), "full", course.path() / "disk")) is_made_good(course);
   // One that is full after the first few: those stand.
-  fs::remove_all(verdicts_beside(course.csv()));
+  fs::remove_all(verdict_directory(course.csv()));
   const auto some = course.with(
       disk(3000), course.grade(course.path() / "disk", "class", {"--csv", course.csv()}));
   if (some.exit_code == 77) return;
@@ -155,7 +155,7 @@ TEST_CASE("a table that cannot be written ends the batch with a line, and its ol
   CHECK(run.errors.find("No space left on device") != std::string::npos);
 }
 
-TEST_CASE("where seccomp is refused nobody is judged", "[.machine]") {
+TEST_CASE("where seccomp is refused, nothing is judged", "[.machine]") {
   const Course course(1);
   if (is_no_grade(course, {"--refuse", "seccomp"}, "seccomp: Function not implemented",
                   course.build)) {
@@ -163,11 +163,11 @@ TEST_CASE("where seccomp is refused nobody is judged", "[.machine]") {
   }
 }
 
-TEST_CASE("where execveat or setgroups is refused nobody is judged", "[.machine]") {
+TEST_CASE("where execveat or setgroups is refused, nothing is judged", "[.machine]") {
   const Course course(1);
   is_no_grade(course, {"--refuse", "execveat"}, "Operation not permitted", course.build);
   if (geteuid() == 0) {  // else the jail needs no other user
-    fs::remove_all(verdicts_beside(course.csv()));
+    fs::remove_all(verdict_directory(course.csv()));
     is_no_grade(course, {"--refuse", "setgroups"}, "Operation not permitted", course.build);
   }
 }
@@ -188,7 +188,7 @@ TEST_CASE("without processes or descriptors there is the whole grade or none", "
   int graded = 0, not_graded = 0;
   for (const Words& fault : faults) {
     fs::remove(course.csv());
-    fs::remove_all(verdicts_beside(course.csv()));
+    fs::remove_all(verdict_directory(course.csv()));
     fs::remove_all(course.build / "programs");
     const auto run =
         course.with(fault, course.grade(course.build, "class", {"--csv", course.csv()}));

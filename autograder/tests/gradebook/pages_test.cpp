@@ -21,7 +21,7 @@ using namespace grader;
 namespace {
 
 /// A class with one of each: no code, code that does not compile, a failure, full marks, no zip,
-/// and a name that neither HTML nor an address has as it is.
+/// and a name that must be escaped in HTML and in a URL.
 struct GradedClass : Course {
   fs::path pages = path() / "pages";
   sandbox::ProcessResult run;
@@ -55,10 +55,10 @@ const GradedClass& graded_class() {
 
 /// What the browser has to say of these pages in a window 390 pixels wide: its console, and how
 /// wide each page is in the end.
-struct Seen {
+struct BrowserReport {
   std::string console, widths;
 };
-Seen look_at(const std::vector<fs::path>& pages, const Scratch& place) {
+BrowserReport look_at(const std::vector<fs::path>& pages, const Scratch& place) {
   std::string text = "<!doctype html><title>none</title><body>";
   for (const fs::path& page : pages) {
     text += fmt::format("<iframe width=390 height=800 style='border:0' srcdoc=\"{}\"></iframe>",
@@ -69,7 +69,7 @@ Seen look_at(const std::vector<fs::path>& pages, const Scratch& place) {
       .map(f => Math.max(f.contentWindow.innerWidth, f.contentDocument.documentElement.scrollWidth))
       .join(" ");
     document.body.innerHTML = ""; };</script>)";
-  const Opened opened = open_page(place.write("look.html", text));
+  const PageState opened = open_page(place.write("look.html", text));
   return {opened.console, opened.title};
 }
 
@@ -140,13 +140,13 @@ TEST_CASE("a browser finds no error in a page, and nothing wider than a phone") 
   const Scratch place;
   auto pages = graded.all_pages();
   REQUIRE(pages.size() == 6);
-  const Seen seen = look_at(pages, place);
+  const BrowserReport seen = look_at(pages, place);
   CHECK(seen.console.empty());
   CHECK(seen.widths == "390 390 390 390 390 390");
   // It sees what is too wide, and what goes wrong.
   pages = {place.write("wide.html", "<div style=\"width:500px\">x</div>"),
            place.write("wrong.html", "<script>nothing.there();</script>")};
-  const Seen spoiled = look_at(pages, place);
+  const BrowserReport spoiled = look_at(pages, place);
   CHECK(contains(spoiled.console, "nothing is not defined"));
   CHECK(spoiled.widths == "508 390");
 }

@@ -58,7 +58,7 @@ struct SmallClass : Scratch {
                        "eve,7,1.0,1,,judged,80,50,30,0\n"
                        "fay,7,1.0,1,\"not judged: disk\",\"not judged\",,,,\n");
   SmallClass() {
-    fs::create_directories(verdicts_beside(csv));
+    fs::create_directories(verdict_directory(csv));
     const std::string hint = "measured  1\nlikely    it divides by n\nread      x";
     keep(verdict_on("ada", {result_of("1.1 a", Status::passed, "likely    nothing")}));
     keep(verdict_on("bob", {result_of("1.1 b", Status::failed, hint),
@@ -125,7 +125,7 @@ TEST_CASE("a check that a row's table did not have says nothing of that row") {
   CHECK(*checks[0].discrimination == Approx(1));  // ada and bob alone
 }
 
-TEST_CASE("a lab that somebody did not hand in, and was not asked for, says nothing of them") {
+TEST_CASE("a lab that a student was not asked for and did not hand in does not count") {
   const Scratch place;
   const Table table = read_table(
       place.write("g.csv",
@@ -150,7 +150,7 @@ TEST_CASE("a hint counts once for each submission that it was given to") {
   CHECK(hints[1].hint == "it <b>rounds");
 }
 
-TEST_CASE("without verdicts, what was not written counts as failed, and that is said") {
+TEST_CASE("without verdicts, unwritten tasks count as failed, and the report says so") {
   SmallClass place;
   place.keep(verdict_on("bob", {result_of("1.2 c", Status::not_written)}));
   Verdict older = verdict_on("dee", {result_of("1.2 c", Status::not_written)});
@@ -161,12 +161,12 @@ TEST_CASE("without verdicts, what was not written counts as failed, and that is 
   place.keep(newer);
   CHECK(counts(place.statistics().labs[0].checks[2]) == "1 2 2 1");
   CHECK(place.statistics().without_verdict == 4);
-  fs::remove_all(verdicts_beside(place.csv));
+  fs::remove_all(verdict_directory(place.csv));
   const auto statistics = place.statistics();
   CHECK(counts(statistics.labs[0].checks[2]) == "1 3 1 1");
   CHECK(statistics.hints.empty());
   CHECK(statistics.without_verdict == 6);
-  CHECK(contains(report_statistics(statistics), "6 of them have no verdict beside the table"));
+  CHECK(contains(report_statistics(statistics), "6 of them have no verdict next to the table"));
 }
 
 TEST_CASE("a histogram has ten bars of ten points, and one for all points") {

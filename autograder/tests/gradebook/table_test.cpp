@@ -74,7 +74,7 @@ TEST_CASE("an id with different rows in two tables is an error that names both")
                                                        ", with different rows: which one counts?");
 }
 
-TEST_CASE("versions and seeds that differ are said, with the tables that have them") {
+TEST_CASE("merge reports versions and seeds that differ, with their tables") {
   const Scratch place;
   const auto a = place.write("a.csv", "id,seed,version\nada,1,1.0\nbob,1,1.0\n").string();
   const auto b = place.write("b.csv", "id,seed,version\ncy,2,1.1\n").string();
@@ -89,8 +89,7 @@ TEST_CASE("versions and seeds that differ are said, with the tables that have th
   CHECK(!contains(run.output, "differ"));  // the table alone
 }
 
-TEST_CASE(
-    "a table whose run did not end is said not to be whole, and neither is what it merges to") {
+TEST_CASE("merge reports a table whose run did not finish, and so does its own result") {
   Course course;
   course.hand_in_tiny(2);
   const std::string part = course.csv("part").string(), merged = course.csv("merged").string();

@@ -29,8 +29,8 @@ namespace {
 
 constexpr int students = 30;
 
-/// A file of the repository as one that stands alone: a student has no solutions to include.
-std::string standing_alone(const Layout& layout, const std::string& file) {
+/// A file of the repository with its includes pasted in: a student has no solutions to include.
+std::string self_contained(const Layout& layout, const std::string& file) {
   std::string all;
   std::istringstream text(file);
   for (std::string line; std::getline(text, line);) {
@@ -95,17 +95,17 @@ std::vector<Work> works(const Layout& layout) {
                         {begun, independent}};
   const fs::path place = layout.submissions();
   for (const fs::path& file : some_of(place / "alternatives" / "variance", 2)) {
-    all.push_back({standing_alone(layout, read_whole_text(file)), "", true, false});
+    all.push_back({self_contained(layout, read_whole_text(file)), "", true, false});
   }
   for (const fs::path& file : some_of(place / "alternatives" / "independent", 2)) {
-    all.push_back({variance, standing_alone(layout, read_whole_text(file)), true, true});
+    all.push_back({variance, self_contained(layout, read_whole_text(file)), true, true});
   }
   for (const std::string& mistake : mistakes_of(place / "mistakes" / "independent", 15)) {
-    all.push_back({variance, standing_alone(layout, mistake), true, false});
+    all.push_back({variance, self_contained(layout, mistake), true, false});
   }
   for (const std::string& mistake : mistakes_of(place / "mistakes" / "variance", 4)) {
     if (all.size() == students) break;
-    all.push_back({standing_alone(layout, mistake), "", false, false});
+    all.push_back({self_contained(layout, mistake), "", false, false});
   }
   REQUIRE(all.size() == students);
   return all;
@@ -250,7 +250,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
     CHECK(fs::exists(pages / "submissions" / (id + ".html")));
   }
 
-  // Somebody hands in again: nobody else is judged.
+  // One student hands in again: the others are not judged again.
   term.hand_in_folder(term.path() / "class" / term.ids[3], term.handed[0]);
   const auto late = term.run(term.grading(grades, {"--resume"}));
   CHECK(contains(late.output, fmt::format("1 judged, {} were before", students - 1)));

@@ -50,9 +50,9 @@ std::map<std::string, std::string> equivalents(const fs::path& path) {
   return all;
 }
 
-class Laboratory {
+class MutantBuilder {
  public:
-  explicit Laboratory(const std::string& name) : lab_(find_lab(labs_, name)) {
+  explicit MutantBuilder(const std::string& name) : lab_(find_lab(labs_, name)) {
     fs::create_directories(directory_ = layout_.build / "mutants" / lab_.name);
     precompile_headers(layout_);
   }
@@ -61,14 +61,14 @@ class Laboratory {
   const Lab& lab() const { return lab_; }
 
   /// The program of a source text, where it compiles.
-  Built build(const std::string& source) const {
+  BuildResult build(const std::string& source) const {
     const fs::path file = directory_ / (lab_.name + ".cpp");
     std::ofstream(file, std::ios::binary) << source;
     return build_program(layout_, lab_, single_file_submission(layout_, labs_, lab_, file, true));
   }
 
   /// The first check that fails; empty where all pass.
-  std::string killer_of(const Built& built, std::uint64_t seed) const {
+  std::string killer_of(const BuildResult& built, std::uint64_t seed) const {
     JudgeOptions options;
     options.seed = seed;
     options.first = true;
@@ -86,7 +86,7 @@ class Laboratory {
 };
 
 int run(const std::string& name, std::size_t count, std::uint64_t seed) {
-  const Laboratory laboratory(name);
+  const MutantBuilder laboratory(name);
   const fs::path submissions = laboratory.layout().root / "autograder" / "submissions";
   std::map<std::string, std::string> sources, programs;
   std::vector<Mutant> mutants;
@@ -118,11 +118,11 @@ int run(const std::string& name, std::size_t count, std::uint64_t seed) {
       continue;
     }
     if (!programs.contains(mutant.file)) {
-      const Built right = laboratory.build(source);
+      const BuildResult right = laboratory.build(source);
       if (!right.program) throw std::runtime_error(mutant.file + ": " + right.failure);
       programs[mutant.file] = contents_of(right.program->path);
     }
-    const Built built = laboratory.build(mutated(source, mutant.mutation));
+    const BuildResult built = laboratory.build(mutated(source, mutant.mutation));
     if (!built.program) {
       ++broken;
     } else if (contents_of(built.program->path) == programs[mutant.file]) {

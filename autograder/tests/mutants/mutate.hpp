@@ -17,8 +17,7 @@ struct Mutation {
 /// All mutations of the code between braces: operators and comparisons exchanged, constants plus
 /// and minus one, conditions negated, casts dropped, double to float, 64 to 32 bits, statements
 /// removed, arguments exchanged, `static` added. Comments, strings and preprocessor lines stay.
-/// Tokens are told apart by the spaces that clang-format sets: `a < b` compares, `span<double>`
-/// does not.
+/// The spaces that clang-format sets distinguish tokens: `a < b` compares, `span<double>` does not.
 std::vector<Mutation> mutations_of(std::string_view source);
 
 /// The source with one mutation.

@@ -1,4 +1,4 @@
-// Programs that lie: the judge stands whatever it is told.
+// Programs that lie: the judge survives every answer.
 
 #include <sys/stat.h>
 
@@ -79,7 +79,7 @@ void prove_against_lies(const std::string& name, unsigned count) {
   const ScratchDirectory scratch(proof.layout);
   double slowest = 0;
   for (const Plan& plan : plans(count)) {
-    Built built;
+    BuildResult built;
     built.program = program_with(proof.layout, proof.lab, plan, scratch.path());
     proof.built = std::move(built);
     const LabVerdict verdict = proof.judge(1);
@@ -96,7 +96,7 @@ void prove_against_lies(const std::string& name, unsigned count) {
       }
     }
   }
-  fmt::print("{} programs that lie about {}: the judge stands; the slowest check took {:.1f} s\n",
+  fmt::print("{} programs that lie about {}: the judge survived; the slowest check took {:.1f} s\n",
              count, name, slowest);
 }
 

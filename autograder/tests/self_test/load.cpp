@@ -98,7 +98,7 @@ void prove_under_load(std::vector<fs::path> files, unsigned runs) {
       for (unsigned run = 0; run < runs; ++run, ++judged) {
         const std::string busy = fate_of(proof.judge(1, {}, workers));
         if (busy == fate) continue;
-        complain(fmt::format("{}, with {} workers beside four busy loops:\n{}instead of\n{}",
+        complain(fmt::format("{}, with {} workers next to four busy loops:\n{}instead of\n{}",
                              proof.submission.label, workers, busy, fate));
         return;
       }
@@ -106,7 +106,7 @@ void prove_under_load(std::vector<fs::path> files, unsigned runs) {
     fmt::print("{}: the same verdict\n", proof.submission.label);
     std::fflush(stdout);
   }
-  fmt::print("{} verdicts beside four busy loops, each the same as on an idle machine\n", judged);
+  fmt::print("{} verdicts next to four busy loops, each the same as on an idle machine\n", judged);
 }
 
 }  // namespace mc::self_test

@@ -2,7 +2,7 @@
 // happen to them (CONTRIBUTING.md, "Add a submission"); of a catalog of mistakes all are proved, or
 // one. Exit status 77 where a peer's library is not installed.
 //
-//   self_test load RUNS     all that run out of time or memory, beside busy loops: the same verdict
+//   self_test load RUNS     all that run out of time or memory, under load: the same verdict
 //   self_test cost LAB      what measurements cost the right answers, compiled as for any x86-64
 //   self_test repository    the repository itself: task numbers, points, names
 //   self_test power         the p-values of all seeds that were tried
@@ -14,8 +14,8 @@
 
 #include <fmt/format.h>
 
-#include "tests/self_test/kept.hpp"
 #include "tests/self_test/proof.hpp"
+#include "tests/self_test/seed_log.hpp"
 
 namespace fs = std::filesystem;
 using namespace mc::grader;
@@ -39,7 +39,7 @@ void prove(const Subject& subject) {
       if (kind != "attacks") return complain(proof.built.failure);
       return prove_kind(proof, subject);
     }
-    const Passed passed(proof, subject);
+    const ProofCache passed(proof, subject);
     if (std::getenv("MC_UNCHANGED_TOO") == nullptr && passed.before()) {
       fmt::print("unchanged since it passed\n");
       return;

@@ -43,7 +43,7 @@ std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definitio
   return names;
 }
 
-/// A mistake of a catalog: compiles the catalog, if nobody did, and links it.
+/// A mistake of a catalog: compiles the catalog if that is not done yet, and links it.
 void build_mistake(Proof& proof, const Subject& subject) {
   proof.submission.label = "mistakes/" + proof.lab.name + '/' + subject.mistake;
   const Unit unit{proof.layout, proof.lab, subject.file, true};

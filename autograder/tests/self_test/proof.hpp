@@ -28,7 +28,7 @@ struct Proof {
   std::vector<grader::Lab> labs = grader::find_labs(layout);
   grader::Lab lab;
   grader::Submission submission;
-  grader::Built built;
+  grader::BuildResult built;
   /// Of a mistake of a catalog: the checks that it can make a difference to.
   std::set<std::string> affected{};
 
@@ -54,13 +54,13 @@ void prove_attack(const Proof& proof, const Subject& subject);
 /// A submission says "// limit: time" (or memory) if and only if a measurement of it ran out of it.
 void compare_limits(const Subject& subject, const grader::LabVerdict& verdict);
 
-/// The same verdict on a busy machine as on an idle one: of each of these submissions (all that say
-/// "// limit:", where none are given), `runs` times each with 1, 2 and 4 workers beside four busy
+/// The verdict on a busy machine equals that on an idle one, for each of these submissions (without
+/// any: all that say "// limit:"), `runs` times each with 1, 2 and 4 workers next to four busy
 /// loops.
 void prove_under_load(std::vector<std::filesystem::path> files, unsigned runs);
 
-/// `count` programs that answer with numbers and lengths of a stranger's choice: no check of the
-/// lab falls, and none of a task's main checks passes that a right answer would not pass.
+/// Runs `count` programs that answer with arbitrary numbers and lengths: no check of the lab
+/// crashes, and no main check of a task passes unless a right answer would pass.
 void prove_against_lies(const std::string& lab, unsigned count);
 
 /// What a file of the repository is, by its folder: "starter", "solutions", "mistakes", …

@@ -8,8 +8,8 @@
 
 #include "checks/support/distributions.hpp"
 #include "grader/judging/speed.hpp"
-#include "tests/self_test/kept.hpp"
 #include "tests/self_test/proof.hpp"
+#include "tests/self_test/seed_log.hpp"
 
 namespace mc::self_test {
 
@@ -97,10 +97,10 @@ void prove_right(const Proof& proof) {
   // What is not random, but has fresh data: twice, or twice as often where all night is there.
   const std::uint64_t fresh_seeds = is_full ? 2 * seeds : 2;
   PValues p_values;
-  const Kept kept(proof);
+  const SeedLog log(proof);
   std::uint64_t seed = 1;
   if (is_full) {
-    seed = kept.resume([&](const std::vector<PValue>& run) { p_values.add(run); });
+    seed = log.resume([&](const std::vector<PValue>& run) { p_values.add(run); });
   }
   std::set<std::string> checks, random, fresh;  // empty: all
   const auto choose = [&] {
@@ -126,7 +126,7 @@ void prove_right(const Proof& proof) {
     for (const CheckResult& result : verdict.checks) {
       run.insert(run.end(), result.p_values.begin(), result.p_values.end());
     }
-    if (is_full) kept.keep(run);
+    if (is_full) log.keep(run);
     p_values.add(run);
   }
   fmt::print("full marks with {} seeds\n", seeds);

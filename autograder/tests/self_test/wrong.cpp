@@ -10,8 +10,8 @@
 #include "grader/judging/judge.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
-#include "tests/self_test/kept.hpp"
 #include "tests/self_test/proof.hpp"
+#include "tests/self_test/seed_log.hpp"
 
 namespace mc::self_test {
 
@@ -139,7 +139,7 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   if (!has_failed(verdict)) verdict = proof.judge(seed, checks_to_judge(proof, tasks, true));
   judge_mistake(subject, verdict, tasks);
   compare_limits(subject, verdict);
-  std::optional<Kept> kept;
+  std::optional<SeedLog> kept;
   if (seeds > 1) seed = std::max(seed, kept.emplace(proof).resume([](const auto&) {}));
   while (seed < seeds && complaints() == before) {
     verdict = proof.judge(++seed, checks);
@@ -188,7 +188,7 @@ void prove_attack(const Proof& proof, const Subject& subject) {
   for (const std::string& word : said(subject, "never says")) {
     if (reports.find(word) != std::string::npos) complain("a report says: " + word);
   }
-  if (sandbox::printable(reports) != reports) complain("what it is told is not printable");
+  if (sandbox::printable(reports) != reports) complain("a report is not printable");
   for (const std::string_view line : text::split(proof.report(verdict, seed), '\n')) {
     constexpr std::size_t longest = 420;  // a compiler's line, cut
     if (line.size() > longest) complain(fmt::format("too long a line: {}", line.substr(0, 80)));

@@ -16,8 +16,8 @@ class Writer {
 
   template <Arithmetic T>
   void put(const T& value) {
-    const T told = fuzz::mutated(value);
-    append(&told, sizeof told);
+    const T sent = fuzz::mutated(value);
+    append(&sent, sizeof sent);
   }
   void put(const std::string& text) {
     put_size(text.size());
@@ -25,9 +25,9 @@ class Writer {
   }
   template <class T>
   void put(const std::vector<T>& values) {
-    const std::size_t told = fuzz::mutated_size(values.size());
-    put_size(told);
-    for (std::size_t i = 0; i < told; ++i) put(values.empty() ? T{} : values[i % values.size()]);
+    const std::size_t size = fuzz::mutated_size(values.size());
+    put_size(size);
+    for (std::size_t i = 0; i < size; ++i) put(values.empty() ? T{} : values[i % values.size()]);
   }
   template <Listed T>
   void put(const T& value) {

@@ -12,12 +12,12 @@
 
 namespace mc::self_test {
 
-class Kept {
+class SeedLog {
  public:
   /// Another program, or other checks, begin anew.
-  explicit Kept(const Proof& proof);
+  explicit SeedLog(const Proof& proof);
 
-  /// Is told the p-values of a seed that was kept.
+  /// Receives the p-values of a stored seed.
   using Add = std::function<void(const std::vector<protocol::PValue>&)>;
 
   /// Gives back what was kept, seed by seed; the first seed that is still to be judged.
@@ -32,9 +32,9 @@ class Kept {
 
 /// The proof of a submission, with the checks and the self-test that there are now: one that went
 /// well once need not be repeated until any of them changes.
-class Passed {
+class ProofCache {
  public:
-  Passed(const Proof& proof, const Subject& subject);
+  ProofCache(const Proof& proof, const Subject& subject);
   bool before() const { return std::filesystem::exists(file_); }
   void keep() const;
 

@@ -1,4 +1,4 @@
-#include "tests/self_test/kept.hpp"
+#include "tests/self_test/seed_log.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -21,14 +21,14 @@ fs::path folder(const grader::Layout& layout) {
 
 }  // namespace
 
-Kept::Kept(const Proof& proof) : submission_(proof.submission.label) {
+SeedLog::SeedLog(const Proof& proof) : submission_(proof.submission.label) {
   const std::string checks = grader::read_text(proof.layout.checks(proof.lab.name));
   const std::string program = fs::path(proof.built.program->path).stem().string();
   file_ = folder(proof.layout) / fmt::format("{}-{:016x}", program, grader::hash_text(checks));
   fs::create_directories(file_.parent_path());
 }
 
-std::uint64_t Kept::resume(const Add& add) const {
+std::uint64_t SeedLog::resume(const Add& add) const {
   std::uint64_t next = 1;
   std::vector<protocol::PValue> p_values;
   std::ifstream file(file_);
@@ -44,13 +44,13 @@ std::uint64_t Kept::resume(const Add& add) const {
   return next;
 }
 
-void Kept::keep(const std::vector<protocol::PValue>& p_values) const {
+void SeedLog::keep(const std::vector<protocol::PValue>& p_values) const {
   std::string lines = fs::exists(file_) ? "" : fmt::format("# {}\n", submission_);
   for (const auto& value : p_values) lines += protocol::text_of(value) + '\n';
   std::ofstream(file_, std::ios::app) << lines << seed_done << '\n';
 }
 
-Passed::Passed(const Proof& proof, const Subject& subject) {
+ProofCache::ProofCache(const Proof& proof, const Subject& subject) {
   std::string all = subject.mistake;
   for (const fs::path& path :
        {fs::path(proof.built.program->path), proof.layout.checks(proof.lab.name), subject.file,
@@ -60,7 +60,7 @@ Passed::Passed(const Proof& proof, const Subject& subject) {
   file_ = folder(proof.layout) / "passed" / fmt::format("{:016x}", grader::hash_text(all));
 }
 
-void Passed::keep() const {
+void ProofCache::keep() const {
   fs::create_directories(file_.parent_path());
   std::ofstream{file_};
 }
@@ -114,8 +114,9 @@ void print_power() {
   }
   fmt::print(
       "{} submissions. The largest p is that of the random test that came nearest to passing a\n"
-      "mistake, beside its alpha. What is missed with probability 0.001 shows in 200 seeds with\n"
-      "18 %, with probability 0.015 with 95 %\n",
+      "mistake, next to its alpha. A test that misses with probability 0.001 shows it in 200 "
+      "seeds\n"
+      "with 18 %, with probability 0.015 with 95 %\n",
       lines.size());
 }
 
