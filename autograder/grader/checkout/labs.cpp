@@ -46,13 +46,13 @@ void add_ancestors(std::vector<Lab>& labs, const Layout& layout) {
     for (const std::string& name : included_by(layout.labs() / lab.folder / lab.header())) {
       for (const Lab& other : labs) {
         if (other.name != name || other.number >= lab.number) continue;
-        lab.stands_on.insert(lab.stands_on.end(), other.stands_on.begin(), other.stands_on.end());
-        lab.stands_on.push_back(other.name);
+        lab.depends_on.insert(lab.depends_on.end(), other.depends_on.begin(), other.depends_on.end());
+        lab.depends_on.push_back(other.name);
       }
     }
-    std::sort(lab.stands_on.begin(), lab.stands_on.end());
-    lab.stands_on.erase(std::unique(lab.stands_on.begin(), lab.stands_on.end()),
-                        lab.stands_on.end());
+    std::sort(lab.depends_on.begin(), lab.depends_on.end());
+    lab.depends_on.erase(std::unique(lab.depends_on.begin(), lab.depends_on.end()),
+                        lab.depends_on.end());
   }
 }
 

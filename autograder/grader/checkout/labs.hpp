@@ -12,7 +12,7 @@ struct Lab {
   int number = 0;
   std::string name;                    ///< "blue_noise": of its header, its .cpp, its checks
   std::string folder;                  ///< "4-blue-noise"
-  std::vector<std::string> stands_on;  ///< names of the labs whose files its program links too
+  std::vector<std::string> depends_on;  ///< names of the labs whose files its program links too
 
   std::string file() const { return name + ".cpp"; }
   std::string header() const { return name + ".hpp"; }

@@ -38,7 +38,7 @@ std::vector<std::string> words_for_watched(const Arguments& arguments) {
 /// The files that a verdict on this lab hangs on.
 std::vector<fs::path> files_of(const Submission& submission, const Lab& lab) {
   std::vector<fs::path> files{submission.files.at(lab.name)};
-  for (const std::string& name : lab.stands_on) {
+  for (const std::string& name : lab.depends_on) {
     const auto file = submission.files.find(name);
     if (file != submission.files.end()) files.push_back(file->second);
   }

@@ -19,7 +19,7 @@ int submit(const Context& context, const Arguments& arguments) {
   if (arguments.words.size() != 1) throw UsageError("usage: ./lab submit LAB");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
   std::vector<std::string> files;
-  for (const std::string& name : lab.stands_on) files.push_back(name + ".cpp");
+  for (const std::string& name : lab.depends_on) files.push_back(name + ".cpp");
   files.push_back(lab.file());
   for (const std::string& file : files) {
     if (!fs::exists(context.layout.starter() / file)) {

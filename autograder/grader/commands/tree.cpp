@@ -100,7 +100,7 @@ std::set<std::string> labs_and_those_below(const Context& context,
   for (const std::string_view word : text::split(*list, ',')) {
     const Lab& lab = find_lab(context.labs, std::string(word));
     chosen.insert(lab.name);
-    chosen.insert(lab.stands_on.begin(), lab.stands_on.end());
+    chosen.insert(lab.depends_on.begin(), lab.depends_on.end());
   }
   return chosen;
 }

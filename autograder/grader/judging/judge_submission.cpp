@@ -40,7 +40,7 @@ void compile_side_by_side(const Context& context, const Submission& submission,
   build_within(context,
                *std::max_element(labs.begin(), labs.end(),
                                  [](const Lab& one, const Lab& other) {
-                                   return one.stands_on.size() < other.stands_on.size();
+                                   return one.depends_on.size() < other.depends_on.size();
                                  }),
                submission, options);
 }

@@ -57,7 +57,7 @@ Json json_of(const Lab& lab) {
   return {{"number", lab.number},
           {"name", lab.name},
           {"folder", lab.folder},
-          {"stands_on", lab.stands_on}};
+          {"stands_on", lab.depends_on}};
 }
 Lab lab_in(const Json& json) {
   return {json.at("number"), json.at("name"), json.at("folder"), json.at("stands_on")};

@@ -25,7 +25,7 @@ constexpr std::size_t most_static_memory = std::size_t{400} << 20;
 BuildResult build_program(const Layout& layout, const Lab& lab, const Submission& submission,
                           unsigned workers) {
   BuildResult built;
-  std::vector<std::string> names = lab.stands_on;
+  std::vector<std::string> names = lab.depends_on;
   names.push_back(lab.name);
   const std::vector<Lab> labs = find_labs(layout);
   std::vector<Unit> units;
@@ -96,7 +96,7 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     }
     std::map<std::string, std::string> headers_below;
     for (const Lab& other : labs) {
-      const auto& below = lab.stands_on;
+      const auto& below = lab.depends_on;
       if (std::find(below.begin(), below.end(), other.name) == below.end()) continue;
       headers_below[other.name] = read_text(layout.labs() / other.folder / other.header());
     }

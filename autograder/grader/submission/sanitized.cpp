@@ -99,7 +99,7 @@ SanitizedProgram build_sanitized(const Layout& layout, const Lab& lab,
     if (file.path().extension() != ".cpp") continue;
     sources.push_back({file.path(), place / file.path().stem().concat(".o")});
   }
-  std::vector<std::string> names = lab.stands_on;
+  std::vector<std::string> names = lab.depends_on;
   names.push_back(lab.name);
   for (const std::string& name : names) {
     const auto file = submission.files.find(name);

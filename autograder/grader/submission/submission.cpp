@@ -57,7 +57,7 @@ std::optional<Submission> peer_submission(const Layout& layout, const std::vecto
   const fs::path file = layout.submissions() / "peers" / library / lab.file();
   if (!layout.peers.contains(library) || !fs::exists(file)) return {};
   Submission peer = single_file_submission(layout, labs, lab, file, true);
-  for (const std::string& other : lab.stands_on) {  // its own, where it has one
+  for (const std::string& other : lab.depends_on) {  // its own, where it has one
     const fs::path own = file.parent_path() / (other + ".cpp");
     if (fs::exists(own)) peer.files[other] = own;
   }
