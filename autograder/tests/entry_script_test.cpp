@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
+#include "grader/checkout/hints.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/reports/report.hpp"
 #include "tests/entry_script.hpp"
@@ -158,6 +159,27 @@ TEST_CASE("a full disk leaves the old result whole") {
   fs::create_symlink("/dev/full", json.string() + ".new-" + std::to_string(getpid()));
   CHECK_THROWS(write_text(json, "new"));
   CHECK(read_text(json) == "old");
+}
+
+TEST_CASE("a hint is a step, and the next call shows the next", "[script]") {
+  const Layout layout = read_layout();
+  fs::remove(layout.build / "hints" / "4.1");
+  for (const char* step : {"step 1 of 3", "step 2 of 3", "step 3 of 3", "step 3 of 3"}) {
+    const auto run = lab({"hint", "4.1"});
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.output, step));
+  }
+  CHECK(contains(lab({"hint", "4.1", "2"}).output, "step 2 of 3"));
+  CHECK(contains(lab({"hint", "blue_noise", "4.1", "1"}).output, "circle"));
+  CHECK(lab({"hint", "4.1", "4"}).exit_code == 2);
+  CHECK(lab({"hint", "4"}).exit_code == 2);
+  CHECK(lab({"hint", "4.99"}).exit_code == 2);
+  fs::remove(layout.build / "hints" / "4.1");
+  const std::string text = read_text(layout.labs() / "4-blue-noise" / "hints.md");
+  CHECK(with_fewer_hints(text, 3) == text);
+  CHECK(!contains(with_fewer_hints(text, 1), "### 2"));
+  CHECK(contains(with_fewer_hints(text, 1), "### 1"));
+  CHECK(!contains(with_fewer_hints(text, 0), "### 1"));
 }
 
 TEST_CASE("several submissions are a line each", "[script]") {

@@ -1,6 +1,7 @@
 // handout: what students get, as a fresh git repository.
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <sstream>
@@ -10,6 +11,7 @@
 
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
+#include "grader/checkout/hints.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/commands/tree.hpp"
@@ -61,7 +63,8 @@ std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
 }
 
 int handout(const Context& context, const Arguments& arguments) {
-  if (arguments.words.size() != 1) throw UsageError("usage: ./lab handout DIR [--labs 1,2,…]");
+  if (arguments.words.size() != 1)
+    throw UsageError("usage: ./lab handout DIR [--labs 1,2,…] [--hints N]");
   const fs::path to = fs::absolute(arguments.words[0]), root = context.layout.root;
   if (fs::exists(to) && !fs::is_empty(to)) {
     throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(to.string())));
@@ -79,6 +82,14 @@ int handout(const Context& context, const Arguments& arguments) {
   }
   std::vector<Lab> labs = context.labs;
   std::erase_if(labs, [&](const Lab& lab) { return !chosen.contains(lab.name); });
+  if (const auto most = arguments.number("hints")) {
+    for (const Lab& lab : labs) {
+      const fs::path hints = to / "labs" / lab.folder / "hints.md";
+      if (!fs::exists(hints)) continue;
+      const int steps = static_cast<int>(std::min<std::uint64_t>(*most, 3));
+      write_text(hints, with_fewer_hints(read_whole_text(hints), steps));
+    }
+  }
   write_text(to / "README.md", readme_for(read_whole_text(to / "README.md"), labs, to));
   git(to, {"init", "-q", "-b", "main"});
   git(to, {"add", "-A"});
@@ -91,12 +102,13 @@ int handout(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand handout_command{
     {"handout",
-     "handout DIR [--labs 1,2,…]",
-     {"labs="},
+     "handout DIR [--labs 1,2,…] [--hints N]",
+     {"labs=", "hints="},
      "Labs, starters, the grader and its checks, and a README for students, as a git repository\n"
      "with one commit. No solutions, no submissions, no tests of the repository. Includes an\n"
      "editor's tasks, a dev container, and a workflow that grades each push.\n"
-     "  --labs LIST   only these labs and those that they depend on\n",
+     "  --labs LIST   only these labs and those that they depend on\n"
+     "  --hints N     only the first N steps of each task's hints, 0 to 3\n",
      handout}};
 
 }  // namespace

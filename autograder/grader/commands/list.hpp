@@ -19,6 +19,7 @@ inline constexpr CommandEntry command_list[] = {
     {"setup", "install what is missing and build everything"},
     {"check", "judge one lab of starter/ (or DIR)"},
     {"run", "run one experiment by hand and print its numbers"},
+    {"hint", "a step towards a task that you are stuck in"},
     {"plot", "draw the lab's plots, several submissions side by side"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", false, "labs/6-sampler"},
     {"demo", "points, an estimate and its error as N grows: the lecture's page", true},

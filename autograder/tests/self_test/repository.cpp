@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "grader/base/text_file.hpp"
+#include "grader/checkout/hints.hpp"
 #include "grader/judging/judge.hpp"
 #include "tests/self_test/proof.hpp"
 
@@ -55,7 +56,8 @@ void prove_repository() {
       if (check.name.find_first_of(",[]*\\\"~") != std::string::npos) {
         complain(fmt::format("'{}': no , [ ] * \\ \" ~ in a check's name", check.name));
       }
-      if (check.points <= 0) complain(fmt::format("'{}' has no points", check.name));
+      // 0 is how an instructor leaves a task out.
+      if (check.points < 0) complain(fmt::format("'{}' has negative points", check.name));
     }
     for (const auto& [task, count] : mains) {
       if (count != 1) complain(fmt::format("task {} has {} checks tagged [main]", task, count));
@@ -64,8 +66,16 @@ void prove_repository() {
     const std::pair<fs::path, std::string> places[] = {
         {layout.labs() / lab.folder / lab.header(), "/// "},
         {layout.labs() / lab.folder / "README.md", "\n### "},
+        {layout.labs() / lab.folder / "hints.md", "\n## "},
         {layout.starter() / lab.file(), "TODO("},
         {layout.solutions() / lab.file(), "// "}};
+    for (const std::string& task : tasks) {
+      const auto hints = hints_for(layout, lab, task);
+      if (hints.size() != 3) {
+        complain(fmt::format("labs/{}/hints.md has {} steps for {}, not 3", lab.folder,
+                             hints.size(), task));
+      }
+    }
     for (const auto& [file, before] : places) {
       const auto here = tasks_in(read_text(file), before, lab.number);
       if (here != tasks) {
