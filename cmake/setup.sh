@@ -2,7 +2,7 @@
 
 # The name of the lab that a word means: 1, variance, 1-variance, or 1.3, a task of it.
 lab_of() {
-  word=$1
+  word=${1#labs/} word=${word%/}  # what a shell completes
   case $word in [0-9]*.[0-9]*) word=${word%%.*} ;; esac
   for folder in "$root"/labs/[0-9]*-*; do
     folder=${folder##*/}

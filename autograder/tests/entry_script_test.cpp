@@ -182,6 +182,14 @@ TEST_CASE("a hint is a step, and the next call shows the next", "[script]") {
   CHECK(!contains(with_fewer_hints(text, 0), "### 1"));
 }
 
+TEST_CASE("a lab has the name that a shell completes", "[script]") {
+  const auto run = lab({"check", "labs/1-variance/", "--only", "1.1", "--seed", "1"});
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.output, "Lab 1"));
+  CHECK(contains(lab({"variance"}).errors, "did you mean './lab check variance'"));
+  CHECK(contains(lab({"check", "9"}).errors, "there are 1 to 6"));
+}
+
 TEST_CASE("several submissions are a line each", "[script]") {
   const Layout layout = read_layout();
   const Scratch empty;

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
@@ -82,13 +83,20 @@ std::vector<Lab> find_labs(const Layout& layout) {
   return labs;
 }
 
-const Lab& find_lab(const std::vector<Lab>& labs, const std::string& text) {
+const Lab& find_lab(const std::vector<Lab>& labs, const std::string& word) {
+  std::string text = word;  // "labs/1-variance/" is what a shell completes
+  if (text.starts_with("labs/")) text.erase(0, 5);
+  while (text.ends_with('/')) text.pop_back();
   std::vector<std::string> names;
   for (const Lab& lab : labs) {
     if (text == lab.name || text == lab.folder || text == std::to_string(lab.number)) return lab;
     names.push_back(lab.name);
   }
-  throw UsageError(fmt::format("no lab '{}'; did you mean '{}'? There are: {}", text,
+  const std::string shown = sandbox::printable_line(word);
+  if (!text.empty() && text.find_first_not_of("0123456789") == std::string::npos) {
+    throw UsageError(fmt::format("no lab '{}'; there are 1 to {}", shown, labs.size()));
+  }
+  throw UsageError(fmt::format("no lab '{}'; did you mean '{}'? There are: {}", shown,
                                nearest(text, names), fmt::join(names, ", ")));
 }
 

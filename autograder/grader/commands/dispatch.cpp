@@ -30,11 +30,15 @@ void print_overview(const Layout& layout) {
   }
 }
 
-const CommandEntry& find_entry(const std::string& name) {
+const CommandEntry& find_entry(const std::vector<Lab>& labs, const std::string& name) {
   std::vector<std::string> names;
   for (const CommandEntry& command : command_list) {
     if (command.name == name) return command;
     if (!command.name.empty()) names.emplace_back(command.name);
+  }
+  for (const Lab& lab : labs) {
+    if (name != lab.name && name != lab.folder && name != std::to_string(lab.number)) continue;
+    throw UsageError(fmt::format("'{0}' is a lab; did you mean './lab check {0}'?", name));
   }
   throw UsageError(fmt::format("no command '{}'; did you mean '{}'? ./lab --help lists them", name,
                                nearest(name, names)));
@@ -67,7 +71,8 @@ int dispatch(char** argv) {
     fmt::print("Monte Carlo labs {}\n", context.layout.version);
     return 0;
   }
-  const CommandEntry& entry = find_entry(words.empty() ? "" : words[0]);
+  const CommandEntry& entry =
+      find_entry(find_labs(context.layout), words.empty() ? "" : words[0]);
   if (!is_here(context.layout, entry)) {
     throw UsageError(
         fmt::format("./lab {} is about {}, which is not here", entry.name, entry.about));

@@ -24,6 +24,8 @@ constexpr const char* kept_back[] = {"solutions/",
                                      ".ci/",
                                      ".github/",
                                      "README.md",
+                                     "SECURITY.md",
+                                     "REUSE.toml",
                                      "CONTRIBUTING.md",
                                      "CHANGELOG.md",
                                      "CITATION.cff"};
