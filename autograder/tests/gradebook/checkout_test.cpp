@@ -84,8 +84,8 @@ void works_from_the_first_call_on(const Handout& handout) {
 
   const auto help = handout.lab({"--help"});
   const auto commands = listed_verbs(help.output);
-  CHECK(commands ==
-        std::vector<std::string>{"setup", "check", "run", "plot", "report", "reset", "submit"});
+  CHECK(commands == std::vector<std::string>{"setup", "check", "run", "hint", "plot", "report",
+                                             "reset", "submit"});
   for (const std::string& command : commands) {
     const auto run = handout.lab({command, "--help"});
     CAPTURE(command, run.errors);
