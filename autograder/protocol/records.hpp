@@ -12,10 +12,10 @@ enum class RecordKind {
   printed,  ///< what the submission wrote to standard output
   todo,     ///< a task that is not written yet
   p_value,  ///< of a random test (PValue)
-  call,     ///< what was asked last before a check failed: an experiment, its arguments as typed
+  call,     ///< the last call before a check failed: an experiment and its typed arguments
   cost,     ///< of the costliest measurement so far: seconds of CPU time, the experiment
-  machine,  ///< the machine failed, and how: what the check says is no verdict
-  ended,    ///< a test case has ended (CheckEnd)
+  machine,  ///< the machine failed, and how: the check's result is not a verdict
+  ended,    ///< a test case ended (CheckEnd)
 };
 
 struct Record {
@@ -23,14 +23,14 @@ struct Record {
   std::string text;
 };
 
-/// One line, without its end.
+/// One line, without its line end.
 std::string line_of(const Record& record);
 
-/// The records in what a check wrote. Lines that are none are passed over.
+/// The records in a check's output. Skips lines that are not records.
 std::vector<Record> records_in(std::string_view lines);
 
-/// How a test case ended, as Catch2 saw it. Its status comes from this and from nothing else: an
-/// exit status says nothing of one case, and a record that is missing is no success.
+/// How a test case ended, according to Catch2. Its status comes only from this: an exit status does
+/// not identify the case, and a missing record is not a success.
 struct CheckEnd {
   std::string name, tags;
   bool passed = false;   ///< at least one assertion, and none failed
@@ -38,10 +38,10 @@ struct CheckEnd {
   std::string message;   ///< of the first failure
 };
 std::string text_of(const CheckEnd& end);
-/// The cases that ended, in order. What is not the text of one is passed over.
+/// The cases that ended, in order. Skips records with malformed text.
 std::vector<CheckEnd> check_ends_in(const std::vector<Record>& records);
 
-/// A random check's word on itself: under the null hypothesis p is uniform, and it fails below
+/// The p-value of a random check: uniform under the null hypothesis; the check fails if it is below
 /// alpha.
 struct PValue {
   std::string null;

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures, as ./lab render asks for them and as hidden cases of lab 6 answer.
+// Pictures: the requests of ./lab render, and the answers of hidden cases of lab 6.
 
 #include <cstdint>
 #include <sstream>
@@ -8,8 +8,8 @@
 
 namespace mc::protocol {
 
-/// What there is to render, and by which kinds of samplers: the first is what the others are
-/// compared with. "[.render-list]" writes it, in two lines, to the file that render_variable names.
+/// The pictures that can be rendered, and the kinds of samplers: the others are compared with the
+/// first. "[.render-list]" writes it, in two lines, to the file that render_variable names.
 struct RenderList {
   std::vector<std::string> pictures, kinds;
 };
@@ -29,11 +29,11 @@ inline std::istream& operator>>(std::istream& file, RenderList& list) {
   return file;
 }
 
-/// One picture, asked for in render_variable of "[.render]".
+/// A request for one picture, in render_variable of "[.render]".
 struct RenderRequest {
   std::string picture, kind;
   std::uint64_t spp = 0;
-  double seconds = 0;  ///< the CPU time that the second picture may take; 0: as much as the first
+  double seconds = 0;  ///< CPU time limit of the second picture; 0: as much as the first took
 };
 inline std::string text_of(const RenderRequest& request) {
   std::ostringstream text;
@@ -47,12 +47,12 @@ inline RenderRequest render_request_in(const std::string& text) {
   return request;
 }
 
-/// A picture with a number of samples a pixel.
+/// A picture with a number of samples per pixel.
 struct RenderFigures {
   std::uint64_t spp = 0;
   double seconds = 0;      ///< CPU time of the whole picture
   double rmse = 0;         ///< over its pixels
-  double large_error = 0;  ///< 95 % of the pixels that are not exact are nearer than this
+  double large_error = 0;  ///< 95 % of the pixels that are not exact have a smaller error
 };
 inline std::ostream& operator<<(std::ostream& file, const RenderFigures& figures) {
   return file << figures.spp << ' ' << figures.seconds << ' ' << figures.rmse << ' '

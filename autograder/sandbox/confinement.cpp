@@ -24,7 +24,7 @@ namespace {
 
 #ifdef MC_HAVE_LANDLOCK
 
-/// Every way to change a file system that this kernel can forbid (landlock(7)).
+/// Every change to a file system that this kernel can forbid (landlock(7)).
 std::uint64_t forbidden_writes(long abi) {
   std::uint64_t all = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
                       LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
@@ -41,7 +41,7 @@ std::uint64_t forbidden_writes(long abi) {
   return all;
 }
 
-/// The ruleset; none where the kernel has no Landlock or it is switched off.
+/// The ruleset; none if the kernel has no Landlock or it is disabled.
 Descriptor ruleset_for(const std::filesystem::path& writable) {
   const long abi =
       syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
@@ -79,8 +79,8 @@ bool Confinement::apply() const {
 #ifdef MC_HAVE_LANDLOCK
   if (ruleset_ && syscall(SYS_landlock_restrict_self, ruleset_.get(), 0) != 0) return false;
 #endif
-  // socket() fails with EACCES. Where a container allows no filter, compilers run without: they
-  // have no use for a network, and no foreign code runs in them.
+  // socket() fails with EACCES. If a container allows no filter, compilers run without one: they do
+  // not use the network, and run no untrusted code.
   constexpr auto call = static_cast<std::uint32_t>(SYS_socket);
   sock_filter rules[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),

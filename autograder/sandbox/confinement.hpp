@@ -1,6 +1,6 @@
 #pragma once
-// What a trusted program that reads untrusted text (a compiler) may do: write below one directory
-// only, and use no network. It reads what it likes; the grader judges that afterwards.
+// Confines a trusted program that reads untrusted text (a compiler): it may write only below one
+// directory, and not use the network. It may read anything; the grader checks that afterwards.
 
 #include <filesystem>
 
@@ -8,13 +8,13 @@
 
 namespace mc::sandbox {
 
-/// Made in the parent, where memory may be allocated; applied between fork and exec.
+/// Created in the parent, where allocating is safe; applied between fork and exec.
 class Confinement {
  public:
-  /// Files are created, written and removed below `writable` only, where the kernel has Landlock.
+  /// Files can be created, written and removed only below `writable`, if the kernel has Landlock.
   explicit Confinement(const std::filesystem::path& writable);
 
-  /// Async-signal-safe. False where the kernel refuses what it said it could do.
+  /// Async-signal-safe. False if the kernel refuses what it claimed to support.
   bool apply() const;
 
  private:

@@ -10,7 +10,7 @@
 namespace mc::sandbox {
 namespace {
 
-/// Below it lie those that children are given, by number: none of our own may be among them.
+/// Descriptors below this are reserved for children: none of our own may be among them.
 constexpr int lowest_own = 16;
 
 }  // namespace
@@ -67,7 +67,7 @@ bool read_available(const Descriptor& from, std::string& to, std::size_t most) {
     } else if (got == 0) {
       return false;
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-      return true;  // nothing more for now
+      return true;  // nothing more at the moment
     } else if (errno != EINTR) {
       return false;
     }

@@ -33,13 +33,13 @@ struct Pipe {
 /// An anonymous pipe, both ends closed on exec. Throws std::system_error.
 Pipe make_pipe();
 
-/// What can be read now, appended to `to` until that is longer than `most`. False at the end of the
-/// stream, and where reading fails.
+/// Appends what can be read now to `to`, until it is longer than `most`. False at the end of the
+/// stream, and if reading fails.
 bool read_available(const Descriptor& from, std::string& to, std::size_t most);
 
 void make_nonblocking(const Descriptor& descriptor);
 
-/// Throws a std::system_error of errno.
+/// Throws a std::system_error for errno.
 [[noreturn]] void fail(std::string_view action);
 
 }  // namespace mc::sandbox

@@ -77,7 +77,7 @@ struct Start {
   return pid;
 }
 
-/// Everything the parent hears and sees of one child.
+/// Everything that the parent receives from and does to one child.
 struct Watch {
   pid_t pid;
   Descriptor request, printed, response;
@@ -88,12 +88,12 @@ struct Watch {
   rusage used{};
 
   void kill_now() const {
-    if (gone) return;     // reaped: the number may be another's by now
-    kill(-pid, SIGKILL);  // its session, once it has one
+    if (gone) return;     // reaped: the pid may be reused
+    kill(-pid, SIGKILL);  // its session, if it has one already
     kill(pid, SIGKILL);
   }
 
-  /// Feeds, drains and waits until the child is gone and everything it said is here.
+  /// Sends the request and reads the output until the child has ended and all output is here.
   void until_gone(std::string_view to_send, const Limits& limits);
 };
 
@@ -119,14 +119,14 @@ void Watch::until_gone(std::string_view to_send, const Limits& limits) {
       out_of_time = true;
       kill_now();
     }
-    // Without a descriptor for the child's end, look for it now and then.
+    // Without a descriptor for the child's end, poll for it.
     const int patience = end.get() >= 0 ? std::clamp<int>(static_cast<int>(left), 1, 1000) : 2;
     poll(watched, 4, patience);
 
     if (watched[0].revents != 0) {
       const ssize_t sent = write(request.get(), to_send.data(), to_send.size());
       if (sent > 0) to_send.remove_prefix(static_cast<std::size_t>(sent));
-      if (sent < 0 && errno != EAGAIN && errno != EINTR) to_send = {};  // it does not listen
+      if (sent < 0 && errno != EAGAIN && errno != EINTR) to_send = {};  // it does not read
     }
     if (printed.get() >= 0 && !read_available(printed, printed_text, limits.printed))
       printed.reset();
@@ -168,7 +168,7 @@ std::string crash(int signal) {
   }
 }
 
-/// Takes the response apart. False if it is none.
+/// Parses the response. False if it is malformed.
 bool read_response(std::string_view bytes, Outcome& outcome) {
   wire::Header header;
   if (bytes.size() < sizeof header) return false;
@@ -198,7 +198,7 @@ Outcome interpret(const Watch& child, const Limits& limits) {
   outcome.cpu_seconds = seconds(child.used.ru_utime) + seconds(child.used.ru_stime);
   outcome.peak_memory = static_cast<std::size_t>(child.used.ru_maxrss) * rusage_memory_unit;
 
-  // Which limit a runaway program meets first depends on the machine; the report must not.
+  // Which limit a runaway program reaches first depends on the machine; the report must not.
   const auto over_limit = [&] {
     outcome.answered = false;
     outcome.failure = fmt::format("did not end within {} s of CPU time and {} MB of memory",
@@ -212,10 +212,10 @@ Outcome interpret(const Watch& child, const Limits& limits) {
   } else if (child.answered_too_much) {
     outcome.failure = fmt::format("sent a result of more than {} MB", wire::longest_result >> 20);
   } else if (signal == SIGXCPU || outcome.cpu_seconds > std::ceil(limits.cpu_seconds)) {
-    // Also where it caught the signal and came to an end by itself in the second until SIGKILL.
+    // Also if it caught the signal and exited by itself in the second before SIGKILL.
     over_limit();
   } else if (child.out_of_time && jail_is_complete()) {
-    // In there nothing can wait but for the processor.
+    // A jailed program can wait for nothing but the processor.
     throw std::system_error(ETIMEDOUT, std::generic_category(),
                             fmt::format("the machine is too busy: {:.1f} s of CPU time in {} s",
                                         outcome.cpu_seconds, limits.wall_seconds));
@@ -253,7 +253,7 @@ Outcome run_jailed(int descriptor, const std::string& path, std::string_view req
                    const Limits& limits) {
   static const bool prepared = [] {
     prepare_lockdown();
-    std::signal(SIGPIPE, SIG_IGN);  // a program that does not read its request is no reason to die
+    std::signal(SIGPIPE, SIG_IGN);  // a program may exit without reading its request
     return true;
   }();
   (void)prepared;

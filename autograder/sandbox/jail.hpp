@@ -1,5 +1,5 @@
 #pragma once
-// Runs a submission's program for one measurement, and trusts nothing it does.
+// Runs a submission's program for one measurement, without trusting it.
 
 #include <cstddef>
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace mc::sandbox {
 
-/// What one measurement may use.
+/// The limits of one measurement.
 struct Limits {
   double cpu_seconds = 2;  ///< rounded up to whole seconds, as the kernel counts them
   /// Far above the CPU time: a program that uses it up without that was delayed by the machine.
   double wall_seconds = 60;
   std::size_t memory = std::size_t{512} << 20;  ///< address space, in bytes
-  std::size_t printed = std::size_t{64} << 10;  ///< on standard output and standard error together
+  std::size_t printed = std::size_t{64} << 10;  ///< on standard output and error together
 };
 
 /// How a program ended without an answer.
@@ -35,8 +35,8 @@ struct Outcome {
   std::size_t peak_memory = 0;  ///< resident, in bytes; of the judge's own at least
 };
 
-/// A program on disk, opened (O_PATH where there is such a thing) so that what is judged is what
-/// was built, whatever is renamed over it since.
+/// An open program on disk (O_PATH where available), so that what was built is judged even if
+/// another file is renamed over it.
 struct Program {
   Descriptor descriptor;
   std::string path;
@@ -48,12 +48,11 @@ Program open_program(const std::string& path);  ///< throws std::system_error
 /// within its wall time, never for anything that the program does.
 Outcome run_jailed(const Program& program, std::string_view request, const Limits& limits = {});
 
-/// The same of a program that another process has opened: `descriptor` stays the caller's.
+/// The same for a program that another process has opened; the caller keeps `descriptor`.
 Outcome run_jailed(int descriptor, const std::string& path, std::string_view request,
                    const Limits& limits = {});
 
-/// Is every wall of the jail there? False where the kernel or the build has no seccomp: a grade
-/// must then say so.
+/// Is the jail complete? False if the kernel or the build has no seccomp: a grade must then say so.
 bool jail_is_complete();
 
 }  // namespace mc::sandbox

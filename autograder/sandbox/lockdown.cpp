@@ -71,7 +71,7 @@ LaunchPage* make_launch_page() {
   fail_with(ENOMEM, "no page for the launch");
 }
 
-/// Allows `call` where all `conditions` on its arguments hold.
+/// Allows `call` if all `conditions` on its arguments hold.
 template <class... Conditions>
 void allow(scmp_filter_ctx context, int call, Conditions... conditions) {
   const int error =
@@ -83,13 +83,13 @@ scmp_datum_t datum(const void* pointer) {
   return reinterpret_cast<scmp_datum_t>(pointer);
 }
 
-/// An argument of a call that has exactly this value.
+/// Requires an argument of a call to have exactly this value.
 scmp_arg_cmp equal(unsigned argument, scmp_datum_t value) {
   return {argument, SCMP_CMP_EQ, value, 0};
 }
 
 void add_rules(scmp_filter_ctx context) {
-  // Computing, memory, clocks, ending.
+  // Computing, memory, clocks, exit.
   for (const int call : {SCMP_SYS(brk),           SCMP_SYS(mmap),         SCMP_SYS(munmap),
                          SCMP_SYS(mremap),        SCMP_SYS(mprotect),     SCMP_SYS(madvise),
                          SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres), SCMP_SYS(gettimeofday),
@@ -99,7 +99,7 @@ void add_rules(scmp_filter_ctx context) {
                          SCMP_SYS(exit),          SCMP_SYS(exit_group)}) {
     allow(context, call);
   }
-  // What a static C library does on its way to main().
+  // What a static C library does before main().
   for (const int call : {SCMP_SYS(arch_prctl), SCMP_SYS(set_tid_address), SCMP_SYS(set_robust_list),
                          SCMP_SYS(rseq), SCMP_SYS(uname)}) {
     allow(context, call);
@@ -113,14 +113,14 @@ void add_rules(scmp_filter_ctx context) {
     allow(context, SCMP_SYS(write), equal(0, descriptor));
     allow(context, SCMP_SYS(writev), equal(0, descriptor));
   }
-  // abort(), of itself only; reading its own limits, setting none.
+  // abort(), for itself only; reading its own limits, setting none.
   allow(context, SCMP_SYS(tgkill), equal(0, pid_placeholder), equal(2, SIGABRT));
   allow(context, SCMP_SYS(prlimit64), equal(0, 0), equal(2, 0));
-  // The one exec.
+  // The single exec.
   allow(context, SCMP_SYS(execveat), equal(0, program_descriptor),
         equal(1, datum(launch_page->empty_path)), equal(2, datum(launch_page->arguments)),
         equal(3, datum(launch_page->environment)), equal(4, AT_EMPTY_PATH));
-  // Tried by a static glibc, which copes with a no.
+  // A static glibc tries these and handles a refusal.
   for (const int call : {SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(fstat),
                          SCMP_SYS(newfstatat), SCMP_SYS(statx), SCMP_SYS(ioctl), SCMP_SYS(lseek)}) {
     const int error = seccomp_rule_add(context, SCMP_ACT_ERRNO(EPERM), call, 0);
@@ -128,10 +128,10 @@ void add_rules(scmp_filter_ctx context) {
   }
 }
 
-/// The filter as instructions, the child's pid still a placeholder.
+/// The filter as instructions, with a placeholder for the child's pid.
 std::vector<sock_filter> export_filter() {
   const scmp_filter_ctx context = seccomp_init(SCMP_ACT_KILL_PROCESS);
-  if (context == nullptr) fail_with(ENOSYS, "seccomp");  // refused, by a container for one
+  if (context == nullptr) fail_with(ENOSYS, "seccomp");  // refused, for example by a container
   add_rules(context);
   const int file = memfd_create("filter", MFD_CLOEXEC);
   if (file < 0) fail_with(errno, "memfd_create");
@@ -156,7 +156,7 @@ bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
   return setrlimit(resource, &value) == 0;
 }
 
-/// The system calls themselves: the C library's functions would speak to threads that are not ours.
+/// Direct system calls: the C library's functions would involve the parent's threads.
 bool become_nobody() {
 #ifdef __linux__
   return syscall(SYS_setgroups, 0, nullptr) == 0 && syscall(SYS_setgid, jailed_user) == 0 &&
@@ -210,7 +210,7 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
   close_from(program_descriptor + 1);
   if (chdir("/") != 0) return failed("chdir");
 
-  // No handler of the parent's runs in here, once signals come through again.
+  // No handler of the parent may run here once signals are unblocked.
   for (int one = 1; one < NSIG; ++one) signal(one, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
@@ -231,7 +231,7 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
   if (!limit(RLIMIT_NPROC, 0, 0)) return failed("setrlimit");
 
 #ifdef __linux__
-  // After the user change, which forgets it.
+  // After the user change, which resets it.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return failed("prctl");
   if (getppid() != parent) _exit(127);  // the parent died before prctl took effect
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("no_new_privs");
@@ -240,7 +240,7 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
 #endif
 
 #ifdef MC_HAVE_SECCOMP
-  sock_filter own[longest_filter];  // the parent's memory may be ours too, until the exec
+  sock_filter own[longest_filter];  // the parent's memory may be shared until the exec
   std::copy(filter.begin(), filter.end(), own);
   const auto self = static_cast<std::uint32_t>(getpid());
   for (std::size_t i = 0; i < filter.size(); ++i) {

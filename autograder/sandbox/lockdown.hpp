@@ -1,6 +1,6 @@
 #pragma once
-// The part of the jail between fork and exec: what the new process gives up before a line of
-// foreign code runs in it.
+// The part of the jail between fork and exec: the new process gives up its rights before any
+// untrusted code runs in it.
 
 #include <sys/types.h>
 
@@ -19,19 +19,19 @@ struct Ends {
   int request, printed, response;
 };
 
-/// Why a launch failed. Shared with the child until its exec, so that nothing the program does
-/// afterwards can be taken for a failed launch.
+/// Why a launch failed. Shared with the child until its exec, so that the program cannot fake a
+/// failed launch afterwards.
 struct LaunchFailure {
-  volatile int error;           ///< errno; 0 as long as nothing failed
+  volatile int error;           ///< errno; 0 unless something failed
   const char* volatile action;  ///< a string literal
 };
 
-/// Made ready once, in the parent, where memory may still be allocated.
+/// Prepared once, in the parent, where allocating is safe.
 void prepare_lockdown();
 
-/// In the child, which may have its memory in common with the parent until the exec (vfork): only
-/// async-signal-safe calls, and nothing written but its own stack and `failure`. Gives everything
-/// up and becomes the program; returns only if that failed, having said why in `failure`.
+/// Runs in the child, which may share its memory with the parent until the exec (vfork): only
+/// async-signal-safe calls, and no writes except to its own stack and `failure`. Drops all rights
+/// and executes the program; returns only if that failed, with the reason in `failure`.
 void lock_down_and_exec(const Executable& program, const Ends& ends, const Limits& limits,
                         pid_t parent, LaunchFailure& failure);
 

@@ -6,8 +6,8 @@
 namespace mc::sandbox {
 namespace {
 
-/// Characters that turn the direction of writing, end lines, or cannot be seen (Unicode's Cf and
-/// the separators): with them a text can look like another one.
+/// Characters that change the writing direction, end lines, or are invisible (Unicode's Cf and the
+/// separators): with them a text can look like another one.
 bool is_deceptive(std::uint32_t point) {
   return point == 0xad || point == 0x61c || point == 0x180e ||  // soft hyphen, Arabic mark
          (point >= 0x200b && point <= 0x200f) || (point >= 0x2028 && point <= 0x202e) ||
@@ -22,7 +22,7 @@ std::string printable(std::string_view text) {
   clean.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    // How long a UTF-8 sequence claims to be here, and the smallest code point of that length.
+    // The length that a UTF-8 sequence claims, and the smallest code point of that length.
     const std::size_t length = byte < 0x80       ? 1
                                : byte >> 5 == 6  ? 2
                                : byte >> 4 == 14 ? 3

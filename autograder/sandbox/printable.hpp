@@ -15,8 +15,8 @@ std::string printable(std::string_view text);
 /// The same on one line: line ends and tabs become blanks. For names.
 std::string printable_line(std::string_view text);
 
-/// The beginning of `text`, `most` bytes of it at most, no UTF-8 sequence cut in two; with " …"
-/// where something is missing.
+/// The beginning of `text`, at most `most` bytes, without splitting a UTF-8 sequence; with " …" if
+/// something is missing.
 std::string shortened(std::string_view text, std::size_t most);
 
 }  // namespace mc::sandbox

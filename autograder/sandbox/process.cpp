@@ -52,8 +52,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
-/// Where PATH has the program; the name itself where it has none, so that exec says what is wrong.
-/// Looked up before the fork: what searches PATH may allocate.
+/// The program's path according to PATH; the name itself if it is not found, so that exec reports
+/// the error. Called before the fork, because searching PATH may allocate.
 std::string found_in_path(const std::string& name) {
   if (name.find('/') != std::string::npos) return name;
   const char* path = std::getenv("PATH");
@@ -68,7 +68,7 @@ std::string found_in_path(const std::string& name) {
   return name;
 }
 
-/// Everything the child needs, made before the fork.
+/// Everything the child needs, prepared before the fork.
 struct Launch {
   const char* path;
   char* const* arguments;
@@ -83,9 +83,9 @@ bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
   return setrlimit(resource, &both) == 0;
 }
 
-/// In the child, between fork and exec: async-signal-safe calls only.
+/// Runs in the child, between fork and exec: async-signal-safe calls only.
 [[noreturn]] void become(const Launch& launch, const ProcessOptions& options) {
-  // In a session of its own: it is killed with whatever it has started, and never reads a terminal.
+  // In its own session: it is killed with all processes it started, and never reads a terminal.
   setsid();
 #ifdef __linux__
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != launch.parent) _exit(exit_not_started);
@@ -93,7 +93,7 @@ bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
   if (dup2(launch.input, 0) < 0 || dup2(launch.output, 1) < 0 || dup2(launch.errors, 2) < 0) {
     _exit(exit_not_started);
   }
-  // Ours are all above those that a child is given (descriptor.hpp): none lies on another one.
+  // Our descriptors are all above those given to a child (descriptor.hpp): none overlap.
   for (const auto& [ours, theirs] : options.descriptors) {
     if (dup2(ours, theirs) < 0) _exit(exit_not_started);
   }
@@ -114,7 +114,7 @@ bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
     _exit(exit_not_started);
   }
 #ifdef __linux__
-  // Again: the change of user forgets it.
+  // Again, because the change of user resets it.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) _exit(exit_not_started);
 #endif
   if (options.confinement != nullptr && !options.confinement->apply()) _exit(exit_not_started);
@@ -134,7 +134,7 @@ int patience_of(const ProcessOptions& options, Clock::time_point start, bool kil
   return patience;
 }
 
-/// An unnamed file in the directory that a confined program runs in.
+/// An unnamed file in the working directory of a confined program.
 Descriptor unnamed_file(const std::string& directory) {
   std::string name = directory + "/output-XXXXXX";
   const int raw = mkostemp(name.data(), O_CLOEXEC);
@@ -156,12 +156,12 @@ std::string text_in(const Descriptor& file, std::size_t most) {
   return text;
 }
 
-/// How long the program has run, and whether it must end now.
+/// The elapsed time of the program, and whether it must end now.
 class Patience {
  public:
   explicit Patience(const ProcessOptions& options) : options_(options) {}
 
-  /// Milliseconds to wait for something to happen; -1: as long as it takes.
+  /// Milliseconds to wait for the next event; -1: no limit.
   int milliseconds() const { return patience_of(options_, start_, killed_); }
 
   /// Kills the program's session when its time is up or a stop is requested.
@@ -174,7 +174,7 @@ class Patience {
     killed_ = true;
     result.out_of_time = late && !stopped;
     kill(-pid, SIGKILL);
-    kill(pid, SIGKILL);  // where it has no session of its own yet
+    kill(pid, SIGKILL);  // in case it has no session yet
   }
 
  private:
@@ -206,7 +206,7 @@ void read_pipes(pid_t pid, Pipe& output, Pipe& errors, const ProcessOptions& opt
   }
 }
 
-/// Waits for the end of a program whose output goes into files; it is not reaped yet.
+/// Waits for the end of a program whose output goes to files, without reaping it.
 void wait_for_end(pid_t pid, const ProcessOptions& options, ProcessResult& result) {
   Patience patience(options);
 #ifdef SYS_pidfd_open

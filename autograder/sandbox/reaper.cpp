@@ -16,11 +16,11 @@
 namespace mc::sandbox {
 namespace {
 
-/// In the watchman: positive numbers are groups to be guarded, negative ones are let go; the end of
-/// the pipe is the judge's end. No memory is allocated: it is forked from a process with threads.
+/// In the watchman: positive numbers are groups to guard, negative ones to release; the end of the
+/// pipe means that the judge has ended. Must not allocate: its parent has threads.
 [[noreturn]] void watch(int notes) {
   setsid();
-  // The judge's own streams are not ours to keep open.
+  // Do not keep the judge's streams open.
   for (int descriptor = 0; descriptor < 1024; ++descriptor) {
     if (descriptor != notes) close(descriptor);
   }
@@ -43,7 +43,7 @@ namespace {
   _exit(0);
 }
 
-/// The end of the watchman's pipe that this process writes to; -1 where there is no watchman.
+/// The writing end of the watchman's pipe; -1 if there is no watchman.
 int notes() {
   static const int descriptor = [] {
     Pipe pipe = make_pipe();
@@ -59,7 +59,7 @@ int notes() {
       while (waitpid(watchman, &status, 0) < 0 && errno == EINTR) {
       }
     }
-    // No processes left: without a reader a note would be a SIGPIPE.
+    // No processes left: without a reader, a write would raise SIGPIPE.
     if (status != 0) return -1;
     static Descriptor kept;
     kept = std::move(pipe.write);
@@ -71,7 +71,7 @@ int notes() {
 void send_to_reaper(pid_t note) {
   const int descriptor = notes();
   if (descriptor < 0) return;
-  // Notes are shorter than PIPE_BUF: they never mix.
+  // Writes are shorter than PIPE_BUF, so they are atomic.
   while (write(descriptor, &note, sizeof note) < 0 && errno == EINTR) {
   }
 }

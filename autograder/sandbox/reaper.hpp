@@ -1,15 +1,15 @@
 #pragma once
-// Nothing outlives the judge: not even what the programs that it starts have started.
+// Makes sure that no process outlives the judge, not even grandchildren.
 
 #include <sys/types.h>
 
 namespace mc::sandbox {
 
-/// Processes that this one starts lead groups of their own. A watchman, forked once, learns of each
-/// group and kills those that are left when this process has died, however it died.
+/// Started processes lead their own groups. A watchman process, forked once, learns of each group
+/// and kills those that remain when this process has ended in any way.
 class GroupGuard {
  public:
-  /// From now until its destruction the group of `leader` is guarded.
+  /// Guards the group of `leader` until destruction.
   explicit GroupGuard(pid_t leader);
   ~GroupGuard();
   GroupGuard(const GroupGuard&) = delete;

@@ -1,5 +1,5 @@
-// Every command in a document exists: its command, its options, its lab and its task; those that cost
-// little are run.
+// Every command in a document exists: its command, its options, its lab and its task; those that
+// cost little are run.
 #include <algorithm>
 #include <filesystem>
 #include <set>

@@ -1,5 +1,5 @@
 #pragma once
-// Words of commands that people copy into a shell.
+// Quoting of commands that users copy into a shell.
 
 #include <algorithm>
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace mc::grader {
 
-/// `word` as one word of a POSIX shell, whatever is in it; what cannot be shown is not in it
-/// either, so that the command may fail but does nothing else. A name that begins with a dash is no
-/// option.
+/// `word` quoted as one word of a POSIX shell, whatever its content. Unprintable characters are
+/// dropped, so the command may fail but does nothing else. A name that begins with a dash does not
+/// become an option.
 inline std::string shell_quoted(const std::string& word) {
   std::string shown = sandbox::printable_line(word);
   if (shown.starts_with('-')) shown.insert(0, "./");

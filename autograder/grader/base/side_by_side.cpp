@@ -31,11 +31,11 @@ void run_side_by_side(std::size_t count, unsigned workers,
     }
   };
   std::vector<std::thread> threads;
-  // One of them is the caller's own: with one worker no thread has to be made.
+  // The caller works too: with one worker, no thread is created.
   for (unsigned i = 1; i < workers && i < count; ++i) {
     try {
       threads.emplace_back(labour);
-    } catch (const std::system_error&) {  // no more threads: those there are do the work
+    } catch (const std::system_error&) {  // no more threads: the existing ones do the work
       break;
     }
   }

@@ -1,17 +1,18 @@
 #pragma once
-// Work for a few threads.
+// Runs work on a few threads.
 
 #include <cstddef>
 #include <functional>
 
 namespace mc::grader {
 
-/// Runs `work(i)` for all i below `count` with up to `workers` threads, in order of i as they
-/// become free. An exception of one ends the others after what they are at, and reaches the caller.
+/// Runs `work(i)` for all i below `count` on up to `workers` threads, in order of i as threads
+/// become free. If one throws, the others finish their current item and the caller gets the
+/// exception.
 void run_side_by_side(std::size_t count, unsigned workers,
                       const std::function<void(std::size_t)>& work);
 
-/// How many the machine has.
+/// The number of cores of the machine.
 unsigned cores();
 
 }  // namespace mc::grader

@@ -1,5 +1,5 @@
 #pragma once
-// Whole files, read and written at once.
+// Reads and writes whole files.
 
 #include <cerrno>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace mc::grader {
 
-/// What is left of a stream. In pieces: character by character takes longer than all else that a
-/// cached program costs.
+/// The rest of a stream, read in blocks: character by character, this would take most of the time
+/// of a run with a cached program.
 inline std::string rest_of(std::istream& file) {
   std::string text;
   char piece[1 << 14];
@@ -63,7 +63,7 @@ inline void write_text(const std::filesystem::path& path, std::string_view text)
   }
 }
 
-/// FNV-1a: names for files that depend on a text. Nothing secret hangs on it.
+/// FNV-1a, to name files by the text they depend on. Not for security.
 inline std::uint64_t hash_text(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325u) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   return hash;

@@ -1,5 +1,5 @@
 #pragma once
-// What everything in the grader knows: where things are, and the labs there are.
+// What all parts of the grader share: the layout of the checkout, and its labs.
 
 #include <vector>
 

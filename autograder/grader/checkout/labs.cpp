@@ -29,7 +29,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// The names X of a header's lines #include "X.hpp".
+/// The names X in a header's lines #include "X.hpp".
 std::vector<std::string> included_by(const fs::path& header) {
   const std::string start = "#include \"", end = ".hpp\"";
   std::vector<std::string> names;
@@ -47,13 +47,14 @@ void add_ancestors(std::vector<Lab>& labs, const Layout& layout) {
     for (const std::string& name : included_by(layout.labs() / lab.folder / lab.header())) {
       for (const Lab& other : labs) {
         if (other.name != name || other.number >= lab.number) continue;
-        lab.depends_on.insert(lab.depends_on.end(), other.depends_on.begin(), other.depends_on.end());
+        lab.depends_on.insert(lab.depends_on.end(), other.depends_on.begin(),
+                              other.depends_on.end());
         lab.depends_on.push_back(other.name);
       }
     }
     std::sort(lab.depends_on.begin(), lab.depends_on.end());
     lab.depends_on.erase(std::unique(lab.depends_on.begin(), lab.depends_on.end()),
-                        lab.depends_on.end());
+                         lab.depends_on.end());
   }
 }
 

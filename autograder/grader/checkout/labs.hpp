@@ -1,5 +1,5 @@
 #pragma once
-// The labs there are: a folder labs/N-name each, found by looking.
+// The labs: found as folders labs/N-name.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@ namespace mc::grader {
 
 struct Lab {
   int number = 0;
-  std::string name;                    ///< "blue_noise": of its header, its .cpp, its checks
-  std::string folder;                  ///< "4-blue-noise"
+  std::string name;                     ///< "blue_noise": of its header, its .cpp, its checks
+  std::string folder;                   ///< "4-blue-noise"
   std::vector<std::string> depends_on;  ///< names of the labs whose files its program links too
 
   std::string file() const { return name + ".cpp"; }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The build directory: this program lies in its bin/.
+/// The build directory: this program is in its bin/.
 fs::path build_directory() {
 #ifdef __APPLE__
   char path[4096];
@@ -59,7 +59,7 @@ Layout read_layout() {
       }
     }
   }
-  // What was taken out of the repository (./lab gradescope) says what it was taken from.
+  // A package from ./lab gradescope records the version it was made from.
   if (std::ifstream taken(layout.root / "VERSION.txt"); std::getline(taken, line)) {
     layout.version = line;
     return layout;

@@ -1,5 +1,5 @@
 #pragma once
-// Where everything is, and how programs are compiled: what CMake found when it configured.
+// Paths and compiler settings, as CMake found them when it configured.
 
 #include <filesystem>
 #include <map>
@@ -14,9 +14,9 @@ struct Layout {
   std::string compiler;         ///< full path of the C++ compiler
   bool is_clang = false;
   bool sanitized =
-      false;  ///< are grader and checks built with a sanitizer? Then limits of memory hold nothing
-  std::string version;                  ///< of the project, and the commit where git knows it
-  std::vector<std::string> link_flags;  ///< -static where programs are
+      false;  ///< are grader and checks built with a sanitizer? Then memory limits do not apply
+  std::string version;                  ///< of the project, and the commit if git knows it
+  std::vector<std::string> link_flags;  ///< -static if programs are linked statically
   std::map<std::string, std::vector<std::filesystem::path>>
       objects;                                            ///< lab name -> experiments, runner
   std::map<std::string, std::vector<std::string>> peers;  ///< installed library -> flags to link it
@@ -34,8 +34,8 @@ struct Layout {
   }
 };
 
-/// Reads layout.txt, which CMake writes into the build directory that this program lies in. Throws
-/// MachineError where it is missing.
+/// Reads layout.txt, which CMake writes into the build directory of this program. Throws
+/// MachineError if it is missing.
 Layout read_layout();
 
 }  // namespace mc::grader

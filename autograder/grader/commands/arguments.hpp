@@ -1,5 +1,5 @@
 #pragma once
-// A command's words and options, taken apart by getopt_long.
+// A command's words and options, parsed by getopt_long.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,17 +17,17 @@ struct Arguments {
 
   bool has(const std::string& option) const { return options.contains(option); }
   std::optional<std::string> get(const std::string& option) const;
-  /// A whole number; throws UsageError for what is none.
+  /// A whole number; throws UsageError for anything else.
   std::optional<std::uint64_t> number(const std::string& option) const;
 };
 
-/// For parse_arguments(): options may stand anywhere.
+/// For parse_arguments(): options may be anywhere.
 inline constexpr std::size_t all_words = std::numeric_limits<std::size_t>::max();
 
 /// `known` lists the options: "seed=" takes a value, "no-plots" does not, "jobs=j" has a short
-/// form, "lab=," may be given again and is a list then. Behind `before_verbatim` words everything
-/// is a word, for words that may be negative numbers. Throws UsageError for an option that is not
-/// known, naming the nearest, or that lacks its value.
+/// form, "lab=," may be repeated and is then a list. After `before_verbatim` words, everything is a
+/// word, because words may be negative numbers. Throws UsageError for an unknown option, naming the
+/// nearest, or for a missing value.
 Arguments parse_arguments(const std::vector<std::string>& words,
                           const std::vector<std::string>& known,
                           std::size_t before_verbatim = all_words);

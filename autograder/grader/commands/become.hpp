@@ -1,5 +1,5 @@
 #pragma once
-// Commands that end by becoming another program.
+// Replaces this process by another program.
 
 #include <unistd.h>
 
@@ -13,7 +13,7 @@
 
 namespace mc::grader {
 
-/// Returns only by an exception.
+/// Returns only by throwing.
 [[noreturn]] inline void become(std::vector<std::string> command) {
   std::vector<char*> pointers;
   for (std::string& word : command) pointers.push_back(word.data());

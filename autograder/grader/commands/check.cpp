@@ -1,4 +1,4 @@
-// check: one lab of a submission, judged.
+// check: judges one lab of a submission.
 
 #include <cstdio>
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same, without what the watching is for.
+/// The same, without what only watching needs.
 std::vector<std::string> words_for_watched(const Arguments& arguments) {
   std::vector<std::string> words{"check"};
   for (const auto& [option, value] : arguments.options) {
@@ -35,7 +35,7 @@ std::vector<std::string> words_for_watched(const Arguments& arguments) {
   return words;
 }
 
-/// The files that a verdict on this lab hangs on.
+/// The files that a verdict on this lab depends on.
 std::vector<fs::path> files_of(const Submission& submission, const Lab& lab) {
   std::vector<fs::path> files{submission.files.at(lab.name)};
   for (const std::string& name : lab.depends_on) {
@@ -58,7 +58,7 @@ int check(const Context& context, const Arguments& arguments) {
   require_writable(json);
   const Intake intake = take_in_one(context, directory);
   const Submission& submission = intake.entries[0].submission;
-  // For a machine that reads results.json, a missing file is a grade like any other: none.
+  // For a machine that reads results.json, a missing file is a grade of 0 points.
   if (!submission.files.contains(lab.name) && !json) {
     throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));
   }
@@ -85,10 +85,10 @@ int check(const Context& context, const Arguments& arguments) {
   const auto watched = watching_terminal();
   fmt::print("{}", watched ? report_open_first(judged, verdict, *watched)
                            : report_lab(judged, verdict, this_terminal()));
-  std::fflush(stdout);  // into a pipe, too: what follows takes a while
-  // No grade, and no file that could be taken for one.
+  std::fflush(stdout);  // into a pipe, too: the next step takes a while
+  // Neither a grade nor a file that could pass for one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
-  if (judged.no_program.empty() && !watched) {  // who watches waits for the next verdict
+  if (judged.no_program.empty() && !watched) {  // with --watch, the next verdict comes first
     {
       const ProgressLine line("timing " + lab.name);
       add_speed(context, submission, judged);
@@ -96,7 +96,7 @@ int check(const Context& context, const Arguments& arguments) {
     if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
   }
   if (json) write_text(*json, report_json(verdict, {}));
-  // For the next time; but who is here for the first time waits for nothing more.
+  // Speeds up later runs; a first-time user should not wait for it.
   if (!is_first_time) precompile_headers(context.layout);
   if (own && is_whole) remember(context.layout, judged);
   return verdict.earned() == verdict.points() ? 0 : 1;

@@ -19,7 +19,7 @@ struct Command {
   std::vector<std::string> options;  ///< as arguments.hpp has them
   std::string details;               ///< the rest of its --help
   int (*run)(const Context& context, const Arguments& arguments);
-  /// Behind so many words all that follows is words: there may be negative numbers among them.
+  /// After this many words, everything is a word: there may be negative numbers.
   std::size_t words_before_verbatim = all_words;
 };
 
@@ -28,11 +28,11 @@ struct RegisterCommand {
   explicit RegisterCommand(Command command);
 };
 
-/// Those of this program.
+/// The commands of this program.
 const std::vector<Command>& registered_commands();
 
-/// What is drawn side by side: these directories (the starter, where there are none), and the
-/// solutions, where the checkout has this lab's.
+/// Submissions to draw side by side: these directories (or the starter), and the solutions if the
+/// checkout has this lab's.
 std::vector<Submission> submissions_with_solutions(const Context& context, const Lab& lab,
                                                    const std::vector<std::string>& directories);
 

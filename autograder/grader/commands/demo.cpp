@@ -1,4 +1,4 @@
-// demo: the lecture's demo of convergence.
+// demo: the lecture demo of convergence.
 
 #include <filesystem>
 

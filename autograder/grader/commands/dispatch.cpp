@@ -44,7 +44,7 @@ const CommandEntry& find_entry(const std::vector<Lab>& labs, const std::string& 
                                nearest(name, names)));
 }
 
-/// The command, where this program has it.
+/// The command, if this program has it.
 const Command* find_command(std::string_view name) {
   for (const Command& command : registered_commands()) {
     if (command.name == name) return &command;
@@ -52,7 +52,7 @@ const Command* find_command(std::string_view name) {
   return nullptr;
 }
 
-/// Becomes the program that has all commands.
+/// Replaces this process by the program that has all commands.
 [[noreturn]] void run_course(const Layout& layout, char** words) {
   const std::string program = (layout.build / "bin" / course_program).string();
   execv(program.c_str(), words);

@@ -3,8 +3,8 @@
 
 namespace mc::grader {
 
-/// Finds the command, runs it, and turns errors into a line and an exit status. The same for each of
-/// the programs that share the commands. `argv` as main() has it.
+/// Finds the command, runs it, and turns errors into a line and an exit status. All programs that
+/// share the commands use it. `argv` is that of main().
 int run_lab(char** argv);
 
 }  // namespace mc::grader

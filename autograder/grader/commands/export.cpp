@@ -1,4 +1,4 @@
-// export: a class's files, laid out for another tool.
+// export: arranges a class's files for another tool.
 
 #include <filesystem>
 #include <map>

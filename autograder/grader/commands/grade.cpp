@@ -1,4 +1,4 @@
-// grade: whole submissions, judged.
+// grade: judges whole submissions.
 
 #include <algorithm>
 #include <charconv>
@@ -33,7 +33,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// The labs that --lab names, by number; empty where it is not there: those that were handed in.
+/// The labs that --lab names, by number; empty without --lab: those that were handed in.
 std::vector<Lab> labs_asked_for(const Context& context, const Arguments& arguments) {
   std::vector<Lab> labs;
   const auto names = arguments.get("lab");
@@ -47,7 +47,7 @@ std::vector<Lab> labs_asked_for(const Context& context, const Arguments& argumen
   return labs;
 }
 
-/// Draws with the program that can: its pictures are listed.
+/// Lets the program that can draw do it, and lists the pictures.
 void show_plots(const Context& context, const Submission& submission,
                 const std::vector<Lab>& labs) {
   const std::string program = (context.layout.build / "bin" / "course").string();
@@ -61,7 +61,7 @@ void show_plots(const Context& context, const Submission& submission,
   }
 }
 
-/// One of the class on n machines: "2/3" has every third submission, the second one first.
+/// One shard of the class: "2/3" has every third submission, beginning with the second.
 std::vector<IntakeEntry> shard_of(std::vector<IntakeEntry> entries,
                                   const std::optional<std::string>& shard) {
   if (!shard) return entries;
@@ -81,7 +81,7 @@ std::vector<IntakeEntry> shard_of(std::vector<IntakeEntry> entries,
   return mine;
 }
 
-/// The seed of what is gone on with; a new one is the given or a fresh one.
+/// The seed of the run to resume; for a new run, the given one or a fresh one.
 std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::string>& csv) {
   const auto given = arguments.number("seed");
   if (!csv) {
@@ -104,7 +104,7 @@ std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::stri
   return state.exists ? state.seed : seed_of(arguments);
 }
 
-/// What is kept of a run: its table and verdicts, where they are asked for, and its pages.
+/// The output of a run: its table and verdicts, if requested, and its pages.
 class Records {
  public:
   Records(const Context& context, const Arguments& arguments, const std::vector<IntakeEntry>& all,
@@ -112,14 +112,14 @@ class Records {
           std::uint64_t seed)
       : context_(context), mine_(mine), csv_(arguments.get("csv")), html_(arguments.get("html")) {
     if (html_) fs::create_directories(*html_);
-    if (html_ && !csv_) {  // pages are made of a table in any case
+    if (html_ && !csv_) {  // pages are made from a table in any case
       scratch_ = std::make_unique<ScratchDirectory>(context.layout);
       csv_ = (scratch_->path() / "grades.csv").string();
     }
     if (!csv_) return;
     std::vector<std::string> ids;
     for (const IntakeEntry& one : mine) ids.push_back(one.submission.label);
-    // Of all, so that the tables of several shards have the same columns.
+    // From all submissions, so that the tables of several shards have the same columns.
     book_.emplace(Book::Setup{*csv_, columns_for(context, all, asked_for), std::move(ids), seed,
                               arguments.has("resume")});
   }
@@ -144,7 +144,7 @@ class Records {
   std::optional<Book> book_;
 };
 
-/// Everything about one submission.
+/// The full report on one submission.
 int grade_one(const Context& context, const IntakeEntry& entry, Records& records,
               const Arguments& arguments, const std::vector<Lab>& asked_for,
               SubmissionOptions options) {
@@ -176,7 +176,7 @@ int grade_one(const Context& context, const IntakeEntry& entry, Records& records
   if (!verdict.absent.empty() && asked_for.empty() && verdict.unreadable.empty()) {
     fmt::print("not handed in: {}\n", fmt::join(verdict.absent, ", "));
   }
-  // No grade, and no file that could be taken for one.
+  // Neither a grade nor a file that could pass for one.
   if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
   if (json) {
     GradescopeOptions wanted;
@@ -216,7 +216,7 @@ int grade_many(const Context& context, const std::vector<IntakeEntry>& entries, 
   return 0;
 }
 
-/// One task of a cluster for each submission; the table is gathered by --resume.
+/// Submits one cluster task per submission; --resume gathers the table.
 int grade_on_slurm(const Context& context, const Arguments& arguments, std::size_t count,
                    Records& records, std::uint64_t seed) {
   SlurmTasks tasks;

@@ -1,4 +1,4 @@
-// gradescope: the zip that Gradescope builds its image from.
+// gradescope: writes the zip that Gradescope builds its image from.
 
 #include <algorithm>
 #include <filesystem>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Replaces the line of a shell script that sets this.
+/// Replaces the line of a shell script that sets this variable.
 void set(std::string& script, const std::string& name, const std::string& value) {
   const auto at = script.find('\n' + name + '=');
   if (at == std::string::npos) throw MachineError("run_autograder does not set " + name);
@@ -29,7 +29,7 @@ void set(std::string& script, const std::string& name, const std::string& value)
   script.replace(begin, script.find('\n', begin) - begin, value);
 }
 
-/// Everything that is zipped, in a directory.
+/// Collects the content of the zip in a directory.
 void lay_out(const Context& context, const Arguments& arguments, const std::string& labs,
              const fs::path& to) {
   const fs::path root = context.layout.root, place = root / "autograder" / "gradescope";
@@ -37,13 +37,13 @@ void lay_out(const Context& context, const Arguments& arguments, const std::stri
   for (const std::string& file : files_without_answers(context, chosen)) {
     copy_into(root / file, to / file);
   }
-  if (arguments.has("leaderboard")) {  // it compares with them; nothing else needs them
+  if (arguments.has("leaderboard")) {  // only the leaderboard compares with the solutions
     for (const std::string& lab : chosen) {
       const fs::path file = fs::path("solutions") / find_lab(context.labs, lab).file();
       copy_into(root / file, to / file);
     }
   }
-  write_text(to / "VERSION.txt", context.layout.version + '\n');  // there is no git to ask
+  write_text(to / "VERSION.txt", context.layout.version + '\n');  // there is no git history
   for (const char* script : {"setup.sh", "run_autograder"}) copy_into(place / script, to / script);
   std::string run = read_whole_text(place / "run_autograder");
   set(run, "LAB", labs);
@@ -70,7 +70,7 @@ int gradescope(const Context& context, const Arguments& arguments) {
   const fs::path tree = scratch.path() / "tree", zip = fs::absolute(*out);
   lay_out(context, arguments, fmt::format("{}", fmt::join(names, ",")), tree);
 
-  // Packed in a directory of its own, renamed into place: the old zip or the new one, whole.
+  // Packed in a temporary directory and renamed: the zip is always complete.
   const fs::path aside = zip.string() + ".new";
   std::vector<std::string> command{"cmake", "-E", "tar", "cf", aside.string(), "--format=zip"};
   for (const auto& entry : fs::directory_iterator(tree)) {

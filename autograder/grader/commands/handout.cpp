@@ -1,4 +1,4 @@
-// handout: what students get, as a fresh git repository.
+// handout: writes the students' repository, with a fresh history.
 
 #include <algorithm>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Puts `to` in the place of each `from`.
+/// Replaces each `from` by `to`.
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
@@ -39,8 +39,8 @@ bool names_what_is_absent(const std::string& line, const fs::path& handed_out) {
                      });
 }
 
-/// The README of docs/handout speaks of lab 1, and of all that there is: here it is that of these
-/// labs.
+/// The README of docs/handout covers lab 1 and all labs; this adapts it to the labs of this
+/// handout.
 std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
                        const fs::path& handed_out) {
   std::string all, list;

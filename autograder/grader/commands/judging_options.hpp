@@ -1,5 +1,5 @@
 #pragma once
-// What check and grade ask of their options alike.
+// Options that check and grade have in common.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,12 +14,12 @@
 
 namespace mc::grader {
 
-/// Fresh for every run, so that nothing can be made to fit it; short, so that it can be typed.
+/// New in every run, so that no answer can be fitted to it; short enough to type.
 inline std::uint64_t seed_of(const Arguments& arguments) {
   return arguments.number("seed").value_or(std::random_device()() % 1'000'000'000);
 }
 
-/// Looked at before any work is done: a mistyped name should not cost a grade.
+/// Checked before any work is done, so that a mistyped name costs no grading time.
 inline void require_writable(const std::optional<std::string>& file) {
   if (!file) return;
   const auto directory = std::filesystem::absolute(*file).parent_path();
@@ -28,7 +28,7 @@ inline void require_writable(const std::optional<std::string>& file) {
   }
 }
 
-/// When Gradescope shows the checks to students; throws UsageError for what it does not know.
+/// When Gradescope shows the checks to students; throws UsageError for an unknown value.
 inline std::optional<std::string> visibility_of(const Arguments& arguments) {
   auto given = arguments.get("visibility");
   for (const char* known : {"visible", "hidden", "after_due_date", "after_published"}) {

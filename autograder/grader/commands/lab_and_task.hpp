@@ -1,5 +1,5 @@
 #pragma once
-// Words that mean a lab, or one task of it.
+// Parses words that name a lab, or one of its tasks.
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace mc::grader {
 
-/// The number of the lab in a task's number, "1" of "1.3"; nothing for what is no task's number.
+/// The lab in a task's number, "1" in "1.3"; nothing if the text is not a task's number.
 inline std::optional<std::string> lab_of_task(const std::string& word) {
   const auto digits = [](const std::string& text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -30,8 +30,8 @@ struct LabAndTask {
   std::vector<std::string> rest;  ///< the words after them
 };
 
-/// Reads "variance", "1.3" or "variance 1.3" off the beginning of `words`, of which there is one at
-/// least. Throws UsageError for a lab that there is not, and for a task of another lab.
+/// Takes "variance", "1.3" or "variance 1.3" off the beginning of `words`, which must not be empty.
+/// Throws UsageError for an unknown lab, and for a task of another lab.
 inline LabAndTask lab_and_task(const std::vector<Lab>& labs,
                                const std::vector<std::string>& words) {
   const auto number = lab_of_task(words[0]);

@@ -7,11 +7,11 @@ namespace mc::grader {
 
 struct CommandEntry {
   std::string_view name, description;
-  bool for_instructors = false;  ///< not listed where there are no solutions: in a handout
-  std::string_view about = "";   ///< what it is about: without that it is not there at all
+  bool for_instructors = false;  ///< hidden if there are no solutions: in a handout
+  std::string_view about = "";   ///< the path it works on: without that, the command is absent
 };
 
-/// The program that has all commands; `grader` has those that a student waits for.
+/// The program `course` has all commands; `grader` has only those that students need at once.
 inline constexpr std::string_view course_program = "course";
 
 inline constexpr CommandEntry command_list[] = {

@@ -1,4 +1,4 @@
-// merge: the tables of a class that several machines graded, made one.
+// merge: joins the tables of a class that several machines graded.
 
 #include <algorithm>
 #include <cstdint>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the rows were made from goes with them: stats reads hints there.
+/// Copies the verdicts behind the rows as well: stats reads hints from them.
 void copy_verdicts(const MergeResult& merged, const fs::path& out) {
   std::map<fs::path, std::string> texts;  // all are read before any is written
   for (const auto& [id, table] : merged.from) {

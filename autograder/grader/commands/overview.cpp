@@ -1,4 +1,4 @@
-// ./lab alone: where you stand.
+// ./lab without a command: the student's progress.
 
 #include <fmt/format.h>
 

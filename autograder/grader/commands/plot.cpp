@@ -1,4 +1,4 @@
-// plot: a lab's plots, several submissions side by side.
+// plot: draws a lab's plots, several submissions side by side.
 
 #include <algorithm>
 #include <filesystem>

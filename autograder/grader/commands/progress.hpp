@@ -1,5 +1,5 @@
 #pragma once
-// What the last check of each lab said, kept in the build directory for `./lab` alone.
+// The outcome of the last check of each lab, stored in the build directory for `./lab` alone.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@ namespace mc::grader {
 struct Progress {
   double earned = 0, points = 0;
   std::string next;         ///< the task to do next; empty when there is none
-  bool is_current = false;  ///< the file has not changed since
+  bool is_current = false;  ///< the file has not changed since then
 };
 
 void remember(const Layout& layout, const LabVerdict& verdict);

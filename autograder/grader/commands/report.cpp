@@ -1,4 +1,4 @@
-// report: one's own work as a page.
+// report: the student's work as a page.
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-// reset: the starter of a lab again.
+// reset: restores the starter of a lab.
 
 #include <filesystem>
 
@@ -21,7 +21,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-/// The newest committed version of a file in which the most tasks are still to be done.
+/// The newest committed version of a file with the most unwritten tasks.
 std::string pristine(const Context& context, const std::string& file) {
   const std::string root = context.layout.root.string();
   const auto commits =

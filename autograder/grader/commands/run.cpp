@@ -1,4 +1,4 @@
-// run: one experiment by hand.
+// run: runs one experiment by hand.
 
 #include <cstdlib>
 #include <filesystem>
@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program to run, for judging or for finding mistakes; empty, and the reason printed, where
-/// there is none.
+/// Builds the program to run, for judging or for debugging; if that fails, prints the reason and
+/// returns an empty path.
 std::string program_of(const Context& context, const Lab& lab, const Submission& submission,
                        bool sanitized) {
   if (!sanitized) {

@@ -22,7 +22,7 @@ Saves::Saves(std::vector<fs::path> files) : files_(std::move(files)) {
   for (const fs::path& file : files_) states_.push_back(look_at(file));
 }
 
-/// To the directories: a file that is replaced takes what watches it along.
+/// Watches the directories: replacing a file would remove a watch on the file itself.
 void Saves::listen() {
 #ifdef __linux__
   if (!notes_) return;

@@ -1,5 +1,5 @@
 #pragma once
-// Notices that files were saved, however an editor saves them.
+// Detects saved files, for any way an editor saves them.
 
 #include <filesystem>
 #include <string>
@@ -9,9 +9,8 @@
 
 namespace mc::grader {
 
-/// Some files, and how they were when one looked last. A save is a file with another time, size or
-/// inode: so it makes no difference whether an editor writes into a file, replaces it, or removes
-/// it and writes it anew.
+/// A set of files and their state at the last look. A save is a change of time, size or inode, so
+/// editors may write into a file, replace it, or remove it and write it anew.
 class Saves {
  public:
   explicit Saves(std::vector<std::filesystem::path> files);
@@ -20,10 +19,10 @@ class Saves {
   /// report that. It only says to look now: looking every second misses nothing either.
   int hint() const { return notes_.get(); }
 
-  /// Was a file saved, or did it vanish, since this was asked last?
+  /// Has a file been saved or removed since the last call?
   bool changed();
 
-  /// The name of the first file that is not there now; empty where all are.
+  /// The name of the first missing file; empty if none is missing.
   std::string missing() const;
 
  private:

@@ -1,4 +1,4 @@
-// setup: what it does, the entry script has done when this is run.
+// setup: the entry script has already done the work when this runs.
 
 #include <fmt/format.h>
 

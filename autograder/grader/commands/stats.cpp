@@ -1,4 +1,4 @@
-// stats: what a table of grades says of the class, and of the checks.
+// stats: statistics of a table of grades.
 
 #include <fmt/format.h>
 

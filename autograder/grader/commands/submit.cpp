@@ -1,4 +1,4 @@
-// submit: the zip to hand in.
+// submit: writes the zip to hand in.
 
 #include <filesystem>
 #include <system_error>

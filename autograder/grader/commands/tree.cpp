@@ -14,7 +14,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// What holds answers, or is of use to instructors only.
+/// Files that hold answers or are for instructors only.
 constexpr const char* kept_back[] = {"solutions/",
                                      "docs/",
                                      "autograder/submissions/",
@@ -35,7 +35,7 @@ bool is_kept_back(const std::string& file) {
                      [&](const char* place) { return file.starts_with(place); });
 }
 
-/// Is this file of a lab that is not handed out?
+/// Does this file belong to a lab that is left out?
 bool is_left_out(const Context& context, const std::set<std::string>& chosen,
                  const std::string& file) {
   for (const Lab& lab : context.labs) {
@@ -58,8 +58,8 @@ std::string list_of(const std::vector<std::string>& files) {
   return all + (files.size() > most ? "\n  …" : "");
 }
 
-/// What git does not know would be missing from what is handed out, and what is changed would be in
-/// it without a version: the first is refused, the second named.
+/// Untracked files would be missing from the copy, and modified ones would be in it without a
+/// version: refuses the first, and lists the second.
 void compare_with_git(const Context& context, const std::set<std::string>& chosen) {
   const std::string listed = git(context.layout.root, {"status", "--porcelain", "-z",
                                                        "--untracked-files=all", "--no-renames"});

@@ -11,19 +11,19 @@
 
 namespace mc::grader {
 
-/// Runs git there; gives back what it says. Throws MachineError where it fails.
+/// Runs git in that directory and returns its output. Throws MachineError if it fails.
 std::string git(const std::filesystem::path& directory, std::vector<std::string> words);
 
-/// The labs named "1,2", and those they stand on; all without a list.
+/// The labs named by a list such as "1,2", and those they depend on; all labs without a list.
 std::set<std::string> labs_and_those_below(const Context& context,
                                            const std::optional<std::string>& list);
 
-/// The files that git lists, so no build and no file of one's own; nothing that holds answers or is
-/// of use to the repository only; of the labs, these.
+/// The files that git tracks, so no builds and no private files; without answers and files that
+/// only the repository needs; of the labs, only these.
 std::vector<std::string> files_without_answers(const Context& context,
                                                const std::set<std::string>& labs);
 
-/// Copies it, and makes the directories that it needs.
+/// Copies a file and creates the directories it needs.
 void copy_into(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace mc::grader

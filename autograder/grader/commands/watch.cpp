@@ -27,7 +27,7 @@ namespace {
 /// Tells the programs that `watch` starts what to write for: "100", or "100c" with colors.
 constexpr const char* terminal_variable = "MC_WATCHED";
 
-/// The writing end of a pipe that is polled: signals, and the end of a run.
+/// The writing end of a pipe that is polled for signals and for the end of a run.
 int wake_up = -1;
 std::atomic<bool> interrupted{false};
 
@@ -38,7 +38,7 @@ void on_signal(int) {
   errno = before;
 }
 
-/// From now on an interrupt ends the watching, and not the program in the midst of it.
+/// From here on, an interrupt ends the watching cleanly.
 void catch_signals() {
   struct sigaction action {};
   action.sa_handler = on_signal;
@@ -73,7 +73,7 @@ class Run {
   Run(const Run&) = delete;
 
   bool has_ended() const { return has_ended_; }
-  /// Once it has ended.
+  /// Call after it has ended.
   std::string text() const {
     const bool is_verdict = result_.exit_code == 0 || result_.exit_code == 1;
     return result_.output + (is_verdict ? std::string() : result_.errors);
@@ -85,7 +85,7 @@ class Run {
   std::thread thread_;
 };
 
-/// Where verdicts are shown: one screen of a terminal, or one after the other.
+/// Shows verdicts: on one screen of a terminal, or one after the other.
 class Screen {
  public:
   Screen() : terminal_(this_terminal()) {}
@@ -93,7 +93,7 @@ class Screen {
   std::string terminal() const {
     return fmt::format("{}{}", terminal_.width, terminal_.color ? "c" : "");
   }
-  /// A line below the verdict that is still there.
+  /// Adds a line below the verdict that is still shown.
   void say(const std::string& line) const {
     if (terminal_.interactive) {
       fmt::print("\r\x1b[K{}", line);
@@ -126,7 +126,7 @@ class Screen {
   Terminal terminal_;
 };
 
-/// Rows that a line takes in a window; colors take none.
+/// The number of rows that a line takes in a window; color codes take no space.
 std::size_t rows_of(std::string_view line, std::size_t columns) {
   std::string shown;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -163,14 +163,14 @@ int watch(const Context& context, const std::vector<std::string>& words,
   const Screen screen;
   Saves saves(files);
   std::optional<Run> run;
-  bool is_due = true;  // there is a text that no run has begun with
+  bool is_due = true;  // there is a text that has not been judged
   std::string waits_for;
   while (!interrupted) {
     if (saves.changed()) {
       if (run) screen.say("saved again: what was being judged is stopped");
       run.reset();
       is_due = true;
-      // An editor may save in several steps: begin when nothing more happens for a moment.
+      // An editor may save in several steps: start after a moment without changes.
       wait_for_something(wakes.read.get(), -1, 50);
       continue;
     }

@@ -12,20 +12,20 @@
 
 namespace mc::grader {
 
-/// Judges by `./lab WORDS…` at once and after each save of one of `files`, until an interrupt.
-/// A run that a save overtakes is stopped. Gives back the exit status: 0.
+/// Judges with `./lab WORDS…` at once and after each save of one of `files`, until interrupted. A
+/// save stops a run in progress. Returns the exit status: 0.
 int watch(const Context& context, const std::vector<std::string>& words,
           const std::vector<std::filesystem::path>& files);
 
-/// The terminal of the `watch` that has started this program; nothing where none has.
+/// The terminal of the `watch` that started this program; nothing if it was started otherwise.
 std::optional<Terminal> watching_terminal();
 
 /// The report for repeated looks: points, the first open task, then the rest.
 std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
                               const Terminal& terminal);
 
-/// The first `rows` rows of a text in a window of so many columns, the last of them saying how many
-/// lines are left out; all of it where it fits.
+/// The first `rows` rows of a text in a window of that many columns; if lines are left out, the
+/// last row says how many.
 std::string first_rows(const std::string& text, std::size_t rows, std::size_t columns);
 
 }  // namespace mc::grader

@@ -21,19 +21,19 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// So much of build/programs is kept.
+/// The size limit of build/programs.
 constexpr std::size_t most_programs = std::size_t{300} << 20;
 
-/// After so many in a row without a verdict the machine is probed.
+/// After this many submissions in a row without a verdict, the machine is tested.
 constexpr int most_failures = 3;
 
-/// All that a verdict depends on and that was handed in.
+/// Everything submitted that a verdict depends on.
 std::string everything_in(const IntakeEntry& entry) {
   return fmt::format("{}\n{}\n{}", entry.unreadable, entry.submission.found_in,
                      contents_of(entry.submission.files));
 }
 
-/// Did the machine, and not only the autograder, keep from judging?
+/// Did the machine, and not only the autograder, prevent judging?
 bool has_machine_failed(const Verdict& verdict) {
   if (verdict.not_judged.empty()) return false;
   if (verdict.labs.empty()) return true;
@@ -98,7 +98,7 @@ class Batch {
     try {
       return book_->known(one.submission.label, everything_in(one), context_.layout.version,
                           judged_labs(one, labs));
-    } catch (const std::exception&) {  // judged again, which says what is wrong
+    } catch (const std::exception&) {  // judge it again, which reports the error
       return {};
     }
   }
@@ -146,8 +146,8 @@ class Batch {
     failures_ = has_machine_failed(verdict) ? failures_ + 1 : 0;
     if (failures_ < most_failures) return;
     failures_ = 0;
-    // Three submissions may do this to themselves: the rest is given up only if the machine fails
-    // at a known program, too.
+    // Three submissions may cause this themselves: give up only if the machine fails with a known
+    // program, too.
     try {
       probe_machine(context_.layout);
     } catch (const std::exception& error) {
@@ -165,7 +165,7 @@ class Batch {
     sweep_programs(context_.layout, most_programs, done_with_);
   }
 
-  /// Alone: what else runs would be measured with it.
+  /// Timed alone: other jobs would disturb the measurement.
   void measure() {
     if (book_ == nullptr) return;
     ProgressLine line("timing");
@@ -189,7 +189,7 @@ class Batch {
   Book* const book_;
   const BatchOptions& options_;
   std::size_t widest_ = 10;
-  std::vector<std::size_t> open_;  ///< those that are still to be judged
+  std::vector<std::size_t> open_;  ///< submissions still to be judged
   ProgressLine* line_ = nullptr;
 
   std::mutex mutex_;
@@ -233,7 +233,7 @@ Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std:
                     SubmissionOptions options) {
   Verdict verdict;
   std::string contents;
-  // Whatever goes wrong with a submission is its own result: MachineError, a full disk, no memory.
+  // An exception only affects its own submission: MachineError, a full disk, no memory.
   try {
     Budget budget;
     options.judge.budget = &budget;

@@ -26,7 +26,7 @@ fs::path state_file(const fs::path& csv) {
   return verdict_directory(csv) / "state";
 }
 
-/// Removes what write_text() had not renamed when its process died.
+/// Removes temporary files of write_text() that a killed process left.
 void sweep_unfinished(const fs::path& directory, const std::string& begin) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(directory, ignored)) {
@@ -80,10 +80,10 @@ void write_book_state(const fs::path& csv, bool finished, std::uint64_t seed) {
 Book::Book(Setup setup) : setup_(std::move(setup)) {
   const fs::path directory = verdict_directory(setup_.csv);
   fs::create_directories(directory);
-  // Held until this process is gone, however it goes.
+  // Held until this process ends in any way.
   lock_ = sandbox::Descriptor(
       open((directory / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644), "opening the lock");
-  // A run that was killed a moment ago may have a child that has not become another program yet.
+  // A run that was just killed may have a child that has not called exec yet.
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(3);
   while (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
     if (std::chrono::steady_clock::now() < patience) {

@@ -16,13 +16,13 @@
 
 namespace mc::grader {
 
-/// Where the verdicts of a table lie: grades.csv has grades-verdicts/.
+/// The directory with the verdicts of a table: grades-verdicts/ for grades.csv.
 std::filesystem::path verdict_directory(const std::filesystem::path& csv);
 
-/// The file of one verdict in there.
+/// The file of one verdict in it.
 std::filesystem::path verdict_file(const std::filesystem::path& csv, const std::string& id);
 
-/// That verdict; nothing where it is not there, or is none that this autograder can read.
+/// That verdict; nothing if it does not exist or this autograder cannot read it.
 std::optional<Verdict> read_verdict(const std::filesystem::path& csv, const std::string& id);
 
 /// What an earlier run left next to a table.
@@ -39,30 +39,30 @@ class Book {
   struct Setup {
     std::filesystem::path csv;
     std::vector<LabColumns> columns;
-    std::vector<std::string> ids;  ///< of all submissions, in the order of the rows
+    std::vector<std::string> ids;  ///< all submissions, in the order of the rows
     std::uint64_t seed = 0;
-    bool resume = false;  ///< false: what is there is replaced
+    bool resume = false;  ///< false: replace an existing table
   };
-  /// Throws UsageError where another run is writing the same table, std::system_error where nothing
-  /// can be written.
+  /// Throws UsageError if another run is writing the same table, std::system_error if writing
+  /// fails.
   explicit Book(Setup setup);
 
-  /// The verdict on this id from an earlier run, if it can stand: on the same contents, by the same
-  /// autograder, with the same seed, of these labs. What was not judged is judged again.
+  /// The verdict on this id from an earlier run, if it is still valid: for the same contents,
+  /// autograder, seed and labs. Submissions that were not judged are judged again.
   std::optional<Verdict> known(const std::string& id, const std::string& contents,
                                const std::string& version, const std::vector<Lab>& labs) const;
 
-  /// A known verdict keeps its row.
+  /// Keeps the row of a known verdict.
   void keep(const Verdict& verdict);
-  /// Writes the table with what is known, and is ready for more.
+  /// Writes the table with the known verdicts; further ones can be added then.
   void begin();
-  /// Writes the verdict, then its row. For several threads.
+  /// Writes the verdict, then its row. Thread-safe.
   void add(const Verdict& verdict);
   std::optional<Verdict> read(const std::string& id) const;
-  /// The same verdict with more in it (its speed): its row stays.
+  /// Replaces a verdict by one with more data (its speed); its row stays.
   void update(const Verdict& verdict);
 
-  /// Rows in the order of the ids; if the batch is whole, the next one may replace it.
+  /// Sorts the rows by id; if the batch is complete, the next run may replace the table.
   void finish(bool whole);
 
  private:

@@ -13,7 +13,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// A table that is scrolled where it is wider than the window; its first column names the rows.
+/// A table that scrolls if it is wider than the window; its first column names the rows.
 std::string table_begin(const std::vector<std::string>& numbers, const std::string& first) {
   std::string all = fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>\n<tr>"
@@ -32,7 +32,7 @@ std::string number_cell(const std::string& text) {
 std::string number_cell(std::size_t count) {
   return number_cell(std::to_string(count));
 }
-/// `name` is HTML already.
+/// `name` is already HTML.
 std::string name_cell(const std::string& name) {
   return fmt::format("<th scope=\"row\" class=\"name\">{}</th>", name);
 }
@@ -96,7 +96,7 @@ std::string statistics_sections(const ClassStatistics& statistics) {
   return all + table_end;
 }
 
-/// An address of the file of this name. An id may have any character but a slash.
+/// The URL of the file with this name. An id may have any character but a slash.
 std::string address_of(const std::string& name) {
   std::string all;
   for (const char c : name) {

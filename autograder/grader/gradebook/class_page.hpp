@@ -1,5 +1,5 @@
 #pragma once
-// A class as pages: its statistics, and each submission.
+// A class as HTML pages: its statistics, and a page per submission.
 
 #include <filesystem>
 #include <string>
@@ -15,8 +15,8 @@ namespace mc::grader {
 /// The statistics as a page, without names.
 std::string statistics_page(const ClassStatistics& statistics);
 
-/// Writes directory/index.html, everybody's points and the statistics, and a page for each
-/// submission that the table has a verdict on: its failures and its text.
+/// Writes directory/index.html with all points and the statistics, and a page for each submission
+/// that has a verdict: its failures and its source.
 void write_class_pages(const std::filesystem::path& directory, const Context& context,
                        const Table& table, const std::vector<IntakeEntry>& entries);
 

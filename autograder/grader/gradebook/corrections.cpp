@@ -43,7 +43,7 @@ void add_column(Table& table, const std::string& column) {
   }
 }
 
-/// Sets one cell and notes what it was.
+/// Sets one cell and notes its old value.
 void set_points(Row& row, const std::string& column, const Correction& correction) {
   std::string note = fmt::format("{}: {:g}", correction.what, correction.points);
   if (!correction.comment.empty()) note += fmt::format(" ({})", correction.comment);
@@ -52,7 +52,7 @@ void set_points(Row& row, const std::string& column, const Correction& correctio
   row[column] = text_of_points(correction.points);
 }
 
-/// The sum of the lab's checks and of its written points.
+/// The sum of the lab's checks and its written points.
 void add_up(const Table& table, Row& row, const std::vector<Lab>& labs, const Lab& lab) {
   double sum = number_in(row, lab.name + std::string(written));
   for (const std::string& column : table.columns) {

@@ -7,8 +7,8 @@
 //   anna,1.3 two passes keep their digits under a large mean,8,right idea
 //   bob,variance written,17,
 //
-// `what` is a check (its points), a lab (its total, whatever the checks say), or a lab and "written"
-// (points added to its total, for written questions).
+// `what` is a check (its points), a lab (its total, whatever the checks say), or a lab and
+// "written" (points added to its total, for written questions).
 
 #include <filesystem>
 #include <string>
@@ -29,13 +29,13 @@ struct Correction {
 std::vector<Correction> read_corrections(const std::filesystem::path& csv,
                                          const std::vector<Lab>& labs);
 
-/// Sets the points and totals of the table, and a column "corrections" that says what was changed.
-/// A lab's total is the sum of its checks and its written points, unless it is set itself; so the
-/// same corrections can be applied again. Returns the corrections of ids that have no row.
+/// Sets the points and totals of the table, and a column "corrections" that lists the changes. A
+/// lab's total is the sum of its checks and its written points, unless it is set itself; applying
+/// the same corrections again changes nothing. Returns the corrections of ids that have no row.
 std::vector<Correction> apply_corrections(Table& table, const std::vector<Correction>& corrections,
                                           const std::vector<Lab>& labs);
 
-/// Reads the table with its corrections; says on standard error which of them have no row.
+/// Reads the table with its corrections; reports those without a row on standard error.
 Table read_corrected_table(const std::filesystem::path& csv, const std::vector<Lab>& labs);
 
 }  // namespace mc::grader

@@ -15,20 +15,20 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// Where the tasks write: grades.csv has grades-slurm/.
+/// The tasks' output directory: grades-slurm/ for grades.csv.
 fs::path task_directory(const fs::path& csv) {
   return fs::absolute(csv).parent_path() / (csv.stem().string() + "-slurm");
 }
 
-/// One word of a shell, byte by byte: a task must find the files that this process has found.
+/// Quotes a word for the shell byte by byte: a task must find the files that this process found.
 std::string as_word(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
   return word + '\'';
 }
 
-/// A compiler may take 1.5 GB, and a program half of one: sites that count memory should know it.
-/// Whoever submits has the last word by SBATCH_MEM_PER_NODE and its like.
+/// A compiler may take 1.5 GB and a program 0.5 GB; clusters that enforce memory limits need to
+/// know. SBATCH_MEM_PER_NODE and similar variables override this.
 std::string script_of(const Context& context, const SlurmTasks& tasks, const fs::path& place) {
   std::string options, words;
   for (const std::string& word : tasks.options) options += ' ' + as_word(word);
@@ -70,7 +70,7 @@ std::size_t gather_tasks(const fs::path& csv) {
   const fs::path place = task_directory(csv);
   if (!fs::exists(place / "job")) return 0;
   const std::string job = trimmed(read_text(place / "job"));
-  // A job that has ended is forgotten after a while: then this fails, and says nothing.
+  // Slurm forgets ended jobs after a while; then this fails, which means nothing.
   const auto queue = sandbox::run_process({"squeue", "--noheader", "--jobs=" + job});
   if (queue.succeeded() && !trimmed(queue.output).empty()) {
     throw UsageError(
@@ -86,7 +86,7 @@ std::size_t gather_tasks(const fs::path& csv) {
       if (entry.path().extension() != ".json") continue;
       const fs::path to = verdict_directory(csv) / entry.path().filename();
       ++count;
-      // What was judged here since is newer.
+      // Verdicts judged here since then are newer.
       if (fs::exists(to) && fs::last_write_time(to) > entry.last_write_time()) continue;
       write_text(to, read_whole_text(entry.path()));
     }

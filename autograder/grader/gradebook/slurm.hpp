@@ -1,7 +1,6 @@
 #pragma once
-// A class on a cluster: one task of a Slurm job array for each submission. A task is a shard of
-// one, with a table of its own, so that it may be killed, requeued and begun again like any other
-// run.
+// A class on a cluster: one task of a Slurm job array per submission. A task is a shard of one
+// submission with its own table, so it can be killed, requeued and restarted like any other run.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,16 +12,16 @@
 namespace mc::grader {
 
 struct SlurmTasks {
-  std::filesystem::path csv;              ///< the table that is gathered in the end
-  std::vector<std::string> options = {};  ///< of ./lab grade, that every task has
-  std::vector<std::string> words = {};    ///< what was handed in
-  std::size_t count = 0;                  ///< submissions: task k has the k-th
+  std::filesystem::path csv;              ///< the final table
+  std::vector<std::string> options = {};  ///< options of ./lab grade for every task
+  std::vector<std::string> words = {};    ///< the submissions
+  std::size_t count = 0;                  ///< number of submissions: task k has the k-th
   std::uint64_t seed = 0;
-  bool go_on = false;  ///< keeps what the tasks of an earlier job have written
+  bool go_on = false;  ///< keep the results of an earlier job's tasks
 };
 
-/// Submits them from this directory, by sbatch; the number of the job. Throws MachineError where
-/// there is no Slurm, or it takes no job.
+/// Submits the tasks from this directory with sbatch; returns the job's number. Throws MachineError
+/// if there is no Slurm or it refuses the job.
 std::string submit_tasks(const Context& context, const SlurmTasks& tasks);
 
 /// Reads the verdicts that tasks have written next to this table; returns their number. Throws

@@ -31,7 +31,8 @@ std::optional<double> points_in(const Table& table, const Row& row, const std::s
                                column));
 }
 
-/// Why there is nothing in this row's cells of a lab: it was to be judged, and could not be.
+/// The reason in place of this row's cells of a lab, if it should have been judged but could not
+/// be.
 bool lacks_grade(const Row& row, const Lab& lab) {
   const std::string status = field(row, lab.name + " status");
   return status == "not judged" || status == "unreadable";
@@ -46,14 +47,14 @@ bool has_status(const Verdict& verdict, const std::string& check, Status status)
   return false;
 }
 
-/// Those who have points in a lab: of each check, in the order of the columns.
+/// The rows with points in a lab: the points of each check, in the order of the columns.
 using Points = std::vector<std::vector<std::optional<double>>>;
 
 std::optional<double> discrimination_of(const Points& points, std::size_t check) {
   std::vector<bool> passed;
   std::vector<double> rest;
   for (const auto& one : points) {
-    if (!one[check]) continue;  // this row's table did not have it
+    if (!one[check]) continue;  // this row's table lacks the check
     double all = 0;
     for (const auto& earned : one) all += earned.value_or(0);
     passed.push_back(*one[check] > 0);
@@ -83,7 +84,7 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
       of_row.push_back(earned);
       if (!earned) {
         check.not_judged += lacks;
-      } else if (*earned > 0 || has(check.name, Status::passed)) {  // it may be worth no points
+      } else if (*earned > 0 || has(check.name, Status::passed)) {  // a check may have 0 points
         ++check.passed;
       } else if (!has_file || has(check.name, Status::not_written)) {
         ++check.not_written;
@@ -99,7 +100,7 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
   return statistics;
 }
 
-/// The hints in the reports of what failed, each once.
+/// The hints in the reports of failed checks, each once.
 std::set<std::string> hints_of(const Verdict& verdict) {
   constexpr std::string_view label = "likely    ";
   std::set<std::string> hints;

@@ -19,7 +19,7 @@ std::string histogram_text(const std::vector<double>& totals) {
   for (const PointsBar& bar : bars) most = std::max(most, bar.submissions);
   std::string all;
   for (const PointsBar& bar : bars) {
-    // One for each submission where there is room. Nobody is rounded away.
+    // One mark per submission if there is room. No submission is rounded away.
     const std::size_t length =
         most <= longest ? bar.submissions : (bar.submissions * longest + most - 1) / most;
     const std::string line =

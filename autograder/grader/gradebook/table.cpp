@@ -22,7 +22,7 @@ std::string shown(const fs::path& file) {
   return sandbox::printable_line(file.string());
 }
 
-/// "1" of "1.3 the variance …"; empty for what is no check's name.
+/// "1" of "1.3 the variance …"; empty if it is not a check's name.
 std::string_view lab_number(std::string_view column) {
   constexpr std::string_view digits = "0123456789";
   const auto dot = column.find_first_not_of(digits);
@@ -41,7 +41,7 @@ std::pair<int, int> place_of(const std::vector<Lab>& labs, const std::string& co
   return {is_check_column(column) ? 2 : 1, lab->number};
 }
 
-/// "the seeds differ: a.csv 7, b.csv 8"; nothing where all rows have the same.
+/// "the seeds differ: a.csv 7, b.csv 8"; nothing if all rows agree.
 void report_difference(const std::vector<Table>& tables, const std::string& column,
                        std::vector<std::string>& differences) {
   std::set<std::string> all;
@@ -69,7 +69,7 @@ Table read_table(const fs::path& file) {
     throw UsageError("no such table: " + shown(file));
   }
   std::string text = read_whole_text(file);
-  constexpr std::string_view mark = "\xef\xbb\xbf";  // spreadsheets begin a file so
+  constexpr std::string_view mark = "\xef\xbb\xbf";  // the byte order mark of spreadsheets
   if (text.starts_with(mark)) text.erase(0, mark.size());
   auto rows = csv_rows(text);
   const auto is_no_table = [&](const std::string& why) {
@@ -95,7 +95,7 @@ Table read_table(const fs::path& file) {
       if (!shown_field.empty()) row[table.columns[k]] = shown_field;
     }
     const std::string id = field(row, "id");
-    if (id.empty() || id.find('/') != std::string::npos) {  // it names a file, too
+    if (id.empty() || id.find('/') != std::string::npos) {  // it is also a file name
       is_no_table(fmt::format("'{}' is no id", id));
     }
     table.rows.push_back(std::move(row));

@@ -1,5 +1,5 @@
 #pragma once
-// A table of grades that is read again: what csv.hpp wrote, as a file.
+// Reads tables of grades back from the files that csv.hpp wrote.
 
 #include <filesystem>
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace mc::grader {
 
-/// The fields of a row by their columns; empty ones are not there.
+/// The fields of a row by their columns; empty ones are absent.
 using Row = std::map<std::string, std::string>;
 
 struct Table {
@@ -19,28 +19,28 @@ struct Table {
   std::vector<Row> rows;
 };
 
-/// The field of this column; empty where there is none.
+/// The field of this column; empty if there is none.
 std::string field(const Row& row, const std::string& column);
 
-/// Throws UsageError where there is no such file, and for what is no table of grades.
+/// Throws UsageError if there is no such file, or if it is not a table of grades.
 Table read_table(const std::filesystem::path& file);
 
-/// As csv_header() and csv_row() would have written it.
+/// The text that csv_header() and csv_row() would write.
 std::string table_text(const Table& table);
 
 struct MergeResult {
   Table table;
-  /// Each id with the table that its row is from.
+  /// The table that each id's row comes from.
   std::map<std::string, std::filesystem::path> from;
   std::vector<std::string> differences;  ///< "the seeds differ: a.csv 7, b.csv 8"
 };
 
-/// The rows of all, in the order of their ids, under the columns of all: those of an unsharded run.
-/// A row that two tables have alike is there once. Throws UsageError where they have different rows
-/// for an id.
+/// The rows of all tables, in the order of their ids, with the columns of all: the table of an
+/// unsharded run. Rows that two tables share appear once. Throws UsageError for different rows with
+/// the same id.
 MergeResult merge_tables(const std::vector<Table>& tables, const std::vector<Lab>& labs);
 
-/// The lab that a column is about, "variance total" or "1.3 …"; null for a column about none.
+/// The lab of a column such as "variance total" or "1.3 …"; null for other columns.
 const Lab* lab_of_column(const std::vector<Lab>& labs, const std::string& column);
 
 /// Is this the column of a check, "1.3 …"?

@@ -10,9 +10,9 @@
 
 namespace mc::grader {
 
-/// Of all its labs, compilers and checks together. Right answers to all six labs take about 20 s.
+/// For all its labs, compilers and checks together. Right answers to all six labs take about 20 s.
 constexpr double submission_cpu_seconds = 300;
-/// No grade hangs on it: who comes this far was kept waiting by the machine.
+/// Does not affect grades: a submission that reaches it was delayed by the machine.
 constexpr double submission_wall_seconds = 3600;
 
 class Budget {

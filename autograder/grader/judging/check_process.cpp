@@ -8,13 +8,13 @@
 namespace mc::grader {
 namespace {
 
-/// Reads a pipe to its end in a thread of its own, so that its writer never waits.
+/// Reads a pipe to its end in its own thread, so that the writer never waits.
 class PipeReader {
  public:
   PipeReader() : ends_(sandbox::make_pipe()) {
     thread_ = std::thread([this] {
-      // The arguments of a call as they are typed can take megabytes; a bound, and cut at it
-      // exactly, so that a verdict does not depend on how the pipe was read.
+      // The typed arguments of a call can take megabytes. The output is cut exactly at the limit,
+      // so that a verdict does not depend on how the pipe was read.
       constexpr std::size_t most = std::size_t{32} << 20;
       std::string some;
       bool more = true;

@@ -1,5 +1,5 @@
 #pragma once
-// A process of checks or measurements, and the records that it sent.
+// A process of checks or measurements, and the records it sent.
 
 #include <filesystem>
 #include <string>
@@ -17,8 +17,8 @@ struct CheckProcess {
   std::vector<protocol::CheckEnd> ends() const { return protocol::check_ends_in(records); }
 };
 
-/// Runs the test cases of `program` that `which` selects: a name, a tag ("[.plot]"), or all that are
-/// not hidden (""). Records come over a pipe of their own.
+/// Runs the test cases of `program` that `which` selects: a name, a tag ("[.plot]"), or all that
+/// are not hidden (""). Records come over a separate pipe.
 CheckProcess run_check_program(const std::filesystem::path& program, const std::string& which,
                                sandbox::ProcessOptions options);
 

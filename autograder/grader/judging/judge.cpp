@@ -20,7 +20,7 @@
 namespace mc::grader {
 namespace {
 
-/// Takes "[1.3][points:8][needs:1.1][needs:1.2]" apart.
+/// Parses "[1.3][points:8][needs:1.1][needs:1.2]".
 Check parse_check(const protocol::CheckEnd& record) {
   Check check;
   check.name = record.name;
@@ -36,8 +36,7 @@ Check parse_check(const protocol::CheckEnd& record) {
   return check;
 }
 
-/// Checks by task, those with slow ones first: a worker that begins one last would keep all
-/// waiting.
+/// Checks by task, those with slow ones first: starting one last would make all others wait for it.
 std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results) {
   std::vector<std::vector<CheckResult*>> tasks;
   for (CheckResult& result : results) {
@@ -104,8 +103,8 @@ void find_waiting(std::vector<CheckResult>& results) {
   }
 }
 
-/// What an answer that ignores the task happens to do right is worth nothing: every check of a task
-/// counts only if the task's main check passes.
+/// An answer that ignores the task earns nothing for what it happens to do right: a task's checks
+/// count only if its main check passes.
 void withhold(std::vector<CheckResult>& results) {
   std::set<std::string> undone;
   for (const CheckResult& result : results) {
@@ -121,7 +120,7 @@ void withhold(std::vector<CheckResult>& results) {
 
 std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
   static std::mutex mutex;
-  static std::map<std::string, std::vector<Check>> known;  // one run a lab, however many are judged
+  static std::map<std::string, std::vector<Check>> known;  // one run per lab and process
   const std::lock_guard lock(mutex);
   auto& checks = known[lab.name];
   if (!checks.empty()) return checks;
@@ -178,7 +177,7 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const BuildResult& bu
     withhold(verdict.checks);
     for (CheckResult& result : verdict.checks) {
       if (result.status != Status::failed || result.call.empty() || !options.submission.empty()) {
-        continue;  // ./lab run has no sandbox: for one's own code only
+        continue;  // ./lab run has no sandbox: it is for your own code only
       }
       result.by_hand = by_hand_command(layout, lab, result.call, options);
     }
@@ -196,7 +195,7 @@ std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, Case
                                       const std::string& tag) {
   const auto path =
       kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
-  // Without a program, and without a place for what they find, each of them ends at once.
+  // Without a program and an output file, each of them ends at once.
   const CheckProcess run =
       run_check_program(path, tag,
                         {.environment = {{protocol::program_variable, ""},

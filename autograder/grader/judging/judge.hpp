@@ -16,38 +16,38 @@ namespace mc::grader {
 
 struct JudgeOptions {
   std::uint64_t seed = 0;
-  std::set<std::string> checks = {};  ///< judge those of these names alone; empty: all
-  std::string only;                   ///< a task ("1.3"): judge its checks alone; empty: all
-  bool first = false;                 ///< stop after the first task that has not all its points
-  unsigned workers = 2;               ///< tasks at the same time
+  std::set<std::string> checks = {};  ///< judge only the checks with these names; empty: all
+  std::string only;                   ///< a task ("1.3"): judge only its checks; empty: all
+  bool first = false;                 ///< stop after the first task that lacks points
+  unsigned workers = 2;               ///< tasks judged at the same time
   /// The directory or zip, for the command that repeats a check; empty: the student's own.
   std::string submission;
   Budget* budget = nullptr;  ///< of the whole submission; null: none
-  /// Told after each check: how many are done, of how many. Called by one worker at a time.
+  /// Called after each check with the numbers of finished and of all checks; never concurrently.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
-/// What one task may use, all its checks together: only endless programs meet it. Correct answers
-/// take a thirtieth of it at most.
+/// The limit of one task with all its checks: only endless programs reach it. Correct answers take
+/// a thirtieth of it at most.
 constexpr double task_cpu_seconds = 60;
 
-/// The checks of a lab, from a run of them without a program. Throws MachineError where the lab's
+/// The checks of a lab, from running them without a program. Throws MachineError if the lab's
 /// checks are not built.
 std::vector<Check> expected_checks(const Layout& layout, const Lab& lab);
 
-/// A verdict depends on the program alone, not on the machine's speed or load nor on the number of
-/// workers: a task is judged by one worker, check after check, within a budget of CPU time. A check
-/// depends on its own measurements only.
+/// A verdict depends only on the program, not on the machine's speed or load nor on the number of
+/// workers: one worker judges a task, check after check, within a budget of CPU time. A check
+/// depends only on its own measurements.
 LabVerdict judge_lab(const Layout& layout, const Lab& lab, const BuildResult& built,
                      const JudgeOptions& options);
 
-/// A failed check that needs another lab ("3"), or a task of one ("1.4"), is waiting while that is
-/// short of full marks, as `is_finished` says; it is asked only where it matters.
+/// Marks a failed check as waiting if it needs another lab ("3") or task ("1.4") without full
+/// marks, according to `is_finished`, which is called only if it matters.
 void wait_for_labs(LabVerdict& verdict,
                    const std::function<bool(const std::string& need)>& is_finished);
 
-/// Which of a lab's programs has a hidden case: its checks (the speed tasks), or its measurements
-/// (for plots, benchmark and demo).
+/// The program of a lab that contains a hidden case: its checks (the speed tasks), or its
+/// measurements (for plots, benchmark and demo).
 enum class CaseKind { checks, measurements };
 
 /// The names of a lab's hidden cases with this tag.

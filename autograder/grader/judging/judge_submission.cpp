@@ -17,7 +17,7 @@
 namespace mc::grader {
 namespace {
 
-/// The program, as long as the submission's budget lasts.
+/// Builds the program within the submission's budget.
 BuildResult build_within(const Context& context, const Lab& lab, const Submission& submission,
                          const JudgeOptions& options) {
   if (options.budget != nullptr && options.budget->is_used_up()) {
@@ -25,7 +25,7 @@ BuildResult build_within(const Context& context, const Lab& lab, const Submissio
     none.failure = Budget::why() + ".";
     return none;
   }
-  // One worker: others have submissions of their own.
+  // One worker: the others have other submissions.
   BuildResult built =
       build_program(context.layout, lab, submission, options.workers == 1 ? 1 : cores());
   if (options.budget != nullptr) options.budget->use(built.cpu_seconds);
@@ -45,8 +45,8 @@ void compile_side_by_side(const Context& context, const Submission& submission,
                submission, options);
 }
 
-/// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judged now,
-/// unless it was already.
+/// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judges it if
+/// that is not known yet.
 class CompletionCache {
  public:
   CompletionCache(const Context& context, const Submission& submission, const JudgeOptions& options)
@@ -83,7 +83,7 @@ class CompletionCache {
   std::map<std::string, bool> known_;
 };
 
-/// The first check of which there is no verdict, and why.
+/// The first check without a verdict, and why.
 std::string fault_in(const LabVerdict& judged) {
   for (const CheckResult& result : judged.checks) {
     if (result.status != Status::not_judged && result.status != Status::internal_error) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// From a submission to a verdict: programs built, labs judged, speed measured.
+// Judges a submission: builds its programs, judges its labs, measures its speed.
 
 #include <vector>
 
@@ -19,7 +19,7 @@ struct SubmissionOptions {
 Verdict judge_submission(const Context& context, const Submission& submission,
                          const std::vector<Lab>& labs, const SubmissionOptions& options);
 
-/// Measures how fast the lab's speed tasks are, where there is something to run.
+/// Measures the lab's speed tasks if there is a program.
 void add_speed(const Context& context, const Submission& submission, LabVerdict& judged);
 
 }  // namespace mc::grader

@@ -1,6 +1,6 @@
 #pragma once
-// The commands that a report gives for each failure: one judges the check again, one runs the very
-// input that it failed on by hand.
+// The commands in the report of a failure: one judges the check again, one runs the failing input
+// by hand.
 
 #include <string>
 #include <vector>

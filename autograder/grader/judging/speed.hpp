@@ -13,20 +13,20 @@
 
 namespace mc::grader {
 
-/// Rows of the lab's [.speed] cases, of those of its `tasks`.
+/// Rows of the lab's [.speed] cases, restricted to `tasks`.
 std::vector<protocol::Row> speed_rows(const Layout& layout, const Lab& lab,
                                       const sandbox::Program& program,
                                       const std::set<std::string>& tasks);
 
-/// What the reference takes, in additions of a running sum (protocol/rows.hpp): a file of the lab,
-/// written by ./lab bench --calibrate, for checkouts without solutions.
+/// The reference's times, in additions of a running sum (protocol/rows.hpp): a file of the lab,
+/// which ./lab bench --calibrate writes for checkouts without solutions.
 std::filesystem::path ratios_file(const Layout& layout, const Lab& lab);
 
-/// Such a file's ratios, by the names of the speed tasks.
+/// The ratios in such a file, by the names of the speed tasks.
 std::map<std::string, double> kept_ratios(const std::filesystem::path& file);
 
-/// Measures the speed tasks of which all checks passed, on a program of the variant for speed, and
-/// the reference's right after them; or says what that takes by its ratio.
+/// Measures the speed tasks whose checks all passed, and right after them the reference's; without
+/// the reference, estimates its time from the stored ratio.
 std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,
                                  const sandbox::Program& program);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The checks of one task on one program, one after the other, each in a process of its own.
+// Runs the checks of one task on one program in turn, each in its own process.
 
 #include <vector>
 
@@ -7,8 +7,7 @@
 
 namespace mc::grader {
 
-/// Runs the checks of a task, in order, and fills in what became of each. `done` is called after
-/// each check.
+/// Runs the checks of a task, in order, and fills in their results. Calls `done` after each check.
 void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& program,
               const JudgeOptions& options, const std::vector<CheckResult*>& checks,
               const std::function<void()>& done);

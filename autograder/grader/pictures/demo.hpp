@@ -1,5 +1,5 @@
 #pragma once
-// The lecture's demo of convergence: points, an estimate, its error, as one page.
+// The lecture demo of convergence: points, an estimate and its error on one page.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace mc::grader {
 
 struct Demo {
-  std::string page;                  ///< self-contained; empty where there is nothing to show
+  std::string page;                  ///< self-contained; empty if there is nothing to show
   std::vector<std::string> remarks;  ///< what could not be measured, and why
 };
 

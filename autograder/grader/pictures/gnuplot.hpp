@@ -1,5 +1,5 @@
 #pragma once
-// gnuplot: is it there, how a script for it is written, run, and what it drew.
+// gnuplot: finds it, writes and runs scripts, and collects what they drew.
 
 #include <filesystem>
 #include <functional>
@@ -10,27 +10,27 @@
 
 namespace mc::grader {
 
-/// What was drawn.
+/// The result of drawing.
 struct Plots {
   std::vector<std::filesystem::path> pictures;  ///< SVG and PNG of each plot
   std::vector<std::string> remarks;             ///< what could not be drawn, and why
 };
 
-/// Is gnuplot there?
+/// Is gnuplot installed?
 bool gnuplot_is_there();
 
-/// The same, with a remark where it is not.
+/// The same, and adds a remark if it is not.
 bool can_draw(Plots& plots);
 
-/// A string, and a list of strings, as gnuplot reads them.
+/// A string, and a list of strings, quoted for gnuplot.
 std::string gnuplot_string(const std::string& text);
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts);
 
-/// What every script begins with: where its pictures go, of which kind they are, how they look.
+/// The beginning of every script: the output, its format, the style.
 std::string script_beginning(const Layout& layout, const std::filesystem::path& out,
                              const std::string& extension);
 
-/// Writes a script and runs it; what gnuplot complains of, or nothing.
+/// Writes a script and runs it; returns gnuplot's complaints.
 std::string run_gnuplot(const std::filesystem::path& script, const std::string& text);
 
 /// Draws with `script(extension)`, which is saved next to `name`, once for SVG and once for PNG.

@@ -1,5 +1,5 @@
 #pragma once
-// A lab's plots, drawn by gnuplot from measurements.
+// Draws a lab's plots with gnuplot from measurements.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace mc::grader {
 
-/// Measures each submission and draws them side by side, into build/plots/<folder>. Without
-/// gnuplot: no pictures, and a remark.
+/// Measures the submissions and draws them side by side, into build/plots/<folder>. Without gnuplot
+/// there are no pictures, only a remark.
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder);
 

@@ -18,7 +18,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// The first line of what a failed case says.
+/// The first line of a failed case's output.
 std::string reason_of(const CheckProcess& run) {
   for (const protocol::CheckEnd& end : run.ends()) {
     for (std::string_view line : text::split(end.message, '\n')) {
@@ -36,7 +36,7 @@ struct RenderJob {
   const std::string& reference;
   fs::path data;
 
-  /// Fills in the row; `seconds` is the time to keep to, 0 for none.
+  /// Fills in the row; `seconds` is the time limit, 0 for none.
   void measure(RenderResult& row, std::uint64_t spp, double seconds) const {
     fs::create_directories(data);
     const CheckProcess run = run_hidden_cases(
@@ -52,7 +52,7 @@ struct RenderJob {
   }
 };
 
-/// The title of a row's picture; "" where there is none.
+/// The title of a row's picture; "" if there is no picture.
 std::string title_of(const RenderResult& row, bool in_time) {
   if (!row.failure.empty() || (in_time && !row.timed)) return "";
   const protocol::RenderFigures& drawn = in_time ? row.time : row.samples;
@@ -69,7 +69,7 @@ struct Sheet {
 std::string script_of(const Layout& layout, const Lab& lab, const Sheet& sheet,
                       const std::vector<std::string>& kinds) {
   std::string titles;
-  for (const std::string& title : sheet.titles) {  // \n is a line's end between double quotes only
+  for (const std::string& title : sheet.titles) {  // \n ends a line only in double quotes
     std::string escaped = title;
     if (const auto at = escaped.find('\n'); at != std::string::npos) escaped.replace(at, 1, "\\n");
     titles += (titles.empty() ? "\"" : ", \"") + escaped + '"';
@@ -85,7 +85,7 @@ std::string script_of(const Layout& layout, const Lab& lab, const Sheet& sheet,
       gnuplot_string((layout.labs() / lab.folder / "render.gp").string()));
 }
 
-/// The largest value of a picture, for what is white in it.
+/// The largest value of a picture, which is drawn white.
 double largest_in(const fs::path& file) {
   std::ifstream values(file);
   double largest = 0;
@@ -196,7 +196,7 @@ Renders draw_renders(
   }
   for (Sheet& sheet : sheets) {
     if (!draws || sheet.labels.empty()) continue;
-    if (sheet.range == 0) sheet.range = 1;  // all is exact
+    if (sheet.range == 0) sheet.range = 1;  // no error anywhere
     step(done, steps, "drawing " + sheet.picture);
     const std::string failure = run_gnuplot(
         layout.build / "render" / "data" / fmt::format("{}-{}.gp", sheet.picture, sheet.name),

@@ -1,7 +1,6 @@
 #pragma once
-// Pictures by every kind of sampler and their errors, with equal samples and in equal time:
-// measured
-// by a hidden case of lab 6's checks, drawn by gnuplot.
+// Pictures by every kind of sampler and their errors, with equal samples and in equal time. A
+// hidden case of lab 6's checks measures them, gnuplot draws them.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,25 +17,25 @@ namespace mc::grader {
 
 inline constexpr std::uint64_t most_spp = 4096;
 
-/// The lab that has pictures: the one with a script that draws them. Throws MachineError.
+/// The lab with pictures: the one that has a script to draw them. Throws MachineError.
 const Lab& lab_with_pictures(const Layout& layout, const std::vector<Lab>& labs);
 
-/// Its pictures and kinds of samplers, as it says itself. Throws MachineError where it does not.
+/// Its pictures and kinds of samplers, as its program lists them. Throws MachineError if it fails.
 protocol::RenderList render_list(const Layout& layout, const Lab& lab);
 
 struct RenderOptions {
   std::vector<std::string> pictures, kinds;
-  std::string reference;  ///< the kind whose time the others may take
+  std::string reference;  ///< the kind whose time limits the others
   std::uint64_t spp = 16;
 };
 
 /// One picture by one kind of sampler of one submission.
 struct RenderResult {
   std::string submission, picture, kind;
-  std::string failure = {};              ///< why there is nothing, in one line
-  protocol::RenderFigures samples = {};  ///< with as many as were asked for
+  std::string failure = {};              ///< why there is no picture, in one line
+  protocol::RenderFigures samples = {};  ///< with the requested number of samples
   protocol::RenderFigures time = {};     ///< with as many as fit into the reference's time
-  bool timed = false;                    ///< is there such a time?
+  bool timed = false;                    ///< is `time` valid?
 };
 
 struct Renders {

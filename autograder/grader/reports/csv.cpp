@@ -11,7 +11,7 @@
 namespace mc::grader {
 namespace {
 
-/// Spreadsheets take what begins so for a formula; some read full-width signs (＝ ＋ － ＠), too.
+/// Spreadsheets read text with such a beginning as a formula; some also full-width signs (＝ ＋ － ＠).
 bool begins_formula(std::string_view text) {
   if (text.empty()) return false;
   if (std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) return true;

@@ -65,7 +65,7 @@ std::multimap<std::size_t, std::string> messages_in(const std::string& text,
   return messages;
 }
 
-/// The file with its line numbers, and what the compiler said under the lines it speaks of.
+/// The file with its line numbers, and the compiler's messages under the lines they are about.
 std::string code(const std::string& source, const std::string& file,
                  const std::string& diagnostics) {
   const auto messages = messages_in(diagnostics, file);
@@ -105,7 +105,7 @@ std::string check_row(const CheckResult& result, const LabVerdict& lab, std::uin
   if (!result.report.empty() && result.status == Status::failed) {
     std::string report = result.report + "\nread      labs/" + lab.lab.folder +
                          "/README.md, section " + result.check.task +
-                         // In the student's own checkout, wherever this was judged.
+                         // In the student's own checkout, not where this was judged.
                          fmt::format("\nagain     ./lab check {} --only {} --seed {}", lab.lab.name,
                                      result.check.task, seed);
     if (!result.by_hand.empty()) report += "\nby hand   " + result.by_hand;
@@ -142,7 +142,7 @@ std::string speed_table(const LabVerdict& lab) {
   return all + "</table></div>\n";
 }
 
-/// A file's bytes as part of a page.
+/// A file's bytes, encoded for embedding in a page.
 std::string base64(const std::string& bytes) {
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -237,7 +237,7 @@ std::string submission_page(const Verdict& verdict, const PageMaterial& material
   if (!verdict.unreadable.empty()) {
     body += "<p class=\"failed\">Unreadable: " + html_escaped(verdict.unreadable) + "</p>\n";
   } else if (!verdict.not_judged.empty()) {
-    // The reason may name a path of the grading machine: it is in the table.
+    // The reason may name a path of the grading machine: only the table has it.
     body += "<p class=\"failed\">Not judged: the grading machine failed. This is no grade.</p>\n";
   } else {
     body += fmt::format("<p><strong>{:g} of {:g} points</strong></p>\n", verdict.earned(),

@@ -1,6 +1,6 @@
 #pragma once
-// Verdicts as pages: self-contained files, nothing from elsewhere, readable in light and dark, on a
-// phone, by a screen reader.
+// Verdicts as pages: self-contained files, readable in light and dark mode, on a phone, and by a
+// screen reader.
 
 #include <filesystem>
 #include <map>
@@ -14,17 +14,17 @@ namespace mc::grader {
 /// What a submission's page shows in addition to its verdict, by the lab's name.
 struct PageMaterial {
   std::map<std::string, std::string> sources;                          ///< the text of its file
-  std::map<std::string, std::vector<std::filesystem::path>> pictures;  ///< SVG files, put inline
-  std::string corrections = {};  ///< by hand: "variance: 91 (comment)"
+  std::map<std::string, std::vector<std::filesystem::path>> pictures;  ///< SVG files, inlined
+  std::string corrections = {};  ///< made by hand: "variance: 91 (comment)"
 };
 
 /// The page of one submission.
 std::string submission_page(const Verdict& verdict, const PageMaterial& material);
 
-/// A whole page around its body: everything that it needs is in it.
+/// A complete, self-contained page around a body.
 std::string html_page(const std::string& title, const std::string& body);
 
-/// Text as HTML has it.
+/// Text escaped for HTML.
 std::string html_escaped(std::string_view text);
 
 }  // namespace mc::grader

@@ -40,7 +40,7 @@ ProgressLine::ProgressLine(std::string what)
       what_(std::move(what)) {
   try {
     ticker_ = std::thread([this] { tick(); });
-  } catch (const std::system_error&) {  // no more threads: then it is silent
+  } catch (const std::system_error&) {  // no more threads: show no progress
   }
 }
 

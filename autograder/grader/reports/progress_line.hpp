@@ -1,6 +1,6 @@
 #pragma once
-// How far a command is, on standard error: at a terminal one line that is written again and again and
-// is gone in the end; elsewhere a line every ten seconds.
+// The progress of a command, on standard error: at a terminal, one line that is rewritten and
+// finally removed; elsewhere, a line every ten seconds.
 
 #include <chrono>
 #include <condition_variable>
@@ -12,17 +12,17 @@ namespace mc::grader {
 
 class ProgressLine {
  public:
-  /// `what` is being done: "checking variance".
+  /// `what` is the current activity: "checking variance".
   explicit ProgressLine(std::string what);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
 
-  /// So much of the work is done. Parts may be anything that takes about as long each, or seconds
-  /// as they were expected.
+  /// Reports the finished part of the work. The unit is arbitrary: equal parts, or expected
+  /// seconds.
   void show(double done, double all);
-  /// The same, and what is being done now.
+  /// The same, and changes the current activity.
   void show(double done, double all, std::string what);
-  /// Takes the line away, so that something else can be printed; it comes back by itself.
+  /// Removes the line so that something else can be printed; it comes back by itself.
   void clear();
 
  private:

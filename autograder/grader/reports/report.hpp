@@ -13,42 +13,43 @@ namespace mc::grader {
 struct Terminal {
   bool color = false;
   std::size_t width = 100;
-  bool interactive = false;  ///< is there one? Then a line may be written again and again
+  bool interactive = false;  ///< can a line be rewritten?
 };
 
-/// The terminal on standard output: color only there, and not with NO_COLOR; 100 columns at most.
+/// The terminal on standard output; color only there, and not with NO_COLOR; at most 100 columns.
 Terminal this_terminal();
 
 /// One lab, check by check, with the report of each failure.
 std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal);
 
-/// The lines on a lab's speed tasks: "2.8 uniforms  0.6 ns, 1.1 times as fast as the reference".
+/// The lines of a lab's speed tasks: "2.8 uniforms  0.6 ns, 1.1 times as fast as the reference".
 std::string report_speed(const LabVerdict& lab);
 
-/// A line for each submission and lab; names take `columns` at least.
+/// A line for each submission and lab; names take at least `columns`.
 std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t columns = 10);
 
-/// How wide a name is in a terminal.
+/// The width of a name in a terminal.
 std::size_t columns_of(std::string_view text);
 
-/// Text broken at blanks to `width` columns; lines after the first begin with `indent` blanks.
+/// Text wrapped at blanks to `width` columns; lines after the first are indented by `indent`
+/// blanks.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
-/// Why there is no grade, where there is none; empty otherwise.
+/// Why there is no grade; empty if there is one.
 std::string not_judged_line(const Verdict& verdict);
 
-/// What must be said of every grade that was given without the whole jail; empty with it.
+/// The warning for every grade given without the complete jail; empty with it.
 std::string jail_warning(const Verdict& verdict);
 
 /// An instructor's options for results.json.
 struct GradescopeOptions {
-  bool leaderboard = false;            ///< of speed: Gradescope shows it to the whole class
+  bool leaderboard = false;            ///< of speed; Gradescope shows it to the whole class
   std::string visibility = "visible";  ///< of the checks: hidden, after_due_date, after_published
 };
 
-/// Gradescope's results.json: every check, its points, its report; complete whatever happened. It is
-/// read by a student in a checkout of one's own: commands name no directory.
-/// Null in `grader`, which does without the JSON library: `course` sets it (json.cpp).
+/// Gradescope's results.json: every check, its points, its report; complete in every case. Students
+/// read it outside of their checkout, so commands name no directory.
+/// Null in `grader`, which does not link the JSON library: `course` sets it (json.cpp).
 using JsonReporter = std::string (*)(const Verdict& verdict, const GradescopeOptions& wanted);
 inline JsonReporter report_json = nullptr;
 

@@ -79,7 +79,7 @@ std::string called(const std::string& need) {
   return (need.find('.') == std::string::npos ? "lab " : "task ") + need;
 }
 
-/// What must be right first, where it is not in this lab.
+/// The task or lab that must be right first, if it is in another lab.
 std::string roots_elsewhere(const LabVerdict& lab) {
   std::string all;
   for (const std::string& need : lab.unfinished) {
@@ -91,7 +91,7 @@ std::string roots_elsewhere(const LabVerdict& lab) {
   return all.empty() ? all : all + '\n';
 }
 
-/// All there is to say of a failure.
+/// The full report of a failure.
 std::string full_report(const LabVerdict& lab, const CheckResult& result,
                         const Terminal& terminal) {
   std::string all;
@@ -103,7 +103,7 @@ std::string full_report(const LabVerdict& lab, const CheckResult& result,
   return all;
 }
 
-/// Of a failure whose task has failed before: one line. The first hint is the one to follow.
+/// One line for a failure whose task has failed before. The first hint is the one to follow.
 std::string short_report(const CheckResult& result, const Terminal& terminal) {
   std::string_view line = std::string_view(result.report).substr(0, result.report.find('\n'));
   constexpr std::string_view label = "measured  ";
@@ -173,7 +173,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
   const bool is_grade = verdict.not_judged.empty();
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
     const CheckResult& result = lab.checks[i];
-    if (result.status == Status::not_judged) {  // a machine fails at many in the same way
+    if (result.status == Status::not_judged) {  // a failing machine affects many checks alike
       std::size_t last = i;
       while (last + 1 < lab.checks.size() && lab.checks[last + 1].status == result.status &&
              lab.checks[last + 1].report == result.report) {
@@ -202,7 +202,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       all += is_first || result.status != Status::failed ? full_report(lab, result, terminal)
                                                          : short_report(result, terminal);
     } else {
-      // Said once for a task, however many checks it has.
+      // Once per task, however many checks it has.
       double together = result.check.points;
       std::size_t last = i;
       while (last + 1 < lab.checks.size() && lab.checks[last + 1].check.task == result.check.task &&

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Raised when what a verdict consists of changes: older ones are then judged again.
+/// Increment when the content of a verdict changes: older ones are then judged again.
 constexpr int verdict_format = 2;
 
 constexpr std::array<std::pair<Status, const char*>, 8> status_names{{
@@ -143,7 +143,7 @@ LabVerdict lab_verdict_in(const Json& json) {
   return lab;
 }
 
-/// JSON is UTF-8, and a source file may be anything: each byte becomes the code point of its value.
+/// JSON is UTF-8, and a source file may have any bytes: each becomes the code point of its value.
 std::string bytes_as_utf8(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {

@@ -1,5 +1,5 @@
 #pragma once
-// A whole verdict as JSON, and back: what was judged is on disk and need not be judged again.
+// Writes a full verdict as JSON and reads it back, so that it need not be judged again.
 
 #include <string>
 
@@ -7,11 +7,11 @@
 
 namespace mc::grader {
 
-/// Without the arguments of calls, which can take megabytes: the commands that repeat them are in
-/// it.
+/// Without the arguments of calls, which can take megabytes; the commands that repeat them are
+/// included.
 std::string verdict_to_json(const Verdict& verdict);
 
-/// Throws std::exception for a text that is no verdict, or one cut short.
+/// Throws std::exception if the text is not a complete verdict.
 Verdict verdict_from_json(const std::string& text);
 
 }  // namespace mc::grader

@@ -16,10 +16,9 @@
 #include "sandbox/descriptor.hpp"
 #include "sandbox/printable.hpp"
 
-// libarchive: CMake brings it along on every system, it is tested against hostile archives, and it
-// gives names and types before a byte is unpacked. `unzip` and `cmake -E tar` write first: what
-// they do with a link in the way, or with a list that does not say what the archive does, would
-// have to be believed.
+// libarchive: CMake bundles it on every system, it is tested against hostile archives, and it
+// reports names and types before unpacking anything. `unzip` and `cmake -E tar` write first, so
+// links in the path and lists that differ from the content would be their responsibility.
 #ifdef MC_HAVE_ARCHIVE
 #include <archive.h>
 #include <archive_entry.h>
@@ -43,8 +42,8 @@ namespace {
 /// One byte more than a compilation accepts, so that the student learns that it is too long.
 constexpr std::size_t most_of_a_source = (std::size_t{1} << 20) + 1;
 
-/// libarchive turns names into the locale's; in "C" those with an umlaut are lost. Of this thread
-/// only.
+/// libarchive converts names to the locale's encoding; "C" loses names with an umlaut. Affects only
+/// this thread.
 class Utf8Names {
  public:
   Utf8Names() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
@@ -66,7 +65,7 @@ struct ArchiveDeleter {
   void operator()(archive* one) const { archive_read_free(one); }
 };
 
-/// Where an entry goes, below the directory; empty for what is left out.
+/// The target path of an entry, below the directory; empty if it is left out.
 fs::path place_of(archive_entry* entry) {
   const char* name = archive_entry_pathname_utf8(entry);
   if (name == nullptr) name = archive_entry_pathname(entry);
@@ -87,8 +86,8 @@ fs::path place_of(archive_entry* entry) {
   return ignored ? fs::path() : place;
 }
 
-/// Copies at most `most` bytes of the entry into a new file; the number of bytes it wrote. True in
-/// `longer` where there are more.
+/// Copies at most `most` bytes of the entry into a new file; returns the number of bytes written.
+/// Sets `longer` if there are more.
 std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& longer) {
   const sandbox::Descriptor file(
       open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600), "unpacking");
@@ -110,7 +109,7 @@ std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& long
   }
 }
 
-/// A name that the disk does not take is left out; a disk that takes nothing is the machine's
+/// Leaves out names that the disk does not accept; a disk that accepts nothing is the machine's
 /// fault.
 bool make_directory(const fs::path& directory) {
   std::error_code error;
@@ -155,7 +154,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
       throw UnreadableSubmission(fmt::format("the zip has more than {} entries", limits.entries));
     }
     const fs::path place = place_of(entry);
-    // Deeper than anybody looks; a name of a thousand parts would make a thousand directories.
+    // Too deep for any submission; a name of a thousand parts would create a thousand directories.
     if (std::distance(place.begin(), place.end()) > limits.depth) continue;
     const auto type = archive_entry_filetype(entry);
     // A link might lead to the solutions.
@@ -175,7 +174,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
       continue;
     }
     bytes += copy(reading.get(), to, most, longer);
-    if (longer && is_zip) fs::resize_file(to, 0);  // said when it is looked at
+    if (longer && is_zip) fs::resize_file(to, 0);  // reported when it is opened
     if (bytes > limits.bytes) {
       throw UnreadableSubmission(fmt::format("the zip holds more than {} MB", limits.bytes >> 20));
     }

@@ -12,7 +12,7 @@ struct UnreadableSubmission : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What may come out of one zip. Nobody writes that much by hand; a whole class does not.
+/// Limits for one zip: far above a handwritten submission, and above a whole class.
 struct ArchiveLimits {
   std::size_t entries = 20'000;
   std::size_t bytes = std::size_t{512} << 20;  ///< in all
@@ -20,8 +20,8 @@ struct ArchiveLimits {
   std::ptrdiff_t depth = 14;                   ///< parts of a name; deeper entries are left out
 };
 
-/// Unpacks directories, .cpp files and zips into `directory`, which must be ours and hold no links. Of
-/// other files only the name is kept, so that pictures and builds cost nothing; links, .git, build and
+/// Unpacks directories, .cpp files and zips into `directory`, which must be ours and hold no links.
+/// Other files are created empty, so that pictures and builds cost nothing; links, .git, build and
 /// what macOS adds are left out. Throws UnreadableSubmission for a file that is not a zip, escapes
 /// `directory`, is encrypted or exceeds the limits; std::system_error if the disk is full.
 void unpack(const std::filesystem::path& zip, const std::filesystem::path& directory,

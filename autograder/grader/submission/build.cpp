@@ -109,14 +109,14 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
                                 lab.file(), segments.memory >> 20, most_static_memory >> 20);
     return built;
   }
-  // The kernel would open it on the program's behalf, jail or no jail.
+  // The kernel would open it on the program's behalf, even in the jail.
   if (segments.loader) {
     built.failure = fmt::format("{} names a loader of its own (a section .interp).", lab.file());
     return built;
   }
   fs::permissions(aside, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                              fs::perms::others_read | fs::perms::others_exec);
-  sandbox::Program program = sandbox::open_program(aside.string());  // whatever is renamed over it
+  sandbox::Program program = sandbox::open_program(aside.string());  // immune to later renames
   program.path = keep_cached(slot, "program", key, aside).string();
   built.program = std::move(program);
   return built;

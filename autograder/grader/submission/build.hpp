@@ -1,5 +1,5 @@
 #pragma once
-// From a submission to a program.
+// Builds a submission's program.
 
 #include <optional>
 #include <string>
@@ -14,8 +14,8 @@ namespace mc::grader {
 
 struct BuildResult {
   std::optional<sandbox::Program> program;
-  std::string failure;     ///< where there is no program: why, for the student, in a few lines
-  double cpu_seconds = 0;  ///< of compilers and linker
+  std::string failure;     ///< if there is no program: why, for the student, in a few lines
+  double cpu_seconds = 0;  ///< of the compilers and the linker
 };
 
 /// Compiles what is new (one translation unit per file) and links. Other builds, of this process or

@@ -11,19 +11,19 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// The file that says what was made of a key: its name in the slot, a line end, the key.
+/// The file that records a cached build: its name in the slot, a newline, the key.
 fs::path entry_of(const fs::path& slot, std::string_view kind, const std::string& key) {
   return slot / fmt::format("{:016x}.{}-key", hash_text(key), kind);
 }
 
-/// Marks a file as used now. False where it is gone.
+/// Marks a file as used now. False if it no longer exists.
 bool touch(const fs::path& file) {
   std::error_code missing;
   fs::last_write_time(file, fs::file_time_type::clock::now(), missing);
   return !missing;
 }
 
-/// Not the newest: another run may be about to use it.
+/// Not the newest, because another run may be about to use it.
 void sweep(const fs::path& slot) {
   const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
   std::error_code ignored;
@@ -51,7 +51,7 @@ fs::path keep_cached(const fs::path& slot, std::string_view kind, const std::str
                      const fs::path& made) {
   fs::create_directories(slot);
   sweep(slot);
-  // The scratch directory that it was made in has a name of its own.
+  // The scratch directory that it was made in has a unique name.
   const std::string name = fmt::format("{}.{}", made.parent_path().filename().string(), kind);
   fs::rename(made, slot / name);
   write_text(entry_of(slot, kind, key), name + '\n' + key);

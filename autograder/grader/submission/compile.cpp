@@ -30,11 +30,11 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// Raised when the rules of what a submission may read change: objects made by older rules are then
-/// not taken from the cache.
+/// Increment when the rules for what a submission may read change: objects made by older rules are
+/// then not taken from the cache.
 constexpr int rules = 3;
 
-/// Everything a compilation reads besides the file itself, as one number.
+/// Everything else that a compilation reads, as one hash.
 std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
   std::set<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(layout.labs())) {
@@ -72,7 +72,7 @@ fs::path standard_headers(const Layout& layout, const std::vector<std::string>& 
   return header;
 }
 
-/// A file of the checkout as seen from there: where the checkout lies is nothing to a student.
+/// A file's path relative to the checkout: students need not see where the checkout is.
 std::string shown(const Unit& unit, const fs::path& file) {
   std::string name = file.string();
   const std::string root = unit.layout.root.string() + '/';
@@ -121,13 +121,12 @@ std::vector<std::string> command_for(const Unit& unit, const std::vector<std::st
   return command;
 }
 
-/// What a compiler or linker may use for one file of a submission.
+/// The limits of a compiler or linker for one file of a submission.
 sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
   sandbox::ProcessOptions options;
   options.directory = directory;
-  options.environment = {
-      {"LC_ALL", "C"},                  // the messages that are recognized below
-      {"TMPDIR", directory.string()}};  // the assembler's input lies in there too
+  options.environment = {{"LC_ALL", "C"},                  // the messages parsed below
+                         {"TMPDIR", directory.string()}};  // the assembler's input is there too
   options.cpu_seconds = 20;
   options.wall_seconds = 120;
   options.memory = std::size_t{1536} << 20;
@@ -135,11 +134,11 @@ sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
   return options;
 }
 
-/// Compilers have a user of their own when the judge is root.
+/// Compilers run as a separate user when the judge is root.
 constexpr uid_t compiler_user = 65533;
 
-/// Can that user read the labs and work in the directory? Not where the checkout lies in a directory
-/// that others may not enter.
+/// Can that user read the labs and work in the directory? Not if the checkout is in a directory
+/// that is closed to other users.
 bool can_read_labs(const Layout& layout, const fs::path& directory) {
   static std::mutex mutex;
   static std::map<fs::path, bool> known;
@@ -174,7 +173,7 @@ void remove_all_of(std::string& text, const std::string& words) {
   }
 }
 
-/// Does the compiler say where in the file it is wrong?
+/// Does the compiler report a position in the file?
 bool blames(const std::string& errors, const std::string& name) {
   return errors.starts_with(name + ':') || errors.find('\n' + name + ':') != std::string::npos;
 }
@@ -186,7 +185,7 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
   auto [opened, messages] = parse_compiler_output(compiled.errors);
   for (const fs::path& place : {directory, unit.layout.build, unit.layout.root}) {
     remove_all_of(messages,
-                  place.string() + '/');  // where the checkout lies is no student's concern
+                  place.string() + '/');  // students need not see where the checkout is
   }
   // Messages must not show files that are off limits. The text itself may add lines to the list:
   // they hide its own messages and do no other harm.
@@ -196,11 +195,11 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
         "header of a lab or of the standard library.",
         name, shown(unit, *file));
   }
-  // The assembler quotes what an .include brings in, and leaves no list of it.
+  // The assembler quotes what an .include brings in, and does not list it.
   if (compiled.errors.find("Assembler messages:") != std::string::npos) {
     return fmt::format("The assembler does not understand an asm in {}.", name);
   }
-  if (may_embed(text)) {  // -H does not know of those
+  if (may_embed(text)) {  // -H does not list embedded files
     return fmt::format("{} does not compile. Remove the word embed from it to see why.", name);
   }
   return fmt::format("{} does not compile:\n{}", name, first_errors(messages, name, text));
@@ -217,7 +216,7 @@ std::vector<std::string> compile_flags() {
   std::vector<std::string> flags{"-std=c++20", "-O3", "-ffp-contract=off", "-D_GLIBCXX_ASSERTIONS"};
 #if defined(__x86_64__)
   if (std::getenv("MC_BASELINE") != nullptr) return flags;  // for tests: as on any x86-64
-  // Never native: digits must not change with the host. A machine has these features or it has not.
+  // Never native: results must not change with the host. A machine has all these features or none.
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
       __builtin_cpu_supports("bmi2")) {
     flags.push_back("-march=x86-64-v3");
@@ -242,7 +241,7 @@ void precompile_headers(const Layout& layout) {
 
 namespace {
 
-/// Throws MachineError where the compiler fails on a text that is known to be right.
+/// Throws MachineError if the compiler fails on a text that is known to be right.
 void compile_known_program(const Layout& layout, const fs::path& directory,
                            const std::vector<std::string>& more) {
   write_text(directory / "sound.cpp", "int main() { return 0; }\n");
@@ -274,20 +273,20 @@ void probe_machine(const Layout& layout) {
   compile_known_program(layout, scratch.path(), {});
   const fs::path program = scratch.path() / "sound.out";
   fs::permissions(program, fs::perms(0755));
-  // However it ends: what matters is that the sandbox can start it.
+  // Its exit status is irrelevant: what matters is that the sandbox can start it.
   sandbox::run_jailed(sandbox::open_program(program.string()), "");
 }
 
 namespace {
 
-/// What stopped a compiler or linker before its own end, by its signal and by what it used; empty
-/// where nothing did. Its words do not count: they can come from the text.
+/// Why a compiler or linker was stopped, from its signal and its resource use; empty if it was not.
+/// Its output is not used: it can come from the text.
 std::string stopped(const Layout& layout, const sandbox::ProcessResult& run,
                     const sandbox::ProcessOptions& limits) {
   if (run.succeeded()) return {};
   if (run.out_of_time) {
-    // It slept if it used nearly nothing while the same compiler, on a known text, gets its work
-    // done in a tenth of the time.
+    // It was blocked if it used nearly no CPU time while the same compiler, on a known text,
+    // finishes in a tenth of the time.
     const auto start = std::chrono::steady_clock::now();
     require_sound_machine(layout);
     const std::chrono::duration<double> probe = std::chrono::steady_clock::now() - start;
@@ -303,13 +302,13 @@ std::string stopped(const Layout& layout, const sandbox::ProcessResult& run,
   if (run.signal == SIGXFSZ || run.written >= limits.file_size) {
     return fmt::format("wanted to write more than {} MB", limits.file_size >> 20);
   }
-  // Address space is more than what is resident of it.
+  // Address space exceeds resident memory.
   if (run.peak_memory >= limits.memory / 2) {
     return fmt::format("wanted more than {} MB of memory", limits.memory >> 20);
   }
   if (run.signal != 0) return fmt::format("crashed (signal {})", run.signal);
   constexpr int gcc_lost_a_program =
-      4;  // its driver, when the compiler or assembler died of a signal
+      4;  // the driver's exit code if the compiler or assembler died of a signal
   if (run.exit_code == gcc_lost_a_program) return "crashed";
   return {};
 }
@@ -325,7 +324,7 @@ CompilerRun run_compiler(const Layout& layout, const std::vector<std::string>& c
   if (run.result.succeeded() || !run.stopped.empty()) return run;
   require_sound_machine(layout);
   if (is_text_at_fault(run.result.errors)) return run;
-  // Perhaps there was no process left for a moment.
+  // The machine may have been out of processes for a moment.
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   run.result = run_confined(layout, command, directory);
   run.stopped = stopped(layout, run.result, limits);
@@ -366,7 +365,7 @@ Object compile(const Unit& unit) {
   if (!compiled.succeeded()) {
     return {{}, failure_of(unit, text, directory, compiled), compiled.cpu_seconds};
   }
-  for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter knows of .incbin
+  for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter lists .incbin
     if (const auto file = forbidden(unit.layout, unit.trusted, directory,
                                     dependencies(read_whole_text(directory / list)))) {
       return refused(unit, *file);

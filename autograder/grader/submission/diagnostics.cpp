@@ -54,7 +54,7 @@ std::string_view severity(std::string_view line) {
   return {};
 }
 
-/// Adds the source line that "file:12:5: error: …" speaks of, with a caret under the place.
+/// Adds the source line of "file:12:5: error: …", with a caret under the column.
 void quote(const std::string& line, const std::vector<std::string>& source,
            std::vector<std::string>& to) {
   const auto parts = text::split(line, ':');
@@ -89,7 +89,7 @@ std::optional<std::string> quoted_after(std::string_view line, std::string_view 
 std::string first_errors(const std::string& diagnostics, const std::string& file,
                          const std::string& text) {
   const std::vector<std::string> source = lines_of(text);
-  // Warnings come first in time but not in importance: drop each with the lines that follow it.
+  // Warnings come first but matter less: drop each with its continuation lines.
   std::vector<std::string> kept;
   bool keep = true;
   for (const std::string& line : lines_of(diagnostics)) {

@@ -1,5 +1,5 @@
 #pragma once
-// The compiler's and the linker's words, made fit for a student.
+// Compiler and linker messages, edited for students.
 
 #include <map>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace mc::grader {
 
-/// The first errors of a compilation and the lines that belong to them. The compiler is not asked
-/// to quote source lines (see build.cpp); those of `file`, whose text is given, are put back in.
+/// The first errors of a compilation with their lines. The compiler is run without quoting source
+/// lines (see build.cpp); this inserts those of `file`, whose text is given.
 std::string first_errors(const std::string& diagnostics, const std::string& file,
                          const std::string& text);
 

@@ -18,12 +18,12 @@ constexpr std::string_view moodles = "_assignsubmission_";
 bool is_count(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
-/// A platform's number; "lab_1_2_alice.zip" is no such name.
+/// A platform's number; "lab_1_2_alice.zip" does not have one.
 bool is_key(std::string_view text) {
   return is_count(text) && text.size() > 2;
 }
 
-/// "variance-1.cpp" is what Canvas makes of a second "variance.cpp".
+/// Canvas renames a second "variance.cpp" to "variance-1.cpp".
 void take_count_off(PlatformName& one) {
   const fs::path name = one.file;
   const std::string stem = name.stem().string();

@@ -18,7 +18,7 @@ bool is_below(const fs::path& path, const fs::path& directory) {
          directory.end();
 }
 
-/// Where the compiler looks for the system's headers.
+/// The compiler's search path for system headers.
 std::vector<fs::path> system_directories(const Layout& layout) {
   static std::mutex mutex;
   static std::map<std::string, std::vector<fs::path>> known;

@@ -24,12 +24,11 @@ namespace {
 
 using Files = std::map<std::string, fs::path>;  // lab name -> file
 
-/// Nobody lays out work deeper than that, or in so many directories.
+/// Limits of nesting and of the number of directories, beyond any real submission.
 constexpr int deepest = 12;
 constexpr std::size_t most_entries = 20'000;
 
-/// The lab files that lie in `directory` itself. A link is no file of one's own: it might lead to
-/// the solution.
+/// The lab files in `directory` itself. Links are ignored: they might lead to the solution.
 Files files_in(const std::vector<Lab>& labs, const fs::path& directory) {
   Files files;
   if (fs::is_symlink(fs::symlink_status(directory))) return files;
@@ -41,7 +40,7 @@ Files files_in(const std::vector<Lab>& labs, const fs::path& directory) {
   return files;
 }
 
-/// What lies in a directory, by name: directories, zips and other files; no links.
+/// The content of a directory, by name: directories, zips and other files; no links.
 struct Listing {
   std::vector<fs::path> directories, zips, files, links;
 };
@@ -60,7 +59,7 @@ Listing listing_of(const fs::path& directory) {
     const fs::file_status status = entry.symlink_status();
     auto& kind = fs::is_symlink(status)         ? listing.links
                  : fs::is_directory(status)     ? listing.directories
-                 : !fs::is_regular_file(status) ? listing.links  // a device: no more than that
+                 : !fs::is_regular_file(status) ? listing.links  // a device: treated as a link
                  : entry.path().extension() == ".zip" ? listing.zips
                                                       : listing.files;
     kind.push_back(entry.path());
@@ -68,7 +67,8 @@ Listing listing_of(const fs::path& directory) {
   return listing;
 }
 
-/// Adds the files of every directory at or below `directory` that has some; not what is below one.
+/// Adds the files of every directory at or below `directory` that has lab files, but does not look
+/// below those.
 void search(const std::vector<Lab>& labs, const fs::path& directory, int depth, std::size_t& left,
             std::vector<Files>& places) {
   for (const fs::path& here : {directory, directory / "starter"}) {
@@ -85,13 +85,13 @@ void search(const std::vector<Lab>& labs, const fs::path& directory, int depth, 
   }
 }
 
-/// Where `file` lies, as seen from `root`; empty for the root itself.
+/// The path of `file` relative to `root`; empty for the root itself.
 std::string seen_from(const fs::path& root, const fs::path& file) {
   const fs::path place = file.parent_path().lexically_relative(fs::canonical(root));
   return place == "." ? "" : sandbox::printable_line(place.string());
 }
 
-/// The one way to have each file once, in all these places together.
+/// The only combination of these places that has each file once.
 Files together(const fs::path& root, const std::vector<Files>& places) {
   Files all;
   for (const Files& files : places) {
@@ -113,7 +113,7 @@ bool looks_like_one_persons(const fs::path& directory) {
   return false;
 }
 
-/// The directory, this one or the only one below it, whose children are people's.
+/// The directory whose children belong to several people: this one or the only one below it.
 std::optional<fs::path> parent_in(const std::vector<Lab>& labs, fs::path directory) {
   for (int depth = 0; depth < deepest; ++depth) {
     if (!files_in(labs, directory).empty() || !files_in(labs, directory / "starter").empty() ||
@@ -182,7 +182,7 @@ class IntakeBuilder {
     return id_from_name(name.extension() == ".zip" ? name.stem().string() : name.string());
   }
 
-  /// Adds what `work` makes of `named`, or why it cannot be read.
+  /// Adds the result of `work` on `named`, or why it cannot be read.
   template <class Work>
   void guarded(std::string id, const fs::path& named, const Work& work) {
     IntakeEntry entry;
@@ -201,7 +201,7 @@ class IntakeBuilder {
     if (!entry.submission.label.empty()) intake_.entries.push_back(std::move(entry));
   }
 
-  /// Does a platform's export, of several people, lie there? False for what cannot be read.
+  /// Is there a platform's export of several people? False if it cannot be read.
   bool is_export(const std::string& word) {
     try {
       const fs::path place = word;
@@ -219,7 +219,7 @@ class IntakeBuilder {
         if (listing.directories.size() != 1) return false;
         root = listing.directories[0];
       }
-    } catch (const std::exception&) {  // said when it is taken in
+    } catch (const std::exception&) {  // reported when it is taken in
     }
     return false;
   }
@@ -239,7 +239,7 @@ class IntakeBuilder {
     return intake_.unpacked.back()->path();
   }
 
-  /// One person's work below `root`. What holds nothing but a zip is that zip.
+  /// One person's work below `root`. A folder with nothing but a zip means that zip.
   void open(fs::path root, IntakeEntry& entry) {
     std::vector<Files> places = places_in(root);
     if (places.empty()) {
@@ -281,7 +281,7 @@ class IntakeBuilder {
     std::map<std::string, fs::path> chosen;
     for (const fs::path& directory : all) {
       const std::string id = id_of(directory), name = directory.filename().string();
-      // Other names that give the same id are other people.
+      // Other names with the same id are other people.
       const bool is_moodles = name.find("_assignsubmission_") != std::string::npos;
       const std::string key = is_moodles ? id : name;
       const auto found = chosen.find(key);
@@ -324,7 +324,7 @@ class IntakeBuilder {
                      [](auto& a, auto& b) { return a.submission.label < b.submission.label; });
   }
 
-  /// One person's files among everybody's.
+  /// One person's files among those of all.
   void gather(const std::vector<PlatformName>& files, IntakeEntry& entry) {
     std::map<std::string, PlatformName> latest;  // by lab
     for (const PlatformName& one : files) {
@@ -345,7 +345,7 @@ class IntakeBuilder {
     if (zips.size() == 1) open(unpacked(zips[0]), entry);
   }
 
-  /// An id is also the name of a file, on disks that take A for a.
+  /// An id is also a file name, possibly on a disk that ignores case.
   void make_unique() {
     std::set<std::string> taken;
     for (IntakeEntry& one : intake_.entries) {
@@ -364,7 +364,7 @@ class IntakeBuilder {
   const Context& context_;
   Meaning meaning_;
   Intake intake_;
-  std::map<fs::path, fs::path> roots_;  ///< of zips that words name, once they are unpacked
+  std::map<fs::path, fs::path> roots_;  ///< of the zips on the command line, once unpacked
 };
 
 }  // namespace

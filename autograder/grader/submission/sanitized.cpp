@@ -45,8 +45,8 @@ fs::path sibling(const fs::path& file, const char* extension) {
   return other.replace_extension(extension);
 }
 
-/// Of the command and of everything that the compiler read the last time, the system's headers left
-/// out: as long as this stays, so does the object.
+/// A hash of the command and of everything that the compiler read last time, without the system's
+/// headers: the object stays valid as long as it does not change.
 std::string fingerprint(const std::string& command, const fs::path& object) {
   std::uint64_t hash = hash_text(command);
   for (const fs::path& file : dependencies(read_text(sibling(object, ".d")))) {
@@ -63,11 +63,12 @@ std::vector<std::string> command_for(const Layout& layout) {
   for (const auto& entry : fs::directory_iterator(layout.labs())) {
     if (entry.is_directory()) command.push_back("-I" + entry.path().string());
   }
-  std::sort(command.begin() + 1, command.end());  // the same in every run: a key
+  std::sort(command.begin() + 1, command.end());  // a stable key
   return command;
 }
 
-/// Compiles one file, aside and renamed into place. Empty, or what the compiler says.
+/// Compiles one file to a temporary name and renames it. Returns the compiler's messages on
+/// failure.
 std::string compile_sanitized(const Layout& layout, const Source& source,
                               std::atomic<bool>& something_new) {
   std::vector<std::string> command = command_for(layout);
@@ -123,7 +124,7 @@ SanitizedProgram build_sanitized(const Layout& layout, const Lab& lab,
   for (const Source& source : sources) command.push_back(source.object.string());
   const auto linked = sandbox::run_process(command);
   if (!linked.succeeded()) {
-    fs::remove(program);  // the objects are newer than what lies there
+    fs::remove(program);  // the objects are newer
     return {{},
             linked.errors +
                 "(If the linker misses the sanitizers themselves: Fedora has them in the "

@@ -1,5 +1,5 @@
 #pragma once
-// A lab's program for finding one's own mistakes: run by hand, never judged.
+// A lab's program for debugging: run by hand, never judged.
 
 #include <filesystem>
 #include <string>
@@ -12,12 +12,12 @@ namespace mc::grader {
 
 struct SanitizedProgram {
   std::filesystem::path path;
-  std::string failure;  ///< the compiler's or the linker's words, where there is none
+  std::string failure;  ///< the compiler's or the linker's messages if there is no program
 };
 
 /// Compiles the submission's files, the lab's experiments and the runner with debug information and
-/// the address and undefined-behavior sanitizers, and links them into build/sanitize/<lab>/. What
-/// has not changed since the last time, in itself and in what it includes, is taken from there.
+/// the address and undefined-behavior sanitizers, and links them into build/sanitize/<lab>/. Reuses
+/// objects whose sources and headers have not changed.
 SanitizedProgram build_sanitized(const Layout& layout, const Lab& lab,
                                  const Submission& submission);
 

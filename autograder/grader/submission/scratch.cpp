@@ -45,7 +45,7 @@ void sweep_programs(const Layout& layout, std::size_t most_bytes,
   };
   std::vector<Slot> slots;
   std::size_t bytes = 0;
-  std::error_code ignored;  // others sweep, too
+  std::error_code ignored;  // other processes sweep, too
   for (const auto& entry : fs::directory_iterator(layout.build / "programs", ignored)) {
     Slot slot;
     slot.path = entry.path();
@@ -56,13 +56,13 @@ void sweep_programs(const Layout& layout, std::size_t most_bytes,
       slot.bytes += size;
       slot.used = std::max(slot.used, file.last_write_time(ignored));
     }
-    // One that is still empty was made just now.
+    // An empty one was created just now.
     if (slot.bytes == 0) slot.used = entry.last_write_time(ignored);
     bytes += slot.bytes;
     slots.push_back(std::move(slot));
   }
   std::sort(slots.begin(), slots.end(), [](auto& a, auto& b) { return a.used < b.used; });
-  // A build takes a few minutes at the very most: each of its compilers may use one.
+  // A build takes a few minutes at most: each of its compilers may use one.
   const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(15);
   for (const Slot& slot : slots) {
     if (bytes <= most_bytes) return;

@@ -1,5 +1,5 @@
 #pragma once
-// Directories that go away with their owner.
+// Temporary directories, removed with their owner.
 
 #include <filesystem>
 #include <set>
@@ -8,7 +8,7 @@
 
 namespace mc::grader {
 
-/// A fresh directory below build/tmp. Throws MachineError where none can be made.
+/// A fresh directory below build/tmp. Throws MachineError if it cannot be created.
 class ScratchDirectory {
  public:
   explicit ScratchDirectory(const Layout& layout);
@@ -20,12 +20,12 @@ class ScratchDirectory {
   std::filesystem::path path_;
 };
 
-/// Removes the programs that were not used for longest until `most_bytes` are left, but none that a
-/// build may be about to link, except of files in `done_with`.
+/// Removes the least recently used programs until at most `most_bytes` are left, but none that a
+/// build may be about to link, except those of files in `done_with`.
 void sweep_programs(const Layout& layout, std::size_t most_bytes,
                     const std::set<std::filesystem::path>& done_with);
 
-/// Removes what processes left in build/tmp that are no more.
+/// Removes what dead processes left in build/tmp.
 void sweep_scratch(const Layout& layout);
 
 }  // namespace mc::grader

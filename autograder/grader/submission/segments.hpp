@@ -1,18 +1,18 @@
 #pragma once
-// What a program's file says of it.
+// Reads a program's ELF headers.
 
 #include <cstddef>
 #include <filesystem>
 
 namespace mc::grader {
 
-/// What a static ELF program asks of the machine before its first line.
+/// What a static ELF program requires of the machine before it starts.
 struct Segments {
-  std::size_t memory = 0;  ///< globals and code, those of a thread included
-  bool loader = false;     ///< another program, to be started in its place
+  std::size_t memory = 0;  ///< globals and code, including those per thread
+  bool loader = false;     ///< it needs another program (an interpreter) to start it
 };
 
-/// Of a 64-bit ELF file; nothing of any other.
+/// For a 64-bit ELF file; nothing for any other.
 Segments segments_of(const std::filesystem::path& program);
 
 }  // namespace mc::grader

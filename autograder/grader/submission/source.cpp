@@ -38,12 +38,12 @@ SourceFile read_source(const fs::path& file) {
   const std::string name = sandbox::printable_line(file.filename().string());
   const auto unreadable = [&](int error) -> SourceFile {
     const std::error_code code(error, std::generic_category());
-    if (is_machine_fault(code) || error == ENOENT) {  // it was there when it was found
+    if (is_machine_fault(code) || error == ENOENT) {  // it existed when it was found
       throw std::system_error(code, "cannot read " + file.string());
     }
     return {{}, fmt::format("{} cannot be read: {}.", name, code.message())};
   };
-  // Nothing of another kind may take its place between this and the first look at it.
+  // The file must not be replaced by one of another kind before the check below.
   const int raw = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (raw < 0) return unreadable(errno);
   const sandbox::Descriptor descriptor(raw, name);
@@ -56,7 +56,7 @@ SourceFile read_source(const fs::path& file) {
   };
   if (size > longest_source) return too_long(size);
   SourceFile source;
-  source.text.resize(longest_source + 1);  // it may grow meanwhile
+  source.text.resize(longest_source + 1);  // the file may grow meanwhile
   std::size_t length = 0;
   while (length < source.text.size()) {
     const ssize_t got =

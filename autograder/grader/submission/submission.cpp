@@ -28,7 +28,7 @@ Submission open_submission(const std::vector<Lab>& labs, const fs::path& directo
   }
   for (const Lab& lab : labs) {
     const fs::path file = directory / lab.file();
-    // A link is no file of one's own: it might lead to the solution.
+    // Links are ignored: they might lead to the solution.
     if (fs::is_regular_file(fs::symlink_status(file))) {
       submission.files[lab.name] = fs::canonical(file);
     }
@@ -57,7 +57,7 @@ std::optional<Submission> peer_submission(const Layout& layout, const std::vecto
   const fs::path file = layout.submissions() / "peers" / library / lab.file();
   if (!layout.peers.contains(library) || !fs::exists(file)) return {};
   Submission peer = single_file_submission(layout, labs, lab, file, true);
-  for (const std::string& other : lab.depends_on) {  // its own, where it has one
+  for (const std::string& other : lab.depends_on) {  // its own file, if it has one
     const fs::path own = file.parent_path() / (other + ".cpp");
     if (fs::exists(own)) peer.files[other] = own;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// A submission: files that stand where a student's files stand, one a lab.
+// A submission: files in place of a student's, one per lab.
 
 #include <filesystem>
 #include <map>
@@ -13,19 +13,19 @@
 namespace mc::grader {
 
 struct Submission {
-  std::string label;  ///< how it is called in reports
+  std::string label;  ///< its name in reports
   /// The directory, zip or file, as named on the command line; empty if it is inside a zip of many.
   std::filesystem::path path;
   std::map<std::string, std::filesystem::path> files;  ///< lab name -> file
-  /// May include the repository's own sources, as mistakes and alternatives do. Given by who opens
-  /// it, never found out from a path.
+  /// May include the repository's own sources, as mistakes and alternatives do. The caller decides;
+  /// it is never derived from a path.
   bool trusted = false;
-  std::vector<std::string> libraries = {};  ///< flags to link what it is made of, if it is a peer
-  std::string found_in = {};  ///< where below `path` the files are; empty where they are at its top
+  std::vector<std::string> libraries = {};  ///< flags to link the library of a peer
+  std::string found_in = {};  ///< where below `path` the files are; empty if at the top
 };
 
-/// A directory with some of the labs' .cpp files. Throws UsageError where there is none, where it
-/// is a link (it might lead to the solutions), or is no directory.
+/// A directory with some of the labs' .cpp files. Throws UsageError if it does not exist, is a link
+/// (it might lead to the solutions), or is not a directory.
 Submission open_submission(const std::vector<Lab>& labs, const std::filesystem::path& directory);
 
 /// Is this the directory of the reference solutions?
@@ -40,7 +40,7 @@ Submission single_file_submission(const Layout& layout, const std::vector<Lab>& 
 std::optional<Submission> peer_submission(const Layout& layout, const std::vector<Lab>& labs,
                                           const Lab& lab, const std::string& library);
 
-/// The libraries that there are files of.
+/// The libraries that have adapters.
 std::vector<std::string> peer_libraries(const Layout& layout);
 
 }  // namespace mc::grader

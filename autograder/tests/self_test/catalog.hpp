@@ -1,6 +1,6 @@
 #pragma once
-// Catalogs: files of mistakes that are compiled once. Each mistake is a namespace with the functions
-// that differ from the solution's; the linker puts them in place.
+// Catalogs: files of mistakes that are compiled once. Each mistake is a namespace with the
+// functions that differ from the solution's; the linker puts them in place.
 
 #include <filesystem>
 #include <string>

@@ -19,8 +19,8 @@ namespace {
 
 int complaint_count = 0;
 
-/// The checks that call a function which the mistake replaces: those that fail a program that aborts
-/// there. Found once for each catalog and set of functions.
+/// The checks that call a function which the mistake replaces: those that fail a program that
+/// aborts there. Found once for each catalog and set of functions.
 std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definition>& definitions) {
   proof.submission.libraries = linker_flags(definitions, "abort");
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
