@@ -1,5 +1,5 @@
 # The judge: the sandbox, the protocol, the checks of each lab, the grader, the bench. Includes
-# point downwards only: bench -> grader -> protocol, sandbox <- checks.
+# point downward only: bench -> grader -> protocol, sandbox <- checks.
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/sandbox/*.cpp)
 add_library(sandbox STATIC ${sources})
@@ -26,11 +26,11 @@ target_link_libraries(checking PUBLIC sandbox protocol Catch2::Catch2WithMain)
 target_compile_definitions(checking PRIVATE CATCH_CONFIG_EXTERNAL_INTERFACES)
 file(GLOB sources CONFIGURE_DEPENDS autograder/measurements/support/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/speed_data[.]cpp$")
-add_library(measuring STATIC ${sources})  # integrands are timed: the flags of submissions
+add_library(measuring STATIC ${sources})  # integrands are timed, so use the flags of submissions
 own_target(measuring)
 target_compile_options(measuring PRIVATE ${PROGRAM_FLAGS})
 target_link_libraries(measuring PUBLIC checking)
-add_custom_target(judge_all)  # what grade needs
+add_custom_target(judge_all)  # targets that ./lab grade needs
 foreach(lab ${LABS})
   set(programs checks_${lab})
   file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}/*.cpp
@@ -49,12 +49,12 @@ foreach(lab ${LABS})
     target_compile_options(${target} PRIVATE ${HOT})
     target_include_directories(${target} PRIVATE ${LAB_INCLUDES})
     add_dependencies(judge_all ${target})
-    add_dependencies(${target} experiments_${lab} runner)  # what it asks for, it asks of a program
+    add_dependencies(${target} experiments_${lab} runner)  # it sends its requests to a program
   endforeach()
 endforeach()
 
-# Two programs: `grader` has what a student waits for, `course` has all commands. They are libraries of
-# objects, since a command registers itself: nothing refers to it by name.
+# Two programs: `grader` has the commands that students need at once, `course` has all. They link object
+# libraries, because commands register themselves: nothing refers to them by name.
 file(GLOB all CONFIGURE_DEPENDS autograder/grader/*/*.cpp)
 set(sources ${all})
 list(FILTER sources EXCLUDE REGEX "/(gradebook|pictures)/")

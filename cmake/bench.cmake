@@ -1,4 +1,4 @@
-# What one measurement costs, for autograder/bench/figures.sh. Not built unless asked for.
+# The cost of one measurement, for autograder/bench/figures.sh. Built only on request.
 add_executable(bench_measurement EXCLUDE_FROM_ALL autograder/bench/measurement.cpp)
 target_link_libraries(bench_measurement PRIVATE sandbox)
 own_target(bench_measurement)

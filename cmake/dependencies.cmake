@@ -17,17 +17,17 @@ dependency(fmt fmt::fmt https://github.com/fmtlib/fmt 10.2.1)
 dependency(nlohmann_json nlohmann_json::nlohmann_json https://github.com/nlohmann/json v3.11.3)
 find_package(Threads REQUIRED)
 
-# Without libseccomp the jail has a wall less, and every grade says so.
+# Without libseccomp the jail is incomplete, and every grade says so.
 find_library(SECCOMP_LIBRARY seccomp)
 find_path(SECCOMP_INCLUDE seccomp.h)
 
-# Without libarchive zips have to be unpacked by hand.
+# Without libarchive, zips must be unpacked by hand.
 find_library(ARCHIVE_LIBRARY archive)
 find_path(ARCHIVE_INCLUDE archive.h)
 
-# Libraries that the labs are compared with: a folder each in autograder/submissions/peers, whose
-# find.cmake looks for it. It sets PEER_FOUND, and PEER_LINK to what programs are linked with. Where
-# one is missing, its comparison is.
+# Libraries that the labs are compared with: one folder each in autograder/submissions/peers. Its
+# find.cmake sets PEER_FOUND, and PEER_LINK to the libraries to link. The comparison with a missing
+# library is skipped.
 set(PEER_LAYOUT)
 set(PEER_LIBRARIES)
 set(PEER_DEFINITIONS)

@@ -1,9 +1,9 @@
-# What a submission's program is linked from, compiled once: the runner and each lab's experiments.
-# A lab is found by its folder, labs/N-name.
+# The common parts of a submission's program, compiled once: the runner and each lab's experiments.
+# Labs are the folders labs/N-name.
 
 set(PROGRAM_FLAGS -O3 -ffp-contract=off)
 if(CMAKE_SYSTEM_NAME STREQUAL Linux AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
-  set(PROGRAM_LINK_FLAGS -static)  # then a program needs no loader, and the jail no open()
+  set(PROGRAM_LINK_FLAGS -static)  # programs need no loader, and the jail no open()
   file(WRITE ${CMAKE_BINARY_DIR}/static.cpp "#include <vector>\nint main() { std::vector<int> x(1); return x[0]; }\n")
   try_compile(LINKS_STATICALLY ${CMAKE_BINARY_DIR} ${CMAKE_BINARY_DIR}/static.cpp LINK_OPTIONS -static)
   if(NOT LINKS_STATICALLY)
@@ -15,7 +15,7 @@ endif()
 add_library(runner OBJECT labs/runner/main.cpp labs/runner/list.cpp labs/runner/table.cpp
   labs/runner/text.cpp)
 target_include_directories(runner PUBLIC labs)
-target_compile_options(runner PRIVATE ${PROGRAM_FLAGS} -O1)  # nothing of it is hot
+target_compile_options(runner PRIVATE ${PROGRAM_FLAGS} -O1)  # not performance-critical
 with_warnings(runner)
 if(MC_UNITY)
   set_target_properties(runner PROPERTIES UNITY_BUILD ON)
@@ -37,7 +37,7 @@ foreach(folder ${LAB_FOLDERS})
   string(APPEND LAYOUT "objects.${lab}=$<TARGET_OBJECTS:experiments_${lab}>;$<TARGET_OBJECTS:runner>\n")
 
   # The same programs for a debugger and the sanitizers (CMakePresets.json): linked dynamically, run
-  # by hand, never graded. They stand in compile_commands.json, so clangd knows the starters.
+  # by hand, never graded. They are in compile_commands.json, so clangd knows the starters.
   foreach(who starter solutions)
     file(GLOB files CONFIGURE_DEPENDS ${who}/${lab}.cpp)
     if(files)

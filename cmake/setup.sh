@@ -1,6 +1,6 @@
-# Read by ./lab: what the machine must have, and how it gets it.
+# Read by ./lab: finds and installs what the machine lacks.
 
-# The name of the lab that a word means: 1, variance, 1-variance, or 1.3, a task of it.
+# The lab that a word names: 1, variance, 1-variance, or one of its tasks, 1.3.
 lab_of() {
   word=${1#labs/} word=${word%/}  # what a shell completes
   case $word in [0-9]*.[0-9]*) word=${word%%.*} ;; esac
@@ -11,7 +11,7 @@ lab_of() {
   done
 }
 
-# The lab that a command is about: the first of its words that is no option, nor the value of one.
+# The lab of a command: the first word that is neither an option nor the value of one.
 lab_among() {  # command word...
   [ $# -gt 1 ] || return 0
   shift
@@ -26,8 +26,8 @@ lab_among() {  # command word...
   done
 }
 
-# One word for each thing that is not here. Asks for the thing itself, not for a package: a library
-# that was installed by hand is as good.
+# Prints one word for each missing tool or library. Looks for the file itself, not for a package: a
+# library installed by hand is fine.
 missing_things() {
   compiler=${CXX:-c++}
   command -v "$compiler" >/dev/null 2>&1 || { echo compiler; compiler=; }
@@ -70,9 +70,8 @@ package_of() {  # thing manager
   esac
 }
 
-# Installs the things named. Says what it runs; at a terminal it asks first. What cannot be
-# installed is left to CMake, which fetches sources where there is a network and says what is
-# missing where not.
+# Installs these tools and libraries. Prints what it runs; asks first at a terminal. CMake handles what
+# cannot be installed: it fetches sources if there is a network, and otherwise reports what is missing.
 install_things() {
   manager=
   for candidate in apt-get:apt dnf:dnf brew:brew; do
@@ -117,7 +116,7 @@ install_things() {
   rm -f "$build/layout.txt"  # CMake is to look again
 }
 
-# Without gnuplot there are no plots, but there is a grade.
+# gnuplot is optional: without it there are grades, but no plots.
 only_gnuplot() {
   [ "$*" = gnuplot ] && echo "lab: going on without gnuplot: no plots" >&2
 }

@@ -1,10 +1,10 @@
-# What our own targets have in common: every warning, and small files compiled together. The entry script
-# builds so (a newcomer waits for it); the presets for developers compile each file by itself.
+# Settings of all our targets: every warning, and small files compiled together. The entry script builds
+# this way because users wait for it; developers' presets compile each file separately.
 option(MC_UNITY "compile the files of a target together" OFF)
 option(MC_WERROR "a warning is an error" OFF)
 option(MC_SANITIZE "grader and checks under the address and undefined-behavior sanitizers" OFF)
 
-# with_warnings(<target>): every warning that the project promises to be free of.
+# with_warnings(<target>): the warnings that the project is free of.
 function(with_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion)
   if(MC_WERROR)
@@ -12,8 +12,8 @@ function(with_warnings target)
   endif()
 endfunction()
 
-# own_target(<target>): of grader and checks; assertions of the library on. Programs of submissions
-# are none of them: a sanitizer's run-time library needs system calls that the jail does not allow.
+# own_target(<target>): for grader and checks; enables the library's assertions. Not for programs of
+# submissions: a sanitizer's run-time library needs system calls that the jail does not allow.
 function(own_target target)
   with_warnings(${target})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/autograder ${CMAKE_SOURCE_DIR}/labs)
@@ -28,8 +28,8 @@ function(own_target target)
   endif()
 endfunction()
 
-# in_parts(<target> <files>): so many files compiled together, not all: one compiler takes 500 MB at
-# most (autograder/bench/figures.sh).
+# in_parts(<target> <files>): compiles that many files together, so that one compiler takes at most
+# 500 MB (autograder/bench/figures.sh).
 function(in_parts target files)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()

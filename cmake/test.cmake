@@ -1,15 +1,15 @@
-# Runs every test of a build directory and closes with counts:
+# Runs every test of a build directory and prints counts at the end:
 # cmake -D BUILD=build -P cmake/test.cmake
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
-# One more than there are cores: a proof waits now and then, and verdicts count CPU time.
+# One more than the cores: proofs sometimes wait, and verdicts use CPU time.
 math(EXPR jobs "${cores} + 1")
 set(log ${BUILD}/test.log)
 set(which)
 if(QUICK)
   set(which -L quick)
 endif()
-# Only a test that hangs meets this limit, on a quarter of a core, too. With a thousand seeds (--full)
-# a submission takes the better part of an hour.
+# Only a hanging test reaches this limit, even on a quarter of a core. With a thousand seeds (--full) a
+# submission takes most of an hour.
 set(seconds 3600)
 if(DEFINED ENV{MC_SEEDS} OR DEFINED ENV{MC_MISTAKE_SEEDS})
   set(seconds 36000)

@@ -1,16 +1,16 @@
-# The repository proves itself: `ctest`, or `./lab test`.
+# The repository's own tests: `ctest`, or `./lab test`.
 enable_testing()
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/*_test.cpp)
 add_executable(grader_tests EXCLUDE_FROM_ALL ${sources})
 own_target(grader_tests)
 in_parts(grader_tests 12)
-# Boost's headers take as much memory as all others of a part.
+# Boost's headers take as much memory as the rest of a part.
 set_source_files_properties(autograder/tests/boost_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 target_link_libraries(grader_tests PRIVATE grading coursework measuring)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
-# The solutions, as programs have them: their faster ways are compared with their definitions.
+# The solutions with the programs' flags: their fast versions are compared with their definitions.
 add_library(solutions OBJECT EXCLUDE_FROM_ALL ${solutions_FILES})
 target_include_directories(solutions PRIVATE labs ${LAB_INCLUDES})
 target_compile_options(solutions PRIVATE ${PROGRAM_FLAGS})
@@ -46,8 +46,8 @@ endif()
 add_dependencies(gradebook_tests course checks_variance checks_independent
   experiments_variance experiments_independent runner)
 
-# test_of(<name> <cost> <command>...): those that take long begin first. How long one may take at
-# most hangs on the number of seeds: cmake/test.cmake says it.
+# test_of(<name> <cost> <command>...): long tests start first. The time limit depends on the number of
+# seeds: see cmake/test.cmake.
 function(test_of name cost)
   add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(${name} PROPERTIES COST ${cost} SKIP_RETURN_CODE 77)
@@ -57,12 +57,12 @@ function(quick name)
   set_tests_properties(${name} PROPERTIES LABELS quick)
 endfunction()
 
-# The tests of ./lab's commands run in parallel with the rest: two that take half as long.
+# The tests of ./lab's commands are separate, so that both halves run in parallel.
 test_of(grader 100 grader_tests "~[script]~[.]")
 test_of(script 100 grader_tests "[script]~[.]")
 test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
-# Not in --quick: what builds a checkout, what measures, and what takes as long as all others together.
+# Not in --quick: tests that build a checkout or measure, and those as long as all others together.
 test_of(checkout 99 gradebook_tests "[checkout]")
 test_of(slurm 97 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})  # skipped without Slurm
 test_of(term 96 gradebook_tests "[term]")
@@ -79,9 +79,9 @@ foreach(name ${quick})
   quick(${name})
 endforeach()
 
-# Every submission of the repository, with what it says must happen to it; --quick tries the first of
-# each kind and lab. A file that is named for a task is a catalog: each of its mistakes is a test. The
-# first test of a catalog compiles it: those begin before the others, which would wait for it.
+# Every submission of the repository, with its expected result; --quick tests the first of each kind and
+# lab. A file named for a task is a catalog: each of its mistakes is a test. The first test of a catalog
+# compiles it, so it starts before the others, which would wait for it.
 foreach(lab ${LABS})
   foreach(who starter solutions)
     if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)

@@ -1,6 +1,5 @@
 #pragma once
-// Speed against error: rows as they are measured (protocol/rows.hpp), and what follows
-// from them.
+// Speed against error: measured rows (protocol/rows.hpp), and what is computed from them.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +15,7 @@
 
 namespace mc::grader {
 
-/// One figure. Times are medians over rounds, their error half of what lies between the quartiles.
+/// One number. Times are medians over rounds, with half the interquartile range as error.
 struct BenchRow : protocol::Row {
   std::string lab, submission;
 };
@@ -28,7 +27,7 @@ struct Ratio {
   double ratio = 0, ours = 0, other = 0;  ///< nanoseconds
 };
 
-/// A file of a library, and what it says of the checks that it fails.
+/// A library's adapter, and its reasons for the checks that it fails.
 struct Peer {
   std::string library, lab, what;
   struct Failure {
@@ -60,7 +59,7 @@ struct Curve {
   struct Point {
     double n = 0, rmse = 0, error = 0;  ///< standard error of the RMSE
     double sample = 0, integrand = 0;   ///< nanoseconds each
-    double efficiency = 0;              ///< 1 / (MSE time), in that of independent sampling; or NaN
+    double efficiency = 0;              ///< 1 / (MSE time) relative to independent sampling; or NaN
     double seconds() const { return n * (sample + integrand) * 1e-9; }
   };
   std::vector<Point> points;
@@ -71,16 +70,16 @@ std::vector<Curve> curves_of(const Bench& bench);
 struct TimeToTarget {
   double seconds = 0;
   enum {
-    between,  ///< two sizes: interpolated, by a line in the logarithms
+    between,  ///< two sizes: interpolated linearly in the logarithms
     or_less,  ///< the first size is good enough
-    /// No size is, but of independent points one knows how many it takes: variance / target^2.
+    /// No size is, but independent points need a known number: variance / target^2.
     by_law
   } how = between;
 };
-/// Nothing where no size is good enough.
+/// Nothing if no size is good enough.
 std::optional<TimeToTarget> time_to(const Curve& curve, double target);
 
-/// The slope of log(value) over log(size), by least squares, and its standard error.
+/// The least-squares slope of log(value) over log(size), and its standard error.
 struct Exponent {
   double slope = 0, error = 0;
 };
@@ -91,11 +90,11 @@ std::optional<BenchRow> time_of(const Bench& bench, const std::string& submissio
                                 const std::string& what, const std::string& on, std::uint64_t dims,
                                 std::uint64_t n);
 
-/// Reads what one case wrote.
+/// Reads the rows of one case.
 std::vector<BenchRow> read_bench_rows(const std::filesystem::path& file, const std::string& lab,
                                       const std::string& submission);
 
-/// Many times the same row, taken in several rounds: medians.
+/// Medians of rows that were measured in several rounds.
 std::vector<BenchRow> medians(const std::vector<BenchRow>& rows);
 
 /// Libraries that implement the labs' interfaces, installed or not.
@@ -106,9 +105,9 @@ std::string bench_json(const Bench& bench);
 /// The page: `outline` (autograder/bench/page.md) with its tables, and its pictures from `pictures`
 /// (a path as the page links it).
 std::string bench_page(const Bench& bench, const std::string& outline, const std::string& pictures);
-/// The tables that labs' cases have filled (rows of a kind "table TITLE"), each below its title.
+/// The tables that labs' cases filled (rows of kind "table TITLE"), each below its title.
 std::string bench_tables(const Bench& bench);
-/// The tables of the page's beginning, and those, for a terminal.
+/// The first tables of the page, and those above, for a terminal.
 std::string bench_summary(const Bench& bench);
 
 }  // namespace mc::grader

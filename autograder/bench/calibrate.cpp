@@ -18,14 +18,14 @@
 namespace mc::grader {
 namespace {
 
-/// Every task that a lab could have.
+/// The names of all possible tasks of a lab.
 std::set<std::string> tasks_of(const Lab& lab) {
   std::set<std::string> tasks;
   for (int task = 1; task < 100; ++task) tasks.insert(fmt::format("{}.{}", lab.number, task));
   return tasks;
 }
 
-/// Of each speed task the median over `rounds` of its time, in additions of a running sum.
+/// The median time of each speed task over `rounds`, in additions of a running sum.
 std::map<std::string, double> ratios_of(const Layout& layout, const Lab& lab,
                                         const sandbox::Program& program, unsigned rounds) {
   std::map<std::string, std::vector<double>> ratios;

@@ -7,7 +7,7 @@
 
 namespace mc::grader {
 
-/// Writes labs/N-name/speed.tsv of each lab: what the solutions take for its speed tasks.
+/// Writes labs/N-name/speed.tsv of each lab: the solutions' times for its speed tasks.
 void calibrate(const Context& context, const std::vector<Lab>& labs, unsigned rounds);
 
 }  // namespace mc::grader

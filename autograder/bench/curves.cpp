@@ -15,7 +15,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// log-log interpolation of the points' values at `n`; the nearest one's outside.
+/// log-log interpolation of the points' values at `n`; outside of their range, the nearest value.
 double between(const std::vector<std::pair<double, double>>& points, double n) {
   if (points.empty()) return nan;
   if (n <= points.front().first) return points.front().second;
@@ -58,7 +58,7 @@ class Times {
       all_;
 };
 
-/// Independent points on the same integrand: the solution's, or else the first there are.
+/// Independent points on the same integrand: the solution's, or else the first available ones.
 const Curve* independent_of(const std::vector<Curve>& curves, const Curve& curve) {
   const Curve* best = nullptr;
   for (const Curve& other : curves) {
@@ -129,7 +129,7 @@ std::optional<BenchRow> time_of(const Bench& bench, const std::string& submissio
 }
 
 std::vector<Curve> curves_of(const Bench& bench) {
-  std::map<std::string, std::vector<double>> cost;  // of each integrand: every lab measures it
+  std::map<std::string, std::vector<double>> cost;  // per integrand: every lab measures it
   std::map<std::string, double> variance;
   for (const BenchRow& row : bench.of("integrand")) cost[row.what].push_back(row.value);
   for (const BenchRow& row : bench.of("variance")) variance[row.what] = row.value;
@@ -161,7 +161,7 @@ std::vector<Curve> curves_of(const Bench& bench) {
     const Curve* const chance = independent_of(curves, curve);
     for (std::size_t i = 0; chance != nullptr && i < curve.points.size(); ++i) {
       Curve::Point& point = curve.points[i];
-      double square = curve.variance / point.n;  // of independent points' error, where it is known
+      double square = curve.variance / point.n;  // squared error of independent points, if known
       for (const Curve::Point& other : chance->points) {
         if (std::isnan(curve.variance) && other.n == point.n) square = other.rmse * other.rmse;
       }

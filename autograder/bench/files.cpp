@@ -8,7 +8,7 @@
 namespace mc::grader {
 namespace {
 
-/// Of JSON, which has no NaN.
+/// A JSON number; JSON has no NaN.
 nlohmann::json number(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
 }

@@ -1,4 +1,4 @@
-// What one measurement costs: fork, jail, exec, result. The median of 501, for the program given.
+// The cost of one measurement: fork, jail, exec, result. Prints the median of 501 for a program.
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-// The page, from one run.
+// Generates the page from one run.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ std::string reached(const Curve* curve, double target) {
   return (when->how == TimeToTarget::or_less ? "≤ " : "") + duration(when->seconds);
 }
 
-/// Two digits that count.
+/// Two significant digits.
 std::string figure(double value) {
   if (std::isnan(value)) return "";
   if (value >= 9999.5) return fmt::format("{:.1e}", value);
@@ -55,12 +55,12 @@ const Curve* find(const std::vector<Curve>& curves, const std::string& submissio
 const Curve::Point* at_4096(const Curve* curve) {
   const Curve::Point* best = nullptr;
   for (std::size_t i = 0; curve != nullptr && i < curve->points.size(); ++i) {
-    if (curve->points[i].n <= 4500) best = &curve->points[i];  // Poisson disks are about so many
+    if (curve->points[i].n <= 4500) best = &curve->points[i];  // Poisson disks only come close
   }
   return best;
 }
 
-/// Its error, and where it is not that of 4,096 samples.
+/// Its error, and its N if that is not 4,096.
 std::string error_of(const Curve::Point& point, bool with_standard_error) {
   std::string text = fmt::format("{:.1e}", point.rmse);
   if (with_standard_error) text += fmt::format(" ± {:.0e}", point.error);
@@ -68,7 +68,7 @@ std::string error_of(const Curve::Point& point, bool with_standard_error) {
   return text;
 }
 
-/// What the one-minute table shows of a sampler, wherever it is at home.
+/// A sampler's row in the one-minute table, from any lab.
 struct Line {
   const Curve *plane, *edge, *four;
 };
@@ -228,7 +228,7 @@ std::string growth(const Bench& bench) {
     };
     collect(rows, times);
     collect(memory, bytes);
-    // Without what the program takes for itself; what is left of that is noise.
+    // Without the program's own memory; the remainder is noise.
     for (std::size_t i = bytes.size(); i-- > 0;) bytes[i].second -= bytes[0].second;
     std::erase_if(bytes, [](const auto& point) { return point.second < 5e5; });
     const auto shown = [](const std::optional<Exponent>& exponent, const char* of) {

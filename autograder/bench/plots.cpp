@@ -11,7 +11,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// Nanoseconds, digits and the task for each way to a variance; ways that are one get one label.
+/// Nanoseconds, digits and the task of each method for a variance; equal methods share one label.
 std::string variance_points(const Bench& bench, const std::string& submission) {
   struct Point {
     double nanoseconds, digits;
@@ -61,7 +61,7 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
     }
     curves += "\n\n";
   }
-  std::vector<std::string> who;  // the solutions, any submission, any library
+  std::vector<std::string> who;  // the solutions, submissions, libraries
   for (const BenchRow& row : bench.of("digits")) {
     if (std::find(who.begin(), who.end(), row.submission) == who.end()) {
       who.push_back(row.submission);

@@ -35,7 +35,7 @@ using Clock = std::chrono::steady_clock;
 
 std::atomic<bool> stop{false};
 
-/// Until it is gone, an interrupt ends the measuring and not the writing; a second one ends all.
+/// During its lifetime, an interrupt ends the measuring but not the writing; a second one ends all.
 class StopOnInterrupt {
  public:
   StopOnInterrupt() {
@@ -52,26 +52,26 @@ class StopOnInterrupt {
   struct sigaction before_ {};
 };
 
-/// Somebody to be measured: a lab's program of a submission.
+/// A lab's program of a submission, to be measured.
 struct Contender {
   Lab lab;
   std::string label;
   sandbox::Program program;
 };
 
-/// One run of a lab's bench cases on an entrant's program.
+/// One run of a lab's bench cases on a contender's program.
 struct Job {
   const Contender* entrant;
   std::string kind;  ///< "error", "time", "growth", "table", "table-time"
-  fs::path rows;     ///< where they are written
+  fs::path rows;     ///< output file
 };
 
 std::string name_of(const Job& job) {
   return fmt::format("{} {} {}", job.entrant->lab.name, job.kind, job.entrant->label);
 }
 
-/// How far it is, in seconds as they were expected. What each job took the last time is kept, so
-/// that the next estimate is a good one.
+/// The progress in expected seconds. Stores the duration of each job, so that the next estimate is
+/// good.
 class Progress {
  public:
   explicit Progress(fs::path memory) : memory_(std::move(memory)), line_("bench") {
@@ -123,7 +123,7 @@ class BenchRun {
     fs::create_directories(place_ / "rows");
   }
 
-  /// All that can be measured of one lab; a remark for whom it cannot.
+  /// Everything measurable in one lab; adds a remark for contenders that cannot be measured.
   void enter(const Lab& lab, const std::vector<Submission>& submissions) {
     for (const Submission& submission : submissions) {
       if (stop || !submission.files.contains(lab.name)) continue;
@@ -136,8 +136,8 @@ class BenchRun {
     }
   }
 
-  /// Errors side by side; times one at a time, each round with all of them in turn; growth last, so
-  /// that an early end leaves the tables whole.
+  /// Errors in parallel; times one by one, each round with all contenders in turn; growth last, so
+  /// that an interruption leaves the tables complete.
   void measure(unsigned rounds, bool tables_only) {
     std::vector<Job> errors, times, growth;
     const auto add = [&](std::vector<Job>& jobs, const char* kind, unsigned round) {
@@ -244,7 +244,7 @@ class BenchRun {
   Progress progress_;
 };
 
-/// Where all this was measured.
+/// The machine and the version that were measured.
 void describe_machine(const Layout& layout, Bench& bench) {
   bench.processor = "an unknown processor";
   std::ifstream info("/proc/cpuinfo");
@@ -269,7 +269,7 @@ std::string as_label(std::string name) {
   return name;
 }
 
-/// The lab of a file that the repository knows: autograder/submissions/<kind>/<lab>/<name>.cpp.
+/// The lab of a file of the repository: autograder/submissions/<kind>/<lab>/<name>.cpp.
 Lab lab_of_file(const Context& context, const fs::path& file) {
   if (!fs::is_regular_file(file)) throw UsageError("there is no file " + file.string());
   const fs::path folder = fs::canonical(file).parent_path();

@@ -1,4 +1,4 @@
-// Small tables, as the labs' cases say them (measurements/support/bench_data.hpp, bench_table).
+// Small tables, from the labs' cases (measurements/support/bench_data.hpp, bench_table).
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +21,12 @@ constexpr std::string_view prefix = "table ";
 /// A cell whose relative error exceeds this shows the error too.
 constexpr double uncertain = 0.15;
 
-/// Names in the order in which they came.
+/// Names in their order of arrival.
 void enlist(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-/// Two digits that count: "0.00012" is 1.2e-4.
+/// Two significant digits: "0.00012" is 1.2e-4.
 std::string figure(double value) {
   if (!(value > 0) || !std::isfinite(value)) return fmt::format("{}", value);
   const int power = static_cast<int>(std::floor(std::log10(value)));
@@ -39,7 +39,7 @@ struct Table {
   std::string title;
   std::vector<std::string> rows{}, columns{};
   std::map<std::pair<std::string, std::string>, std::string> cells{};
-  double largest = 0;  ///< error of a cell, as a part of it, of those that do not say their own
+  double largest = 0;  ///< relative error of the cells that do not show their own
 
   std::string printed() const {
     std::string all = title;

@@ -1,4 +1,4 @@
-// The variance by order of functions of which it is known.
+// The variance by order, for functions with known values.
 
 #include <cmath>
 
@@ -35,11 +35,11 @@ TEST_CASE("the variance by order of a product") {
   CHECK(anova.by_order[1] == Approx((a * b + a * c + b * c) / whole).margin(0.015));
   CHECK(anova.by_order[2] == Approx(a * b * c / whole).margin(0.015));
   CHECK(anova.by_order[0] + anova.by_order[1] + anova.by_order[2] == Approx(1).epsilon(1e-9));
-  // The second use alone, and the first with both of its dimensions.
+  // The second use alone, and the first use with both of its dimensions.
   CHECK(anova.within_uses == Approx((a + b + a * b + c) / whole).margin(0.015));
 }
 
-/// One dimension, of two that are asked for.
+/// Depends on only one of its two dimensions.
 struct OneDimension {
   static constexpr std::string_view uses = "next next";
   double operator()(Sampler& sampler) const {

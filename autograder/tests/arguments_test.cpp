@@ -1,4 +1,4 @@
-// A command's words and options, in every order in which people write them.
+// A command's words and options, in every order.
 #include <string>
 #include <vector>
 
@@ -64,7 +64,7 @@ TEST_CASE("a short option's value may be attached or the next word") {
   }
 }
 
-TEST_CASE("an option that is not known, or lacks its value, is refused") {
+TEST_CASE("an unknown option, or one without its value, is refused") {
   CHECK_THROWS_AS(parse_arguments({"--sede", "1"}, {"seed="}), UsageError);
   CHECK_THROWS_AS(parse_arguments({"a", "--seed"}, {"seed="}), UsageError);
   CHECK_THROWS_AS(parse_arguments({"--seed", "x"}, {"seed="}).number("seed"), UsageError);

@@ -1,5 +1,5 @@
-// The battery for randomness: silent about independent uniform numbers, and not about the ways in
-// which random numbers usually go wrong.
+// The battery for randomness: accepts independent uniform numbers, and detects the usual ways in
+// which random numbers go wrong.
 
 #include <algorithm>
 #include <bit>
@@ -81,7 +81,7 @@ TEST_CASE("the battery names what is visibly wrong") {
              "position 15 has the same random number"));
 }
 
-TEST_CASE("the battery sees what is not visible") {
+TEST_CASE("the battery detects what is not visible") {
   using Row = std::span<double>;
   const auto xor_with = [](double x, std::uint64_t mask) {
     return static_cast<double>(static_cast<std::uint64_t>(x * 0x1p53) ^ mask) * 0x1p-53;
@@ -90,11 +90,11 @@ TEST_CASE("the battery sees what is not visible") {
   CHECK(fault_of([](Row u, std::size_t) { u[5] = std::fmod(2 * u[4], 1.0); }) != "");
   CHECK(fault_of([](Row u, std::size_t) { u[15] = u[15] * 0.5; }) != "");
   CHECK(fault_of([](Row u, std::size_t) { u[0] = std::sqrt(u[0]); }) != "");
-  CHECK(fault_of([](Row u, std::size_t) {  // 16 strata in place of 16 independent numbers
+  CHECK(fault_of([](Row u, std::size_t) {  // 16 strata instead of 16 independent numbers
           for (std::size_t i = 0; i < 16; ++i) u[i] = (static_cast<double>(i) + u[i]) / 16;
         }) != "");
   std::vector<double> before(16);
-  CHECK(fault_of([&](Row u, std::size_t r) {  // every second replicate is the one before it
+  CHECK(fault_of([&](Row u, std::size_t r) {  // every second replicate repeats the previous one
           if (r % 2 == 1) std::copy(before.begin(), before.end(), u.begin());
           std::copy(u.begin(), u.end(), before.begin());
         }) != "");
@@ -103,7 +103,7 @@ TEST_CASE("the battery sees what is not visible") {
         }) != "");
 }
 
-TEST_CASE("permutations become independent uniform numbers") {
+TEST_CASE("random permutations map to independent uniform numbers") {
   Rng rng(4);
   const auto uniforms_of = [&](auto shuffle) {
     Uniforms numbers{"test", 6};
@@ -120,7 +120,7 @@ TEST_CASE("permutations become independent uniform numbers") {
     for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[rng() % (i + 1)]);
   };
   CHECK_FALSE(dependence_in(uniforms_of(fisher_yates), claim));
-  CHECK(dependence_in(uniforms_of([&](auto& order) {  // each with any other
+  CHECK(dependence_in(uniforms_of([&](auto& order) {  // swaps each with any other
                         for (auto& value : order) std::swap(value, order[rng() % order.size()]);
                       }),
                       claim));
@@ -129,13 +129,13 @@ TEST_CASE("permutations become independent uniform numbers") {
                                     order.end());
                       }),
                       claim));
-  CHECK(dependence_in(uniforms_of([&](auto& order) {  // never stays
+  CHECK(dependence_in(uniforms_of([&](auto& order) {  // never keeps a value in place
                         for (std::size_t i = 6; i > 0; --i) std::swap(order[i], order[rng() % i]);
                       }),
                       claim));
 }
 
-TEST_CASE("nested scrambling becomes independent uniform numbers") {
+TEST_CASE("nested scrambling maps to independent uniform numbers") {
   Rng rng(5);
   const std::vector<double> values{0, 0.5, 0.25, 0x1p-20, 0};
   const auto uniforms_of = [&](auto flips_of) {

@@ -1,4 +1,4 @@
-// What the bench makes of its rows.
+// The evaluation of bench rows.
 
 #include <cmath>
 #include <limits>
@@ -15,7 +15,7 @@
 namespace mc::grader {
 namespace {
 
-/// Errors c / n at 2 ns a sample, integrand included.
+/// Errors c / n at 2 ns per sample, integrand included.
 Curve falling(double c) {
   Curve curve{"lab", "anna", "points", "g", 2, 1.0, {}};
   for (double n = 16; n <= 65536; n *= 4) curve.points.push_back({n, c / n, 0, 1.5, 0.5, 0});
@@ -29,14 +29,14 @@ TEST_CASE("the time to an error is interpolated") {
   CHECK(when->seconds == Approx(2e-6));
 }
 
-TEST_CASE("an error below the first is had with the first size or less") {
+TEST_CASE("for an error above the first one, the first size or less is enough") {
   const auto when = time_to(falling(1), 0.5);
   REQUIRE(when);
   CHECK(when->how == TimeToTarget::or_less);
   CHECK(when->seconds == Approx(16 * 2e-9));
 }
 
-TEST_CASE("an error that no size has is not reached, unless the points are independent") {
+TEST_CASE("an error below all sizes is not reached, unless the points are independent") {
   CHECK_FALSE(time_to(falling(1), 1e-6));
   Curve independent = falling(1);
   independent.what = "independent";
@@ -63,7 +63,7 @@ void add_rows(Bench& bench, const std::string& what, double c, double nanosecond
   bench.rows.push_back({{"time", what, "a scene", 2, 64, nanoseconds, 0}, "sampler", "solutions"});
 }
 
-TEST_CASE("efficiency is against independent points, measured where nothing is known of them") {
+TEST_CASE("efficiency is relative to independent points, measured if their variance is unknown") {
   Bench bench;
   add_rows(bench, "independent", 1, 10);
   add_rows(bench, "better", 0.1, 20);  // a hundredth of the squared error in twice the time
@@ -74,13 +74,13 @@ TEST_CASE("efficiency is against independent points, measured where nothing is k
   }
 }
 
-TEST_CASE("efficiency takes the exact variance where it is known") {
+TEST_CASE("efficiency uses the exact variance if it is known") {
   Bench bench;
   add_rows(bench, "independent", 1, 10);
   bench.rows.push_back({{"variance", "a scene", "", 2, 0, 4, 0}, "lab", "solutions"});
   const auto curves = curves_of(bench);
   REQUIRE(curves.size() == 1);
-  CHECK(curves[0].points[0].efficiency == Approx(4));  // twice as good as it can be, by chance
+  CHECK(curves[0].points[0].efficiency == Approx(4));  // by chance twice as good as expected
 }
 
 TEST_CASE("rounds of the same row become their median") {
@@ -93,7 +93,7 @@ TEST_CASE("rounds of the same row become their median") {
   CHECK(all[1].value == 7);
 }
 
-TEST_CASE("a row that was cut short is left out") {
+TEST_CASE("a truncated row is left out") {
   const auto file = std::filesystem::temp_directory_path() / "mc-bench-rows.tsv";
   write_text(file, "time\tpoints\t\t2\t64\t1.5\tnan\ntime\tpoints\t\t2");
   const auto rows = read_bench_rows(file, "lab", "anna");
@@ -103,7 +103,7 @@ TEST_CASE("a row that was cut short is left out") {
   CHECK(rows[0].value == 1.5);
 }
 
-TEST_CASE("a table has its rows and columns in the order in which they came") {
+TEST_CASE("a table has its rows and columns in their order of arrival") {
   Bench bench;
   const auto cell = [&](const char* row, const char* column, double value, double error) {
     bench.rows.push_back(
@@ -113,7 +113,7 @@ TEST_CASE("a table has its rows and columns in the order in which they came") {
   cell("second", "b", 0.00012345, none);
   cell("first", "a", 0.0999, 0.00999);  // rounded up into the next power of ten
   cell("second", "a", 12.3, 0.123);
-  cell("third", "a", 52, 20);  // so uncertain that it says so itself
+  cell("third", "a", 52, 20);  // so uncertain that the cell shows its error
   bench.rows.push_back({{"table of digits", "first", "a", 0, 0, 0.25, none}, "lab", "mine"});
   bench.rows.push_back({{"table of digits", "law, exact", "b", 0, 0, 3, none}, "lab", "mine"});
   bench.rows.push_back({{"error", "no", "table", 0, 0, 1, none}, "lab", "solutions"});
@@ -128,7 +128,7 @@ TEST_CASE("a table has its rows and columns in the order in which they came") {
   CHECK(bench_tables({}).empty());
 }
 
-TEST_CASE("sums of errors know their RMSE and their kurtosis, with standard errors") {
+TEST_CASE("sums of errors give RMSE and kurtosis, with standard errors") {
   checks::ErrorSums errors;
   for (const double error : {3.0, -1.0, 1.0, -1.0}) errors.add(error);
   CHECK(errors.rmse() == Approx(std::sqrt(3)));      // of 12 / 4
@@ -138,8 +138,8 @@ TEST_CASE("sums of errors know their RMSE and their kurtosis, with standard erro
   CHECK(errors.kurtosis_error() == Approx(std::sqrt((64. / 9 + 3 * 64. / 81) / 4 / 4)));
 }
 
-/// Means and variances that the bench relies on, by a rule of midpoints in one and two dimensions.
-TEST_CASE("the integrands of the bench have mean 1 and the variance they say") {
+/// Means and variances that the bench relies on, by a midpoint rule in one and two dimensions.
+TEST_CASE("the integrands of the bench have mean 1 and the stated variance") {
   for (const checks::BenchIntegrand& one : checks::bench_integrands()) {
     if (one.dims > 2) continue;
     const int side = one.dims == 1 ? 100000 : 1000;

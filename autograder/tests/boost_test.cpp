@@ -1,5 +1,4 @@
-// The judge's distributions against Boost.Math's, where that is installed: two hands, one
-// mathematics.
+// The judge's distributions against an independent implementation, Boost.Math, if it is installed.
 
 #if __has_include(<boost/math/distributions/fisher_f.hpp>)
 
@@ -16,7 +15,7 @@ using mc::checks::Tails;
 
 namespace {
 
-/// What distributions.hpp promises: relative accuracy in both tails, as far out as 1e-300.
+/// The accuracy that distributions.hpp states: relative, in both tails, down to 1e-300.
 template <class Distribution, class X>
 void check_tails(const Tails& got, const Distribution& distribution, X x) {
   CAPTURE(x);
@@ -27,7 +26,7 @@ void check_tails(const Tails& got, const Distribution& distribution, X x) {
 
 }  // namespace
 
-TEST_CASE("tails are those of Boost.Math") {
+TEST_CASE("tails agree with Boost.Math") {
   for (const double z : {-37.0, -8.5, -3.0, -0.1, 0.0, 1e-9, 0.7, 4.0, 12.0, 36.0}) {
     check_tails(mc::checks::normal_tails(z), boost::math::normal(), z);
   }
@@ -43,7 +42,7 @@ TEST_CASE("tails are those of Boost.Math") {
   }
 }
 
-TEST_CASE("binomial tails are those of Boost.Math, with k itself in both") {
+TEST_CASE("binomial tails agree with Boost.Math; both include k") {
   for (const std::uint64_t n : {1u, 10u, 1000u, 100'000u}) {
     for (const double p : {1e-3, 0.25, 0.5, 0.95}) {
       const boost::math::binomial distribution(static_cast<double>(n), p);
@@ -60,7 +59,7 @@ TEST_CASE("binomial tails are those of Boost.Math, with k itself in both") {
   }
 }
 
-TEST_CASE("the normal quantile is Boost.Math's") {
+TEST_CASE("the normal quantile agrees with Boost.Math") {
   for (const double p : {1e-300, 1e-20, 1e-5, 0.02, 0.3, 0.5, 0.75, 0.99, 1 - 1e-9}) {
     CAPTURE(p);
     CHECK(mc::normal_quantile(p) == Approx(quantile(boost::math::normal(), p)).margin(1e-12));

@@ -1,5 +1,5 @@
 #pragma once
-// Pages, opened as a person opens them: in Chromium, without a window.
+// Opens pages in headless Chromium.
 
 #include <filesystem>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace mc::tests {
 
-/// Its name; empty where there is none.
+/// Its command; empty if it is not installed.
 inline std::string chromium() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
     const auto found = sandbox::run_process({"sh", "-c", fmt::format("command -v {}", name)});
@@ -20,7 +20,7 @@ inline std::string chromium() {
   return {};
 }
 
-/// What a page's scripts make of its title in the end, and what the console has to say.
+/// The final title, which the page's scripts set, and the console messages.
 struct PageState {
   std::string title, console;
 };

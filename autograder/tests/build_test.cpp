@@ -17,7 +17,7 @@ struct Labs {
   std::vector<Lab> labs = find_labs(layout);
   const Lab& lab = find_lab(labs, "variance");
 
-  /// Why `text` as variance.cpp gives no program; empty where it gives one.
+  /// Why `text` as variance.cpp gives no program; empty if it gives one.
   std::string failure(const std::string& text, const std::string& directory = "scratch") const {
     const Scratch scratch(directory);
     scratch.write("variance.cpp", text);
@@ -27,7 +27,7 @@ struct Labs {
 
 }  // namespace
 
-TEST_CASE("a file that is there in name only") {
+TEST_CASE("a file without content") {
   const Labs labs;
   const Scratch scratch;
   const auto none = open_submission(labs.labs, scratch.path());
@@ -36,7 +36,7 @@ TEST_CASE("a file that is there in name only") {
   CHECK(labs.failure("\xef\xbb\xbf \r\n\t\n") == "variance.cpp is empty.");
 }
 
-TEST_CASE("a byte order mark, carriage returns, blanks and umlauts are no mistakes") {
+TEST_CASE("a byte order mark, carriage returns, blanks and umlauts are accepted") {
   const Labs labs;
   std::string text = "\xef\xbb\xbf";
   for (const char c : text_of(labs.layout.starter()))
@@ -55,7 +55,7 @@ TEST_CASE("a compile error names the line and the file's own name") {
   CHECK(contains(labs.failure("#error stop here\n"), "stop here"));
 }
 
-TEST_CASE("a missing function is called by its name") {
+TEST_CASE("a missing function is reported by its name") {
   const Labs labs;
   const std::string failure = labs.failure("#include \"variance.hpp\"\n");
   CHECK(contains(failure, "Your variance.cpp does not define `mc::covariance`"));
@@ -64,7 +64,7 @@ TEST_CASE("a missing function is called by its name") {
       contains(labs.failure(text_of(labs.layout.starter()) + "int main() {}\n"), "defines `main`"));
 }
 
-TEST_CASE("a text that takes the compiler down is stopped") {
+TEST_CASE("a text that exhausts the compiler is stopped") {
   const Labs labs;
   const bool clang = labs.layout.is_clang;
   CHECK(labs.failure("#include \"/dev/zero\"\n")
@@ -75,14 +75,14 @@ TEST_CASE("a text that takes the compiler down is stopped") {
       "int x = f<0>();\n");
   CHECK(contains(endless, "variance.cpp:1:"));
   CHECK(contains(endless, clang ? "exceeded maximum depth" : "depth exceeds maximum"));
-  // Its data do not fit into a file: the assembler dies of that, or says so and is not quoted.
+  // Its data do not fit into a file: the assembler crashes, or reports it without being quoted.
   CHECK(labs.failure("char a[3000000000u] = {1};\n")
             .starts_with(clang ? "The assembler does not understand" : "The compiler crashed on"));
   CHECK(contains(labs.failure("char a[1000000000u];\n" + text_of(labs.layout.starter())),
                  "global variables"));
 }
 
-TEST_CASE("what lies outside the labs and the system's headers is not read") {
+TEST_CASE("files outside the labs and the system's headers are not read") {
   const Labs labs;
   for (const char* file : {"/etc/passwd", "/etc/../etc/hosts"}) {
     const std::string failure = labs.failure(std::string("#include \"") + file + "\"\n");
@@ -98,7 +98,7 @@ TEST_CASE("what lies outside the labs and the system's headers is not read") {
       "reads /etc/passwd"));
 }
 
-TEST_CASE("two builds at once do not meet") {
+TEST_CASE("two concurrent builds do not interfere") {
   const Labs labs;
   const Scratch scratch;
   scratch.write("variance.cpp", text_of(labs.layout.starter()));

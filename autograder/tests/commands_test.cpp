@@ -1,5 +1,5 @@
-// Every command in a document exists: its command, its options, its lab and its task; those that
-// cost little are run.
+// Every command in a document exists: its command, its options, its lab and its task. Cheap ones
+// are run.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -29,7 +29,7 @@ using namespace grader;
 
 namespace {
 
-/// A command as a document has it.
+/// A command in a document.
 struct CommandLine {
   std::string document;
   Words words;
@@ -56,7 +56,7 @@ Code code_in(const std::string& document) {
       const auto begin = std::min(line.find_first_not_of(' '), line.size());
       code.lines.emplace_back(line.substr(begin));
     } else {
-      prose += line + (line.empty() ? "\n\n" : " ");  // a span may go over a line's end
+      prose += line + (line.empty() ? "\n\n" : " ");  // a span may cross a line end
     }
   }
   for (const std::string_view paragraph : text::split(prose, '\n')) {
@@ -107,7 +107,7 @@ bool takes_a_lab(const std::string& command) {
   return commands.contains(command);
 }
 
-/// Why this cannot be typed; empty where it can.
+/// Why this command is invalid; empty if it is valid.
 std::string objection(const Layout& layout, const std::vector<Lab>& labs, const Words& words) {
   if (words.size() == 1 || words[1] == "COMMAND" || words[1].starts_with("--")) return {};
   const Command* const command = command_called(words[1]);
@@ -133,7 +133,7 @@ std::string objection(const Layout& layout, const std::vector<Lab>& labs, const 
 
 }  // namespace
 
-TEST_CASE("every command in a document can be typed") {
+TEST_CASE("every command in a document is valid") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   std::set<std::string> commands;

@@ -1,4 +1,4 @@
-// The faster ways of the solutions against the definitions that stand above them.
+// The fast versions in the solutions against the definitions above them.
 
 #include <algorithm>
 #include <bit>
@@ -41,7 +41,7 @@ std::vector<std::size_t> sizes(std::size_t largest) {
   return all;
 }
 
-/// The largest distance between numbers at the same place; infinite where one is NaN.
+/// The largest difference between numbers at the same place; infinite for NaN.
 double apart(const Column& a, const Column& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -51,13 +51,13 @@ double apart(const Column& a, const Column& b) {
   return largest;
 }
 
-/// Of numbers in [0, 1) with 53 bits: how many of the first bits are the same.
+/// For numbers in [0, 1) with 53 bits: how many leading bits agree.
 int shared_bits(double a, double b) {
   const auto bits = [](double x) { return static_cast<std::uint64_t>(x * 0x1p53) << 11; };
   return std::countl_zero(bits(a) ^ bits(b));
 }
 
-/// One of the generators that run side by side: xoshiro256+, as its authors print it.
+/// One of the parallel generators: xoshiro256+, as published by its authors.
 struct Xoshiro {
   std::uint64_t a, b, c, d;
   std::uint64_t operator()() {
@@ -74,7 +74,7 @@ struct Xoshiro {
 
 }  // namespace
 
-// Welford's error is n eps kappa at most, kappa^2 = 1 + mean^2 / variance; shifted sums have less.
+// Welford's error is at most n eps kappa, kappa^2 = 1 + mean^2 / variance; shifted sums have less.
 TEST_CASE("1.8 moments: by their definition, up to its error") {
   mc::Rng rng(18);
   for (const double offset : {0.0, -3.0, 1000.0}) {
@@ -113,7 +113,7 @@ TEST_CASE(
   }
 }
 
-// Jitter that keeps away from edges moves a point by 2^-50 at most, and roundings by 7 times 2^-53.
+// Jitter that avoids edges moves a point by at most 2^-50, and rounding by 7 times 2^-53.
 constexpr double by_margins = 0x1p-49;
 
 TEST_CASE("3.1 strata: by their definition, up to the margins") {
@@ -121,7 +121,7 @@ TEST_CASE("3.1 strata: by their definition, up to the margins") {
     mc::Rng rng(31), again(31);
     Column got(size), expected(size);
     mc::stratified_1d(got, rng);
-    for (std::size_t first = 0; first < size; first += 1024) {  // as many as are drawn at a time
+    for (std::size_t first = 0; first < size; first += 1024) {  // the block size
       const auto block =
           std::span(expected).subspan(first, std::min(size - first, std::size_t{1024}));
       mc::uniforms(again, block);
@@ -135,7 +135,7 @@ TEST_CASE("3.1 strata: by their definition, up to the margins") {
 }
 
 TEST_CASE("3.1, 3.3 few strata: by their definition, from the same random numbers") {
-  for (const std::size_t size : sizes(127)) {  // more are drawn many at a time
+  for (const std::size_t size : sizes(127)) {  // larger sizes are drawn in blocks
     mc::Rng rng(33), again(33);
     Column got(size), expected(size);
     mc::stratified_1d(got, rng);
@@ -168,10 +168,10 @@ TEST_CASE("4.2 best candidates: by their definition, bit by bit") {
   }
 }
 
-// Two dart throwers see other darts. The definition gives up before the smallest gaps are hit: the
-// number of points that are missing falls as one over the square root of the darts (Pomeau 1980,
-// Swendsen 1981), some 3 % here.
-TEST_CASE("4.3 Poisson disks: by their definition, and fast: apart, without room, nearly as many") {
+// The definition and the fast version see different darts. The definition stops before it hits the
+// smallest gaps: the number of missing points falls as one over the square root of the darts
+// (Pomeau 1980, Swendsen 1981), some 3 % here.
+TEST_CASE("4.3 Poisson disks: definition and fast version are maximal, with similar counts") {
   constexpr double radius = 0.1;
   double sum[2] = {0, 0};
   mc::Rng rng(43);
@@ -215,7 +215,7 @@ TEST_CASE("4.4 the periodogram: by its definition, up to roundings") {
     mc::periodogram(x, y, kmax, got);
     mc::definition::periodogram(x, y, kmax, expected);
     INFO(size << " points");
-    // Angles below 2 pi 18 are wrong by 2^-46 at most, so sums by N times that.
+    // Angles below 2 pi 18 have an error of at most 2^-46, so sums N times that.
     REQUIRE(apart(expected, got) <= 4 * static_cast<double>(size) * 0x1p-46);
   }
 }
@@ -253,9 +253,9 @@ TEST_CASE("5.5 Sobol' coordinates: by their definition, bit by bit") {
   }
 }
 
-// The decisions are hashed in two ways, so the numbers differ; what is decided by what does not.
+// The two versions hash their decisions differently, so the numbers differ; shared bits do not.
 TEST_CASE(
-    "5.8 Owen's scrambling, by its definition and fast: pairs share the bits that they shared") {
+    "5.8 Owen's scrambling, by its definition and fast: pairs keep the bits that they share") {
   mc::Rng rng(58);
   for (int shared = 0; shared < 53; ++shared) {
     Column pairs(2 * 300);
@@ -277,7 +277,7 @@ TEST_CASE(
 
 TEST_CASE("5.8 a scrambled value depends on the value, not on its neighbors") {
   mc::Rng rng(85);
-  Column together(700);  // more than are scrambled at a time; every other one of 32 bits
+  Column together(700);  // more than one block; every other value has 32 bits
   for (std::size_t i = 0; i < together.size(); ++i) {
     together[i] =
         static_cast<double>(rng() >> (i % 2 == 0 ? 11 : 32)) * (i % 2 == 0 ? 0x1p-53 : 0x1p-32);

@@ -1,4 +1,4 @@
-// The lecture's demo: its integrals, and its page in a browser.
+// The lecture demo: its integrals, and its page in a browser.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -25,7 +25,7 @@ sandbox::ProcessResult lab_demo(std::vector<std::string> words) {
   return sandbox::run_process(words);
 }
 
-/// Moves N through all its sizes and presses every key; the title says what came of it.
+/// Moves N through all its sizes and presses every key; the title reports the result.
 constexpr const char* driver = R"html(<script>
 onload = () => {
   const look = () => document.getElementById("points").toDataURL() +
@@ -62,14 +62,14 @@ TEST_CASE("the integrals of the demo are those of its functions") {
       for (int j = 0; j < width; ++j) sum += one.g((i + 0.5) / width, (j + 0.5) / width);
     }
     CAPTURE(one.name);
-    // The midpoint rule leaves h^2/24 times second derivatives (at most 40^2 + 23^2) where g is
-    // smooth: 2.2e-5. Along an edge it errs by as much as a cell, in some of at most 4 width of
-    // them, to either side alike.
+    // The midpoint rule has an error of h^2/24 times second derivatives (at most 40^2 + 23^2) where
+    // g is smooth: 2.2e-5. Along an edge the error is at most one cell each, in some of at most 4
+    // width cells, with either sign.
     CHECK(std::abs(sum / (width * width) - one.exact) < 5e-5);
   }
 }
 
-TEST_CASE("the demo is one page, and everything on it answers", "[.demo]") {
+TEST_CASE("the demo is one page, and all its controls work", "[.demo]") {
   const Scratch place;
   const fs::path file = place.path() / "demo.html";
   const auto run = lab_demo({"--out", file.string()});
@@ -80,12 +80,12 @@ TEST_CASE("the demo is one page, and everything on it answers", "[.demo]") {
   for (const char* foreign : {"src=", "href=", "@import", "url(", "fetch("}) {
     CHECK(!contains(page, foreign));
   }
-  if (chromium().empty()) return;  // nothing to open it with
+  if (chromium().empty()) return;  // no browser
   const PageState opened = open_page(place.write("driven.html", page + driver));
   CHECK(opened.console.empty());
   CHECK(opened.title ==
         "13 pictures, 13 right; ArrowLeft ArrowRight p i s ; 6 ways; 0 without a name");
-  // A phone: 390 pixels are enough.
+  // 390 pixels, as on a phone, are enough.
   const PageState phone = open_page(place.write(
       "phone.html",
       fmt::format("<title>none</title><iframe width=390 height=800 style='border:0' srcdoc=\"{}\">"

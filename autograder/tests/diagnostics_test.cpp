@@ -1,4 +1,4 @@
-// The words of compilers and linkers, as they come, and what a student gets of them.
+// Original messages of compilers and linkers, and what students see of them.
 #include "grader/submission/diagnostics.hpp"
 #include "checks/support/catch.hpp"
 
@@ -21,7 +21,7 @@ const std::string source =
 
 }  // namespace
 
-TEST_CASE("GCC's errors, with the lines they speak of") {
+TEST_CASE("GCC's errors, with their source lines") {
   CHECK(first_errors("variance.cpp: In function 'double f()':\n"
                      "variance.cpp:4:9: error: 'nothing' was not declared in this scope\n"
                      "compilation terminated due to -fmax-errors=3.\n",
@@ -32,7 +32,7 @@ TEST_CASE("GCC's errors, with the lines they speak of") {
         "| \t       ^");
 }
 
-TEST_CASE("clang's errors, with the lines they speak of") {
+TEST_CASE("clang's errors, with their source lines") {
   CHECK(first_errors("variance.cpp:4:9: error: use of undeclared identifier 'nothing'\n"
                      "1 error generated.\n",
                      "variance.cpp", source) ==
@@ -42,7 +42,7 @@ TEST_CASE("clang's errors, with the lines they speak of") {
         "1 error generated.");
 }
 
-TEST_CASE("warnings and their notes go, notes of errors stay") {
+TEST_CASE("warnings and their notes are removed, notes of errors stay") {
   const std::string kept = first_errors(
       "variance.cpp:2:5: warning: unused variable 'unused' [-Wunused-variable]\n"
       "variance.cpp:2:5: note: of the warning\n"
@@ -55,12 +55,12 @@ TEST_CASE("warnings and their notes go, notes of errors stay") {
   CHECK(kept.find("candidate") != std::string::npos);
 }
 
-TEST_CASE("places that there are not are quoted nowhere") {
+TEST_CASE("positions outside the file are not quoted") {
   for (const char* place : {"99:1", "4:99", "0:1", "4:0", "-1:1", "99999999999999999999:1", ":"}) {
     const std::string line = std::string("variance.cpp:") + place + ": error: x";
     CHECK(first_errors(line + "\n", "variance.cpp", source) == line);
   }
-  // Of another file, which a #line may have named, nothing is known here.
+  // The text of another file, which a #line may have named, is not known here.
   CHECK(first_errors("/etc/passwd:1:1: error: x\n", "variance.cpp", source) ==
         "/etc/passwd:1:1: error: x");
 }
@@ -76,7 +76,7 @@ TEST_CASE("errors are few, short and printable") {
   CHECK(shown.find("more lines") != std::string::npos);
 }
 
-TEST_CASE("what is missing, in three linkers' words") {
+TEST_CASE("missing definitions, as three linkers report them") {
   const std::string expected =
       "Your variance.cpp does not define `mc::covariance` with the parameters that variance.hpp "
       "declares.";
@@ -98,7 +98,7 @@ TEST_CASE("what is missing, in three linkers' words") {
             "experiments.cpp.o:experiments.cpp:function f(): error: undefined reference to "
             "'mc::covariance(std::span<double const, 18446744073709551615ul>)'\n",
             lab) == expected);
-  // A program has the files of the labs below, too.
+  // A program also contains the files of the labs it depends on.
   const Lab above{4, "blue_noise", "4-blue-noise", {"variance"}};
   CHECK(explain_link_errors("unit.o: undefined reference to `mc::covariance(int)'\n", above,
                             {{"variance", "double covariance(int);"}}) == expected);
@@ -106,7 +106,7 @@ TEST_CASE("what is missing, in three linkers' words") {
         "Your variance.cpp uses `helper(int)`, which nothing defines.");
 }
 
-TEST_CASE("what is there twice, in two linkers' words") {
+TEST_CASE("duplicate definitions, as two linkers report them") {
   const std::string expected = "Your variance.cpp defines `main`; the labs bring their own.";
   CHECK(explain_link_errors(
             "/usr/bin/ld: main.cpp.o: in function `main':\n"
@@ -119,7 +119,7 @@ TEST_CASE("what is there twice, in two linkers' words") {
         "`mc::runner::experiments()` is defined twice.");
 }
 
-TEST_CASE("a linker's unknown words are passed on, few and printable") {
+TEST_CASE("unknown linker messages are passed on, few and printable") {
   const std::string shown =
       explain_link_errors("ld: internal \x1b[31m trouble\n" + std::string(1 << 20, 'x'), lab);
   CHECK(shown.starts_with("variance.cpp does not link:\nld: internal ?[31m trouble"));

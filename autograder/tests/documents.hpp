@@ -14,11 +14,10 @@ namespace mc::tests {
 
 using Words = std::vector<std::string>;
 
-/// Before a command whose output a document shows below it.
+/// The prompt before a command whose output the document shows.
 inline constexpr std::string_view prompt = "$ ";
 
-/// Words as a shell splits them, up to a comment; a document may also set the comment apart by
-/// blanks.
+/// Words as a shell splits them, up to a comment; documents may also separate a comment by blanks.
 inline Words words_of(std::string_view line) {
   Words words;
   std::string word;
@@ -49,7 +48,7 @@ inline Words words_of(std::string_view line) {
   return words;
 }
 
-/// A document as its reader sees it: without <!-- comments -->, and the ends of their lines.
+/// A document as readers see it: without <!-- comments --> and the line ends after them.
 inline std::string without_comments(std::string document) {
   constexpr std::string_view opening = "<!--", closing = "-->";
   for (auto at = document.find(opening); at != std::string::npos; at = document.find(opening, at)) {

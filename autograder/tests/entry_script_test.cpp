@@ -26,7 +26,7 @@ struct BadUsage {
 
 }  // namespace
 
-TEST_CASE("bad usage is one line that says what and how, and exit status 2", "[script]") {
+TEST_CASE("bad usage gives one line with the error and the usage, and exit status 2", "[script]") {
   const Scratch empty;
   const Scratch full;
   full.write("variance.cpp", "\n");
@@ -93,10 +93,10 @@ TEST_CASE("every command has help", "[script]") {
   CHECK(lab({"--help"}).exit_code == 0);
 }
 
-TEST_CASE("the same verdict in the terminal and in JSON and in CSV", "[script]") {
+TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[script]") {
   const Layout layout = read_layout();
   const Scratch scratch;
-  // The solution with one mistake, so that there are points of both kinds.
+  // The solution with one mistake, so that there are passed and failed checks.
   std::string text = text_of(layout.solutions());
   const std::string right = "if (columns == 0) throw";
   text.replace(text.find(right), right.size(), "if (columns == 77) throw");
@@ -106,7 +106,7 @@ TEST_CASE("the same verdict in the terminal and in JSON and in CSV", "[script]")
   const auto run = lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,
                         "--no-plots", "--seed", "5"});
   REQUIRE(run.exit_code == 0);
-  CHECK(!contains(run.output, "\x1b["));  // no color where there is no terminal
+  CHECK(!contains(run.output, "\x1b["));  // no color without a terminal
 
   const auto results = nlohmann::json::parse(read_text(json));
   const double score_of_100 = results["score"].get<double>();
@@ -152,10 +152,10 @@ TEST_CASE("results are complete when nothing compiles or nothing was handed in",
   CHECK(contains(results["output"], "does not compile"));
 }
 
-TEST_CASE("a full disk leaves the old result whole") {
+TEST_CASE("a full disk leaves the old result intact") {
   const Scratch scratch;
   const fs::path json = scratch.write("results.json", "old");
-  // Where the new text is written first, a device that is always full.
+  // The new text is first written to a device that is always full.
   fs::create_symlink("/dev/full", json.string() + ".new-" + std::to_string(getpid()));
   CHECK_THROWS(write_text(json, "new"));
   CHECK(read_text(json) == "old");
@@ -190,12 +190,12 @@ TEST_CASE("a lab has the name that a shell completes", "[script]") {
   CHECK(contains(lab({"check", "9"}).errors, "there are 1 to 6"));
 }
 
-TEST_CASE("several submissions are a line each", "[script]") {
+TEST_CASE("several submissions get one line each", "[script]") {
   const Layout layout = read_layout();
   const Scratch empty;
   const auto run = lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"});
   CHECK(run.exit_code == 0);
-  CHECK(lines(run.output) == 4);  // what the words mean, two rows, a summary
+  CHECK(lines(run.output) == 4);  // the meaning of the words, two rows, a summary
   CHECK(contains(run.output, "no lab's file in it"));
 }
 
@@ -230,7 +230,7 @@ TEST_CASE("a report fits a small terminal") {
 
 TEST_CASE("a failure in lab 6 waits for a lab it depends on that is not finished", "[script]") {
   const Layout layout = read_layout();
-  // Always the same place: what six labs take to compile is taken once.
+  // Always the same directory, so that six labs are compiled only once.
   const fs::path student = layout.build / "tests" / "waiting";
   fs::create_directories(student);
   for (const auto& entry : fs::directory_iterator(layout.solutions())) {

@@ -1,5 +1,5 @@
-// Exact variances of stratified estimates against values computed beforehand, in high precision and
-// by another way (symbolic integration over the strata).
+// Exact variances of stratified estimates against values computed independently, in high precision,
+// by symbolic integration over the strata.
 #include "checks/support/exact_stratified.hpp"
 #include "checks/support/catch.hpp"
 
@@ -54,7 +54,7 @@ TEST_CASE("the first n of N shuffled strata") {
   CHECK(variance_of_first(strata, 16) == near(stratified_variance(strata)));
   CHECK(variance_of_first(strata, 1) == near(0.242035607452765357));
   CHECK(independent_variance(strata, 10) == near(0.0242035607452765357));
-  // Two of two, of which the mean is known whatever their order.
+  // Two of two: their mean is known in any order.
   CHECK(variance_of_first(strata_of(exponential, 2), 2) ==
         near(stratified_variance(strata_of(exponential, 2))));
 }
@@ -66,7 +66,7 @@ TEST_CASE("exact moments of a corner without a bound") {
   CHECK(whole.kurtosis == near(7.46647904743641973));
   CHECK(stratified_variance(cells.strata) == near(0.000153430847181178907));
   CHECK(cells.kurtosis == near(3.9396431453942179));
-  // However it is cut, its mean and the sum of both parts of its variance stay.
+  // For any cut, its mean and the sum of both parts of its variance stay the same.
   CHECK(mean_of(cells.strata) == near(mean_of(whole.strata)));
   CHECK(independent_variance(cells.strata, 1) == near(whole.strata.variance[0]));
 }

@@ -1,4 +1,4 @@
-// Exact moments against those that were computed beforehand, in decimal, by two other ways.
+// Exact moments against values computed in decimal arithmetic by two other methods.
 #include "checks/support/exact.hpp"
 #include "checks/support/catch.hpp"
 

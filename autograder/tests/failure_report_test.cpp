@@ -1,4 +1,4 @@
-// How a report spells calls and numbers.
+// The notation of calls and numbers in reports.
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@ using experiments::spelled_call;
 using experiments::Spelling;
 using experiments::Step;
 
-TEST_CASE("signs of nothing are left out, and no others") {
+TEST_CASE("only meaningless signs are left out") {
   CHECK(without_empty_signs("x = -nan, y = -0") == "x = nan, y = 0");
   CHECK(without_empty_signs("{-0, -nan}, [-0]") == "{0, nan}, [0]");
   CHECK(without_empty_signs("is -0.") == "is 0.");
@@ -24,7 +24,7 @@ TEST_CASE("signs of nothing are left out, and no others") {
   }
 }
 
-TEST_CASE("calls of a sampler are spelled as a student makes them") {
+TEST_CASE("calls of a sampler are written as in student code") {
   std::vector<Step> steps{{0, 12, 7}, {1}, {2}, {3}};
   CHECK(spelled_call(Spelling{}, "play", "sobol", steps) ==
         "sobol: generate(12, 7); next(); next2(); advance()");
@@ -43,7 +43,7 @@ TEST_CASE("calls of a sampler are spelled as a student makes them") {
       "each of 2 seeds");
 }
 
-TEST_CASE("integrands and densities are spelled as formulas") {
+TEST_CASE("integrands and densities are written as formulas") {
   CHECK(spelled(experiments::Function{4, 0.5, 2, -1}) == "2 * x^0.5 - 1");
   CHECK(spelled(experiments::Function{1, 0, 1, 0}) == "exp(x)");
   CHECK(spelled(experiments::Function{3, 0.25, 1, 3}) == "(1 if x < 0.25, else 0) + 3");

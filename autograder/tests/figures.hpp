@@ -1,19 +1,19 @@
 #pragma once
-// Figures in documents, and the commands that print them. A document says which command prints a
-// figure in one of these ways:
+// Numbers in documents, and the commands that print them. A document says which command prints a
+// number in one of these ways:
 //
 //   a block that shows it             $ ./lab run halton radical_inverse 2 6
 //     and what it prints, exactly     # index  x
 //                                     6        0.375
 //   a comment before the passage      <!-- ./lab run halton radical_inverse 2 6 = 3/8
-//     in which they stand                  ./lab run halton radical_inverse 2 3 = 0.75 -->
+//     with the numbers                     ./lab run halton radical_inverse 2 3 = 0.75 -->
 //   the same for cells of tables      <!-- ./lab bench halton --tables:
 //                                          TITLE | ROW | COLUMN = 47
 //                                          TITLE | ROW | COLUMN = 62 -->
 //
-//   tables that are written by a command: written_in() in figures_test.cpp
+//   tables that a command writes: output_blocks() in figures_test.cpp
 //
-// A passage ends at an empty line. Several figures, separated by ", ", are printed in this order.
+// A passage ends at an empty line. Several numbers, separated by ", ", are printed in this order.
 
 #include <algorithm>
 #include <cctype>
@@ -33,7 +33,7 @@
 
 namespace mc::tests {
 
-/// A number as a document writes it, and half a unit of its last digit.
+/// A number in a document, and half a unit of its last digit.
 struct Figure {
   double value = 0, half_unit = 0;
 };
@@ -46,14 +46,14 @@ inline std::string replaced(std::string text, std::string_view what, std::string
   return text;
 }
 
-/// "3/8", "−170.7", "36.5 %", "0.5", "1,024", "4.2 · 2⁻⁵³", "5.9e-5", "10³⁰⁸"; nothing where it is
-/// no number.
+/// "3/8", "−170.7", "36.5 %", "0.5", "1,024", "4.2 · 2⁻⁵³", "5.9e-5", "10³⁰⁸"; nothing if it is not
+/// a number.
 inline std::optional<Figure> figure_of(std::string text) {
   constexpr std::pair<const char*, const char*> plain[] = {
       {"−", "-"},   {",", ""},  {" ", ""},  {"·", "*"}, {"½", "1/2"}, {"¼", "1/4"},
       {"¾", "3/4"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},   {"⁴", "4"},
       {"⁵", "5"},   {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"},   {"⁻", "-"}};
-  // Where raised digits begin is a power.
+  // Superscript digits begin a power.
   std::string marked;
   bool raised = false;
   for (std::size_t at = 0; at < text.size();) {
@@ -121,13 +121,13 @@ inline std::optional<Figure> figure_of(std::string text) {
   return Figure{value, half};
 }
 
-/// Is this figure what was printed, as far as its digits go? It has no more of them.
+/// Is this number the printed one, rounded to its digits? It must not have more digits.
 inline bool agree(const Figure& figure, const Figure& printed) {
   const double rounding = 1e-15 * std::abs(printed.value);
   return std::abs(figure.value - printed.value) <= figure.half_unit * (1 + 1e-9) + rounding;
 }
 
-/// Does this figure stand in the text, and not as a part of a longer number?
+/// Is this number in the text, not as a part of a longer number?
 inline bool contains_number(const std::string& text, const std::string& figure) {
   const auto digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
@@ -142,11 +142,11 @@ inline bool contains_number(const std::string& text, const std::string& figure) 
   return false;
 }
 
-/// A comment that says what prints the figures of the passage below it.
+/// A comment that names the source of the numbers in the passage below it.
 struct Claim {
   Words words;                       ///< ./lab run …
   std::string cell;                  ///< of a table, "TITLE | ROW | COLUMN", or nothing
-  std::vector<std::string> figures;  ///< as the passage writes them
+  std::vector<std::string> figures;  ///< as written in the passage
   std::string passage;
 };
 
@@ -185,7 +185,7 @@ inline std::vector<Claim> claims_in(const std::string& document) {
   return claims;
 }
 
-/// What is wrong with a claim about these numbers; empty where nothing is.
+/// What is wrong with a claim about these numbers; empty if it is right.
 inline std::string objection(const Claim& claim, const std::vector<std::string>& printed) {
   if (claim.figures.empty()) return "no figure";
   std::size_t next = 0;
@@ -203,7 +203,7 @@ inline std::string objection(const Claim& claim, const std::vector<std::string>&
   return {};
 }
 
-/// The numbers that a command prints, without the lines that say what they are.
+/// The numbers that a command prints, without the lines that describe them.
 inline std::vector<std::string> numbers_in(const std::string& output) {
   std::vector<std::string> numbers;
   std::istringstream lines(output);
@@ -245,7 +245,7 @@ inline std::map<std::string, std::string> cells_in(const std::string& tables) {
   return cells;
 }
 
-/// A command and what it prints, as a block shows it.
+/// A command and its output, shown in a block.
 struct Transcript {
   Words words;
   std::string output;

@@ -1,4 +1,4 @@
-// The figures in handouts are those that commands print (tests/figures.hpp).
+// The numbers in handouts are those that commands print (tests/figures.hpp).
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -23,7 +23,7 @@ using namespace grader;
 
 namespace {
 
-/// What `./lab run` prints of the solutions.
+/// The output of `./lab run` with the solutions.
 std::string printed_by_hand(const Layout& layout, const Words& command) {
   Words words(command.begin() + 1, command.end());
   words.insert(words.begin() + 1, {"--dir", layout.solutions().string()});
@@ -41,7 +41,7 @@ std::string objection_in_tables(const std::string& tables, const Claim& claim) {
   return objection(claim, {found->second});
 }
 
-/// Tables that a command has written into a document (docs/refresh.sh), line by line:
+/// Tables that a command wrote into a document (docs/refresh.sh), line by line:
 ///
 ///   <!-- output of ./lab bench sampler --tables: BEGINNING OF TITLES -->
 ///   …
@@ -61,7 +61,7 @@ std::vector<OutputBlock> output_blocks(const std::string& document) {
                       {}};
     std::istringstream text(document.substr(head, end - head));
     std::string line;
-    std::getline(text, line);  // of the marker
+    std::getline(text, line);  // the rest of the marker
     while (std::getline(text, line)) {
       if (!line.empty()) block.lines.push_back(line);
     }
@@ -70,7 +70,7 @@ std::vector<OutputBlock> output_blocks(const std::string& document) {
   return all;
 }
 
-/// A table shows a part of what the bench prints; a title may end with a colon there.
+/// A document may show a part of the bench's output; a title may end with a colon there.
 bool is_printed(const std::string& tables, std::string line) {
   if (line.ends_with(':')) line.pop_back();
   return contains('\n' + tables, '\n' + line + '\n');
@@ -107,8 +107,8 @@ TEST_CASE("a number is found in a text only as a whole") {
   CHECK(!contains_number("47.5 of 64", "47"));
 }
 
-/// One wrong figure of each kind, and each kind as it should be.
-TEST_CASE("a wrong figure is seen") {
+/// One wrong number of each kind, and a right one of each kind.
+TEST_CASE("wrong numbers are detected") {
   const Layout layout = read_layout();
   const auto claim = [&](const std::string& figure, const std::string& passage) {
     const auto claims = claims_in("text\n\n<!-- ./lab run halton radical_inverse 2 6 = " + figure +
@@ -124,7 +124,7 @@ TEST_CASE("a wrong figure is seen") {
   CHECK(contains(claim("0.376", "about 0.376"), "not printed"));
   CHECK(contains(claim("3/8, 6", "point 6 is 3/8"), "not in this order"));
 
-  // A comment is no passage; several stand before one.
+  // A comment is not a passage; several comments may precede one.
   const auto three = claims_in(
       "<!-- ./lab run a = 1\n     ./lab run b = 2, 3 -->\n<!-- ./lab run c = 2 -->\n1\nor 2, "
       "3\n\n4");
@@ -184,9 +184,9 @@ TEST_CASE("the bench takes a file of the repository's submissions, and no other"
   CHECK(contains(missing.errors, "there is no file missing.cpp"));
 }
 
-/// A minute: the bench measures all that handouts quote. The tables of a lab are printed once, with
-/// all submissions that its figures are about.
-TEST_CASE("the figures of handouts are printed by their commands", "[.figures]") {
+/// Takes a minute: the bench measures all that handouts quote. The tables of a lab are printed
+/// once, with all submissions that its numbers are about.
+TEST_CASE("the numbers in handouts are those that their commands print", "[.figures]") {
   const Layout layout = read_layout();
   for (const Lab& one : find_labs(layout)) {
     const std::string handout = read_text(layout.labs() / one.folder / "README.md");
@@ -227,7 +227,7 @@ TEST_CASE("the figures of handouts are printed by their commands", "[.figures]")
     const auto run = lab(words);
     CAPTURE(run.errors, run.output);
     CHECK(run.exit_code == 0);
-    CHECK_FALSE(contains(run.output, "efficiency"));  // nothing but the tables
+    CHECK_FALSE(contains(run.output, "efficiency"));  // only the tables
     for (const Claim& claim : of_tables) {
       CAPTURE(claim.cell, claim.figures);
       CHECK(objection_in_tables(run.output, claim) == "");

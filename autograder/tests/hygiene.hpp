@@ -1,5 +1,5 @@
 #pragma once
-// Few descriptors, many signals: what a test makes worse, and puts right again.
+// Few descriptors, many signals: adverse conditions that last as long as an object.
 
 #include <fcntl.h>
 #include <signal.h>
@@ -11,14 +11,14 @@
 
 namespace mc::tests {
 
-/// How many descriptors this process has open.
+/// The number of descriptors that this process has open.
 inline std::size_t open_descriptors() {
   std::size_t count = 0;
   for (int i = 0; i < 1024; ++i) count += fcntl(i, F_GETFD) >= 0;
   return count;
 }
 
-/// `ulimit -n most`, as long as it lives; of what is started meanwhile, too.
+/// `ulimit -n most` for the lifetime of the object, also for processes started meanwhile.
 class FewDescriptors {
  public:
   explicit FewDescriptors(std::size_t most) {
@@ -33,7 +33,7 @@ class FewDescriptors {
   rlimit before_{};
 };
 
-/// A signal every millisecond, whose handler lets no system call go on.
+/// A signal every millisecond, whose handler interrupts system calls.
 class SignalTimer {
  public:
   SignalTimer() {

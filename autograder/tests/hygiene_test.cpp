@@ -1,5 +1,5 @@
-// A grader that judges many submissions: it loses no descriptor, and an exception in one of its
-// workers ends it with a line and a status.
+// A grader that judges many submissions leaks no descriptor, and an exception in a worker ends it
+// with a message and a status.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,14 +33,14 @@ struct Labs {
   const Lab& lab = find_lab(labs, "variance");
   std::string starter = text_of(layout.starter());
 
-  /// The starter with another comment.
+  /// The starter with a different comment.
   Submission submission(const Scratch& place, int number) const {
     place.write("variance.cpp", starter + fmt::format("// {}\n", number));
     return open_submission(labs, place.path());
   }
 };
 
-/// How many of them came to this.
+/// The number of submissions with this result.
 std::size_t count(const LabVerdict& verdict, Status status) {
   std::size_t found = 0;
   for (const CheckResult& result : verdict.checks) found += result.status == status;
@@ -58,7 +58,7 @@ TEST_CASE("300 submissions under 64 descriptors", "[.descriptors]") {
   std::size_t judged = 0;
   const FewDescriptors few(64);
   const std::size_t before = open_descriptors();
-  for (int i = 0; i < 300; ++i) {  // ten of them are compiled, 290 found where they were left
+  for (int i = 0; i < 300; ++i) {  // ten of them are compiled, 290 are in the cache
     const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, i % 10));
     REQUIRE(built.program);
     const LabVerdict verdict = judge_lab(labs.layout, labs.lab, built, options);
@@ -80,7 +80,7 @@ TEST_CASE("plots under 64 descriptors") {
   CHECK(open_descriptors() == before);
 }
 
-TEST_CASE("a plot draws what there is, and says in its place what is missing") {
+TEST_CASE("a plot draws what there is, and states in place what is missing") {
   const Labs labs;
   if (!std::filesystem::exists(labs.layout.measurements(labs.lab.name))) return;  // it is not built
   const Scratch place;
@@ -109,7 +109,7 @@ TEST_CASE("a plot draws what there is, and says in its place what is missing") {
   CHECK_FALSE(some.remarks.empty());
 }
 
-TEST_CASE("an exception in a worker reaches who asked, and the others come to an end") {
+TEST_CASE("an exception in a worker reaches the caller, and the other workers finish") {
   const Labs labs;
   const Scratch place;
   const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
@@ -143,7 +143,7 @@ TEST_CASE("signals change no verdict") {
   CHECK(interrupted.times() > 50);
 }
 
-TEST_CASE("without descriptors the grader ends with a line and status 3, wherever they run out") {
+TEST_CASE("without descriptors the grader ends with a line and status 3, whenever they run out") {
   const Labs labs;
   const Scratch place;
   labs.submission(place, 0);

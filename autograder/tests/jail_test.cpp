@@ -1,5 +1,5 @@
-// The jail, wall by wall, seen from inside: one submission whose mean() does what the first of its
-// values says, with the others as arguments.
+// Each restriction of the jail, seen from inside: one submission whose mean() does what the first
+// of its values says, with the others as arguments.
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -147,7 +147,7 @@ Moments moments(Values) { throw todo(""); }
 }  // namespace mc
 )";
 
-/// A directory of the same name in every run, so that its programs are built once.
+/// A directory with the same name in every run, so that its programs are built only once.
 fs::path submission_directory(const std::string& name) {
   const fs::path directory = read_layout().build / "tests" / name;
   fs::create_directories(directory);
@@ -194,12 +194,12 @@ std::string text_of(const sandbox::Outcome& outcome) {
 
 }  // namespace
 
-TEST_CASE("a measurement comes back") {
+TEST_CASE("a measurement returns its result") {
   CHECK(value_of(run(return_second, {0.1})) == 0.1);
   CHECK(std::isnan(value_of(run(return_second, {NAN}))));
 }
 
-TEST_CASE("every way to die has its line") {
+TEST_CASE("every way to end has its message") {
   const sandbox::Limits short_time{.cpu_seconds = 1};
   const auto timed = run(loop, {}, short_time);
   CHECK(timed.failure == "did not end within 1 s of CPU time and 512 MB of memory");
@@ -215,7 +215,7 @@ TEST_CASE("every way to die has its line") {
   CHECK(run(send_garbage).failure == "sent something that is not a result");
   CHECK(run(send_then_fail).failure == "sent something that is not a result");
   CHECK(run(send_20_mb).failure == "sent a result of more than 16 MB");
-#ifdef __x86_64__  // elsewhere an integer divided by zero is zero
+#ifdef __x86_64__  // elsewhere, integer division by zero gives zero
   CHECK(run(divide).failure == "crashed: an integer divided by zero");
 #endif
   for (const Deed deed : {segfault, exit_3, send_garbage}) {
@@ -225,8 +225,7 @@ TEST_CASE("every way to die has its line") {
   }
 }
 
-TEST_CASE(
-    "who runs out of the wall's time was kept waiting by the machine, where nothing can wait") {
+TEST_CASE("running out of wall time is the machine's fault, because nothing in the jail can wait") {
   const sandbox::Limits impatient{.cpu_seconds = 9, .wall_seconds = 0.2};
   if (sandbox::jail_is_complete()) {
     CHECK_THROWS_AS(run(loop, {}, impatient), std::system_error);
@@ -236,7 +235,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("what it prints and throws is made harmless") {
+TEST_CASE("its output and exception texts are made safe") {
   const auto printed = run(print_strangely);
   CHECK(value_of(printed) == 1);
   CHECK(printed.printed == "?[31mred?\n\ttabbed\n");
@@ -253,7 +252,7 @@ TEST_CASE("it inherits nothing") {
 #endif
 }
 
-TEST_CASE("limits are as promised") {
+TEST_CASE("limits are as documented") {
 #ifdef __linux__
   CHECK(text_of(run(report_limits)) == "2/3 536870912/536870912 16777216/16777216 0/0 0/0 0/0 ");
 #endif
@@ -271,7 +270,7 @@ TEST_CASE("the program runs as user nobody if the judge is root") {
 
 #if defined(__linux__) && defined(__x86_64__)
 
-TEST_CASE("the system calls that survive are these and no others") {
+TEST_CASE("exactly these system calls are allowed") {
   if (!sandbox::jail_is_complete()) return;
   const std::set<long> allowed{SYS_read,
                                SYS_brk,
@@ -305,8 +304,8 @@ TEST_CASE("the system calls that survive are these and no others") {
   const std::string killed =
       "made a system call a lab never needs (open a file, start a process, use the network)";
   for (long number = 0; number < 520; ++number) {  // all arguments zero
-    // uretprobe and uprobe: Linux 6.14 and later ask no filter about them. They do nothing outside
-    // of a probe, which only root can set.
+    // uretprobe and uprobe: Linux 6.14 and later do not filter them. They do nothing outside of a
+    // probe, which only root can set.
     if (number == 335 || number == 336) continue;
     const auto outcome = run(make_call, {static_cast<double>(number)});
     INFO("system call " << number << ": " << outcome.failure);
@@ -318,7 +317,7 @@ TEST_CASE("the system calls that survive are these and no others") {
   }
 }
 
-TEST_CASE("system calls with an argument that is allowed, and with others") {
+TEST_CASE("system calls with allowed arguments, and with others") {
   if (!sandbox::jail_is_complete()) return;
   const auto survives = [](std::vector<double> arguments) {
     return run(make_call, std::move(arguments)).failure.find("made a system call") ==
@@ -345,7 +344,7 @@ TEST_CASE("system calls with an argument that is allowed, and with others") {
   CHECK_FALSE(survives({SYS_tgkill, 1, 1, 6}));
   CHECK_FALSE(survives({SYS_tgkill, -1, -1, 6}));
   CHECK_FALSE(survives({SYS_execveat, 4, 0, 0, 0, 0x1000}));
-  // The same calls under the numbers of x32, and those that only x32 has.
+  // The same calls under their x32 numbers, and those that only x32 has.
   for (const double number : {0., 1., 2., 9., 59., 60., 231., 512., 520., 545.}) {
     CHECK_FALSE(survives({0x40000000 + number}));
   }
@@ -357,7 +356,7 @@ TEST_CASE("a long request to a program that does not read it") {
   const BuildResult deaf = build_submission("deaf",
                                             "#include <unistd.h>\n"
                                             "#include \"starter.hpp\"\n");
-  CHECK_FALSE(deaf.program);  // there is no such header
+  CHECK_FALSE(deaf.program);  // the header does not exist
   const BuildResult built =
       build_submission("deaf", "#include <unistd.h>\nconst int early = (_exit(7), 0);\n" +
                                    read_text(read_layout().starter() / "variance.cpp"));
@@ -367,7 +366,7 @@ TEST_CASE("a long request to a program that does not read it") {
   CHECK(outcome.failure == "called exit(7) instead of returning");
 }
 
-TEST_CASE("a submission's file is a file") {
+TEST_CASE("a submission's file must be a regular file") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const fs::path directory = submission_directory("linked");
@@ -385,7 +384,7 @@ TEST_CASE("a submission's file is a file") {
   CHECK_FALSE(submission.trusted);
 }
 
-TEST_CASE("files that are no text of a program") {
+TEST_CASE("files that are not program text") {
   CHECK(build_submission("empty", "\xef\xbb\xbf \n\t").failure == "variance.cpp is empty.");
   CHECK(build_submission("long", std::string(3 << 20, ' ')).failure ==
         "variance.cpp is 3072 KB long; 1 MB is the limit.");

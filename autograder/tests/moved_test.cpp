@@ -34,7 +34,7 @@ sandbox::ProcessResult run_lab(const fs::path& checkout) {
                               {.environment = {{"MC_BUILD", ""}, {"CI", "true"}}});
 }
 
-/// A checkout in which ./lab was called once.
+/// A checkout in which ./lab has been called once.
 struct Checkout : Scratch {
   fs::path first, other;
 
@@ -53,7 +53,7 @@ struct Checkout : Scratch {
   }
 };
 
-/// What lies below, with its times.
+/// All files below, with their modification times.
 std::vector<std::string> listing(const fs::path& directory) {
   std::vector<std::string> all;
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {
@@ -85,7 +85,7 @@ void is_rebuilt_there(const Checkout& checkout) {
 
 }  // namespace
 
-TEST_CASE("a checkout that was moved is built again, once", "[script]") {
+TEST_CASE("a moved checkout is built again, once", "[script]") {
   const Checkout checkout;
   fs::rename(checkout.first, checkout.other);
   is_rebuilt_there(checkout);

@@ -1,4 +1,4 @@
-// Task 3.7 by rotations of one permutation: docs/multi-jittered.md in numbers.
+// Task 3.7 by rotations of one permutation: verifies docs/multi-jittered.md numerically.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ struct Cell {
 };
 using Cells = std::vector<Cell>;
 
-/// How often each outcome comes, among all that are equally likely.
+/// How often each of several equally likely outcomes occurs.
 struct OutcomeCounts {
   std::map<Strata, std::uint64_t> counts;
   std::uint64_t total = 0;
@@ -56,7 +56,7 @@ void for_all(std::size_t length, std::size_t below, Visit visit) {
   }
 }
 
-/// Which of the ny strata of its column each of some cells gets.
+/// The stratum of its column (one of ny) for each of some cells.
 template <class StratumOf>
 Strata outcome_of(const Cells& cells, StratumOf stratum_of) {
   Strata outcome;
@@ -75,7 +75,7 @@ OutcomeCounts with_own_permutations(const Cells& cells, std::size_t nx, std::siz
   return law;
 }
 
-/// One permutation, which each column begins at a place of its own.
+/// One permutation, which each column starts at a different place.
 OutcomeCounts with_rotations(const Cells& cells, std::size_t nx, std::size_t ny) {
   OutcomeCounts law;
   for (const Strata& permutation : permutations_of(ny)) {
@@ -88,7 +88,7 @@ OutcomeCounts with_rotations(const Cells& cells, std::size_t nx, std::size_t ny)
   return law;
 }
 
-/// All sets of so many cells of nx columns and ny rows.
+/// All sets of `size` cells of nx columns and ny rows.
 std::vector<Cells> sets_of_cells(std::size_t count, std::size_t nx, std::size_t ny) {
   std::vector<Cells> all;
   std::vector<bool> chosen(nx * ny, false);
@@ -103,7 +103,7 @@ std::vector<Cells> sets_of_cells(std::size_t count, std::size_t nx, std::size_t 
   return all;
 }
 
-/// In how many sets of so many cells the two laws differ.
+/// The number of sets of cells for which the two distributions differ.
 std::size_t differing(std::size_t count, std::size_t nx, std::size_t ny) {
   std::size_t sets = 0;
   for (const Cells& cells : sets_of_cells(count, nx, ny)) {
@@ -112,8 +112,7 @@ std::size_t differing(std::size_t count, std::size_t nx, std::size_t ny) {
   return sets;
 }
 
-TEST_CASE(
-    "rotations of a permutation deal strata to three points as permutations of their own do") {
+TEST_CASE("rotations of one permutation give three points strata like independent permutations") {
   for (const auto& [nx, ny] :
        {std::pair<std::size_t, std::size_t>{2, 2}, {2, 3}, {3, 2}, {3, 3}, {2, 4}, {4, 2}}) {
     CAPTURE(nx, ny);
@@ -121,15 +120,15 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("to four points they do not, where a column has three cells or more") {
+TEST_CASE("for four points they differ, if a column has three cells or more") {
   CHECK(differing(4, 2, 2) == 0);
   CHECK(differing(4, 4, 2) == 0);
   CHECK(differing(4, 2, 3) > 0);
   CHECK(differing(4, 3, 3) > 0);
 }
 
-/// What the solution makes, cell by cell: the stratum of x among those of its column, and of y
-/// among those of its row.
+/// The result of the solution for each cell: the stratum of x within its column, and of y within
+/// its row.
 struct StratumAssignment {
   std::vector<std::size_t> x, y;
 };
@@ -148,7 +147,7 @@ StratumAssignment solution_strata(mc::Grid grid, mc::Rng& rng) {
   return strata;
 }
 
-TEST_CASE("the solution of 3.7 deals strata to pairs of points as its definition does") {
+TEST_CASE("the solution of 3.7 gives pairs of points strata as its definition does") {
   constexpr std::size_t side = 3, n = side * side, sets = 50'000;
   mc::Rng rng(20260101);
   std::vector<StratumAssignment> all;
@@ -161,7 +160,7 @@ TEST_CASE("the solution of 3.7 deals strata to pairs of points as its definition
     for (std::size_t b = a + 1; b < n; ++b, ++pairs) {
       std::map<std::array<std::size_t, 4>, double> counts;
       for (const StratumAssignment& one : all) ++counts[{one.x[a], one.x[b], one.y[a], one.y[b]}];
-      // In one column two different strata of x; in one row two different ones of y; else any two.
+      // Two different strata of x in one column; two different ones of y in one row; else any two.
       const std::size_t of_x = a % side == b % side ? 6 : 9, of_y = a / side == b / side ? 6 : 9;
       const auto outcomes = static_cast<double>(of_x * of_y), expected = sets / outcomes;
       CHECK(counts.size() == of_x * of_y);

@@ -8,7 +8,7 @@
 
 #include "checks/support/catch.hpp"
 
-TEST_CASE("normal quantiles, as far as there are doubles") {
+TEST_CASE("normal quantiles over the whole range of double") {
   const std::pair<double, double> published[] = {
       {0.4, -0.2533471031357997413247},
       {0.1, -1.281551565544600435335},

@@ -14,13 +14,13 @@ TEST_CASE("printable text") {
   CHECK(sandbox::printable(std::string_view("a\0b", 3)) == "a?b");
   CHECK(sandbox::printable("\xc2\x9b"
                            "31m") == "??31m");         // a control character of 8 bits
-  CHECK(sandbox::printable("\xff\xfe\x80") == "???");  // no UTF-8
-  CHECK(sandbox::printable("\xc3") == "?");            // cut short
+  CHECK(sandbox::printable("\xff\xfe\x80") == "???");  // not UTF-8
+  CHECK(sandbox::printable("\xc3") == "?");            // truncated
   CHECK(sandbox::printable("\xe2\x82") == "??");
-  CHECK(sandbox::printable("\xc0\xaf \xe0\x80\xaf") == "?? ???");  // longer than need be
+  CHECK(sandbox::printable("\xc0\xaf \xe0\x80\xaf") == "?? ???");  // overlong
   CHECK(sandbox::printable("\xed\xa0\x80") == "???");              // half of a surrogate pair
   CHECK(sandbox::printable("\xf4\x90\x80\x80") == "????");         // above the last code point
-  CHECK(sandbox::printable("\xef\xbf\xbf") == "???");  // no character, and not allowed in XML
+  CHECK(sandbox::printable("\xef\xbf\xbf") == "???");  // not a character, and invalid in XML
   CHECK(sandbox::printable("\u202e\u2066\u2028") == "?????????");  // other directions, other lines
 }
 

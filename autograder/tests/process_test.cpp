@@ -1,4 +1,4 @@
-// Processes and descriptors: nothing is lost, nothing is left over, whatever interrupts.
+// Processes and descriptors: no leaks and no leftovers, in spite of interruptions.
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ namespace mc::tests::process {
 using sandbox::Descriptor;
 using sandbox::run_process;
 
-TEST_CASE("a descriptor has one owner, and a number that no child is given") {
+TEST_CASE("a descriptor has one owner, and a number that no child uses") {
   const std::size_t before = open_descriptors();
   {
     Descriptor first(open("/dev/null", O_RDONLY), "/dev/null");
@@ -36,7 +36,7 @@ TEST_CASE("a descriptor has one owner, and a number that no child is given") {
   CHECK(open_descriptors() == before);
 }
 
-TEST_CASE("a child inherits what it is given and nothing else") {
+TEST_CASE("a child inherits only what it is given") {
 #ifdef __linux__
   const auto seen_by_child = [](const sandbox::ProcessOptions& options = {}) {
     return run_process({"ls", "/proc/self/fd"}, options).output;
@@ -66,12 +66,12 @@ TEST_CASE("how a process ends") {
   CHECK(late.signal == SIGKILL);
   const auto busy = run_process({"sh", "-c", "while :; do :; done"}, {.cpu_seconds = 1});
   CHECK_FALSE(busy.out_of_time);
-  CHECK((busy.signal == SIGXCPU || busy.signal == SIGKILL));  // both come at that limit
+  CHECK((busy.signal == SIGXCPU || busy.signal == SIGKILL));  // both come at the limit
   CHECK(busy.cpu_seconds > 0.5);
   CHECK(run_process({"sh", "-c", "yes | head -c 1000000"}, {.output = 1000}).output.size() == 1000);
 }
 
-TEST_CASE("what a process has started goes with it") {
+TEST_CASE("the processes that a process started end with it") {
   const auto run = run_process({"sh", "-c", "sleep 60 & echo $!; wait"}, {.wall_seconds = 0.3});
   CHECK(run.out_of_time);
   const auto child = static_cast<pid_t>(std::stol(run.output));
@@ -96,7 +96,7 @@ TEST_CASE("a signal is not the end of a pipe") {
   CHECK(interrupted.times() > 50);
 }
 
-TEST_CASE("without a descriptor left a process is not begun, and nothing stays open") {
+TEST_CASE("without free descriptors no process starts, and no descriptor leaks") {
   const std::size_t before = open_descriptors();
   for (const std::size_t most : {17u, 18u, 19u, 20u}) {  // it takes five of them, from 16 on
     const FewDescriptors few(most);

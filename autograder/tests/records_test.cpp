@@ -1,4 +1,4 @@
-// How test cases ended, from Catch2's listener through the pipe: points depend on nothing else.
+// How test cases ended, from Catch2's listener through the pipe: points depend only on this.
 #include <algorithm>
 #include <csignal>
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace mc::tests::records {
 
-// Not tests: what the next one reads the report of. They fail, and are hidden for it.
+// Not tests: a later test runs them and reads their records. They fail, so they are hidden.
 TEST_CASE("1.1 requires", "[.report][points:3]") {
   const int n = 3;
   REQUIRE(n < 2);
@@ -26,7 +26,7 @@ TEST_CASE("1.3 fails", "[.report]") {
 TEST_CASE("1.4 throws", "[.report]") {
   throw std::runtime_error("no value");
 }
-TEST_CASE("1.5 throws where it asks", "[.report]") {
+TEST_CASE("1.5 throws in an assertion", "[.report]") {
   const auto f = []() -> int { throw std::runtime_error("no value"); };
   REQUIRE(f() == 1);
 }
@@ -41,7 +41,7 @@ TEST_CASE("1.9 crashes", "[.report]") {
   std::raise(SIGSEGV);
 }
 
-TEST_CASE("the record of a case says how it ended, whatever Catch2 calls it") {
+TEST_CASE("the record of a case says how it ended, for every kind of end in Catch2") {
   const auto program = grader::read_layout().build / "bin" / "grader_tests";
   const auto run = grader::run_check_program(program, "[.report]", {});
   const auto ends = run.ends();
@@ -67,7 +67,7 @@ TEST_CASE("the record of a case says how it ended, whatever Catch2 calls it") {
   CHECK(end("1.7").passed);
 }
 
-TEST_CASE("a record that is cut short is none") {
+TEST_CASE("a truncated record is ignored") {
   const protocol::CheckEnd end{"1.1 x", "[1.1]", true, false, "line\nline"};
   const std::string line = protocol::line_of({protocol::RecordKind::ended, protocol::text_of(end)});
   const auto ends_in = [](std::string_view lines) {

@@ -1,5 +1,4 @@
-// The closed form of a rectangular light against values computed beforehand, to 24 digits, by
-// another way.
+// The closed form of a rectangular light against values computed independently to 24 digits.
 #include "checks/support/catch.hpp"
 #include "checks/support/rect_light_exact.hpp"
 
@@ -21,7 +20,7 @@ TEST_CASE("irradiance of a rectangular light") {
         Approx(0.19407819334767491552).epsilon(1e-6));
 }
 
-TEST_CASE("irradiance adds up over parts of a light, wherever they lie") {
+TEST_CASE("irradiance adds up over parts of a light, for any partition") {
   const RectLight whole{-0.3, 1.7, 0.4, 1.1, 0.6, 5};
   RectLight left = whole, right = whole;
   left.x1 = right.x0 = 0.8;

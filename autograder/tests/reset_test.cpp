@@ -1,4 +1,4 @@
-// ./lab reset, on a repository with a history of its own.
+// ./lab reset, in a repository with its own history.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -48,7 +48,8 @@ class Checkout {
   }
 
  private:
-  /// Whatever is configured for the person who runs this test, or above the scratch directory.
+  /// Independent of the user's git configuration, and of any repository above the scratch
+  /// directory.
   std::vector<std::pair<std::string, std::string>> alone() const {
     return {{"GIT_CONFIG_GLOBAL", "/dev/null"},
             {"GIT_CONFIG_NOSYSTEM", "1"},
@@ -73,7 +74,7 @@ std::string begun(std::string text) {
 
 }  // namespace
 
-TEST_CASE("the starter again, and nothing that was written is lost", "[script]") {
+TEST_CASE("reset restores the starter and keeps a backup of what was written", "[script]") {
   const Checkout checkout;
   const std::string given = text_of(read_layout().starter());
   checkout.commit("// an older handout\n" + given);
@@ -84,11 +85,11 @@ TEST_CASE("the starter again, and nothing that was written is lost", "[script]")
   const auto first = checkout.reset();
   INFO(first.errors);
   CHECK(first.exit_code == 0);
-  CHECK(read_text(checkout.file()) == given);  // the newest in which no task was begun
+  CHECK(read_text(checkout.file()) == given);  // the newest version without a begun task
   CHECK(read_text(checkout.file().string() + ".1.bak") == "mine\n");
   CHECK(contains(first.output, "variance.cpp.1.bak"));
 
-  const auto again = checkout.reset();  // there is nothing to keep
+  const auto again = checkout.reset();  // nothing to back up
   CHECK(again.exit_code == 0);
   CHECK(contains(again.output, "is as it was given to you"));
   CHECK_FALSE(fs::exists(checkout.file().string() + ".2.bak"));

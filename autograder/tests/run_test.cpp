@@ -1,4 +1,4 @@
-// Experiments by hand, and the words that say which lab.
+// Experiments run by hand, and the words that name a lab.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,7 +32,7 @@ TEST_CASE("an experiment by hand", "[script]") {
   CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
 }
 
-TEST_CASE("a result by hand says which number is what", "[script]") {
+TEST_CASE("the output of an experiment says which number is what", "[script]") {
   const std::string solutions = read_layout().solutions().string();
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"run", "--dir", solutions});
@@ -91,7 +91,7 @@ TEST_CASE("the list of experiments has the names of the declarations", "[script]
       const auto words = mc::text::split(line, ' ');
       const std::string name(words[0]);
       auto at = header.find(' ' + name + '(');
-      while (at != std::string::npos && header[at + name.size() + 2] == ')') {  // of a comment
+      while (at != std::string::npos && header[at + name.size() + 2] == ')') {  // in a comment
         at = header.find(' ' + name + '(', at + 1);
       }
       if (name.empty() || line.find("  --") == std::string_view::npos || at == std::string::npos)
@@ -116,7 +116,7 @@ TEST_CASE("the list of experiments has the names of the declarations", "[script]
   }
 }
 
-// Not in --quick: every program is compiled with them.
+// Not in --quick: compiles every program with the sanitizers.
 TEST_CASE("an experiment under the sanitizers", "[.sanitizers]") {
   const Layout layout = read_layout();
   const fs::path directory = layout.build / "tests" / "sanitize";

@@ -13,7 +13,7 @@ using namespace mc::checks;
 
 namespace {
 
-/// Random numbers, and a note of what was asked for.
+/// Random numbers, with a log of the calls.
 class RecordingSampler final : public Sampler {
  public:
   explicit RecordingSampler(std::uint64_t seed) : rng_(seed) {}
@@ -38,7 +38,7 @@ using Sample = std::function<double(Sampler&)>;
 
 constexpr double samples = 200'000;
 
-/// Moments of so many samples.
+/// Sample moments.
 Population brute_force(const Sample& sample, std::uint64_t seed) {
   RecordingSampler sampler(seed);
   double sum = 0, squares = 0;
@@ -70,7 +70,7 @@ using AllScenes =
 
 }  // namespace
 
-TEST_CASE("a scene is what its closed form says, with its own parameters and with fresh ones") {
+TEST_CASE("a scene's estimate matches its closed form, with default and random parameters") {
   AllScenes::each([](const std::string& name, auto scene) {
     INFO(name);
     Rng rng(6);
@@ -90,7 +90,7 @@ TEST_CASE("a scene is what its closed form says, with its own parameters and wit
   });
 }
 
-TEST_CASE("fresh parameters have a variance worth measuring") {
+TEST_CASE("random parameters give a variance worth measuring") {
   Rng rng(9);
   for (const KnownScene& scene : known_scenes) {
     INFO(std::string(scene.name));
@@ -102,7 +102,7 @@ TEST_CASE("fresh parameters have a variance worth measuring") {
   }
 }
 
-TEST_CASE("a scene asks for exactly what it lists, whatever it is given") {
+TEST_CASE("a scene makes exactly the calls it lists, for any random numbers") {
   AllScenes::each([](const std::string& name, auto scene) {
     INFO(name);
     RecordingSampler sampler(1);
@@ -113,8 +113,8 @@ TEST_CASE("a scene asks for exactly what it lists, whatever it is given") {
   });
 }
 
-// By adaptive quadrature in 30 digits, apart from this code; of the scenes' default parameters.
-TEST_CASE("closed forms of the scenes against values computed beforehand") {
+// By adaptive quadrature with 30 digits, independent of this code; for the default parameters.
+TEST_CASE("closed forms of the scenes against independently computed values") {
   struct Reference {
     std::string_view name;
     double mean, variance;
@@ -155,13 +155,13 @@ TEST_CASE("Lambert's formula for a rectangle overhead is the sum over its corner
   }
 }
 
-TEST_CASE("names, parameters and pictures that are not there are refused") {
+TEST_CASE("unknown names, parameters and pictures are refused") {
   CHECK_THROWS(known_scene("no_scene", {}));
   CHECK_THROWS(known_scene("motion_edge", std::array{1.0}));
   CHECK_THROWS(exact_image("no_picture", 2, 2));
 }
 
-TEST_CASE("a scene with parameters is the scene that has them") {
+TEST_CASE("a scene name with parameters selects the scene with these parameters") {
   Rng rng(8);
   for (const KnownScene& scene : known_scenes) {
     const std::vector<double> parameters = scene.fresh(rng);
@@ -170,8 +170,8 @@ TEST_CASE("a scene with parameters is the scene that has them") {
   CHECK(known_scene("motion_edge", std::array{0.2, 0.4}).exact == Approx(0.4));  // .2 + .4/2
 }
 
-// What the scenes would come to with a well-known mistake in them: the values were computed
-// beforehand, apart from this code, to 15 digits where they have no shorter form.
+// The values that scenes with a well-known mistake would have, computed independently of this code
+// to 15 digits where they have no shorter form.
 TEST_CASE("wrong scenes give wrong, distinguishable values") {
   struct WrongScene {
     std::string what;
@@ -274,15 +274,15 @@ void require_exact_pixels(At at) {
       RecordingSampler sampler(static_cast<std::uint64_t>(column + width * row));
       double sum = 0;
       for (double i = 0; i < spp; ++i, sampler.advance()) sum += scene(sampler);
-      // What is rarely 1 is nearer to Poisson's distribution than to Gauss's: 12 events where 0.5
-      // are expected happen once in 1e12.
+      // A rare 1 follows a Poisson rather than a normal distribution: 12 events where 0.5 are
+      // expected happen once in 1e12.
       INFO(column << ", " << row);
       CHECK(std::abs(sum / spp - exact(scene)) <
             sigmas * std::sqrt(std::max(0.0, variance) / spp) + 12 / spp);
       if (exact(scene) > 0 && exact(scene) < 1) ++seen;
     }
   }
-  CHECK(seen > height);  // there is something to see
+  CHECK(seen > height);  // the image is not empty
 }
 
 TEST_CASE("the exact image of a picture is the mean of its pixels") {

@@ -10,7 +10,8 @@
 namespace mc::checks {
 namespace {
 
-/// Cells of the square grid of 4^m cells that the first 4^m points of two dimensions leave empty.
+/// The number of empty cells in the square grid of 4^m cells for the first 4^m points of two
+/// dimensions.
 std::size_t empty_cells(unsigned a, unsigned b, unsigned m) {
   const auto x = sobol_directions(a), y = sobol_directions(b);
   std::vector<bool> taken(std::size_t{1} << 2 * m);

@@ -43,7 +43,7 @@ nlohmann::json results_of(const LabVerdict& lab,
   return nlohmann::json::parse(report_json(verdict, wanted));
 }
 
-TEST_CASE("a lab is as many times as fast as the geometric mean of its tasks") {
+TEST_CASE("a lab's speed-up is the geometric mean over its tasks") {
   LabVerdict lab = passed_lab();
   lab.speed = {task(1, 4.0), task(1, 1.0)};
   REQUIRE(lab.times_the_reference());
@@ -71,7 +71,7 @@ TEST_CASE("without the reference, its time is shown as an estimate") {
 }
 
 // Not in --quick: it times every speed task.
-TEST_CASE("each speed task has a ratio, kept with its lab", "[.figures]") {
+TEST_CASE("each speed task has a ratio, stored with its lab", "[.figures]") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const Submission solutions = open_submission(labs, layout.solutions());
@@ -101,12 +101,12 @@ TEST_CASE("speed is in the results and not in the score") {
   CHECK(results["score"] == 3);
   REQUIRE(results["leaderboard"].size() == 1);
   CHECK(results["leaderboard"][0]["value"] == 2);
-  // The class sees it: it is there only where it is asked for.
+  // The class sees it, so it is present only on request.
   CHECK_FALSE(results_of(lab, {}).contains("leaderboard"));
   CHECK(results["extra_data"]["speed"][0]["name"] == "2.8 uniforms");
 }
 
-TEST_CASE("time wasted before the first round makes no round shorter") {
+TEST_CASE("time lost before the first round does not shorten later rounds") {
   int runs = 0;
   const checks::Rounds run = [&](std::uint64_t rounds) -> std::optional<double> {
     const double noise = runs++ % 2 == 0 ? 1e-4 : 0;  // it hides a microsecond

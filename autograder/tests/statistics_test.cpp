@@ -1,5 +1,5 @@
-// The null distributions against published values, and the p-values of every test against what they
-// must be: uniform.
+// The null distributions against published values, and the p-values of every test against the
+// uniform distribution.
 
 #include "checks/support/statistics.hpp"
 
@@ -85,8 +85,8 @@ namespace {
 constexpr int repetitions = 4000;
 constexpr double never = 1e-15;  // the tests themselves must not fail here
 
-/// Are p-values of `test` uniform? With 4000 of them a distance of 0.04 is one in 1e5; the seed is
-/// fixed, so that this is decided once and for all.
+/// Are p-values of `test` uniform? With 4000 of them a distance of 0.04 has probability 1e-5; the
+/// seed is fixed, so the outcome is the same in every run.
 template <class Test>
 void check_uniform(Test test) {
   Rng rng(20260101);

@@ -11,7 +11,7 @@
 
 namespace mc::tests {
 
-/// A directory of the test's own, gone with it.
+/// A temporary directory for one test.
 class Scratch {
  public:
   explicit Scratch(const std::string& name = "scratch") {

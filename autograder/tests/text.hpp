@@ -1,5 +1,5 @@
 #pragma once
-// What tests ask of a text.
+// Text queries for tests.
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ inline std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Without the end of the line. Before it there may be how far something was.
+/// Without the line end. Progress output may come before the line.
 inline std::string last_line(std::string text) {
   if (text.ends_with('\n')) text.pop_back();
   return text.substr(text.rfind('\n') + 1);

@@ -1,4 +1,4 @@
-// ./lab check --watch: started as a person starts it, and a file saved as editors save.
+// ./lab check --watch: started as by a user, with files saved as editors save them.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,7 +28,7 @@ using namespace grader;
 
 namespace {
 
-/// Long enough for any machine: it ends what hangs, and says nothing of how fast anything is.
+/// Long enough for any machine: stops a hanging test, and does not measure speed.
 constexpr auto patience = std::chrono::minutes(2);
 
 constexpr const char* begun = "judging variance.cpp";
@@ -61,7 +61,7 @@ class WatchProcess {
   void save(const std::string& text) const { place_.write("variance.cpp", text); }
   fs::path file() const { return place_.path() / "variance.cpp"; }
 
-  /// Reads on until `text` has come; what came before and with it. Fails where it never does.
+  /// Reads until `text` arrives; returns all output so far. Fails if it never arrives.
   std::string until(const std::string& text) {
     const auto end = std::chrono::steady_clock::now() + patience;
     for (;;) {
@@ -80,7 +80,7 @@ class WatchProcess {
 
   std::string until_judged() { return until("\njudged "); }
 
-  /// The exit status after an interrupt; -1 where a signal ended it.
+  /// The exit status after an interrupt; -1 if a signal ended it.
   int interrupt() {
     kill(pid_, SIGINT);
     int status = 0;
@@ -89,7 +89,7 @@ class WatchProcess {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  /// The programs that it has started and that still run, as names in /proc.
+  /// Its child processes that still run, as names in /proc.
   std::vector<fs::path> children() const {
     std::vector<fs::path> all;
     for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -108,7 +108,7 @@ class WatchProcess {
   std::string unread_;
 };
 
-/// The solution, whose 1.1 goes on for ever.
+/// The solution with an endless 1.1.
 std::string endless() {
   return "#include <span>\n#include \"variance.hpp\"\nnamespace mc {\n"
          "double mean(std::span<const double>) { for (volatile int i = 0;; i = i + 1) {} }\n}\n"
@@ -118,7 +118,7 @@ std::string endless() {
 
 }  // namespace
 
-TEST_CASE("watching judges at once and after each save, however an editor saves", "[script]") {
+TEST_CASE("watch judges at once and after each save, for any way of saving", "[script]") {
   const std::string starter = text_of(read_layout().starter());
   const std::string solution = text_of(read_layout().solutions());
   WatchProcess watching(starter);
@@ -132,7 +132,7 @@ TEST_CASE("watching judges at once and after each save, however an editor saves"
   watching.save("not C++\n");
   CHECK(contains(watching.until_judged(), "does not compile"));
 
-  fs::remove(watching.file());  // away, and written anew
+  fs::remove(watching.file());  // removed and written anew
   CHECK(contains(watching.until("waiting for it"), "variance.cpp is not there"));
   watching.save(solution);
   CHECK(contains(watching.until_judged(), "\n10 of 10 points"));
@@ -141,7 +141,7 @@ TEST_CASE("watching judges at once and after each save, however an editor saves"
   CHECK(watching.interrupt() == 0);
 }
 
-TEST_CASE("a save stops the run before it, whose verdict is never shown", "[script]") {
+TEST_CASE("a save stops the run in progress, whose verdict is never shown", "[script]") {
   WatchProcess watching(endless());
   watching.until(begun);
   watching.save(text_of(read_layout().solutions()));
@@ -153,7 +153,7 @@ TEST_CASE("a save stops the run before it, whose verdict is never shown", "[scri
   CHECK(watching.interrupt() == 0);
 }
 
-TEST_CASE("an interrupt ends the watching and what is being judged", "[script]") {
+TEST_CASE("an interrupt ends watch and the run in progress", "[script]") {
   WatchProcess watching(endless());
   watching.until(begun);
   const auto end = std::chrono::steady_clock::now() + patience;

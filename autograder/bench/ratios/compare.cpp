@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Nanoseconds of one call, over as many as take 0.2 ms.
+/// Nanoseconds per call, over as many calls as take 0.2 ms.
 double nanoseconds(const std::function<void()>& work) {
   constexpr double least = 2e-4;
   for (int calls = 1;; calls *= 2) {

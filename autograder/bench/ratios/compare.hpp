@@ -9,11 +9,11 @@
 
 namespace mc::ratios {
 
-/// What is made is made in the same 32 KB (but for «out of cache»), as a library makes every point
-/// in the same few bytes: what is timed is making numbers, not storing them.
+/// All output goes to the same 32 KB (except for «out of cache»), as a library writes every point
+/// to the same few bytes: this times the generation of numbers, not their storage.
 constexpr std::size_t block = 4096;
 
-/// Whatever is measured leaves something here, so that it is computed.
+/// Every measured function stores a result here, so that the compiler cannot remove it.
 extern volatile double sink;
 
 struct Ratio {
@@ -24,11 +24,11 @@ struct Ratio {
 };
 
 /// Interleaved rounds, the best of fifteen on either side; the median of five such ratios. Prints a
-/// row: name, against, wanted, ratio, nanoseconds a value of ours, of the other; separated by tabs.
+/// row: name, against, wanted, ratio, nanoseconds per value of ours, of the other; tab-separated.
 void compare(const Ratio& ratio, const std::function<void()>& ours,
              const std::function<void()>& other);
 
-/// A file's measurements, made by main() in the order of `place`.
+/// A file's measurements, which main() runs in the order of `place`.
 struct Measurements {
   Measurements(int place, void (*measure)());
 };

@@ -1,4 +1,4 @@
-// Lab 5 against the GNU Scientific Library, which makes points of `dims` coordinates.
+// Lab 5 against the GNU Scientific Library, which generates points of `dims` coordinates.
 
 #ifdef MC_HAVE_GSL
 

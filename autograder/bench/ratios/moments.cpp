@@ -1,4 +1,4 @@
-// Lab 1: one pass with all digits against the two sums that lose them.
+// Lab 1: one accurate pass against the two sums that lose digits.
 
 #include <span>
 #include <vector>

@@ -71,8 +71,7 @@ int dispatch(char** argv) {
     fmt::print("Monte Carlo labs {}\n", context.layout.version);
     return 0;
   }
-  const CommandEntry& entry =
-      find_entry(find_labs(context.layout), words.empty() ? "" : words[0]);
+  const CommandEntry& entry = find_entry(find_labs(context.layout), words.empty() ? "" : words[0]);
   if (!is_here(context.layout, entry)) {
     throw UsageError(
         fmt::format("./lab {} is about {}, which is not here", entry.name, entry.about));

@@ -33,7 +33,7 @@ std::vector<Lab> labs_with_points(const Context& context) {
   return labs;
 }
 
-/// Why what a lab should have written is not there.
+/// Why a lab's output is missing.
 void add_reasons(const Lab& lab, const fs::path& data, std::vector<std::string>& remarks) {
   std::set<std::string> reasons;
   for (const auto& entry : fs::directory_iterator(data)) {
@@ -48,7 +48,7 @@ void add_reasons(const Lab& lab, const fs::path& data, std::vector<std::string>&
   }
 }
 
-/// Measures the point sets of one lab; a JSON text for each of them, by the names of their files.
+/// Measures the point sets of one lab; returns a JSON text for each, by file name.
 void measure(const Layout& layout, const Lab& lab, const Submission& submission,
              const fs::path& data, std::map<std::string, std::string>& ways,
              std::vector<std::string>& remarks) {
@@ -70,7 +70,7 @@ void measure(const Layout& layout, const Lab& lab, const Submission& submission,
   add_reasons(lab, data, remarks);
 }
 
-/// Puts `text` in the place of a comment.
+/// Replaces a comment by `text`.
 void fill(std::string& page, const std::string& name, const std::string& text) {
   const std::string mark = "<!--" + name + "-->";
   const auto at = page.find(mark);

@@ -24,7 +24,7 @@ std::string gnuplot_string(const std::string& text) {
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {
   std::string list;
   for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + gnuplot_string(text);
-  if (texts.empty()) list = "''";  // there is no array without elements
+  if (texts.empty()) list = "''";  // gnuplot has no empty arrays
   return fmt::format("array {}[{}] = [{}]\n", name, std::max<std::size_t>(texts.size(), 1), list);
 }
 

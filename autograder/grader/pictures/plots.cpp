@@ -19,7 +19,7 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// A submission whose numbers are drawn.
+/// A submission to draw.
 struct Panel {
   std::string label;
   BuildResult built;
@@ -27,18 +27,18 @@ struct Panel {
 };
 
 /// A part of plots.gp: those that begin with a line "# Title ------" draw a picture or two each,
-/// and are drawn apart, so that one that fails takes no other with it.
+/// and run separately, so that a failure affects no other.
 struct Section {
   std::string script;
   std::vector<std::string> names{}, labels{};  ///< of its pictures, of the panels in them
-  std::string why_empty{};                     ///< none of the panels has anything to draw
+  std::string why_empty{};                     ///< set if no panel has anything to draw
 };
 
 bool begins_section(std::string_view line) {
   return line.starts_with("# ") && line.ends_with("----------");
 }
 
-/// Arrays and functions, which later sections may use too.
+/// Arrays and functions that later sections may use, too.
 bool is_definition(std::string_view line) {
   if (line.starts_with("array ")) return true;
   const auto equals = line.find(" = ");
@@ -59,7 +59,7 @@ std::vector<Section> sections_of(const std::string& script) {
   return sections;
 }
 
-/// The pictures that a section draws: what it calls "name" or "sheet", by its strings.
+/// The pictures that a section draws, from the strings it assigns to "name" or "sheet".
 std::vector<std::string> names_in(const std::string& script) {
   std::vector<std::string> names;
   for (const std::string_view line : text::split(script, '\n')) {
@@ -74,7 +74,7 @@ std::vector<std::string> names_in(const std::string& script) {
   return names;
 }
 
-/// Draws the reason in the place of a picture.
+/// Draws the reason in place of the picture.
 std::string placeholder(const std::string& beginning, const std::string& name,
                         const std::string& reason) {
   return beginning + fmt::format(
@@ -116,10 +116,10 @@ bool has_data(const Panel& panel, const std::string& name) {
   return false;
 }
 
-/// What a panel lacks in the pictures of a section.
+/// The data that a panel lacks in the pictures of a section.
 struct Gaps {
   std::vector<std::string> remarks;
-  std::string reason;     ///< the first of what is missing
+  std::string reason;     ///< the reason for the first missing data
   bool is_empty = false;  ///< nothing is left to draw
 };
 Gaps gaps_of(const Panel& panel, const std::vector<std::string>& names) {
@@ -136,12 +136,12 @@ Gaps gaps_of(const Panel& panel, const std::vector<std::string>& names) {
   return gaps;
 }
 
-/// A reason as it fits into a picture.
+/// A reason, shortened to fit into a picture.
 std::string in_a_title(const std::string& reason) {
   return sandbox::shortened(reason, 90);
 }
 
-/// What is known of a section's pictures before they are drawn.
+/// The facts about a section's pictures before they are drawn.
 void look_at(Section& section, const std::vector<Panel>& panels,
              std::vector<std::string>& remarks) {
   section.names = names_in(section.script);
@@ -157,7 +157,7 @@ void look_at(Section& section, const std::vector<Panel>& panels,
   if (has_some) section.why_empty.clear();
 }
 
-/// What a hidden case says of its end; empty where it came there.
+/// Why a hidden case did not finish; empty if it did.
 std::string failure_of(const CheckProcess& run) {
   const auto ends = run.ends();
   if (ends.size() == 1 && ends[0].passed) return {};
@@ -166,7 +166,7 @@ std::string failure_of(const CheckProcess& run) {
   return message.substr(0, message.find('\n'));
 }
 
-/// Measures all that the plots show, submissions and cases side by side.
+/// Measures everything for the plots, with submissions and cases in parallel.
 void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& panels,
              std::vector<std::string>& remarks) {
   const auto cases = hidden_cases(layout, lab, CaseKind::measurements, "[.plot]");

@@ -1,7 +1,7 @@
 // Runs a command on a machine that lacks something:
 //   faulty_machine [--disk FROM TO KB] [--descriptors N] [--processes UID N] [--refuse CALL]...
 //                  COMMAND...
-// Exit status 77 where this machine does not let itself be made so poor.
+// Exit status 77 if this machine does not allow that.
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -28,7 +28,8 @@ void demand(bool done, const char* what) {
   std::exit(not_possible);
 }
 
-/// A small disk at `to`, seen by this process only and gone with it, with what is in `from`.
+/// A small disk at `to` with the content of `from`, visible to this process only and removed with
+/// it.
 void mount_disk(const char* from, const char* to, const char* kilobytes) {
   demand(unshare(CLONE_NEWNS) == 0, "unshare");
   demand(mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0, "mount /");

@@ -8,12 +8,12 @@
 namespace mc::fuzz {
 namespace {
 
-/// How this program lies. The proof writes it into the program's file (tests/self_test/fuzz.cpp),
-/// for a jailed program can read nothing.
+/// How this program lies. The proof writes the plan into the program's file
+/// (tests/self_test/fuzz.cpp), because a jailed program can read nothing.
 struct Plan {
   char mark[16];
-  std::uint8_t value;    ///< which of `values`; past them: one process_plan for each process
-  std::uint8_t size;     ///< which of the sizes below; past them: process_plan
+  std::uint8_t value;    ///< index into `values`; beyond: each process draws one
+  std::uint8_t size;     ///< index into the sizes below; beyond: drawn
   std::uint8_t few;      ///< 0: any number; else one of `few` values
   std::uint8_t honesty;  ///< of 256 processes, this many are honest
 };
@@ -51,7 +51,7 @@ ProcessPlan& process_plan() {
   return one;
 }
 
-/// Is this number one of the few?
+/// Is this number one of those to replace?
 bool is_chosen() {
   ProcessPlan& now = process_plan();
   return now.lies && (plan.few == 0 || now.count++ % plan.few == plan.few / 2u);

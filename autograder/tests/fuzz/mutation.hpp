@@ -1,5 +1,5 @@
 #pragma once
-// What a lying program replaces.
+// The values that a lying program replaces.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A class is graded, whatever happens meanwhile.
+// Grading a class, with all kinds of interruptions.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -29,13 +29,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The table without what depends on the day: id -> its row.
+/// The table without what differs between runs: id -> its row.
 std::map<std::string, std::vector<std::string>> rows_of(const fs::path& csv) {
   auto rows = csv_rows(read_text(csv));
   std::map<std::string, std::vector<std::string>> by_id;
   REQUIRE(!rows.empty());
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    REQUIRE(rows[i].size() == rows[0].size());  // no half row
+    REQUIRE(rows[i].size() == rows[0].size());  // no truncated row
     rows[i][3] = "";
     REQUIRE(by_id.emplace(rows[i][0], rows[i]).second);  // each id once
   }
@@ -58,8 +58,8 @@ std::map<std::string, std::string> verdicts_of(const fs::path& csv) {
   return all;
 }
 
-/// Processes that judge one of this course's submissions: compilers by where they run, checks and
-/// programs by what they have open.
+/// Processes that judge one of this course's submissions: compilers by their working directory,
+/// checks and programs by their open files.
 std::vector<std::string> processes_of(const Course& course, const std::string& seed) {
   std::set<std::string> slots;
   for (const std::string& id : course.ids) {
@@ -84,7 +84,7 @@ std::vector<std::string> processes_of(const Course& course, const std::string& s
 
 }  // namespace
 
-TEST_CASE("a verdict survives its way to disk") {
+TEST_CASE("a verdict survives a round trip to disk") {
   Verdict verdict;
   verdict.submission = "müller \"x\"";
   verdict.found_in = "a/b";
@@ -135,7 +135,7 @@ TEST_CASE("a verdict survives its way to disk") {
 }
 
 TEST_CASE(
-    "a table for spreadsheets: no formula, no line too many, nothing where nothing was judged") {
+    "a table for spreadsheets: no formula, no extra line, no points where nothing was judged") {
   for (const char* text : {"=HYPERLINK(\"x\")", "+1", "-1", "@a", "\t=1", "plain", "it's", "'=1"}) {
     CHECK(csv_field(text)[csv_field(text)[0] == '"' ? 1 : 0] != '=');
     CHECK(std::string("+-@\t").find(csv_field(text)[0]) == std::string::npos);
@@ -164,7 +164,7 @@ TEST_CASE(
         "\"'=x \",0,,0.0,\"not judged: the disk is full\",\"not judged\",,,\n");
 }
 
-TEST_CASE("a batch that is killed at any moment loses nothing and does nothing twice",
+TEST_CASE("a batch that is killed at any moment loses nothing and repeats nothing",
           "[.interrupted]") {
   Course course;
   course.hand_in_tiny(30);
@@ -187,7 +187,7 @@ TEST_CASE("a batch that is killed at any moment loses nothing and does nothing t
     CAPTURE(run.exit_code, run.errors);
     REQUIRE((run.out_of_time || run.exit_code == 0));
     kills += run.out_of_time ? 1 : 0;
-    if (!fs::exists(course.csv())) continue;  // before it had begun
+    if (!fs::exists(course.csv())) continue;  // killed before it began
     hits += rows_of(course.csv()).empty() ? 0 : 1;
     for (const auto& [id, verdict] : verdicts_of(course.csv())) CHECK(verdict.size() > 100);
   }
@@ -211,14 +211,14 @@ TEST_CASE("a batch that is killed at any moment loses nothing and does nothing t
   std::vector<std::string> order;
   for (const auto& row : csv_rows(read_text(course.csv()))) order.push_back(row[0]);
   CHECK(std::is_sorted(order.begin() + 1, order.end()));
-  // Nothing lies about: neither halves of files, nor what was compiled in.
+  // No leftovers: neither partial files nor compile directories.
   for (const auto& entry : fs::recursive_directory_iterator(course.path())) {
     CHECK(entry.path().string().find(".new-") == std::string::npos);
   }
   CHECK(read_book_state(course.csv()).finished);
 }
 
-TEST_CASE("what changed is judged again, and nothing else") {
+TEST_CASE("only changed submissions are judged again") {
   Course course;
   course.hand_in_tiny(6);
   const std::string csv = course.csv().string();
@@ -228,12 +228,12 @@ TEST_CASE("what changed is judged again, and nothing else") {
   CHECK(again.exit_code == 0);
   CHECK(again.output.find("6 submissions: 1 judged, 5 were before; seed 7") != std::string::npos);
   CHECK(course.grade({"--csv", csv, "--resume", "--seed", "8"}).exit_code == 2);
-  // What was not finished is not thrown away by forgetting --resume.
+  // Forgetting --resume does not delete an unfinished run.
   write_text(verdict_directory(csv) / "state", "begun seed 7\n");
   const auto forgotten = course.grade({"--csv", csv});
   CHECK(forgotten.exit_code == 2);
   CHECK(forgotten.errors.find("--resume goes on") != std::string::npos);
-  // A row that an editor has spoiled, a verdict cut in two: judged again.
+  // A row damaged by an editor, a truncated verdict: judged again.
   const fs::path verdict = verdict_file(csv, "s01");
   write_text(verdict, read_text(verdict).substr(0, 100));
   CHECK(course.grade({"--csv", csv, "--resume"}).output.find("1 judged, 5 were before") !=
@@ -253,7 +253,7 @@ TEST_CASE("two runs do not write one table") {
   CHECK(run.errors.find("another run is writing") != std::string::npos);
 }
 
-TEST_CASE("the rows of a class: no file and no program are 0, unreadable is neither") {
+TEST_CASE("rows of a class: a missing file or program gives 0, an unreadable one no points") {
   Course course;
   course.hand_in_tiny(2);
   fs::create_directories(course.path() / "class" / "zoe" / "notes");
@@ -273,7 +273,7 @@ TEST_CASE("the rows of a class: no file and no program are 0, unreadable is neit
   CHECK(cells("broken") == "unreadable|||unreadable: it is no zip");
 }
 
-TEST_CASE("shards are a class in parts") {
+TEST_CASE("shards partition a class") {
   Course course;
   course.hand_in_tiny(5);
   for (const char* shard : {"1/2", "2/2"}) {

@@ -92,7 +92,7 @@ void works_from_the_first_call_on(const Handout& handout) {
     CHECK(run.exit_code == 0);
     CHECK(contains(run.output, "usage: ./lab " + command));
   }
-  // What is not handed out is no command there, and a line says so.
+  // Commands that are not part of the handout are unknown there, and a message says so.
   for (const char* command : {"render", "bench", "test", "handout"}) {
     const auto run = handout.lab({command});
     CAPTURE(command, run.errors);
@@ -176,7 +176,7 @@ void grades_what_is_handed_in(const Container& container) {
       {{"variance.cpp", "#include \"../autograder/checks/support/exact.hpp\"\n" + starter}});
   CHECK(curious["score"] == 0);
 
-  // For ever in one task: the others count. What failed, the student can repeat at home.
+  // One endless task: the others count. The student can repeat the failures at home.
   std::string loops = solution;
   const std::string begin = "double mean(std::span<const double> x) {";
   REQUIRE(contains(loops, begin));
@@ -201,7 +201,7 @@ void grades_what_is_handed_in(const Container& container) {
                                    {"build/variance.cpp", starter}});
   CHECK(repository["score"] == 100);
 
-  // With a leaderboard: what such a zip has more, in the same container.
+  // With a leaderboard: adds what such a zip has in addition, in the same container.
   const Container compared({"--leaderboard"});
   fs::copy(compared.source / "solutions", container.source / "solutions",
            fs::copy_options::recursive);
@@ -228,8 +228,8 @@ void grades_what_is_handed_in(const Container& container) {
 
 }  // namespace
 
-// Some ninety seconds of CPU time: not in --quick.
-TEST_CASE("a handout works from the first call on, and Gradescope's zip invents no score",
+// Takes 90 s of CPU time: not in --quick.
+TEST_CASE("a handout works from the first call on, and Gradescope's zip never invents a score",
           "[.checkout]") {
   const Container container({"--visibility", "hidden"});
   const fs::path unzipped = container.path() / "unzipped";

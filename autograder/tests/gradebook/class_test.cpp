@@ -53,7 +53,7 @@ TEST_CASE("a class of forty with every hostile file gives forty rows, each right
   fs::create_directories(place / "link");
   fs::create_symlink(course.layout.solutions() / "variance.cpp", place / "link" / "variance.cpp");
   expected["link"] = "no file 0";
-  if (geteuid() != 0) {  // root reads them all the same
+  if (geteuid() != 0) {  // root can read them all
     hand_in("closed", starter, "unreadable ");
     fs::permissions(place / "closed" / "variance.cpp", fs::perms::none);
   } else {
@@ -61,14 +61,14 @@ TEST_CASE("a class of forty with every hostile file gives forty rows, each right
   }
   write_text(place / "broken.zip", "PK no zip");
   expected["broken"] = "unreadable ";
-  // Other people's names below one's own directory.
+  // Other people's names below a person's directory.
   for (const char* other : {"s00", "zoe"}) {
     fs::create_directories(place / "mallory" / other);
     write_text(place / "mallory" / other / "variance.cpp", starter);
   }
   expected["mallory"] = "unreadable ";  // which one counts?
 
-  // Texts for a compiler that waits, writes, or never ends: three and more in a row.
+  // Texts that make a compiler wait, write, or never end: three and more in a row.
   hand_in("own-output", "#include \"/proc/self/fd/1\"\n" + starter, "no program 0");
   hand_in("own-errors", "#include \"/proc/self/fd/2\"\n" + starter, "no program 0");
   hand_in("own-input", "#include \"/proc/self/fd/0\"\n" + starter, "no program 0");
@@ -105,7 +105,7 @@ TEST_CASE("a class of forty with every hostile file gives forty rows, each right
   CHECK(outcomes(csv) == expected);
 }
 
-TEST_CASE("a hash names what is cached, and its contents decide") {
+TEST_CASE("a hash names a cache entry, and its contents decide") {
   const Scratch place;
   const auto keep = [&](const char* slot, const std::string& key) {
     fs::create_directories(place.path() / "made" / slot);
@@ -116,7 +116,7 @@ TEST_CASE("a hash names what is cached, and its contents decide") {
   const fs::path other = keep("other", "another text");
   CHECK(find_cached(place.path() / "mine", "o", "my text") == mine);
   CHECK(!find_cached(place.path() / "mine", "o", "another text"));
-  // As if both texts had one hash: what lies under its name is not what is asked for.
+  // As if both texts had the same hash: the cache entry is for the other text.
   for (const auto& entry : fs::directory_iterator(place.path() / "other")) {
     if (entry.path().extension() != ".o-key") continue;
     for (const auto& own : fs::directory_iterator(place.path() / "mine")) {
@@ -125,7 +125,7 @@ TEST_CASE("a hash names what is cached, and its contents decide") {
     }
   }
   CHECK(!find_cached(place.path() / "mine", "o", "my text"));
-  // What is gone on with is compared whole, too.
+  // --resume also compares the whole contents.
   Course course;
   course.hand_in("x", "int x;\n");
   course.hand_in("y", "int y;\n");
@@ -135,7 +135,7 @@ TEST_CASE("a hash names what is cached, and its contents decide") {
   CHECK(contains(verdict->contents, "int x;\n"));
 }
 
-TEST_CASE("corrections outlive every run") {
+TEST_CASE("corrections survive every run") {
   Course course;
   course.hand_in("anna", "int 1;\n");
   course.hand_in("bob", text_of(course.layout.starter()));

@@ -1,5 +1,5 @@
 #pragma once
-// Where Gradescope grades.
+// The environment in which Gradescope grades.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace mc::tests {
 
-/// /autograder, as Gradescope lays it out, somewhere else.
+/// Gradescope's /autograder, in a temporary directory.
 struct Container : Course {
   using Path = std::filesystem::path;
   Path root = std::filesystem::canonical(path()) / "autograder", zip = path() / "autograder.zip";
@@ -33,7 +33,7 @@ struct Container : Course {
         {(source / name).string()},
         {.directory = root, .environment = {{"AUTOGRADER_ROOT", root.string()}, {"MC_BUILD", ""}}});
   }
-  /// Hands in these files alone, and grades them.
+  /// Hands in only these files, and grades them.
   sandbox::ProcessResult grade(const std::vector<std::pair<Path, std::string>>& files) const {
     std::filesystem::remove_all(handed);
     std::filesystem::create_directories(handed);

@@ -25,7 +25,7 @@ struct Course : Scratch {
     grader::write_text(path() / "class" / id / "variance.cpp", text);
     ids.push_back(id);
   }
-  /// Cheap ones: most do not compile, a few are the starter.
+  /// Cheap submissions: most do not compile, a few are the starter.
   void hand_in_tiny(int count) {
     for (int i = 0; i < count; ++i) {
       const std::string id = fmt::format("s{:02}", i);

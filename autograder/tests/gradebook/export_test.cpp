@@ -1,4 +1,4 @@
-// A class, laid out for a tool that finds similar submissions.
+// A class, exported for a tool that finds similar submissions.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -26,7 +26,7 @@ std::vector<std::string> files_in(const fs::path& directory) {
 
 }  // namespace
 
-TEST_CASE("for JPlag: a folder for each submission, the starters as base code") {
+TEST_CASE("export for JPlag: a folder for each submission, the starters as base code") {
   Course course;
   const fs::path handed = course.path() / "class", out = course.path() / "out";
   course.hand_in("ada", "// ada\n");
@@ -54,7 +54,7 @@ TEST_CASE("for JPlag: a folder for each submission, the starters as base code") 
   CHECK(contains(run.output, "3 submissions: java -jar jplag.jar -l cpp -bc " + out.string()));
 }
 
-TEST_CASE("export writes over nothing, and says how it is used") {
+TEST_CASE("export overwrites nothing, and explains its usage") {
   Course course;
   course.hand_in("ada", "int x;\n");
   const std::string handed = (course.path() / "class").string();

@@ -1,4 +1,4 @@
-// Gradescope's zip. What its image does with a submission: checkout_test.cpp.
+// Gradescope's zip. checkout_test.cpp tests what its image does with a submission.
 #include <filesystem>
 #include <string>
 
@@ -11,7 +11,7 @@ namespace mc::tests::gradescope {
 namespace fs = std::filesystem;
 using namespace grader;
 
-TEST_CASE("Gradescope's zip has what it asks for at its top, the version, and no answer") {
+TEST_CASE("Gradescope's zip has the required files at its top, the version, and no answers") {
   const Container plain({"--visibility", "after_due_date"});
   CAPTURE(plain.written.output, plain.written.errors);
   REQUIRE(plain.written.exit_code == 0);
@@ -27,7 +27,7 @@ TEST_CASE("Gradescope's zip has what it asks for at its top, the version, and no
   const std::string script = read_text(plain.source / "run_autograder");
   CHECK(contains(script, "\nLAB=variance\nLEADERBOARD=\nVISIBILITY=after_due_date\n"));
 
-  // A leaderboard compares with the reference, of these labs alone.
+  // A leaderboard compares with the reference, for these labs only.
   const Container compared({"--leaderboard"});
   CHECK(contains(read_text(compared.source / "run_autograder"), "\nLEADERBOARD=1\n"));
   CHECK(fs::exists(compared.source / "solutions" / "variance.cpp"));

@@ -1,5 +1,5 @@
 #pragma once
-// What students get.
+// The students' handout.
 
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-// What students get holds no answer. That it works: checkout_test.cpp.
+// The handout holds no answers. checkout_test.cpp tests that it works.
 #include <filesystem>
 #include <set>
 #include <string>
@@ -16,7 +16,7 @@ using namespace grader;
 
 namespace {
 
-/// Lines without their blanks and without git's sign of what was added.
+/// Lines without blanks and without git's markers of added lines.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   for (std::string_view line : text::split(text, '\n')) {
@@ -30,7 +30,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 using Texts = std::set<std::string>;
 
-/// Lines by which one would know an answer: long ones.
+/// Lines that identify an answer: long ones.
 void add_lines(const std::string& text, Texts& to) {
   constexpr std::size_t long_enough = 40;
   for (std::string& line : lines_of(text)) {
@@ -38,8 +38,8 @@ void add_lines(const std::string& text, Texts& to) {
   }
 }
 
-/// Four lines in a row. The judge computes what the answers do: they share a loop here and there,
-/// three lines at most.
+/// Four lines in a row. The judge computes the same things as the answers, so they share loops here
+/// and there, of at most three lines.
 void add_passages(const std::string& text, Texts& to) {
   constexpr std::size_t long_enough = 100;
   std::vector<std::string> lines = lines_of(text);
@@ -62,7 +62,7 @@ Texts texts_in(const Layout& layout, const std::vector<std::string>& places,
   return all;
 }
 
-/// The answers' lines, or passages, that this text has and students were not given.
+/// Lines or passages of the answers that this text has and the students' files do not.
 Texts answers_in(const Layout& layout, const std::string& text,
                  void (*add)(const std::string& text, Texts& to)) {
   const std::string kinds = "autograder/submissions/";
@@ -80,11 +80,11 @@ Texts answers_in(const Layout& layout, const std::string& text,
 
 }  // namespace
 
-TEST_CASE("no answer is in a handout, nor in its history") {
+TEST_CASE("neither a handout nor its history has an answer") {
   const Handout handout;
   CAPTURE(handout.written.errors);
   REQUIRE(handout.written.exit_code == 0);
-  CHECK(handout.git({"status", "--porcelain"}).output.empty());  // so its history has every file
+  CHECK(handout.git({"status", "--porcelain"}).output.empty());  // its history has every file
   CHECK(lines(handout.git({"rev-list", "--all"}).output) == 1);
   const std::string others = handout.git({"log", "-p", "--all", "--", ".", ":!autograder"}).output;
   const std::string judge = handout.git({"log", "-p", "--all", "--", "autograder"}).output;
@@ -97,7 +97,7 @@ TEST_CASE("no answer is in a handout, nor in its history") {
   }
 }
 
-TEST_CASE("a handout's README speaks of what is handed out, and of nothing else") {
+TEST_CASE("a handout's README covers exactly the handout's content") {
   const auto readme = [](const Handout& handout) {
     REQUIRE(handout.written.exit_code == 0);
     const std::string text = read_text(handout.root / "README.md");
@@ -121,7 +121,7 @@ TEST_CASE("a handout's README speaks of what is handed out, and of nothing else"
   CHECK(!contains(fourth, "variance"));
 }
 
-TEST_CASE("a handout's containers bring everything that ./lab looks for") {
+TEST_CASE("a handout's containers have everything that ./lab requires") {
   const fs::path root = Course().layout.root;
   const auto packages = sandbox::run_process(
       {"sh", "-c",

@@ -1,4 +1,4 @@
-// What people hand in, laid out as they do it and as platforms export it.
+// Submissions in the layouts that people and platforms produce.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::string summary(const Intake& intake) {
   return all;
 }
 
-/// A zip of stored entries, name and text as they are given, with this mode.
+/// A zip of stored entries with these names, texts and mode.
 std::string raw_zip(const std::vector<std::pair<std::string, std::string>>& entries,
                     unsigned mode = 0100644) {
   std::string local, central;
@@ -111,7 +111,7 @@ TEST_CASE("one person's files are found wherever they are") {
         "a: variance @starter");
   CHECK(summary(Place().file("a/x/y/variance.cpp").file("a/x/notes.txt").take("a")) ==
         "a: variance @x/y");
-  // A checkout in a directory: what it brings along does not count.
+  // A checkout in a directory: its other files do not count.
   CHECK(summary(Place()
                     .file("a/mc/README.md")
                     .file("a/mc/starter/variance.cpp")
@@ -152,7 +152,7 @@ TEST_CASE("a parent directory means its children") {
         "nothing:; two: !variance.cpp is in 1 and in 2: which one counts?; zoe: variance @sub");
 }
 
-TEST_CASE("ids are unique, printable, and fit to name files") {
+TEST_CASE("ids are unique, printable, and valid file names") {
   Place place;
   place.file("x/anna/variance.cpp").file("x/Anna/variance.cpp");
   place.file("z/variance.cpp").zip("z", "x/anna.zip");
@@ -161,7 +161,7 @@ TEST_CASE("ids are unique, printable, and fit to name files") {
         "?[31m ???: variance; Anna: variance; anna (2): variance; anna (3): variance");
 }
 
-TEST_CASE("several words are one submission each, whatever a student calls directories") {
+TEST_CASE("several words are one submission each, for any directory names") {
   Place place;
   place.file("class/mallory/zoe/variance.cpp").file("class/mallory/yann/variance.cpp");
   place.file("class/zoe/variance.cpp").file("class/two/1/variance.cpp");
@@ -254,7 +254,7 @@ TEST_CASE("the exports of learning platforms") {
   CHECK(named_by_platform("Jo_12_assignsubmission_file_variance.cpp")->file == "variance.cpp");
 }
 
-TEST_CASE("a zip leads nowhere but into its own directory") {
+TEST_CASE("a zip never unpacks outside of its own directory") {
   Place place;
   const auto taken = [&](const std::string& zip) {
     place.file("a.zip", zip);
@@ -282,11 +282,11 @@ TEST_CASE("a zip leads nowhere but into its own directory") {
       .zip("z", "large.zip");
   CHECK_THROWS_AS(unpack(place.path() / "large.zip", to.path(), {.bytes = 1'500'000}),
                   UnreadableSubmission);
-  // A text is unpacked up to where the compiler says that it is too long.
+  // A text is unpacked up to the length at which the compiler rejects it.
   CHECK(fs::file_size(to.path() / "variance.cpp") <= (std::size_t{1} << 20) + 1);
 }
 
-TEST_CASE("a word that cannot be read ends nothing but itself") {
+TEST_CASE("an unreadable word does not affect the others") {
   Place place;
   place.file("a/variance.cpp").file("b.cpp");
   const auto at = [&](const char* name) { return (place.path() / name).string(); };
@@ -298,7 +298,7 @@ TEST_CASE("a word that cannot be read ends nothing but itself") {
   CHECK_THROWS_AS(take_in_one(place.context, at("gone")), UsageError);
 }
 
-TEST_CASE("a path in a command is one word, whatever it is called") {
+TEST_CASE("a path in a command is one word, for any name") {
   CHECK(shell_quoted("class/anna") == "class/anna");
   CHECK(shell_quoted("übung 1") == "'übung 1'");
   CHECK(shell_quoted("$(rm x)`'\"") == "'$(rm x)`'\\''\"'");

@@ -22,7 +22,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// A class of right answers to lab 1, and a build directory of its own to grade it with.
+/// A class of right answers to lab 1, and a separate build directory to grade it with.
 struct Course : Scratch {
   Layout layout = read_layout();
   std::vector<std::string> ids;
@@ -32,7 +32,7 @@ struct Course : Scratch {
     for (int i = 0; i < count; ++i) {
       ids.push_back(fmt::format("s{}", i));
       fs::create_directories(path() / "class" / ids.back());
-      // Never seen before, so that nothing of it is built.
+      // New text, so that nothing of it is cached.
       write_text(path() / "class" / ids.back() / "variance.cpp",
                  text_of(layout.solutions()) + fmt::format("// {} {}\n", getpid(), i));
     }
@@ -40,7 +40,7 @@ struct Course : Scratch {
     for (const char* name : {"bin/course", "bin/checks_variance", "layout.txt"}) {
       fs::copy_file(layout.build / name, build / name);
     }
-    if (fs::exists(layout.build / "precompiled")) {  // or the first to come would wait for it
+    if (fs::exists(layout.build / "precompiled")) {  // else the first submission would wait for it
       fs::create_directory_symlink(layout.build / "precompiled", build / "precompiled");
     }
     fs::permissions(path(), fs::perms::all);
@@ -68,7 +68,7 @@ struct Course : Scratch {
   }
 };
 
-/// What a class and one of it get on such a machine. False where it cannot be made like that.
+/// The results of a class and of one submission on such a machine. False if it cannot be simulated.
 bool is_no_grade(const Course& course, const Words& faults, const std::string& reason,
                  const fs::path& build) {
   const auto run =
@@ -90,7 +90,7 @@ bool is_no_grade(const Course& course, const Words& faults, const std::string& r
     CHECK(rows[i][5] == "not judged");
     for (std::size_t cell = 6; cell < rows[i].size(); ++cell) CHECK(rows[i][cell].empty());
   }
-  // One alone, for Gradescope: no file that could be taken for a grade.
+  // A single submission, for Gradescope: no file that could pass for a grade.
   const auto single =
       course.with(faults, course.grade(build, "class/" + course.ids[0], {"--json", course.json()}));
   CAPTURE(single.output, single.errors);
@@ -100,7 +100,7 @@ bool is_no_grade(const Course& course, const Words& faults, const std::string& r
   return true;
 }
 
-/// Once the machine is right again, --resume judges them all.
+/// Once the machine works again, --resume judges them all.
 void is_made_good(const Course& course) {
   const auto run = sandbox::run_process(
       course.grade(course.build, "class", {"--csv", course.csv(), "--resume"}));
@@ -116,7 +116,8 @@ void is_made_good(const Course& course) {
 
 }  // namespace
 
-TEST_CASE("a full disk is no grade, and four in a row are not tried", "[.machine]") {
+TEST_CASE("a full disk gives no grade, and after four in a row the rest is not tried",
+          "[.machine]") {
   const Course course(4);
   fs::create_directories(course.path() / "disk");
   std::uintmax_t bytes = 0;
@@ -128,7 +129,7 @@ TEST_CASE("a full disk is no grade, and four in a row are not tried", "[.machine
                  std::to_string((bytes >> 10) + 512 + more)};
   };
   if (is_no_grade(course, disk(0), "full", course.path() / "disk")) is_made_good(course);
-  // One that is full after the first few: those stand.
+  // A disk that is full after the first few: those are kept.
   fs::remove_all(verdict_directory(course.csv()));
   const auto some = course.with(
       disk(3000), course.grade(course.path() / "disk", "class", {"--csv", course.csv()}));
@@ -141,7 +142,7 @@ TEST_CASE("a full disk is no grade, and four in a row are not tried", "[.machine
   }
 }
 
-TEST_CASE("a table that cannot be written ends the batch with a line, and its old text stays",
+TEST_CASE("a table that cannot be written ends the batch with a message, and its old text stays",
           "[.machine]") {
   const Course course(2);
   fs::create_directories(course.path() / "empty");
@@ -166,13 +167,13 @@ TEST_CASE("where seccomp is refused, nothing is judged", "[.machine]") {
 TEST_CASE("where execveat or setgroups is refused, nothing is judged", "[.machine]") {
   const Course course(1);
   is_no_grade(course, {"--refuse", "execveat"}, "Operation not permitted", course.build);
-  if (geteuid() == 0) {  // else the jail needs no other user
+  if (geteuid() == 0) {  // otherwise the jail does not change the user
     fs::remove_all(verdict_directory(course.csv()));
     is_no_grade(course, {"--refuse", "setgroups"}, "Operation not permitted", course.build);
   }
 }
 
-TEST_CASE("without processes or descriptors there is the whole grade or none", "[.machine]") {
+TEST_CASE("without processes or descriptors there is a full grade or none", "[.machine]") {
   const Course course(1);
   const std::string user = std::to_string(700'000 + getpid());
   const auto own = sandbox::run_process({"chown", "-R", "-h", user, course.path().string()});

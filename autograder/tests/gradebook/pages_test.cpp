@@ -1,4 +1,4 @@
-// A class as pages, opened as a person opens them.
+// A class as pages, opened in a browser.
 #include <algorithm>
 #include <filesystem>
 
@@ -47,14 +47,14 @@ struct GradedClass : Course {
   }
 };
 
-/// Graded once.
+/// Graded only once.
 const GradedClass& graded_class() {
   static const GradedClass graded;
   return graded;
 }
 
-/// What the browser has to say of these pages in a window 390 pixels wide: its console, and how
-/// wide each page is in the end.
+/// The browser's report on these pages in a window 390 pixels wide: its console, and the final
+/// width of each page.
 struct BrowserReport {
   std::string console, widths;
 };
@@ -75,7 +75,7 @@ BrowserReport look_at(const std::vector<fs::path>& pages, const Scratch& place) 
 
 }  // namespace
 
-TEST_CASE("a page for each submission, and an index that leads to it") {
+TEST_CASE("there is a page for each submission, and an index that links to it") {
   const GradedClass& graded = graded_class();
   CHECK(contains(graded.run.output, "index.html"));
   CHECK(graded.all_pages().size() == 6);
@@ -99,7 +99,7 @@ TEST_CASE("the index has the numbers of stats") {
   CHECK(contains(read_text(graded.pages / "index.html"), numbers));
 }
 
-TEST_CASE("pages need no table that is kept, and one submission has them, too") {
+TEST_CASE("pages need no stored table, and work for a single submission") {
   Course course;
   course.hand_in("ada", "int x\n");
   const fs::path pages = course.path() / "pages";
@@ -111,7 +111,7 @@ TEST_CASE("pages need no table that is kept, and one submission has them, too") 
   CHECK(course.grade({"--html", (pages / "index.html").string()}).exit_code == 2);
 }
 
-TEST_CASE("pages hold all that they need, headings in order, a text for every picture") {
+TEST_CASE("pages are self-contained, with headings in order and a text for every picture") {
   const GradedClass& graded = graded_class();
   for (const fs::path& file : graded.all_pages()) {
     const std::string page = read_text(file);
@@ -124,7 +124,7 @@ TEST_CASE("pages hold all that they need, headings in order, a text for every pi
     char before = '0';
     for (auto at = page.find("<h"); at != std::string::npos; at = page.find("<h", at + 1)) {
       if (page[at + 2] < '1' || page[at + 2] > '6') continue;
-      CHECK(page[at + 2] <= before + 1);  // none is left out on the way down
+      CHECK(page[at + 2] <= before + 1);  // no level is skipped
       before = page[at + 2];
     }
     CHECK(before != '0');
@@ -134,8 +134,8 @@ TEST_CASE("pages hold all that they need, headings in order, a text for every pi
   }
 }
 
-TEST_CASE("a browser finds no error in a page, and nothing wider than a phone") {
-  if (chromium().empty()) return;  // nothing to open them with
+TEST_CASE("a browser finds no error in a page, and no content wider than a phone") {
+  if (chromium().empty()) return;  // no browser
   const GradedClass& graded = graded_class();
   const Scratch place;
   auto pages = graded.all_pages();
@@ -143,7 +143,7 @@ TEST_CASE("a browser finds no error in a page, and nothing wider than a phone") 
   const BrowserReport seen = look_at(pages, place);
   CHECK(seen.console.empty());
   CHECK(seen.widths == "390 390 390 390 390 390");
-  // It sees what is too wide, and what goes wrong.
+  // The test detects content that is too wide, and errors.
   pages = {place.write("wide.html", "<div style=\"width:500px\">x</div>"),
            place.write("wrong.html", "<script>nothing.there();</script>")};
   const BrowserReport spoiled = look_at(pages, place);

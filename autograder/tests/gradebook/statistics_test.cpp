@@ -1,4 +1,4 @@
-// What a table says of the class: worked out by hand here.
+// Statistics of a class, compared with values computed by hand.
 #include <cmath>
 #include <filesystem>
 
@@ -46,7 +46,7 @@ std::string counts(const CheckStatistics& one) {
   return fmt::format("{} {} {} {}", one.passed, one.failed, one.not_written, one.not_judged);
 }
 
-/// Six people, of whom five have points; bob wrote 1.1 and nothing of 1.2.
+/// Six people, of whom five have points; bob wrote 1.1 but not 1.2.
 struct SmallClass : Scratch {
   fs::path csv = write("g.csv",
                        "id,seed,version,seconds,reason,variance status,variance total,1.1 a,1.1 b,"
@@ -79,7 +79,7 @@ struct SmallClass : Scratch {
 
 }  // namespace
 
-TEST_CASE("the point-biserial correlation, and where there is none") {
+TEST_CASE("the point-biserial correlation, and when it is undefined") {
   // Means 4 and 1.5, squares 10: 2.5 sqrt(3 * 2 / 5) / sqrt(10) = sqrt(0.75)
   const auto r = point_biserial({true, true, false, false, true}, {5, 3, 2, 1, 4});
   REQUIRE(r);
@@ -93,11 +93,11 @@ TEST_CASE("the point-biserial correlation, and where there is none") {
   CHECK(!point_biserial({}, {}));
 }
 
-TEST_CASE("of each check: passed, failed, not written, not judged") {
+TEST_CASE("each check counts passed, failed, not written, not judged") {
   const SmallClass place;
   const auto statistics = place.statistics();
   CHECK(statistics.submissions == 6);
-  REQUIRE(statistics.labs.size() == 1);  // there is no column about halton
+  REQUIRE(statistics.labs.size() == 1);  // there is no column for halton
   const LabStatistics& lab = statistics.labs[0];
   CHECK(lab.totals == std::vector<double>{100, 50, 0, 30, 80});
   CHECK(lab.not_judged == 1);
@@ -113,7 +113,7 @@ TEST_CASE("of each check: passed, failed, not written, not judged") {
   CHECK(centre_of(lab.totals) == "mean 52.0, median 50");
 }
 
-TEST_CASE("a check that a row's table did not have says nothing of that row") {
+TEST_CASE("a check that is missing from a row's table does not count for that row") {
   const Scratch place;
   const Table table = read_table(place.write("g.csv",
                                              "id,variance status,variance total,1.1 a,1.2 b\n"
@@ -122,7 +122,7 @@ TEST_CASE("a check that a row's table did not have says nothing of that row") {
                                              "cy,judged,9,,9\n"));
   const auto checks = statistics_of(table, {}, two_labs).labs[0].checks;
   CHECK(counts(checks[0]) == "1 1 0 0");
-  CHECK(*checks[0].discrimination == Approx(1));  // ada and bob alone
+  CHECK(*checks[0].discrimination == Approx(1));  // only ada and bob
 }
 
 TEST_CASE("a lab that a student was not asked for and did not hand in does not count") {
@@ -142,7 +142,7 @@ TEST_CASE("a lab that a student was not asked for and did not hand in does not c
   CHECK(counts(labs[1].checks[0]) == "1 0 0 1");
 }
 
-TEST_CASE("a hint counts once for each submission that it was given to") {
+TEST_CASE("a hint counts once per submission that got it") {
   const auto hints = SmallClass().statistics().hints;
   REQUIRE(hints.size() == 2);
   CHECK(hints[0].hint == "it divides by n");
@@ -154,7 +154,7 @@ TEST_CASE("without verdicts, unwritten tasks count as failed, and the report say
   SmallClass place;
   place.keep(verdict_on("bob", {result_of("1.2 c", Status::not_written)}));
   Verdict older = verdict_on("dee", {result_of("1.2 c", Status::not_written)});
-  older.seed = 8;  // the row was not made from it
+  older.seed = 8;  // a verdict that does not belong to the row
   place.keep(older);
   Verdict newer = verdict_on("eve", {});
   newer.version = "1.1";
@@ -180,7 +180,7 @@ TEST_CASE("a histogram has ten bars of ten points, and one for all points") {
   CHECK(centre_of({1, 2, 4, 9}) == "mean 4.0, median 3");
 }
 
-TEST_CASE("statistics fit 80 columns, however large the class and long the names") {
+TEST_CASE("statistics fit 80 columns, for large classes and long names") {
   ClassStatistics statistics;
   statistics.submissions = statistics.without_verdict = 100'000;
   LabStatistics lab{two_labs[0], std::vector<double>(99'999, 42.0), 0, {}};
@@ -194,11 +194,11 @@ TEST_CASE("statistics fit 80 columns, however large the class and long the names
   std::size_t widest = 0;
   for (const auto line : text::split(text, '\n')) widest = std::max(widest, columns_of(line));
   CHECK(widest <= 80);
-  CHECK(contains(text, "0-9      1  #\n"));  // one among very many is seen
+  CHECK(contains(text, "0-9      1  #\n"));  // a single one is visible among very many
   CHECK(contains(text, "-0.50  1.1 the variance"));
 }
 
-TEST_CASE("stats of a class that was graded, as text and as a page without names") {
+TEST_CASE("stats of a graded class, as text and as a page without names") {
   Course course;
   course.hand_in_tiny(5);
   const std::string csv = course.csv().string();

@@ -1,4 +1,4 @@
-// The tables of several shards become one again.
+// Merging the tables of several shards.
 #include <filesystem>
 
 #include "checks/support/catch.hpp"
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What differs from day to day: how long it took.
+/// Removes what differs between runs: seconds.
 std::string without_seconds(const fs::path& csv) {
   Table table = read_table(csv);
   for (Row& row : table.rows) row.erase("seconds");
@@ -29,10 +29,10 @@ std::string merged_text(const std::vector<Table>& tables) {
 
 }  // namespace
 
-TEST_CASE("the tables of two shards merge to that of one run, verdicts included") {
+TEST_CASE("the tables of two shards merge into that of one run, verdicts included") {
   Course course;
   course.hand_in_tiny(5);
-  course.hand_in("=1+1, \"zoe\"", "int x\n");  // a name that a table has to quote
+  course.hand_in("=1+1, \"zoe\"", "int x\n");  // a name that must be quoted in a table
   const auto whole = course.csv("whole"), merged = course.csv("merged");
   REQUIRE(course.grade({"--csv", whole.string(), "--seed", "1"}).exit_code == 0);
   std::vector<std::string> words{"merge", "--out", merged.string()};
@@ -51,14 +51,14 @@ TEST_CASE("the tables of two shards merge to that of one run, verdicts included"
   const auto one = read_verdict(merged, "s03");
   REQUIRE(one);
   CHECK(one->labs[0].no_program == read_verdict(whole, "s03")->labs[0].no_program);
-  // A later run takes it for its own: nothing is judged again, and there is a page for everybody.
+  // A later run accepts it as its own: nothing is judged again, and everyone has a page.
   const std::string before = read_text(merged);
   const std::string pages = (course.path() / "pages").string();
   const auto again = course.grade({"--csv", merged.string(), "--resume", "--html", pages});
   CHECK(contains(again.output, "6 submissions: 0 judged, 6 were before; seed 1"));
   CHECK(read_text(merged) == before);
   CHECK(fs::exists(fs::path(pages) / "submissions" / "s04.html"));
-  // Without a file to write into it is printed, byte by byte the same.
+  // Without an output file it is printed, byte by byte the same.
   words.erase(words.begin() + 1, words.begin() + 3);
   CHECK(course.run(words).output == read_text(merged));
 }
@@ -86,7 +86,7 @@ TEST_CASE("merge reports versions and seeds that differ, with their tables") {
   const auto run = Course().run({"merge", a, b});
   CHECK(run.exit_code == 0);
   CHECK(contains(run.errors, "the seeds differ"));
-  CHECK(!contains(run.output, "differ"));  // the table alone
+  CHECK(!contains(run.output, "differ"));  // only the table
 }
 
 TEST_CASE("merge reports a table whose run did not finish, and so does its own result") {
@@ -96,7 +96,7 @@ TEST_CASE("merge reports a table whose run did not finish, and so does its own r
   REQUIRE(course.grade({"--csv", part, "--seed", "3"}).exit_code == 0);
   CHECK(course.run({"merge", part, "--out", merged}).errors.empty());
   CHECK(read_book_state(merged).finished);
-  write_book_state(part, false, 3);  // as a run leaves it that was killed
+  write_book_state(part, false, 3);  // the state that a killed run leaves
   const auto run = course.run({"merge", part, "--out", merged});
   CHECK(run.exit_code == 0);
   CHECK(contains(run.errors, part + " is not whole: its run did not end"));
@@ -104,7 +104,7 @@ TEST_CASE("merge reports a table whose run did not finish, and so does its own r
   CHECK(!read_book_state(merged).finished);
 }
 
-TEST_CASE("columns merge by their names, into the order that a run gives them") {
+TEST_CASE("columns merge by name, in the order of a run") {
   const Scratch place;
   const auto halton = read_table(place.write(
       "h.csv",
@@ -118,7 +118,7 @@ TEST_CASE("columns merge by their names, into the order that a run gives them") 
         "bob,1,,,judged,3,,3,0,late\n");
 }
 
-TEST_CASE("what is no table of grades is refused, with the reason") {
+TEST_CASE("a file that is not a table of grades is refused, with the reason") {
   const Scratch place;
   const auto why = [&](const std::string& text) {
     const fs::path file = place.write("x.csv", text);

@@ -1,5 +1,5 @@
-// A term, played through: handed out, solved by thirty students, handed in in three ways, graded by
-// a judge that is killed in the middle, by two machines, shown, and graded again.
+// A whole term: a handout, solved by thirty students, submitted in three ways, graded by a judge
+// that is killed in the middle, by two machines, shown, and graded again.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,7 +45,7 @@ std::string self_contained(const Layout& layout, const std::string& file) {
   return all;
 }
 
-/// Files of a folder, in the order of their names, every `step`-th.
+/// Every `step`-th file of a folder, ordered by name.
 std::vector<fs::path> some_of(const fs::path& folder, std::size_t step = 1) {
   std::vector<fs::path> all, some;
   for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path());
@@ -54,8 +54,8 @@ std::vector<fs::path> some_of(const fs::path& folder, std::size_t step = 1) {
   return some;
 }
 
-/// Mistakes of a folder of catalogs, each as a file by itself, every `step`-th. Of catalogs that
-/// rename one function only: there each mistake defines it.
+/// Every `step`-th mistake of a folder of catalogs, each as a separate file. Only from catalogs
+/// that rename a single function, because each of their mistakes defines it.
 std::vector<std::string> mistakes_of(const fs::path& folder, std::size_t step) {
   const std::string mark = "\n// mistake: ", renamed = "\n#define ", section = "namespace mc::";
   std::vector<std::string> all, some;
@@ -76,14 +76,14 @@ std::vector<std::string> mistakes_of(const fs::path& folder, std::size_t step) {
   return some;
 }
 
-/// What a student hands in, and what must come of it: full marks, or less.
+/// A student's submission, and its expected result: full marks, or less.
 struct Work {
   std::string variance, independent;  ///< empty: not handed in
   bool variance_is_right = false, independent_is_right = false;
 };
 
-/// Thirty: right in the repository's way and in others, wrong in one thing, not begun, no C++.
-/// Eight of them have something of lab 2 as well.
+/// Thirty: correct in the repository's and in other ways, with one mistake, unwritten, not C++.
+/// Eight of them also have work on lab 2.
 std::vector<Work> works(const Layout& layout) {
   const std::string variance = read_whole_text(layout.solutions() / "variance.cpp");
   const std::string independent = read_whole_text(layout.solutions() / "independent.cpp");
@@ -111,12 +111,12 @@ std::vector<Work> works(const Layout& layout) {
   return all;
 }
 
-/// A course with a handout, and everybody's work in `class`.
+/// A course with a handout, and all submissions in `class`.
 struct Term : Course {
   std::vector<Work> handed = works(layout);
   fs::path handout = path() / "handout";
 
-  /// The first `count` of them.
+  /// The first `count` submissions.
   explicit Term(std::size_t count = students) {
     handed.resize(count);
     const auto written = run({"handout", handout.string(), "--labs", "1,2"});
@@ -136,7 +136,7 @@ struct Term : Course {
     write_text(place / "variance.cpp", work.variance);
     if (!work.independent.empty()) write_text(place / "independent.cpp", work.independent);
   }
-  /// As `./lab submit` makes it.
+  /// As `./lab submit` creates it.
   void hand_in_zip(const fs::path& place, const Work& work) const {
     hand_in_folder(place, work);
     std::vector<std::string> command{
@@ -145,7 +145,7 @@ struct Term : Course {
     must(command, place);
     fs::remove_all(place);
   }
-  /// A clone of the handout, with the work in it.
+  /// A clone of the handout with the student's work.
   void hand_in_repository(const fs::path& place, const Work& work) const {
     must({"git", "clone", "-q", handout.string(), place.string()}, path());
     hand_in_folder(place / "starter", work);
@@ -167,7 +167,7 @@ struct Term : Course {
     return words;
   }
 
-  /// Grades, and is killed once a few rows are there.
+  /// Starts grading, and kills it after a few rows.
   void grade_and_kill(const fs::path& table, const std::string& seed) const {
     const std::string program = (layout.build / "bin" / "course").string();
     std::vector<std::string> words = grading(table, {"--seed", seed});
@@ -182,7 +182,7 @@ struct Term : Course {
       execv(program.c_str(), pointers.data());
       _exit(127);
     }
-    for (int i = 0; i < 6000 && rows(table) < 5; ++i) {  // ten minutes: only against hanging
+    for (int i = 0; i < 6000 && rows(table) < 5; ++i) {  // at most ten minutes
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
     kill(judge, SIGKILL);
@@ -193,7 +193,7 @@ struct Term : Course {
   }
 };
 
-/// A table without what differs from day to day: how long it took.
+/// A table without what differs between runs: seconds.
 std::string without_seconds(const fs::path& csv) {
   Table table = read_table(csv);
   for (Row& row : table.rows) row.erase("seconds");
@@ -226,7 +226,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
     CHECK(!contains(entry.path().string(), "solutions"));
   }
 
-  // Killed, and gone on with.
+  // Killed and resumed.
   const fs::path grades = term.csv();
   term.grade_and_kill(grades, "7");
   const std::size_t before = Term::rows(grades);
@@ -240,7 +240,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
                  fmt::format("{} judged, {} were before; seed 7", students - before, before)));
   check_grades(term, grades);
 
-  // What the class and the checks look like; everybody's page.
+  // The statistics and the page of each student.
   const auto stats = term.run({"stats", grades.string()});
   CHECK(stats.exit_code == 0);
   CHECK(contains(stats.output, fmt::format("Lab 1 · variance: {} with points", students)));
@@ -257,7 +257,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   CHECK(field(rows_by_id(grades).at(term.ids[3]), "variance total") == "100");
 }
 
-TEST_CASE("two machines give the grades of one", "[.term-shards]") {
+TEST_CASE("two machines give the same grades as one", "[.term-shards]") {
   const Term term(12);
   const fs::path grades = term.csv();
   REQUIRE(term.run(term.grading(grades, {"--seed", "7"})).exit_code == 0);

@@ -1,8 +1,8 @@
-// Mutation testing: mutants LAB [COUNT] [SEED]. Small changes to right answers in plain style (the
-// alternatives of a lab) are compiled and judged one by one; a check should fail each of them. A
-// mutant whose program is the same, byte for byte, changes nothing. Others that change nothing are
-// listed with a reason in equivalent.txt. Ends with the score: killed of those that change
-// something. Exit status 1 if one survived.
+// Mutation testing: mutants LAB [COUNT] [SEED]. Compiles and judges small changes to right answers
+// in plain style (the alternatives of a lab), one by one; a check should fail each of them. A
+// mutant with the same program, byte for byte, is equivalent. equivalent.txt lists others with a
+// reason. Ends with the score: the killed fraction of the mutants that are not equivalent. Exit
+// status 1 if one survived.
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,8 +36,8 @@ struct Mutant {
   Mutation mutation;
 };
 
-/// The recorded mutants that change nothing: "alternatives/variance/x.cpp: a; => b;", then a tab
-/// and the reason.
+/// The recorded equivalent mutants: "alternatives/variance/x.cpp: a; => b;", then a tab and the
+/// reason.
 std::map<std::string, std::string> equivalents(const fs::path& path) {
   std::map<std::string, std::string> all;
   std::ifstream file(path);
@@ -60,14 +60,14 @@ class MutantBuilder {
   const Layout& layout() const { return layout_; }
   const Lab& lab() const { return lab_; }
 
-  /// The program of a source text, where it compiles.
+  /// The program of a source text, if it compiles.
   BuildResult build(const std::string& source) const {
     const fs::path file = directory_ / (lab_.name + ".cpp");
     std::ofstream(file, std::ios::binary) << source;
     return build_program(layout_, lab_, single_file_submission(layout_, labs_, lab_, file, true));
   }
 
-  /// The first check that fails; empty where all pass.
+  /// The first check that fails; empty if all pass.
   std::string killer_of(const BuildResult& built, std::uint64_t seed) const {
     JudgeOptions options;
     options.seed = seed;

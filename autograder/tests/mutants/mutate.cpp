@@ -17,15 +17,15 @@ struct Token {
   Kind kind;
   std::size_t offset;
   std::string_view text;
-  int depth;  ///< of braces around it
+  int depth;  ///< number of enclosing braces
 };
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Where the comment, string, character or preprocessor line that begins at `at` ends; `at` itself
-/// where none does.
+/// The end of the comment, string, character or preprocessor line that begins at `at`; `at` itself
+/// if none does.
 std::size_t end_of_text(std::string_view source, std::size_t at) {
   const auto after = [&](std::string_view end, std::size_t from) {
     const auto found = source.find(end, from);

@@ -1,5 +1,5 @@
 #pragma once
-// Mutations of C++ source text: one small change each, of the kind that a slip of a student makes.
+// Mutations of C++ source text: one small change each, similar to a student's slip.
 
 #include <cstddef>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mc::mutants {
 
-/// `length` characters at `offset` become `replacement`.
+/// Replaces `length` characters at `offset` by `replacement`.
 struct Mutation {
   std::size_t offset, length;
   std::string replacement;

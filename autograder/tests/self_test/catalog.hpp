@@ -44,12 +44,12 @@ struct Definition {
   bool is_mistaken = false;  ///< the former
 };
 
-/// All of them for one mistake. Throws UsageError where it replaces none.
+/// All of them for one mistake. Throws UsageError if it replaces none.
 std::vector<Definition> definitions_of(const grader::Layout& layout, const grader::Lab& lab,
                                        const std::filesystem::path& object, const Subject& subject);
 
-/// The linker's flags that put them in place, or that put `instead` in the place of what is
-/// mistaken.
+/// The linker's flags that substitute them, or that substitute `instead` for the mistaken
+/// functions.
 std::vector<std::string> linker_flags(const std::vector<Definition>& definitions,
                                       const std::string& instead = {});
 

@@ -1,4 +1,4 @@
-// What measurements cost right answers on the plainest machine.
+// The cost of measurements of right answers, on the least capable machine.
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,7 +14,7 @@ using grader::CheckResult;
 
 namespace {
 
-/// A tenth of what a measurement may use: then a slow machine, or a plainer answer, is no fault.
+/// A tenth of the limit of a measurement: a slower machine, or a plainer answer, still passes.
 constexpr double most_allowed = 0.2;
 
 /// The costliest measurement of a check: its CPU time, and its experiment.
@@ -27,7 +27,7 @@ double seconds_of(const CheckResult& result) {
   return std::strtod(result.costliest.c_str(), nullptr);
 }
 
-/// The least of three: other work on the machine only ever adds.
+/// The minimum of three: other work on the machine only adds time.
 double seconds_at_least(const Proof& proof, const CheckResult& first) {
   double least = seconds_of(first);
   for (std::uint64_t seed = 2; seed <= 3 && least > most_allowed; ++seed) {

@@ -20,7 +20,7 @@ using namespace grader;
 
 namespace {
 
-/// As in tests/fuzz/mutation.cpp: ten values, six sizes; `drawn` of either.
+/// As in tests/fuzz/mutation.cpp: ten values, six sizes; `drawn` stands for a random one.
 constexpr unsigned value_count = 10, size_count = 6;
 constexpr unsigned char drawn = 255;
 
@@ -29,7 +29,7 @@ struct Plan {
   std::string words() const { return fmt::format("plan {} {} {} {}", value, size, few, honesty); }
 };
 
-/// The lab's lying program, with this plan written into it.
+/// The lab's lying program with this plan.
 sandbox::Program program_with(const Layout& layout, const Lab& lab, const Plan& plan,
                               const fs::path& place) {
   std::string bytes = read_text(layout.build / "bin" / ("fuzz_" + lab.name));
@@ -46,7 +46,7 @@ sandbox::Program program_with(const Layout& layout, const Lab& lab, const Plan& 
   return sandbox::open_program(path.string());
 }
 
-/// All values, all sizes, in all numbers and in a few; then as many drawn ones.
+/// All values and sizes, for all numbers and for a few; then as many random ones.
 std::vector<Plan> plans(unsigned count) {
   std::vector<Plan> all;
   for (unsigned i = 0; i < count; ++i) {
@@ -62,7 +62,7 @@ std::vector<Plan> plans(unsigned count) {
   return all;
 }
 
-/// Lies in every answer that no right one could contain.
+/// Lies with an answer that cannot be right, every time.
 bool cannot_be_right(const Plan& plan) {
   const bool wrong_value = plan.few == 0 && (plan.value <= 2 || plan.value == 7);
   return plan.honesty == 0 && (wrong_value || (plan.size > 0 && plan.size < size_count));

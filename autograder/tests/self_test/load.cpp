@@ -19,7 +19,7 @@ using grader::LabVerdict;
 
 namespace {
 
-/// So many processes that do nothing but compute, until it is gone.
+/// This many processes in a busy loop, for the lifetime of the object.
 class BusyLoops {
  public:
   explicit BusyLoops(int count) {
@@ -56,9 +56,9 @@ std::string fate_of(const LabVerdict& verdict) {
 
 /// Did a measurement run out of time or of memory?
 bool meets_a_limit(const LabVerdict& verdict) {
-  if (!verdict.no_program.empty()) return false;  // the compiler's limits are another matter
+  if (!verdict.no_program.empty()) return false;  // the compiler's limits do not count
   for (const CheckResult& result : verdict.checks) {
-    if (result.status != grader::Status::failed) continue;  // one that waits, waits however it ends
+    if (result.status != grader::Status::failed) continue;  // waiting does not depend on limits
     if (result.report.find("did not end within") != std::string::npos) return true;
   }
   return false;

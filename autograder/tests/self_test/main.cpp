@@ -1,11 +1,11 @@
-// Proves the repository's submissions: `self_test FILE [MISTAKE]`. Their comments say what must
-// happen to them (CONTRIBUTING.md, "Add a submission"); of a catalog of mistakes all are proved, or
-// one. Exit status 77 where a peer's library is not installed.
+// Proves the repository's submissions: `self_test FILE [MISTAKE]`. Their comments state the
+// expected result (CONTRIBUTING.md, "Add a submission"); proves all mistakes of a catalog, or one.
+// Exit status 77 if a peer's library is not installed.
 //
 //   self_test load RUNS     all that run out of time or memory, under load: the same verdict
-//   self_test cost LAB      what measurements cost the right answers, compiled as for any x86-64
+//   self_test cost LAB      the cost of measurements of right answers, compiled for any x86-64
 //   self_test repository    the repository itself: task numbers, points, names
-//   self_test power         the p-values of all seeds that were tried
+//   self_test power         the p-values of all tested seeds
 
 #include <cstdlib>
 #include <exception>

@@ -19,8 +19,8 @@ namespace {
 
 int complaint_count = 0;
 
-/// The checks that call a function which the mistake replaces: those that fail a program that
-/// aborts there. Found once for each catalog and set of functions.
+/// The checks that call a function which the mistake replaces: those that fail if it aborts. Found
+/// once for each catalog and set of functions.
 std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definition>& definitions) {
   proof.submission.libraries = linker_flags(definitions, "abort");
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
@@ -99,7 +99,7 @@ Proof proof_of(const Subject& subject) {
     proof.submission =
         single_file_submission(proof.layout, proof.labs, proof.lab, file, !is_strange);
   }
-  // What plain answers cost is measured as on any x86-64.
+  // The cost of plain answers is measured as on any x86-64.
   if (kind == "alternatives") setenv("MC_BASELINE", "1", 1);
   precompile_headers(proof.layout);
   proof.submission.label = fs::relative(file, proof.layout.root).string();

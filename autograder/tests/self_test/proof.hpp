@@ -1,5 +1,5 @@
 #pragma once
-// What the proofs of submissions have in common: complaints, the word of a file on itself, judging.
+// Shared by all proofs of submissions: complaints, the statements in a file's comments, judging.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,11 +16,11 @@
 
 namespace mc::self_test {
 
-/// Prints it; the proof has failed.
+/// Prints the complaint; the proof has failed.
 void complain(const std::string& what);
 int complaints();
 
-/// A number from the environment, by which ./lab test says how thorough it is.
+/// A number from the environment, with which ./lab test sets the thoroughness.
 std::uint64_t number_from(const char* variable, std::uint64_t otherwise);
 
 struct Proof {
@@ -29,29 +29,29 @@ struct Proof {
   grader::Lab lab;
   grader::Submission submission;
   grader::BuildResult built;
-  /// Of a mistake of a catalog: the checks that it can make a difference to.
+  /// For a mistake of a catalog: the checks that it can affect.
   std::set<std::string> affected{};
 
-  /// All checks, or those of these names. One worker: ctest runs as many of us as there are cores.
+  /// All checks, or those with these names. One worker: ctest runs one proof per core.
   grader::LabVerdict judge(std::uint64_t seed, const std::set<std::string>& checks = {},
                            unsigned workers = 1) const;
   std::string report(const grader::LabVerdict& verdict, std::uint64_t seed) const;
   void show(const grader::LabVerdict& verdict, std::uint64_t seed) const;
 };
 
-/// Full marks with every seed; the p-values of its random checks are uniform.
+/// Full marks with every seed, and uniform p-values of its random checks.
 void prove_right(const Proof& proof);
 
-/// Every task is «not written yet», no point, no crash.
+/// Every task is «not written yet»: no points, no crash.
 void prove_starter(const Proof& proof);
 
-/// Exactly the checks that the file names fail, with every seed, and say what it says.
+/// With every seed, exactly the checks that the file names fail, with the stated hints.
 void prove_mistake(const Proof& proof, const Subject& subject);
 
 void prove_peer(const Proof& proof, const Subject& subject);
 void prove_attack(const Proof& proof, const Subject& subject);
 
-/// A submission says "// limit: time" (or memory) if and only if a measurement of it ran out of it.
+/// A submission says "// limit: time" (or memory) if and only if a measurement runs out of it.
 void compare_limits(const Subject& subject, const grader::LabVerdict& verdict);
 
 /// The verdict on a busy machine equals that on an idle one, for each of these submissions (without
@@ -63,13 +63,13 @@ void prove_under_load(std::vector<std::filesystem::path> files, unsigned runs);
 /// crashes, and no main check of a task passes unless a right answer would pass.
 void prove_against_lies(const std::string& lab, unsigned count);
 
-/// What a file of the repository is, by its folder: "starter", "solutions", "mistakes", …
+/// The kind of a file of the repository, by its folder: "starter", "solutions", "mistakes", …
 std::string kind_of(const std::filesystem::path& file);
 
-/// The proof of a submission of the repository, its program built.
+/// A submission of the repository with its program built, ready to prove.
 Proof proof_of(const Subject& subject);
 
-/// No measurement costs a right answer of the lab more than 0.2 s of CPU time, compiled as for any
+/// No measurement of a right answer of the lab takes more than 0.2 s of CPU time, compiled for any
 /// x86-64; prints the costliest.
 void prove_cost(const std::string& lab);
 

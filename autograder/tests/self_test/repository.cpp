@@ -1,4 +1,4 @@
-// The repository itself: every lab has the same tasks everywhere, and its points sum to 100.
+// The repository itself: every lab has consistent task numbers, and its points sum to 100.
 
 #include <cctype>
 #include <map>
@@ -52,7 +52,7 @@ void prove_repository() {
       tasks.insert(check.task);
       mains[check.task] += check.is_main;
       points += check.points;
-      // Catch2 gives these a meaning of their own in a name that is asked for.
+      // Catch2 interprets these characters in a test name on the command line.
       if (check.name.find_first_of(",[]*\\\"~") != std::string::npos) {
         complain(fmt::format("'{}': no , [ ] * \\ \" ~ in a check's name", check.name));
       }

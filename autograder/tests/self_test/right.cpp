@@ -1,4 +1,4 @@
-// Right answers: full marks with many seeds, and what their random checks say of themselves.
+// Right answers: full marks with many seeds, and uniform p-values of their random checks.
 
 #include <algorithm>
 #include <cstdlib>
@@ -19,10 +19,10 @@ using protocol::PValue;
 
 namespace {
 
-/// What the random checks of a lab say of themselves, run after run of a right answer.
+/// The p-values of a lab's random checks, over many runs of a right answer.
 class PValues {
  public:
-  /// One run: may it fail a right answer more than once in a million?
+  /// One run: may it fail a right answer with probability above 1e-6?
   void add(const std::vector<PValue>& run) {
     double alphas = 0;
     for (const PValue& value : run) {
@@ -72,9 +72,9 @@ class PValues {
   std::vector<double> all_;
 };
 
-/// Prints what the most expensive measurement takes. 0.2 s, a tenth of the limit, is the goal: then
-/// a slower machine or a plainer answer passes, too. No test asserts it, for it depends on the
-/// machine.
+/// Prints the cost of the most expensive measurement. The goal is 0.2 s, a tenth of the limit: then
+/// a slower machine or a plainer answer passes, too. It depends on the machine, so no test asserts
+/// it.
 void print_cost(const LabVerdict& verdict) {
   double worst = 0;
   std::string which = "nothing above 0.02";
@@ -91,10 +91,10 @@ void print_cost(const LabVerdict& verdict) {
 
 void prove_right(const Proof& proof) {
   const bool is_full = std::getenv("MC_SEEDS") != nullptr;
-  // Without a word on it: the reference ten times, others five.
+  // By default: the reference ten times, others five.
   const bool is_reference = proof.submission.label.starts_with("solutions");
   const std::uint64_t seeds = number_from("MC_SEEDS", is_reference ? 10 : 5);
-  // What is not random, but has fresh data: twice, or twice as often where all night is there.
+  // Checks with new data that are not random: twice, or twice as often in --full.
   const std::uint64_t fresh_seeds = is_full ? 2 * seeds : 2;
   PValues p_values;
   const SeedLog log(proof);
@@ -108,10 +108,10 @@ void prove_right(const Proof& proof) {
     if (seed <= fresh_seeds) checks.insert(fresh.begin(), fresh.end());
     return !checks.empty();
   };
-  // The first run, with all checks, shows which of them are random.
+  // The first run, with all checks, identifies the random ones.
   const LabVerdict first = proof.judge(1);
   for (const CheckResult& result : first.checks) {
-    if (result.check.is_slow) continue;  // those depend on no seed
+    if (result.check.is_slow) continue;  // slow checks do not depend on the seed
     (result.p_values.empty() ? fresh : random).insert(result.check.name);
   }
   print_cost(first);

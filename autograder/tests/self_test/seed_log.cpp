@@ -70,7 +70,7 @@ void print_power() {
   struct Line {
     std::size_t seeds = 0, tests = 0;
     double alpha = 0, least = 1;
-    protocol::PValue nearest{"", 0, 1};  // to alpha, of the rejections: those of a mistake
+    protocol::PValue nearest{"", 0, 1};  // the rejection closest to alpha, for a mistake
   };
   std::map<std::string, Line> lines;
   std::error_code none;

@@ -1,6 +1,6 @@
 #pragma once
-// Seeds that went well, with their p-values, kept in the build directory: a thousand seeds take
-// hours, and what interrupts them should not cost what is done.
+// Records passed seeds with their p-values in the build directory: a thousand seeds take hours, and
+// an interruption should not lose them.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,13 +14,13 @@ namespace mc::self_test {
 
 class SeedLog {
  public:
-  /// Another program, or other checks, begin anew.
+  /// A new program, or new checks, start from the first seed.
   explicit SeedLog(const Proof& proof);
 
   /// Receives the p-values of a stored seed.
   using Add = std::function<void(const std::vector<protocol::PValue>&)>;
 
-  /// Gives back what was kept, seed by seed; the first seed that is still to be judged.
+  /// Returns the recorded p-values, seed by seed, to `add`; returns the next seed to judge.
   std::uint64_t resume(const Add& add) const;
 
   void keep(const std::vector<protocol::PValue>& p_values) const;
@@ -30,8 +30,8 @@ class SeedLog {
   std::filesystem::path file_;
 };
 
-/// The proof of a submission, with the checks and the self-test that there are now: one that went
-/// well once need not be repeated until any of them changes.
+/// Remembers that the proof of a submission passed with the current checks and self-test: it need
+/// not be repeated until any of them changes.
 class ProofCache {
  public:
   ProofCache(const Proof& proof, const Subject& subject);
@@ -42,8 +42,8 @@ class ProofCache {
   std::filesystem::path file_;
 };
 
-/// Prints what is kept: for each submission its seeds, and the sum of its alphas or the p-value by
-/// which it was all but missed.
+/// Prints the records: for each submission its seeds, and the sum of its alphas or the p-value
+/// closest to missing it.
 void print_power();
 
 }  // namespace mc::self_test

@@ -1,4 +1,4 @@
-// Starters, mistakes, libraries, attacks: each fails as it says.
+// Starters, mistakes, libraries, attacks: each fails as its comments state.
 
 #include <algorithm>
 #include <cstdlib>
@@ -21,8 +21,8 @@ using grader::Status;
 
 namespace {
 
-/// The tasks that a mistake or a library fails: those it names ("// fails: 5.1, 5.3"), and the one
-/// that its catalog is named for.
+/// The tasks that a mistake or a library fails: those in "// fails: 5.1, 5.3", and the one that its
+/// catalog is named for.
 std::set<std::string> failing_tasks(const Subject& subject) {
   std::set<std::string> tasks;
   for (const char* key : {"fails", "caught by"}) {
@@ -32,8 +32,8 @@ std::set<std::string> failing_tasks(const Subject& subject) {
   return tasks;
 }
 
-/// Each of the tasks has a check that fails, and no other task has; others may wait for them, or be
-/// unwritten. Returns the reports of what failed.
+/// Each of the tasks has a failing check, and no other task does; others may wait for them, or be
+/// unwritten. Returns the reports of the failures.
 std::string compare_failures(const LabVerdict& verdict, std::set<std::string> tasks,
                              bool may_be_unwritten) {
   std::string reports;
@@ -60,9 +60,9 @@ std::string compare_failures(const LabVerdict& verdict, std::set<std::string> ta
   return reports;
 }
 
-/// The checks that a mistake in these tasks can fail: those of the tasks, and of others those that
-/// do not wait for one of them. A slow check takes longer than all others together: it is asked
-/// where no other check of its task is left.
+/// The checks that a mistake in these tasks can fail: those of the tasks, and those of others that
+/// do not wait for one of them. A slow check takes longer than all others together: it is included
+/// only if its task has no other check.
 std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::string>& tasks,
                                       bool slow) {
   const auto checks = grader::expected_checks(proof.layout, proof.lab);
@@ -89,7 +89,7 @@ std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::st
   return names;
 }
 
-/// With this seed the tasks fail, and say the hints.
+/// With this seed the tasks fail, with the stated hints.
 void judge_mistake(const Subject& subject, const LabVerdict& verdict,
                    const std::set<std::string>& tasks) {
   const std::string reports = compare_failures(verdict, tasks, false);
@@ -103,7 +103,7 @@ bool has_failed(const LabVerdict& verdict) {
                      [](const CheckResult& result) { return result.status == Status::failed; });
 }
 
-/// Of each failed check the test that ended it, if it was a random one; `null` names the check.
+/// For each failed check the test that ended it, if it was a random one; `null` names the check.
 std::vector<protocol::PValue> rejections(const LabVerdict& verdict) {
   std::vector<protocol::PValue> found;
   for (const CheckResult& result : verdict.checks) {
@@ -150,7 +150,7 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   proof.show(verdict, seed);
 }
 
-/// A library need not do what a lab asks for; but where it does not, that is known, and why.
+/// A library need not meet a lab's requirements, but deviations must be known, with a reason.
 void prove_peer(const Proof& proof, const Subject& subject) {
   const std::uint64_t seed = 1;
   const LabVerdict verdict = proof.judge(seed);
@@ -190,7 +190,7 @@ void prove_attack(const Proof& proof, const Subject& subject) {
   }
   if (sandbox::printable(reports) != reports) complain("a report is not printable");
   for (const std::string_view line : text::split(proof.report(verdict, seed), '\n')) {
-    constexpr std::size_t longest = 420;  // a compiler's line, cut
+    constexpr std::size_t longest = 420;  // a truncated compiler line
     if (line.size() > longest) complain(fmt::format("too long a line: {}", line.substr(0, 80)));
   }
   proof.show(verdict, seed);

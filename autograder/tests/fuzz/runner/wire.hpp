@@ -1,6 +1,6 @@
 #pragma once
-// Stands before labs/runner/wire.hpp for programs that lie to the judge: what they write is the
-// solution's answer with some numbers, or the lengths of lists, replaced. See mutation.hpp.
+// Replaces labs/runner/wire.hpp in programs that lie to the judge: they send the solution's answer
+// with some numbers, or the lengths of lists, replaced. See mutation.hpp.
 
 #define Writer HonestWriter
 #include "../../../../labs/runner/wire.hpp"
