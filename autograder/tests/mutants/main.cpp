@@ -74,6 +74,9 @@ class MutantBuilder {
     options.first = true;
     for (const CheckResult& result : judge_lab(layout_, lab_, built, options).checks) {
       if (result.status == Status::failed) return result.check.name;
+      if (result.status == Status::not_judged || result.status == Status::internal_error) {
+        throw std::runtime_error(result.check.name + ": " + result.report);
+      }
     }
     return {};
   }
