@@ -6,6 +6,8 @@
 #include "6-sampler/experiments.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/plain_numbers.hpp"
+#include "grader/reports/report.hpp"
+#include "tests/text.hpp"
 
 namespace mc::tests::report {
 
@@ -48,6 +50,29 @@ TEST_CASE("integrands and densities are written as formulas") {
   CHECK(spelled(experiments::Function{1, 0, 1, 0}) == "exp(x)");
   CHECK(spelled(experiments::Function{3, 0.25, 1, 3}) == "(1 if x < 0.25, else 0) + 3");
   CHECK(spelled(experiments::Sampling{2, 3}) == "p(x) = 3 exp(-3 x) for x >= 0");
+}
+
+TEST_CASE("a later failure of a task keeps its result and its diagnosis") {
+  grader::Verdict verdict;
+  grader::LabVerdict lab;
+  lab.lab = {1, "variance", "1-variance", {}};
+  for (const char* report :
+       {"measured  mean({1.25, 2.5, 3.75, 4.125, 5.0625, … (12 values)}) = 7\nexpected  3\nlikely  "
+        "  "
+        "first",
+        "measured  mean({1.25, 2.5, 3.75, 4.125, 5.0625, … (12 values)}) = 8\nlikely    second",
+        "measured  mean({1}) = 9\nlikely    second"}) {
+    grader::CheckResult result;
+    result.check = {"1.1 a check", "1.1", {}, 1};
+    result.status = grader::Status::failed;
+    result.report = report;
+    lab.checks.push_back(result);
+  }
+  const std::string text = grader::report_lab(lab, verdict, {});
+  CHECK(contains(text, "also      mean({…}) = 8"));
+  CHECK(contains(text, "likely    second"));
+  CHECK(contains(text, "also      mean({1}) = 9"));
+  CHECK(text.find("likely    second") == text.rfind("likely    second"));
 }
 
 }  // namespace mc::tests::report

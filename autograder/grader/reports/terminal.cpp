@@ -103,12 +103,37 @@ std::string full_report(const LabVerdict& lab, const CheckResult& result,
   return all;
 }
 
-/// One line for a failure whose task has failed before. The first hint is the one to follow.
-std::string short_report(const CheckResult& result, const Terminal& terminal) {
-  std::string_view line = std::string_view(result.report).substr(0, result.report.find('\n'));
-  constexpr std::string_view label = "measured  ";
-  if (line.starts_with(label)) line.remove_prefix(label.size());
-  return report_line("also      " + sandbox::shortened(line, 160), margin, terminal.width);
+/// The same without the contents of long lists: a call may be long, its result stands at the end.
+std::string with_short_lists(std::string_view line) {
+  constexpr std::size_t longest = 24;
+  std::string all;
+  while (!line.empty()) {
+    const auto open = line.find('{'), close = line.find('}', open);
+    if (close == std::string_view::npos) break;
+    const bool is_long = close - open > longest;
+    all += line.substr(0, is_long ? open : close + 1);
+    if (is_long) all += "{…}";
+    line.remove_prefix(close + 1);
+  }
+  return all.append(line);
+}
+
+/// Of a failure whose task has failed before: what was measured, and the diagnosis if it is not one
+/// that was shown already. The first hint is the one to follow.
+std::string short_report(const CheckResult& result, std::set<std::string>& hints,
+                         const Terminal& terminal) {
+  constexpr std::string_view measured = "measured  ", likely = "likely    ";
+  std::string all;
+  for (std::string_view line : text::split(result.report, '\n')) {
+    if (all.empty()) {
+      if (line.starts_with(measured)) line.remove_prefix(measured.size());
+      all += report_line("also      " + sandbox::shortened(with_short_lists(line), 240), margin,
+                         terminal.width);
+    } else if (line.starts_with(likely) && hints.insert(std::string(line)).second) {
+      all += report_line(line, margin, terminal.width);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -169,6 +194,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
   }
   all += roots_elsewhere(lab);
   std::set<std::string> explained;  // tasks whose first failure is above
+  std::set<std::string> hints;      // shown above
   const CheckResult* next = nullptr;
   const bool is_grade = verdict.not_judged.empty();
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
@@ -199,8 +225,14 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     if (result.status == Status::failed || result.status == Status::internal_error) {
       all += check_line(terminal, red, "✗", result.check.name, points);
       const bool is_first = explained.insert(result.check.task).second;
-      all += is_first || result.status != Status::failed ? full_report(lab, result, terminal)
-                                                         : short_report(result, terminal);
+      if (is_first || result.status != Status::failed) {
+        all += full_report(lab, result, terminal);
+        for (const std::string_view line : text::split(result.report, '\n')) {
+          hints.insert(std::string(line));
+        }
+      } else {
+        all += short_report(result, hints, terminal);
+      }
     } else {
       // Once per task, however many checks it has.
       double together = result.check.points;
