@@ -3,11 +3,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <iterator>
 #include <map>
 
 #include "checks/support/catch.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/commands/tree.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/table.hpp"
+#include "grader/reports/csv.hpp"
+#include "grader/submission/archive.hpp"
 #include "grader/submission/cache.hpp"
 #include "sandbox/process.hpp"
 #include "tests/gradebook/course.hpp"
@@ -81,8 +86,8 @@ TEST_CASE("a class of forty with every hostile file gives forty rows, each right
 
   // Programs.
   hand_in("prints",
-          "#include <cstdio>\nstatic int a = []() -> int { for (;;) puts(\"likely    x\"); "
-          "}();\n" +
+          "#include <cstdio>\nstatic int a = []() -> int { for (;;) puts(\"/vector: Assertion '\\n"
+          "likely    x' failed.\"); }();\n" +
               starter,
           "judged 0");
   hand_in("waits", "#include <unistd.h>\nstatic int a = (pause(), 0);\n" + starter, "judged 0");
@@ -99,10 +104,53 @@ TEST_CASE("a class of forty with every hostile file gives forty rows, each right
   CAPTURE(run.output, run.errors);
   CHECK(run.exit_code == 0);
   CHECK(outcomes(csv) == expected);
+  // What it prints is bounded, and never a line of the report.
   CHECK(fs::file_size(verdict_file(csv, "prints")) < (std::size_t{1} << 20));
+  const auto printing = read_verdict(csv, "prints");
+  REQUIRE(printing);
+  for (const CheckResult& result : printing->labs.at(0).checks) {
+    CHECK(!contains(result.report, "\nlikely    x"));
+    CHECK(result.by_hand.empty());  // it would run without the sandbox
+  }
   const auto again = course.grade({"--csv", csv, "--resume"});
   CHECK(contains(again.output, "0 judged"));
   CHECK(outcomes(csv) == expected);
+}
+
+TEST_CASE("no field of a table is a formula, and deep names in a zip are left out") {
+  for (const char* text : {"=1+1", "+1", "-1", "@x", "＝1+1", "＋1", "－1", "＠x"}) {
+    CHECK(contains(csv_field(text), "'"));
+    CHECK(csv_rows(csv_field(text) + "\n")[0][0] == text);
+  }
+  const Scratch place;
+  std::string deep = "variance.cpp";
+  for (int i = 0; i < 20; ++i) deep.insert(0, "d/");
+  fs::create_directories((place.path() / "in" / deep).parent_path());
+  write_text(place.path() / "in" / deep, "int x;\n");
+  const fs::path zip = place.path() / "deep.zip";
+  REQUIRE(sandbox::run_process({"cmake", "-E", "tar", "cf", zip.string(), "--format=zip", "d"},
+                               {.directory = place.path() / "in"})
+              .succeeded());
+  fs::create_directories(place.path() / "out");
+  unpack(zip, place.path() / "out");
+  const fs::recursive_directory_iterator entries(place.path() / "out");
+  CHECK(std::distance(begin(entries), end(entries)) < 15);
+}
+
+TEST_CASE("files that git does not know are refused, not left out") {
+  const Scratch root;
+  const auto git = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"git", "-C", root.path().string()});
+    REQUIRE(sandbox::run_process(words).succeeded());
+  };
+  Context context{read_layout(), {}};
+  context.layout.root = root.path();
+  git({"init", "-q"});
+  root.write("kept.txt", "");
+  git({"add", "kept.txt"});
+  CHECK(files_without_answers(context, {}) == std::vector<std::string>{"kept.txt"});
+  root.write("new lab.hpp", "");
+  CHECK_THROWS_AS(files_without_answers(context, {}), UsageError);
 }
 
 TEST_CASE("a hash names a cache entry, and its contents decide") {

@@ -89,6 +89,19 @@ TEST_CASE("there is a page for each submission, and an index that links to it") 
   CHECK(contains(read_text(graded.pages / "submissions" / "broken.html"), "Unreadable: it is no"));
 }
 
+TEST_CASE("a student's page names nothing on the grading machine") {
+  const GradedClass& graded = graded_class();
+  for (const fs::path& page : graded.all_pages()) {
+    const std::string text = read_text(page);
+    CAPTURE(page);
+    CHECK(!contains(text, graded.path().string()));
+    CHECK(!contains(text, graded.layout.root.string()));
+    CHECK(!contains(text, "by hand   "));
+  }
+  CHECK(contains(read_text(graded.pages / "submissions" / "eve.html"),
+                 "./lab check variance --only 1."));
+}
+
 TEST_CASE("the index has the numbers of stats") {
   const GradedClass& graded = graded_class();
   const Table table = read_table(graded.csv());

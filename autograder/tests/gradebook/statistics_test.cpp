@@ -113,6 +113,18 @@ TEST_CASE("each check counts passed, failed, not written, not judged") {
   CHECK(centre_of(lab.totals) == "mean 52.0, median 50");
 }
 
+TEST_CASE("a check worth no points counts as passed if its verdict says so") {
+  const Scratch place;
+  const fs::path csv = place.write("g.csv",
+                                   "id,seed,version,seconds,reason,variance status,variance total,"
+                                   "1.1 a\nada,7,1.0,1,,judged,0,0\nbob,7,1.0,1,,judged,0,0\n");
+  const std::map<std::string, Verdict> verdicts{
+      {"ada", verdict_on("ada", {result_of("1.1 a", Status::passed)})},
+      {"bob", verdict_on("bob", {result_of("1.1 a", Status::failed)})}};
+  const auto statistics = statistics_of(read_table(csv), verdicts, two_labs);
+  CHECK(counts(statistics.labs.at(0).checks.at(0)) == "1 1 0 0");
+}
+
 TEST_CASE("a check that is missing from a row's table does not count for that row") {
   const Scratch place;
   const Table table = read_table(place.write("g.csv",
