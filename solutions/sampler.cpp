@@ -82,13 +82,13 @@ void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng)
 
 // 6.3 ---------------------------------------------------------------------------------------------
 
-// Nested scrambling moves points within elementary intervals: cells that a pair of dimensions leaves
-// empty stay empty. Of Sobol' dimensions 6 and 7 the first 16 points leave 12 of 16 cells empty. Of
-// all pairs of the 32 dimensions eight leave no cell of a square grid empty at N = 4, 16, 64, 256 and
-// 1024: (0,1), (0,12), (0,13), (4,6), (7,13), (10,20), (15,21), (16,20). A block is four of them, and
-// a next2() gets one of these pairs, whatever next() came before it: if dimensions were handed out
-// one by one, a next() would make it get halves of two pairs, and no order of eight dimensions has
-// good neighbors everywhere (four is the longest).
+// Nested scrambling moves points within elementary intervals: cells that a pair of dimensions
+// leaves empty stay empty. Of Sobol' dimensions 6 and 7 the first 16 points leave 12 of 16 cells
+// empty. Of all pairs of the 32 dimensions eight leave no cell of a square grid empty at N = 4, 16,
+// 64, 256 and 1024: (0,1), (0,12), (0,13), (4,6), (7,13), (10,20), (15,21), (16,20). A block is
+// four of them, and a next2() gets one of these pairs, whatever next() came before it: if
+// dimensions were handed out one by one, a next() would make it get halves of two pairs, and no
+// order of eight dimensions has good neighbors everywhere (four is the longest).
 //
 // Mean squared errors by those of independent samples, of exp(x + y + ...) (./lab bench sampler
 // --tables) and, of pairs, of a half-plane too:
@@ -114,11 +114,11 @@ constexpr std::size_t block = sobol_block.size();
 
 // Whoever asks for more dimensions gets the same eight again, scrambled anew, and their points in
 // another order, so that a block has nothing to do with the one before it. The columns of a block
-// share their order: it is what holds them together. It is a nested shuffle (Burley 2020): the first
-// 2^k samples have 2^k points in a row, which are as good as the first 2^k.
+// share their order: it is what holds them together. It is a nested shuffle (Burley 2020): the
+// first 2^k samples have 2^k points in a row, which are as good as the first 2^k.
 
-/// Nested scrambling of the numbers 0, 1, … below `samples`, read as bits behind the point: a bit is
-/// flipped depending on those before it.
+/// Nested scrambling of the numbers 0, 1, … below `samples`, read as bits behind the point: a bit
+/// is flipped depending on those before it.
 std::vector<std::uint32_t> nested_order(std::size_t samples, std::uint64_t seed) {
   const auto size = double(std::bit_ceil(samples));
   std::vector<double> index(samples);

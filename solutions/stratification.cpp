@@ -164,8 +164,8 @@ class Choices {
 };
 
 /// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
-/// last, which of the others before it, and so on. Choices are made ahead of the swaps: where things
-/// are too many for a cache, a processor fetches many of them at a time.
+/// last, which of the others before it, and so on. Choices are made ahead of the swaps: where
+/// things are too many for a cache, a processor fetches many of them at a time.
 void shuffle_by(auto swap, std::size_t n, Rng& rng) {
   std::array<std::size_t, 64> ahead;
   for (Choices any(rng); n > 1;) {

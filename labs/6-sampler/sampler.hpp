@@ -75,13 +75,13 @@ class Sampler {
 /// an independent random permutation.
 ///
 /// 6.3  "halton" and "sobol": eight dimensions of the sequence, with the points from index 0 on, in
-/// their order. Each dimension is randomized by a different seed: Sobol' by nested scrambling (5.8),
-/// Halton by permuted digits (5.9), but in base 2 by nested scrambling too. The eight are four
-/// pairs: of Sobol' dimensions (0, 1), (4, 6), (16, 20), (15, 21), since these leave no cell empty
-/// of the square grid of N cells, N = 4, 16, 64, 256, 1024; of Halton's the primes (2, 3), (5, 7),
-/// (11, 13), (17, 19). In the order in which sample dimensions are first asked for, a next2() takes
-/// the next pair. A next() takes the first half of the next pair, and the next() after it the second
-/// half.
+/// their order. Each dimension is randomized by a different seed: Sobol' by nested scrambling
+/// (5.8), Halton by permuted digits (5.9), but in base 2 by nested scrambling too. The eight are
+/// four pairs: of Sobol' dimensions (0, 1), (4, 6), (16, 20), (15, 21), since these leave no cell
+/// empty of the square grid of N cells, N = 4, 16, 64, 256, 1024; of Halton's the primes (2, 3),
+/// (5, 7), (11, 13), (17, 19). In the order in which sample dimensions are first asked for, a
+/// next2() takes the next pair. A next() takes the first half of the next pair, and the next()
+/// after it the second half.
 ///
 /// When all four pairs are taken, a next2(), or a next() for which there is no half, begins another
 /// block: the same eight dimensions with new seeds, their points in another order, which all eight

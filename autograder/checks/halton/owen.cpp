@@ -87,8 +87,8 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
       "nested uniform scrambling in base 2: the flip of a bit is a random "
       "decision of its own for each string of bits before it";
   const std::string independent = "flips behind different strings are independent";
-  // Two values that differ in bit k: what flips the bits behind it in one and in the other. Each pair
-  // by itself: four values are nearly independent, and no more is promised.
+  // Two values that differ in bit k: what flips the bits behind it in one and in the other. Each
+  // pair by itself: four values are nearly independent, and no more is promised.
   const Values pairs = pairs_that_share(rng);
   const SampleSets got = scrambled(pairs, domain::seeds_in_a_row(rng() >> 1, count));
   for (std::size_t k = 0; k < 52; ++k) {

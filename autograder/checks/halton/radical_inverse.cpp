@@ -1,5 +1,5 @@
-// 5.1 and 5.2: radical inverses of single indices and of columns, against the exact fractions in 106
-// bits. Nothing here is left to chance, so nothing has an alpha.
+// 5.1 and 5.2: radical inverses of single indices and of columns, against the exact fractions in
+// 106 bits. Nothing here is left to chance, so nothing has an alpha.
 
 #include <numeric>
 

@@ -50,9 +50,9 @@ Uniforms beginnings(Uniforms all, std::size_t size, std::size_t positions) {
 }
 
 /// Calls begin with numbers that never came before: of N numbers with 53 bits, N^2 / 2^54 pairs are
-/// equal by chance: 6e-6 for N = 320,000, so that two are as good as impossible (2e-11). A generator
-/// of one's own that is seeded by 32 bits begins in the same place for 12 pairs, and with one pair
-/// or none once in 12,000 runs.
+/// equal by chance: 6e-6 for N = 320,000, so that two are as good as impossible (2e-11). A
+/// generator of one's own that is seeded by 32 bits begins in the same place for 12 pairs, and with
+/// one pair or none once in 12,000 runs.
 void judge_beginnings(Rng& rng) {
   Values first;
   std::string call;

@@ -146,10 +146,10 @@ inline bool is_digital_shift(View x, std::span<const std::uint32_t> exact) {
 /// The columns of a whole block, or what is asked for of it, in an order that nobody knows.
 using Block = std::vector<View>;
 
-/// Are these, sample by sample, the dimensions of a block of the first 2^m Sobol' points, scrambled,
-/// all in the same order? The words of these points are a group under exclusive or: so how many leading
-/// bits a point shares with each of the others, in all dimensions together, is the same list for
-/// every point, but for its order: that of point 0.
+/// Are these, sample by sample, the dimensions of a block of the first 2^m Sobol' points,
+/// scrambled, all in the same order? The words of these points are a group under exclusive or: so
+/// how many leading bits a point shares with each of the others, in all dimensions together, is the
+/// same list for every point, but for its order: that of point 0.
 inline bool is_sobol_in_one_order(const Block& columns) {
   const std::size_t n = columns[0].size();
   using Shared = std::vector<unsigned>;

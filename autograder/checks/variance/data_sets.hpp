@@ -26,8 +26,8 @@ struct List {
 /// in [-1, 1), below 4 in [0.5, 2.5), below 7 in [1, 2).
 Values tame_values(Rng& rng, std::size_t n, double low, double high);
 
-/// Lists of them: first three that differ in one value, which shows what is kept between calls; then
-/// one of every size of domain::sizes() from `least` up to 65,537.
+/// Lists of them: first three that differ in one value, which shows what is kept between calls;
+/// then one of every size of domain::sizes() from `least` up to 65,537.
 std::vector<List> tame_lists(Rng& rng, std::size_t least, double low, double high);
 
 /// offset + r + {4, 7, 13, 16} over and over in random order, r a whole number below 1000. Exact in
