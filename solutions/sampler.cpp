@@ -112,12 +112,12 @@ void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng)
 constexpr std::array<unsigned, 8> sobol_block{0, 1, 4, 6, 16, 20, 15, 21};
 constexpr std::size_t block = sobol_block.size();
 
-// Whoever asks for more dimensions gets the same eight again, scrambled anew, and their points in
+// More than eight dimensions are the same eight again, scrambled anew, and their points in
 // another order, so that a block has nothing to do with the one before it. The columns of a block
 // share their order: it is what holds them together. It is a nested shuffle (Burley 2020): the
 // first 2^k samples have 2^k points in a row, which are as good as the first 2^k.
 
-/// Nested scrambling of the numbers 0, 1, … below `samples`, read as bits behind the point: a bit
+/// Nested scrambling of the numbers 0, 1, … below `samples`, read as bits after the point: a bit
 /// is flipped depending on those before it.
 std::vector<std::uint32_t> nested_order(std::size_t samples, std::uint64_t seed) {
   const auto size = double(std::bit_ceil(samples));

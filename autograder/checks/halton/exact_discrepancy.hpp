@@ -1,5 +1,5 @@
 #pragma once
-// The star discrepancy as it is defined, to judge by: box by box, also of some boxes only, as a
+// The star discrepancy by its definition, to judge by: box by box, also of some boxes only, as a
 // mistake has it; and of hundreds of points faster.
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #pragma once
-// Radical inverses, primes and Sobol' points as they are defined, to judge by.
+// Radical inverses, primes and Sobol' points by their definitions, to judge by.
 
 #include <cmath>
 #include <cstdint>

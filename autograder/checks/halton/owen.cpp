@@ -132,7 +132,7 @@ CHECK_CASE("5.8 a value is scrambled alike in any column", "[5.8][points:1][edge
   Rng rng = check_rng();
   for (const std::size_t n : domain::sizes(65537, rng)) {
     Values x(n);
-    for (double& value : x) {  // every 7th with bits behind the 32nd, on average
+    for (double& value : x) {  // every 7th with bits after the 32nd, on average
       value = rng() % 7 == 0 ? value_of(rng() >> 11) : static_cast<double>(rng() >> 32) * 0x1p-32;
     }
     const std::uint64_t seed = rng();
