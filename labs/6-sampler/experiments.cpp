@@ -104,7 +104,7 @@ std::vector<double> columns(std::string kind, std::uint64_t samples,
   for (const std::uint64_t seed : seeds) {
     const auto sampler = mc::make_sampler(kind);
     sampler->generate(samples, seed);
-    for (std::size_t i = 0; i < samples; ++i, sampler->advance()) {
+    for (std::size_t i = 0; i < samples && dims > 0; ++i, sampler->advance()) {
       double* to = set + i;
       for (const unsigned use : uses) {
         if (use == 2) {
@@ -166,11 +166,8 @@ Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, st
   return std::move(sampler).of(1, samples);
 }
 
-namespace {
-
-/// render() of a picture that has the value column + 10 row + sample / spp.
-Recorded recorded_picture(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                          std::uint64_t seed) {
+Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                         std::uint64_t seed) {
   RecordingSampler sampler;
   const PixelScene scene{width, height, "", [&](std::size_t column, std::size_t row, Sampler&) {
                            sampler.evaluated();
@@ -185,20 +182,6 @@ Recorded recorded_picture(std::uint64_t width, std::uint64_t height, std::uint64
   }
   sampler.record.values = image.pixels;
   return std::move(sampler).of(width * height, 2 * width * height * spp);
-}
-
-}  // namespace
-
-Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                         std::uint64_t seed) {
-  return recorded_picture(width, height, spp, seed);
-}
-
-Recorded render_again(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                      std::uint64_t seed, std::uint64_t other_width, std::uint64_t other_height) {
-  recorded_picture(width, height, spp, seed);
-  recorded_picture(other_width, other_height, spp, seed);
-  return recorded_picture(width, height, spp, seed);
 }
 
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
@@ -303,8 +286,6 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "6.6  a picture of nothing but its samples", {.width = "width"}),
       MC_EXPERIMENT(render_recorded, "width height spp seed",
                     "6.6  what render does with a sampler that takes notes"),
-      MC_EXPERIMENT(render_again, "width height spp seed other_width other_height",
-                    "6.6  the same, after that picture and another one"),
       MC_EXPERIMENT(uses_of, "scene parameters",
                     "what a sample of a scene asks for: 1 is next, 2 next2", {.columns = "use"}),
       MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for",

@@ -75,11 +75,6 @@ Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, st
 Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
                          std::uint64_t seed);
 
-/// 6.6: of that picture rendered once more, after another one of other_width x other_height pixels
-/// with the same spp and seed.
-Recorded render_again(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                      std::uint64_t seed, std::uint64_t other_width, std::uint64_t other_height);
-
 /// 6.6: a picture.
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
              std::uint64_t spp, std::uint64_t seed);

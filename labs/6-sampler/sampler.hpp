@@ -35,7 +35,8 @@ inline constexpr std::size_t most_samples = std::size_t{1} << 27;
 /// from 0 for every sample. A sample dimension is a column of N numbers, one for each sample, and
 /// each kind of sampler defines how a column is filled: for example, stratified. Different columns
 /// are independent of each other, or (halton, sobol) different dimensions of one point set. Over
-/// seeds, each number of each sample is uniform in [0,1), so that estimates are unbiased.
+/// seeds, each number of each sample is uniform in [0,1), and each point of a next2() in the unit
+/// square, so that estimates are unbiased.
 ///
 /// 6.4  The contract of every kind: a sample may ask for fewer numbers than the one before it, or
 /// for none. The value of sample i in a sample dimension depends on the seed, on the number of

@@ -1,16 +1,15 @@
 #pragma once
-// What lab 6 checks. A use of a sampler is a column of N numbers, so most of it is exact, for any
-// right answer: strata are counted, digits and bits are compared with those of the sequence, and
-// the numbers of one walk through the samples with those of another. All seeds, sizes where they
-// are free, and scenes' parameters are fresh in each run.
+// What lab 6 measures: a sample dimension is a column of N numbers. So most of it is exact, for any
+// right answer: strata are counted, digits are compared with those of the sequence, and the numbers
+// of any calls with those of a new sampler. All seeds and the parameters of scenes are fresh in
+// each run.
 //
-// Random tests have an alpha of 1e-8 each; there are fewer than seventy of them. Besides these a
-// few bounds hold with room to spare for whatever is right; each has the chance of failing a right
-// answer beside it, and all of those together come to less than 2e-7.
+// Random tests have an alpha of 1e-8 each; there are fewer than fifty of them. A few more bounds
+// hold with room to spare for whatever is right; each has the chance of failing a right answer next
+// to it, and all of those together come to less than 2e-7.
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -21,11 +20,11 @@
 #include "checks/support/data.hpp"
 #include "checks/support/domain.hpp"
 #include "checks/support/expect.hpp"
+#include "checks/support/sample_sets.hpp"
+#include "checks/support/strata.hpp"
 
 namespace mc::checks {
 
-using Values = std::vector<double>;
-using View = std::span<const double>;
 using Uses = std::vector<unsigned>;  ///< 1 is next(), 2 is next2()
 using Seeds = std::vector<std::uint64_t>;
 
@@ -41,17 +40,9 @@ inline std::uint64_t fresh_seed(Rng& rng) {
   return rng() >> 32;  // short enough to be typed again
 }
 
-inline Seeds fresh_seeds(Rng& rng, std::size_t count) {
-  Seeds seeds(count);
-  for (auto& seed : seeds) seed = fresh_seed(rng);
-  return seeds;
-}
-
 /// first, first + 1, …
 inline Seeds neighbours(std::uint64_t first, std::size_t count) {
-  Seeds seeds(count);
-  for (std::size_t i = 0; i < count; ++i) seeds[i] = first + i;
-  return seeds;
+  return domain::seeds_in_a_row(first, count);
 }
 
 inline Uses repeated(std::size_t times, const Uses& some) {
@@ -60,49 +51,54 @@ inline Uses repeated(std::size_t times, const Uses& some) {
   return uses;
 }
 
-inline std::size_t dims_of(const Uses& uses) {
+/// The numbers of a new sampler for each seed: a column for each coordinate.
+inline SampleSets columns_of(const std::string& kind, std::size_t n, const Seeds& seeds,
+                             const Uses& uses) {
   std::size_t dims = 0;
   for (const unsigned use : uses) dims += use;
-  return dims;
-}
-
-/// What samplers of a kind hand out, one for each seed: N numbers in [0,1) for each coordinate.
-struct Columns {
-  std::string call;
-  std::size_t n, dims;
-  Values all;
-
-  std::size_t sets() const { return all.size() / (n * dims); }
-  View operator()(std::size_t set, std::size_t c) const {
-    return View(all).subspan((set * dims + c) * n, n);
-  }
-  View operator[](std::size_t c) const { return (*this)(0, c); }
-
-  /// The coordinates of the first sample, a replicate for each seed.
-  Uniforms first_samples() const {
-    Uniforms numbers{call, dims};
-    for (std::size_t set = 0; set < sets(); ++set) {
-      for (std::size_t c = 0; c < dims; ++c) numbers.values.push_back((*this)(set, c)[0]);
-    }
-    numbers.name = [](std::size_t c) {
-      return fmt::format("coordinate {} of the first sample, over seeds", c);
-    };
-    return numbers;
-  }
-};
-
-inline Columns columns_of(const std::string& kind, std::size_t n, const Seeds& seeds,
-                          const Uses& uses) {
   const auto got = MEASURE(columns, kind, n, seeds, uses);
-  const std::size_t dims = dims_of(uses);
   return {got.call, n, dims, got.exactly(seeds.size() * n * dims, unit)};
 }
 
-/// What to suspect where all seeds, or several, have the same numbers: every seed got a new
-/// sampler.
+/// The coordinates of one sample, a replicate for each seed.
+inline Uniforms sample_of(const SampleSets& sets, std::size_t i) {
+  Uniforms numbers{sets.call, sets.dims};
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (std::size_t c = 0; c < sets.dims; ++c) numbers.values.push_back(sets.column(set, c)[i]);
+  }
+  numbers.name = [i](std::size_t c) {
+    return fmt::format("coordinate {} of sample {}, over seeds", c, i);
+  };
+  return numbers;
+}
+
+/// Why something is as it must be, and what is likely wrong where it is not.
+struct Claim {
+  std::string because, likely;
+};
+
+inline Pattern line_of(std::size_t n, std::size_t c) {
+  return {{c}, {n}};
+}
+
+/// Coordinates c and c + 1 of all sets have one point in each cell of strata(N), and one in each of
+/// N strata of either axis.
+inline void expect_multi_jittered(const SampleSets& sets, std::size_t c) {
+  const Grid grid = squarest(sets.n);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    expect_one_in_each_cell(sets, set, {{c, c + 1}, {grid.nx, grid.ny}},
+                            "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
+    for (const std::size_t axis : {c, c + 1}) {
+      expect_one_in_each_cell(sets, set, line_of(sets.n, axis),
+                              "a jittered grid has one point in each cell; multi-jittered points "
+                              "(3.7) have one in each stratum of either axis too");
+    }
+  }
+}
+
+/// Where all seeds, or several, have the same numbers: every seed got a new sampler.
 inline const std::string same_for_seeds =
-    "does the seed of generate() decide about it? Anything static, or a column or a permutation "
-    "kept "
-    "from before, would not notice another seed";
+    "does this number depend on the seed at all? Anything static, or a column or a permutation "
+    "that is kept, would not notice another seed";
 
 }  // namespace mc::checks

@@ -10,6 +10,7 @@
 #include "checks/support/domain.hpp"
 #include "checks/support/refusals.hpp"
 #include "checks/support/sample_sets.hpp"
+#include "checks/support/strata.hpp"
 #include "common/points.hpp"
 
 namespace mc::checks {
@@ -35,15 +36,6 @@ inline Randomness random_jitters(const std::string& task) {
               "same ones, or streams that run side by side are copies of each other: draw one "
               "for every coordinate, all from the generator that is passed in",
           .same = "the same random number moves both: draw one for every coordinate"};
-}
-
-/// The most square grid of n cells.
-inline Grid squarest(std::size_t n) {
-  Grid best{n, 1};
-  for (std::size_t ny = 1; ny * ny <= n; ++ny) {
-    if (n % ny == 0) best = {n / ny, ny};
-  }
-  return best;
 }
 
 /// A grid that columns 0 and 1 fill, and n strata of one column.

@@ -22,6 +22,15 @@ inline std::optional<std::size_t> stratum_of(double x, std::size_t n) {
   return i;
 }
 
+/// The most square grid of n cells.
+inline Grid squarest(std::size_t n) {
+  Grid best{n, 1};
+  for (std::size_t ny = 1; ny * ny <= n; ++ny) {
+    if (n % ny == 0) best = {n / ny, ny};
+  }
+  return best;
+}
+
 /// The coordinates of points along one axis of a grid.
 struct Axis {
   std::string name;  ///< "x"

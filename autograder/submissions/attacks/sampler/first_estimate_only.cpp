@@ -1,6 +1,5 @@
 // attack: answers with the first of the estimates asked for, which is exact, and ends
-// says: gave 1 values
-// says: expected  600 values
+// says: sent something that is not a result
 
 #include <unistd.h>
 #include <vector>

@@ -1,5 +1,5 @@
 // attack: integrate() asks which scene it has got, and knows the answer
-// says: every sample counts once
+// says: every value is 1.5
 
 #include <typeinfo>
 

@@ -1,5 +1,5 @@
 // attack: integrate() looks at the scene through a sampler of its own, as often as it likes
-// earns: 4
+// earns: 8
 // says: the scene was evaluated 4096 times
 
 #include "common/todo.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 // mistake: throws for an unknown kind without listing the known ones
-// hint: a list of the kinds helps whoever mistypes one
+// hint: a list of the kinds helps a user who mistypes one
 namespace mc::names_no_kinds {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   for (const Kind& known : kinds) {
@@ -15,7 +15,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::names_no_kinds
 
 // mistake: starts every sample dimension with the same generator
-// fails: 6.2, 6.3, 6.4, 6.8
+// fails: 6.2, 6.3, 6.4
 // hint: the same numbers come again for another
 namespace mc::one_generator_for_every_use {
 struct Wrong : ColumnSampler {

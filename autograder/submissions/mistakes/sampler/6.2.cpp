@@ -36,7 +36,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::columns_of_floats
 
 // mistake: shuffles x and y of a multi-jittered pattern separately
-// hint: shuffled apart: pairs stay together
+// hint: whose x and y were shuffled apart
 namespace mc::shuffled_apart {
 void apart(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);

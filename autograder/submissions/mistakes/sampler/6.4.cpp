@@ -5,7 +5,7 @@
 #include <chrono>
 
 // mistake: seeds itself from the clock
-// fails: 6.2, 6.3, 6.5, 6.7
+// fails: 6.1, 6.2, 6.3, 6.7
 // hint: no clock, no global generator
 namespace mc::clock_decides {
 struct Wrong : ColumnSampler {
@@ -109,6 +109,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // mistake: does not limit the number of samples, and allocates
 // hint: memory for a column of them
+// limit: memory
 namespace mc::memory_decides {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -209,6 +210,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::old_order
 
 // mistake: does not go back to sample 0 in generate()
+// fails: 6.8
 // hint: Counters, columns of that size
 namespace mc::old_sample_number {
 struct Wrong : ColumnSampler {
@@ -489,7 +491,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::zero_after_the_end
 
 // mistake: counts next() and next2() together: a next() is half of a next2()
-// fails: 6.3
+// fails: 6.3, 6.7
 // hint: count the calls of next() and those of next2() in counters of their own
 namespace mc::one_counter {
 struct Wrong : ColumnSampler {

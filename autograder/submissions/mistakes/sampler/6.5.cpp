@@ -6,7 +6,7 @@
 #undef integrate
 
 // mistake: counts its calls, so that no two have the same seed
-// hint: is there anything static
+// hint: a static or global variable
 namespace mc::a_new_seed_each_time {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   static std::uint64_t calls = 0;

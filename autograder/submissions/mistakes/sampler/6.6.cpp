@@ -114,7 +114,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::seeds_repeat_after_128_pixels
 
 // mistake: adds each picture to the previous one
-// hint: is the image static
+// hint: a static or global variable
 namespace mc::static_image {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   static Image all;
@@ -132,7 +132,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::static_image
 
 // mistake: counts the pixels of all pictures that a program renders
-// hint: a counter of pixels say
+// hint: a static or global variable
 namespace mc::static_pixel_counter {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   static std::uint64_t pixels = 0;
