@@ -19,6 +19,7 @@ find_package(Threads REQUIRED)
 
 # Without libseccomp the jail is incomplete, and every grade says so.
 find_library(SECCOMP_LIBRARY seccomp)
+find_library(SECCOMP_STATIC_LIBRARY libseccomp.a)
 find_path(SECCOMP_INCLUDE seccomp.h)
 
 # Without libarchive, zips must be unpacked by hand.

@@ -64,6 +64,8 @@ test_of(gradebook 100 gradebook_tests)
 test_of(repository 5 self_test repository)
 # Not in --quick: tests that build a checkout or measure, and those as long as all others together.
 test_of(checkout 99 gradebook_tests "[checkout]")
+test_of(handout 98 gradebook_tests "[handout]")
+test_of(gradescope 98 gradebook_tests "[gradescope]")
 test_of(slurm 97 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})  # skipped without Slurm
 test_of(term 96 gradebook_tests "[term]")
 test_of(term-shards 96 gradebook_tests "[term-shards]")

@@ -1,8 +1,15 @@
 #include "grader/checkout/layout.hpp"
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
 
 #include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "runner/text.hpp"
 #include "sandbox/process.hpp"
 
@@ -15,26 +22,66 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The build directory: this program is in its bin/.
-fs::path build_directory() {
+/// The directory of this program.
+fs::path program_directory() {
 #ifdef __APPLE__
   char path[4096];
   std::uint32_t size = sizeof path;
   if (_NSGetExecutablePath(path, &size) != 0) throw MachineError("where is this program?");
-  return fs::canonical(path).parent_path().parent_path();
+  return fs::canonical(path).parent_path();
 #else
-  return fs::canonical("/proc/self/exe").parent_path().parent_path();
+  return fs::canonical("/proc/self/exe").parent_path();
 #endif
+}
+
+/// The first C++ compiler on the path; CXX comes first. Empty if there is none.
+std::string find_compiler() {
+  const char* const chosen = std::getenv("CXX");
+  const char* const path = std::getenv("PATH");
+  for (const std::string name : {chosen == nullptr ? "" : chosen, "c++", "g++", "clang++"}) {
+    if (name.find('/') != std::string::npos && access(name.c_str(), X_OK) == 0) return name;
+    for (const std::string_view place : text::split(path == nullptr ? "" : path, ':')) {
+      const fs::path file = fs::path(place) / name;
+      if (!name.empty() && access(file.c_str(), X_OK) == 0) return file.string();
+    }
+  }
+  return {};
+}
+
+/// Where a handout builds: in itself, elsewhere if it is read-only.
+fs::path writable_build_directory(const fs::path& root) {
+  if (const char* const chosen = std::getenv("MC_BUILD"); chosen != nullptr && *chosen != '\0') {
+    return chosen;
+  }
+  std::error_code error;
+  fs::create_directories(root / "build", error);
+  if (!error && access((root / "build").c_str(), W_OK) == 0) return root / "build";
+  const char* const cache = std::getenv("XDG_CACHE_HOME");
+  const char* const home = std::getenv("HOME");
+  const fs::path place =
+      cache != nullptr ? fs::path(cache) : fs::path(home == nullptr ? "/tmp" : home) / ".cache";
+  return place / "monte-carlo-labs" / fmt::format("{:016x}", hash_text(root.string()));
+}
+
+/// The layout of a handout whose judge came compiled.
+void find_surroundings(Layout& layout) {
+  layout.root = layout.bin.parent_path().parent_path().parent_path();
+  layout.build = writable_build_directory(layout.root);
+  fs::create_directories(layout.build);
+  layout.compiler = find_compiler();
+  if (layout.compiler.empty()) return;
+  layout.is_clang = sandbox::run_process({layout.compiler, "--version"}).output.find("clang") !=
+                    std::string::npos;
 }
 
 }  // namespace
 
 Layout read_layout() {
-  const fs::path build = build_directory();
-  std::ifstream file(build / "layout.txt");
-  if (!file) throw MachineError("the build directory is incomplete: run ./lab setup");
   Layout layout;
-  layout.build = build;
+  layout.bin = program_directory();
+  layout.build = layout.bin.parent_path();
+  std::ifstream file(layout.build / "layout.txt");
+  if (!file) throw MachineError("the build directory is incomplete: run ./lab setup");
   std::string line;
   while (std::getline(file, line)) {
     const auto at = line.find('=');
@@ -42,6 +89,7 @@ Layout read_layout() {
     const std::string key = line.substr(0, at), value = line.substr(at + 1);
     if (key == "root") layout.root = value;
     if (key == "compiler") layout.compiler = value;
+    if (key == "judge_is_compiled") layout.judge_is_compiled = value == "yes";
     if (key == "sanitized") layout.sanitized = value == "yes";
     if (key == "version") layout.version = value;
     if (key == "compiler_id") layout.is_clang = value.find("Clang") != std::string::npos;
@@ -59,9 +107,8 @@ Layout read_layout() {
       }
     }
   }
-  // A package from ./lab gradescope records the version it was made from.
-  if (std::ifstream taken(layout.root / "VERSION.txt"); std::getline(taken, line)) {
-    layout.version = line;
+  if (layout.judge_is_compiled) {
+    find_surroundings(layout);
     return layout;
   }
   const auto commit = sandbox::run_process(

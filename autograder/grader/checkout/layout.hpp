@@ -1,5 +1,6 @@
 #pragma once
-// Paths and compiler settings, as CMake found them when it configured.
+// Paths and compiler settings: as CMake found them when it configured, or, in a handout whose judge
+// came compiled, as they are found at each start.
 
 #include <filesystem>
 #include <map>
@@ -9,9 +10,11 @@
 namespace mc::grader {
 
 struct Layout {
-  std::filesystem::path root;   ///< the checkout
-  std::filesystem::path build;  ///< CMake's build directory
-  std::string compiler;         ///< full path of the C++ compiler
+  std::filesystem::path root;      ///< the checkout
+  std::filesystem::path build;     ///< where everything that is built goes: CMake's build directory
+  std::filesystem::path bin;       ///< the judge's programs
+  bool judge_is_compiled = false;  ///< is this a handout without the judge's sources?
+  std::string compiler;            ///< full path of the C++ compiler; empty if a handout finds none
   bool is_clang = false;
   bool sanitized =
       false;  ///< are grader and checks built with a sanitizer? Then memory limits do not apply
@@ -25,17 +28,17 @@ struct Layout {
   std::filesystem::path solutions() const { return root / "solutions"; }
   std::filesystem::path submissions() const { return root / "autograder" / "submissions"; }
   std::filesystem::path starter() const { return root / "starter"; }
-  std::filesystem::path checks(const std::string& lab) const {
-    return build / "bin" / ("checks_" + lab);
-  }
+  std::filesystem::path checks(const std::string& lab) const { return bin / ("checks_" + lab); }
+  /// The program that has all commands; in a handout, grader has them.
+  std::filesystem::path course() const { return bin / (judge_is_compiled ? "grader" : "course"); }
   /// The program that measures for the lab's plots and for bench.
   std::filesystem::path measurements(const std::string& lab) const {
-    return build / "bin" / ("measure_" + lab);
+    return bin / ("measure_" + lab);
   }
 };
 
-/// Reads layout.txt, which CMake writes into the build directory of this program. Throws
-/// MachineError if it is missing.
+/// Reads layout.txt, in the directory above this program's: CMake writes it into its build
+/// directory, ./lab handout into autograder/bin. Throws MachineError if it is missing.
 Layout read_layout();
 
 }  // namespace mc::grader

@@ -54,7 +54,7 @@ const Command* find_command(std::string_view name) {
 
 /// Replaces this process by the program that has all commands.
 [[noreturn]] void run_course(const Layout& layout, char** words) {
-  const std::string program = (layout.build / "bin" / course_program).string();
+  const std::string program = layout.course().string();
   execv(program.c_str(), words);
   throw MachineError(fmt::format("{} is not built: run ./lab setup", program));
 }

@@ -50,7 +50,7 @@ std::vector<Lab> labs_asked_for(const Context& context, const Arguments& argumen
 /// Lets the program that can draw do it, and lists the pictures.
 void show_plots(const Context& context, const Submission& submission,
                 const std::vector<Lab>& labs) {
-  const std::string program = (context.layout.build / "bin" / "course").string();
+  const std::string program = context.layout.course().string();
   for (const Lab& lab : labs) {
     const auto file = submission.files.find(lab.name);
     if (file == submission.files.end()) continue;

@@ -34,16 +34,16 @@ void lay_out(const Context& context, const Arguments& arguments, const std::stri
              const fs::path& to) {
   const fs::path root = context.layout.root, place = root / "autograder" / "gradescope";
   const auto chosen = labs_and_those_below(context, labs);
-  for (const std::string& file : files_without_answers(context, chosen)) {
+  for (const std::string& file : files_without_answers(context, chosen, JudgeForm::compiled)) {
     copy_into(root / file, to / file);
   }
+  copy_compiled_judge(context, chosen, to);
   if (arguments.has("leaderboard")) {  // only the leaderboard compares with the solutions
     for (const std::string& lab : chosen) {
       const fs::path file = fs::path("solutions") / find_lab(context.labs, lab).file();
       copy_into(root / file, to / file);
     }
   }
-  write_text(to / "VERSION.txt", context.layout.version + '\n');  // there is no git history
   for (const char* script : {"setup.sh", "run_autograder"}) copy_into(place / script, to / script);
   std::string run = read_whole_text(place / "run_autograder");
   set(run, "LAB", labs);

@@ -62,9 +62,45 @@ std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
   return all;
 }
 
+/// Replaces "<!-- if FORM -->…<!-- end -->" by its content for this form of the judge, and removes it
+/// for the other.
+void keep_one_form(std::string& text, JudgeForm form) {
+  const std::string kept = form == JudgeForm::compiled ? "compiled" : "sources",
+                    end = "<!-- end -->\n";
+  for (const std::string name : {"compiled", "sources"}) {
+    const std::string start = fmt::format("<!-- if {} -->\n", name);
+    for (auto at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
+      const auto to = text.find(end, at);
+      if (to == std::string::npos) throw MachineError(start + " has no end");
+      const auto body = at + start.size();
+      text.replace(at, to + end.size() - at, name == kept ? text.substr(body, to - body) : "");
+    }
+  }
+}
+
+/// A file for the answers to a lab's written questions: the section "Questions to hand in" of its
+/// README. Empty if there is none.
+std::string answers_template(const Lab& lab, const std::string& readme) {
+  const std::string heading = "\n## Questions to hand in\n";
+  const auto at = readme.find(heading);
+  if (at == std::string::npos) return {};
+  const auto from = at + heading.size(), to = readme.find("\n## ", from);
+  return fmt::format(
+      "# {}: answers\n\nWrite below each question; `./lab submit {}` takes this file along.\n{}\n",
+      lab.title(), lab.name, readme.substr(from, to == std::string::npos ? to : to - from));
+}
+
+/// For clangd: CMake is not there to write compile_commands.json.
+std::string compile_flags_for(const std::vector<Lab>& labs) {
+  std::string flags = "-std=c++20\n-Ilabs\n-Ilabs/common\n";
+  for (const Lab& lab : labs) flags += fmt::format("-Ilabs/{}\n", lab.folder);
+  return flags;
+}
+
 int handout(const Context& context, const Arguments& arguments) {
   if (arguments.words.size() != 1)
-    throw UsageError("usage: ./lab handout DIR [--labs 1,2,…] [--hints N]");
+    throw UsageError("usage: ./lab handout DIR [--labs 1,2,…] [--hints N] [--with-sources]");
+  const JudgeForm form = arguments.has("with-sources") ? JudgeForm::sources : JudgeForm::compiled;
   const fs::path to = fs::absolute(arguments.words[0]), root = context.layout.root;
   if (fs::exists(to) && !fs::is_empty(to)) {
     throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(to.string())));
@@ -75,7 +111,8 @@ int handout(const Context& context, const Arguments& arguments) {
     copy_into(from, to / name);
     ++count;
   };
-  for (const std::string& file : files_without_answers(context, chosen)) copy(root / file, file);
+  for (const std::string& file : files_without_answers(context, chosen, form))
+    copy(root / file, file);
   const fs::path extra = root / "docs" / "handout";
   for (const auto& entry : fs::recursive_directory_iterator(extra)) {
     if (entry.is_regular_file()) copy(entry.path(), fs::relative(entry.path(), extra));
@@ -90,7 +127,22 @@ int handout(const Context& context, const Arguments& arguments) {
       write_text(hints, with_fewer_hints(read_whole_text(hints), steps));
     }
   }
-  write_text(to / "README.md", readme_for(read_whole_text(to / "README.md"), labs, to));
+  for (const Lab& lab : labs) {
+    const std::string questions =
+        answers_template(lab, read_whole_text(root / "labs" / lab.folder / "README.md"));
+    if (questions.empty()) continue;
+    fs::create_directories(to / "answers");
+    write_text(to / "answers" / (lab.folder + ".md"), questions);
+  }
+  if (form == JudgeForm::compiled) {
+    copy_compiled_judge(context, chosen, to);
+    write_text(to / "compile_flags.txt", compile_flags_for(labs));
+  }
+  for (const char* name : {"README.md", "Dockerfile", ".github/workflows/grade.yml"}) {
+    std::string text = read_whole_text(to / name);
+    keep_one_form(text, form);
+    write_text(to / name, name == std::string("README.md") ? readme_for(text, labs, to) : text);
+  }
   git(to, {"init", "-q", "-b", "main"});
   git(to, {"add", "-A"});
   git(to, {"-c", "user.name=course", "-c", "user.email=course@localhost", "commit", "-q", "-m",
@@ -102,13 +154,16 @@ int handout(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand handout_command{
     {"handout",
-     "handout DIR [--labs 1,2,…] [--hints N]",
-     {"labs=", "hints="},
-     "Labs, starters, the grader and its checks, and a README for students, as a git repository\n"
-     "with one commit. No solutions, no submissions, no tests of the repository. Includes an\n"
-     "editor's tasks, a dev container, and a workflow that grades each push.\n"
+     "handout DIR [--labs 1,2,…] [--hints N] [--with-sources]",
+     {"labs=", "hints=", "with-sources"},
+     "Labs, starters, the autograder as programs, and a README for students, as a git repository\n"
+     "with one commit. No solutions, no checks, no tests of the repository. Includes an editor's\n"
+     "tasks, a dev container, and a workflow that grades each push. Students need Linux on this\n"
+     "machine's architecture, and a compiler.\n"
      "  --labs LIST   only these labs and those that they depend on\n"
-     "  --hints N     only the first N steps of each task's hints, 0 to 3\n",
+     "  --hints N     only the first N steps of each task's hints, 0 to 3\n"
+     "  --with-sources  the autograder's sources in place of its programs, for other systems and\n"
+     "                  for those who want to read them; the checks contain working algorithms\n",
      handout}};
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
-// The commands, in the order in which ./lab --help lists them.
+// The commands, in the order in which ./lab --help lists them. The program `course` has all of them,
+// `grader` only those that students need at once.
 
 #include <string_view>
 
@@ -11,9 +12,6 @@ struct CommandEntry {
   std::string_view about = "";   ///< the path it works on: without that, the command is absent
 };
 
-/// The program `course` has all commands; `grader` has only those that students need at once.
-inline constexpr std::string_view course_program = "course";
-
 inline constexpr CommandEntry command_list[] = {
     {"", "where you stand: labs, points, what to do next"},
     {"setup", "install what is missing and build everything"},
@@ -22,7 +20,8 @@ inline constexpr CommandEntry command_list[] = {
     {"hint", "a step towards a task that you are stuck in"},
     {"plot", "draw the lab's plots, several submissions side by side"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", false, "labs/6-sampler"},
-    {"demo", "points, an estimate and its error as N grows: the lecture's page", true},
+    {"demo", "points, an estimate and its error as N grows: the lecture's page", false,
+     "autograder/grader/pictures/demo.html"},
     {"report", "your work on a lab as a page"},
     {"reset", "the starter of a lab again (your file is kept as a backup)"},
     {"submit", "write the zip to hand in"},

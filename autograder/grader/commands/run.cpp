@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,31 +14,37 @@
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/build.hpp"
+#include "grader/submission/from_source.hpp"
 #include "grader/submission/intake.hpp"
-#include "grader/submission/sanitized.hpp"
 
 namespace mc::grader {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Builds the program to run, for judging or for debugging; if that fails, prints the reason and
-/// returns an empty path.
+/// Builds the program to run, for judging or for a kind of debugging; if that fails, prints the
+/// reason and returns an empty path.
 std::string program_of(const Context& context, const Lab& lab, const Submission& submission,
-                       bool sanitized) {
-  if (!sanitized) {
+                       const std::optional<BuildKind>& kind) {
+  if (!kind) {
     const BuildResult built = build_program(context.layout, lab, submission);
     if (!built.program) fmt::print("{}\n", built.failure);
     return built.program ? built.program->path : "";
   }
-  const SanitizedProgram built = [&] {
-    const ProgressLine line(fmt::format("building {} with the sanitizers", lab.name));
-    return build_sanitized(context.layout, lab, submission);
+  const ProgramByHand built = [&] {
+    const ProgressLine line(fmt::format("building {} ({})", lab.name, kind->name));
+    return build_by_hand(context.layout, lab, submission, *kind);
   }();
   fmt::print(stderr, "{}{}", built.failure,
              built.failure.empty() ? built.path.string() + "\n" : std::string());
   setenv("UBSAN_OPTIONS", "print_stacktrace=1:halt_on_error=1", 0);
   return built.path.string();
+}
+
+std::optional<BuildKind> kind_of(const Arguments& arguments) {
+  if (arguments.has("sanitize")) return for_sanitizers();
+  if (arguments.has("debug")) return for_debugger();
+  return {};
 }
 
 int run(const Context& context, const Arguments& arguments) {
@@ -46,8 +53,9 @@ int run(const Context& context, const Arguments& arguments) {
   const fs::path directory = arguments.get("dir").value_or(context.layout.starter().string());
   const Intake intake = take_in_one(context, directory);
   const Submission& submission = intake.entries[0].submission;
-  const std::string program = program_of(context, lab, submission, arguments.has("sanitize"));
+  const std::string program = program_of(context, lab, submission, kind_of(arguments));
   if (program.empty()) return 1;
+  if (arguments.has("debug")) return 0;  // for a debugger, which starts it
   if (arguments.words.size() == 1) {
     const std::size_t width = this_terminal().width;
     fmt::print(
@@ -66,14 +74,15 @@ int run(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand run_command{
     {"run",
-     "run LAB [--dir DIR] [--sanitize] [EXPERIMENT ARGUMENT...]",
-     {"dir=", "sanitize"},
+     "run LAB [--dir DIR] [--sanitize | --debug] [EXPERIMENT ARGUMENT...]",
+     {"dir=", "sanitize", "debug"},
      "Without EXPERIMENT: list the experiments of the lab. Numbers are written 0.5, lists 1,2,4,\n"
      "structs 3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
      "  --dir DIR    use the files of DIR instead of starter/\n"
      "  --sanitize   build with the address and undefined-behavior sanitizers; prints the path of "
      "the\n"
-     "               program, which stays in build/sanitize for a debugger\n"
+     "               program\n"
+     "  --debug      only build the program for a debugger, and print its path\n"
      "  ./lab run variance mean 1,2,4\n",
      run,
      2}};

@@ -1,15 +1,23 @@
-// setup: the entry script has already done the work when this runs.
+// setup: the entry script has already done the work when this runs. A handout's has no work to do.
 
 #include <fmt/format.h>
 
 #include "grader/base/errors.hpp"
 #include "grader/commands/command.hpp"
+#include "grader/submission/from_source.hpp"
+#include "sandbox/process.hpp"
 
 namespace mc::grader {
 namespace {
 
-int setup(const Context&, const Arguments& arguments) {
+int setup(const Context& context, const Arguments& arguments) {
   if (!arguments.words.empty()) throw UsageError("usage: ./lab setup");
+  if (context.layout.judge_is_compiled) {
+    for (const Lab& lab : context.labs) shared_objects(context.layout, lab);
+    if (!sandbox::run_process({"gnuplot", "--version"}).succeeded()) {
+      fmt::print("gnuplot is missing: no plots (sudo apt install gnuplot-nox)\n");
+    }
+  }
   fmt::print("Everything is here and built.\n");
   return 0;
 }

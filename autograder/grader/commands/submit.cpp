@@ -1,43 +1,62 @@
-// submit: writes the zip to hand in.
+// submit: writes the zip to hand in, and reports the state of what is in it.
 
 #include <filesystem>
-#include <system_error>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
-#include "sandbox/process.hpp"
+#include "grader/commands/progress.hpp"
+#include "grader/submission/build.hpp"
+#include "grader/submission/intake.hpp"
+#include "grader/submission/zip.hpp"
 
 namespace mc::grader {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// "compiles; 84 of 100 points", or why it earns nothing.
+std::string state_of(const Context& context, const Lab& lab) {
+  const Intake intake = take_in_one(context, context.layout.starter());
+  const BuildResult built = build_program(context.layout, lab, intake.entries[0].submission);
+  if (!built.program) return built.failure + "\nAs it is, it earns 0 points.";
+  const auto progress = recall(context.layout, lab);
+  if (!progress) return fmt::format("It compiles. It was never checked: ./lab check {}", lab.name);
+  return fmt::format(
+      "It compiles. The last check: {:g} of {:g} points{}.", progress->earned, progress->points,
+      progress->is_current ? ""
+                           : fmt::format(", but it has changed since (./lab check {})", lab.name));
+}
+
 int submit(const Context& context, const Arguments& arguments) {
   if (arguments.words.size() != 1) throw UsageError("usage: ./lab submit LAB");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
-  std::vector<std::string> files;
-  for (const std::string& name : lab.depends_on) files.push_back(name + ".cpp");
-  files.push_back(lab.file());
-  for (const std::string& file : files) {
-    if (!fs::exists(context.layout.starter() / file)) {
-      throw UsageError(fmt::format("there is no starter/{} to hand in", file));
+  std::vector<std::string> names = lab.depends_on;
+  names.push_back(lab.name);
+  std::vector<ZipEntry> entries;
+  for (const std::string& name : names) {
+    const fs::path file = context.layout.starter() / (name + ".cpp");
+    if (!fs::exists(file)) {
+      throw UsageError(fmt::format("there is no starter/{}.cpp to hand in", name));
     }
+    entries.push_back({name + ".cpp", read_whole_text(file)});
   }
+  const std::string answers = fmt::format("answers/{}.md", lab.folder);
+  const bool has_answers = fs::exists(context.layout.root / answers);
+  if (has_answers) entries.push_back({answers, read_whole_text(context.layout.root / answers)});
+
   const fs::path zip = fs::absolute("submission.zip");
-  const fs::path aside = zip.string() + ".new";
-  std::vector<std::string> command{"cmake", "-E", "tar", "cf", aside.string(), "--format=zip"};
-  command.insert(command.end(), files.begin(), files.end());
-  const auto made = sandbox::run_process(command, {.directory = context.layout.starter()});
-  if (!made.succeeded()) {
-    std::error_code ignored;
-    fs::remove(aside, ignored);
-    throw MachineError(fmt::format("cannot write {}: {}", zip.string(), made.errors));
-  }
-  fs::rename(aside, zip);
-  fmt::print("{}: {}\nHand it in unchanged.\n", zip.string(), fmt::join(files, ", "));
+  write_text(zip, zip_of(entries));
+  names.clear();
+  for (const ZipEntry& entry : entries) names.push_back(entry.name);
+  fmt::print("{}: {}\n", zip.string(), fmt::join(names, ", "));
+  if (!has_answers) fmt::print("Answers to the written questions go into {}.\n", answers);
+  fmt::print("{}\n", state_of(context, lab));
   return 0;
 }
 
@@ -45,7 +64,8 @@ const RegisterCommand submit_command{
     {"submit",
      "submit LAB",
      {},
-     "Writes submission.zip here: your file of that lab and of the labs it depends on.\n",
+     "Writes submission.zip here: your file of that lab and of the labs it depends on, and\n"
+     "answers/LAB.md if it exists. Prints whether the file compiles, and its last points.\n",
      submit}};
 
 }  // namespace

@@ -1,11 +1,14 @@
 #include "grader/commands/tree.hpp"
 
+#include <sys/utsname.h>
+
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
@@ -30,9 +33,17 @@ constexpr const char* kept_back[] = {"solutions/",
                                      "CHANGELOG.md",
                                      "CITATION.cff"};
 
-bool is_kept_back(const std::string& file) {
-  return std::any_of(std::begin(kept_back), std::end(kept_back),
-                     [&](const char* place) { return file.starts_with(place); });
+/// What only a judge with sources needs.
+constexpr const char* sources_of_the_judge[] = {"autograder/", "cmake/", "CMakeLists.txt",
+                                                "CMakePresets.json", "lab"};
+
+bool is_kept_back(const std::string& file, JudgeForm form) {
+  const auto is_below = [&](const char* place) {
+    return std::string_view(place).ends_with('/') ? file.starts_with(place) : file == place;
+  };
+  return std::any_of(std::begin(kept_back), std::end(kept_back), is_below) ||
+         (form == JudgeForm::compiled &&
+          std::any_of(std::begin(sources_of_the_judge), std::end(sources_of_the_judge), is_below));
 }
 
 /// Does this file belong to a lab that is left out?
@@ -61,6 +72,7 @@ std::string list_of(const std::vector<std::string>& files) {
 /// Untracked files would be missing from the copy, and modified ones would be in it without a
 /// version: refuses the first, and lists the second.
 void compare_with_git(const Context& context, const std::set<std::string>& chosen) {
+  const JudgeForm form = JudgeForm::sources;  // the programs are made from them
   const std::string listed = git(context.layout.root, {"status", "--porcelain", "-z",
                                                        "--untracked-files=all", "--no-renames"});
   std::vector<std::string> unknown, changed;
@@ -68,7 +80,7 @@ void compare_with_git(const Context& context, const std::set<std::string>& chose
     const auto blank = entry.find(' ');  // "?? name", "M name"
     if (blank == std::string_view::npos) continue;
     const std::string file(entry.substr(blank + 1));
-    if (is_kept_back(file) || is_left_out(context, chosen, file)) continue;
+    if (is_kept_back(file, form) || is_left_out(context, chosen, file)) continue;
     (entry.starts_with("??") ? unknown : changed).push_back(file);
   }
   if (!unknown.empty()) {
@@ -108,16 +120,43 @@ std::set<std::string> labs_and_those_below(const Context& context,
 }
 
 std::vector<std::string> files_without_answers(const Context& context,
-                                               const std::set<std::string>& labs) {
+                                               const std::set<std::string>& labs, JudgeForm form) {
   std::vector<std::string> files;
   compare_with_git(context, labs);
   const std::string listed = git(context.layout.root, {"ls-files", "-z"});
   for (const std::string_view name : text::split(listed, '\0')) {
     const std::string file(name);
-    if (file.empty() || is_kept_back(file) || is_left_out(context, labs, file)) continue;
+    if (file.empty() || is_kept_back(file, form) || is_left_out(context, labs, file)) continue;
     if (fs::exists(context.layout.root / file)) files.push_back(file);
   }
   return files;
+}
+
+void copy_compiled_judge(const Context& context, const std::set<std::string>& labs,
+                         const fs::path& to) {
+  const Layout& layout = context.layout;
+  const fs::path programs = layout.build / "handout", all = to / "autograder" / "bin";
+  utsname system{};
+  uname(&system);
+  const fs::path bin = all / fmt::format("linux-{}", system.machine);
+  if (!fs::exists(programs / "grader")) {
+    throw MachineError(
+        "the judge cannot be compiled for a handout: this needs Linux, GCC and a static libseccomp "
+        "(Debian's libseccomp-dev has it); use --with-sources");
+  }
+  copy_into(programs / "grader", bin / "grader");
+  for (const std::string& lab : labs) {
+    for (const char* kind : {"checks_", "measure_"}) {
+      const fs::path program = programs / (kind + lab);
+      if (fs::exists(program)) copy_into(program, bin / program.filename());
+    }
+  }
+  write_text(
+      all / "layout.txt",
+      fmt::format("judge_is_compiled=yes\nversion={}\nlink_flags=-static\n", layout.version));
+  copy_into(layout.root / "docs" / "compiled-handout" / "lab", to / "lab");
+  const fs::path page = fs::path("autograder") / "grader" / "pictures" / "demo.html";
+  copy_into(layout.root / page, to / page);
 }
 
 void copy_into(const fs::path& from, const fs::path& to) {

@@ -37,8 +37,8 @@ std::string script_of(const Context& context, const SlurmTasks& tasks, const fs:
       "#!/bin/sh\n#SBATCH --mem=2G\n"
       "exec {} grade{} --csv {}/\"$SLURM_ARRAY_TASK_ID\".csv --shard \"$SLURM_ARRAY_TASK_ID\"/{} "
       "--seed {} --resume --no-plots -j \"${{SLURM_CPUS_PER_TASK:-1}}\" --{}\n",
-      as_word((context.layout.build / "bin" / "course").string()), options, as_word(place.string()),
-      tasks.count, tasks.seed, words);
+      as_word(context.layout.course().string()), options, as_word(place.string()), tasks.count,
+      tasks.seed, words);
 }
 
 std::string trimmed(std::string text) {

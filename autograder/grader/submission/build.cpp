@@ -11,6 +11,7 @@
 #include "grader/submission/cache.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/diagnostics.hpp"
+#include "grader/submission/from_source.hpp"
 #include "grader/submission/scratch.hpp"
 #include "grader/submission/segments.hpp"
 
@@ -41,6 +42,7 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     units.push_back({layout, owner, file->second, submission.trusted});
   }
 
+  const std::vector<fs::path> trusted_objects = shared_objects(layout, lab);
   std::vector<Object> compiled(units.size());
   run_side_by_side(units.size(), workers, [&](std::size_t i) { compiled[i] = compile(units[i]); });
   std::vector<fs::path> objects;
@@ -51,7 +53,6 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
   }
   if (!built.failure.empty()) return built;
 
-  const auto& trusted_objects = layout.objects.at(lab.name);
   std::string key =
       fmt::format("{} {}", fmt::join(layout.link_flags, " "), fmt::join(submission.libraries, " "));
   for (const Object& object : compiled) {

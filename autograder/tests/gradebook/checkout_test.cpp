@@ -1,5 +1,5 @@
-// The student handout and the Gradescope package work. Both have the same labs, judge and starters,
-// byte by byte: one replaces the other in place, so the minute-long build happens once.
+// The students' handout works, with a compiled judge and with its sources, and Gradescope's package
+// never invents a score.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
+#include "grader/submission/segments.hpp"
 #include "runner/text.hpp"
 #include "tests/gradebook/container.hpp"
 #include "tests/gradebook/handout.hpp"
@@ -59,12 +60,8 @@ std::vector<std::string> listed_verbs(const std::string& help) {
   return commands;
 }
 
-/// A build was copied along, as by `cp -r` of another checkout. The entry script's own tests
-/// (moved_test.cpp) use a stub; this is the real build. The copy is discarded and everything is
-/// built from scratch.
-void works_from_the_first_call_on(const Handout& handout) {
-  REQUIRE(handout.written.exit_code == 0);
-  const CopiedBuild copied(handout.layout.build, handout.root / "build");
+/// A student's first steps.
+void works_from_the_first_call_on(const Handout& handout, const std::vector<std::string>& all) {
   const fs::path file = handout.root / "starter" / "variance.cpp";
   const std::string starter = read_text(file);
 
@@ -73,8 +70,6 @@ void works_from_the_first_call_on(const Handout& handout) {
   CHECK(begun.exit_code == 1);
   CHECK(contains(begun.output, "0 of 100 points"));
   CHECK(contains(begun.output, "not written yet"));
-  CHECK(contains(begun.errors, "was built for"));
-  CHECK(copied.written() == copied.times);
 
   write_text(file, text_of(handout.layout.solutions()));
   const auto done = handout.lab({"check", "variance"});
@@ -84,8 +79,7 @@ void works_from_the_first_call_on(const Handout& handout) {
 
   const auto help = handout.lab({"--help"});
   const auto commands = listed_verbs(help.output);
-  CHECK(commands == std::vector<std::string>{"setup", "check", "run", "hint", "plot", "report",
-                                             "reset", "submit"});
+  CHECK(commands == all);
   for (const std::string& command : commands) {
     const auto run = handout.lab({command, "--help"});
     CAPTURE(command, run.errors);
@@ -101,31 +95,36 @@ void works_from_the_first_call_on(const Handout& handout) {
   }
 
   CHECK(contains(handout.lab({"run", "variance", "mean", "1,2,6"}).output, "3"));
-  CHECK(handout.lab({"submit", "variance"}).exit_code == 0);
+  const auto handed_in = handout.lab({"submit", "variance"});
+  CHECK(handed_in.exit_code == 0);
+  CHECK(contains(handed_in.output, "variance.cpp, answers/1-variance.md"));
+  CHECK(contains(handed_in.output, "The last check: 100 of 100 points."));
   CHECK(fs::exists(handout.root / "submission.zip"));
   CHECK(handout.lab({"reset", "variance"}).exit_code == 0);
   CHECK(read_text(file) == starter);
+  CHECK(contains(handout.lab({"submit", "variance"}).output, "it has changed since"));
+  write_text(file, "int 7 is no name;\n");
+  CHECK(contains(handout.lab({"submit", "variance"}).output, "earns 0 points"));
 }
 
-/// Makes the checkout equal to the tree. Common files stay untouched, and so do their builds.
-void put_in_place_of(const fs::path& checkout, const fs::path& tree) {
-  for (auto file = fs::recursive_directory_iterator(checkout);
-       file != fs::recursive_directory_iterator(); ++file) {
-    const fs::path name = fs::relative(file->path(), checkout);
-    if (name == "build" || name == ".git") file.disable_recursion_pending();
-    if (file->is_regular_file() && !fs::exists(tree / name)) fs::remove(file->path());
-  }
-  fs::remove_all(checkout / ".git");
-  for (const auto& file : fs::recursive_directory_iterator(tree)) {
-    if (!file.is_regular_file()) continue;
-    const fs::path name = fs::relative(file.path(), tree);
-    CAPTURE(name);
-    if (fs::exists(checkout / name)) {
-      CHECK(read_text(checkout / name) == read_text(file.path()));
-    } else {
-      fs::create_directories((checkout / name).parent_path());
-      fs::copy_file(file.path(), checkout / name);
-    }
+/// A build was copied along, as by `cp -r` of another checkout. The entry script's own tests
+/// (moved_test.cpp) use a stub; this is the real build. The copy is discarded and everything is
+/// built from scratch.
+void builds_from_sources(const Handout& handout) {
+  const CopiedBuild copied(handout.layout.build, handout.root / "build");
+  const auto first = handout.lab({"--version"});
+  CHECK(first.exit_code == 0);
+  CHECK(contains(first.errors, "was built for"));
+  CHECK(copied.written() == copied.times);
+}
+
+/// A directory of programs, to be all that a search path has.
+void link_programs(const fs::path& directory, const std::vector<std::string>& names) {
+  fs::create_directories(directory);
+  for (const std::string& name : names) {
+    const auto found = sandbox::run_process({"sh", "-c", "command -v " + name});
+    REQUIRE(found.succeeded());
+    fs::create_symlink(found.output.substr(0, found.output.find('\n')), directory / name);
   }
 }
 
@@ -219,8 +218,8 @@ void grades_what_is_handed_in(const Container& container) {
   CHECK(container.grade({{"variance.cpp", starter}}).exit_code == 0);
   CHECK_FALSE(nlohmann::json::parse(read_text(container.results)).contains("leaderboard"));
 
-  // A grader that cannot be built gives no student a zero: no results.json, not even an old one.
-  write_text(container.source / "autograder" / "grader" / "main.cpp", "no grader\n");
+  // A grader that is missing gives no student a zero: no results.json, not even an old one.
+  fs::remove_all(container.source / "autograder" / "bin");
   const auto fails = container.grade({{"variance.cpp", solution}});
   CHECK(fails.exit_code == 3);
   CHECK_FALSE(fs::exists(container.results));
@@ -228,16 +227,53 @@ void grades_what_is_handed_in(const Container& container) {
 
 }  // namespace
 
+TEST_CASE("a handout needs only a compiler", "[.handout]") {
+  Handout handout({"--labs", "variance"});
+  CAPTURE(handout.written.errors);
+  REQUIRE(handout.written.exit_code == 0);
+  // Static programs, which name no loader, and not one source of the judge.
+  for (const auto& file : fs::recursive_directory_iterator(handout.root / "autograder")) {
+    CAPTURE(file.path());
+    CHECK(file.path().extension() != ".cpp");
+    CHECK(file.path().extension() != ".hpp");
+    if (file.is_regular_file() && read_text(file.path())
+                                      .starts_with("\x7f"
+                                                   "ELF")) {
+      CHECK_FALSE(segments_of(file.path()).loader);
+    }
+  }
+  handout.search_path = handout.path() / "programs";
+  link_programs(handout.search_path, {"sh", "uname", "tr", "dirname", "c++", "as", "ld", "git"});
+  works_from_the_first_call_on(
+      handout, {"setup", "check", "run", "hint", "plot", "demo", "report", "reset", "submit"});
+
+  write_text(handout.root / "starter" / "variance.cpp", text_of(handout.layout.solutions()));
+  CHECK(contains(handout.lab({"hint", "1.1"}).output, "1.1"));
+  CHECK(handout.lab({"run", "variance", "--debug"}).exit_code == 0);
+  CHECK(fs::exists(handout.root / "build" / "debug" / "variance" / "starter" / "variance"));
+  CHECK(handout.lab({"report", "variance"}).exit_code == 0);
+  CHECK(contains(handout.lab({"plot", "variance"}).output, "gnuplot is not installed"));
+  link_programs(handout.search_path, {"gnuplot"});
+  CHECK(handout.lab({"plot", "variance"}).exit_code == 0);
+
+  fs::remove(handout.search_path / "c++");
+  const auto without = handout.lab({"check", "variance"});
+  CHECK(without.exit_code == 3);
+  CHECK(contains(without.errors, "no C++ compiler"));
+  CHECK(handout.lab({"--help"}).exit_code == 0);
+}
+
+TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
+  grades_what_is_handed_in(Container({"--visibility", "hidden"}));
+}
+
 // Takes 90 s of CPU time: not in --quick.
-TEST_CASE("a handout works from the first call on, and Gradescope's zip never invents a score",
-          "[.checkout]") {
-  const Container container({"--visibility", "hidden"});
-  const fs::path unzipped = container.path() / "unzipped";
-  fs::rename(container.source, unzipped);
-  const Handout handout({"--labs", "variance"}, container.source);
-  works_from_the_first_call_on(handout);
-  put_in_place_of(container.source, unzipped);
-  grades_what_is_handed_in(container);
+TEST_CASE("a handout with the judge's sources works from the first call on", "[.checkout]") {
+  const Handout handout({"--labs", "variance", "--with-sources"});
+  REQUIRE(handout.written.exit_code == 0);
+  builds_from_sources(handout);
+  works_from_the_first_call_on(
+      handout, {"setup", "check", "run", "hint", "plot", "demo", "report", "reset", "submit"});
 }
 
 }  // namespace mc::tests::checkout

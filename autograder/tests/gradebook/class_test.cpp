@@ -148,9 +148,10 @@ TEST_CASE("files that git does not know are refused, not left out") {
   git({"init", "-q"});
   root.write("kept.txt", "");
   git({"add", "kept.txt"});
-  CHECK(files_without_answers(context, {}) == std::vector<std::string>{"kept.txt"});
+  CHECK(files_without_answers(context, {}, JudgeForm::sources) ==
+        std::vector<std::string>{"kept.txt"});
   root.write("new lab.hpp", "");
-  CHECK_THROWS_AS(files_without_answers(context, {}), UsageError);
+  CHECK_THROWS_AS(files_without_answers(context, {}, JudgeForm::compiled), UsageError);
 }
 
 TEST_CASE("a hash names a cache entry, and its contents decide") {

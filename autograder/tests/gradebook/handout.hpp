@@ -13,6 +13,7 @@ namespace mc::tests {
 struct Handout : Course {
   std::filesystem::path root = path() / "labs";
   sandbox::ProcessResult written;
+  std::filesystem::path search_path;  ///< in place of PATH, if set
 
   explicit Handout(const std::vector<std::string>& more = {},
                    const std::filesystem::path& where = {}) {
@@ -27,8 +28,10 @@ struct Handout : Course {
   }
   sandbox::ProcessResult lab(std::vector<std::string> words) const {
     words.insert(words.begin(), (root / "lab").string());
-    return sandbox::run_process(
-        words, {.directory = root, .environment = {{"MC_BUILD", ""}, {"CI", "true"}}});
+    sandbox::ProcessOptions options{.directory = root,
+                                    .environment = {{"MC_BUILD", ""}, {"CI", "true"}}};
+    if (!search_path.empty()) options.environment.push_back({"PATH", search_path.string()});
+    return sandbox::run_process(words, options);
   }
 };
 

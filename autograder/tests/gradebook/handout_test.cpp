@@ -81,7 +81,7 @@ Texts answers_in(const Layout& layout, const std::string& text,
 }  // namespace
 
 TEST_CASE("neither a handout nor its history has an answer") {
-  const Handout handout;
+  const Handout handout({"--with-sources"});
   CAPTURE(handout.written.errors);
   REQUIRE(handout.written.exit_code == 0);
   CHECK(handout.git({"status", "--porcelain"}).output.empty());  // its history has every file

@@ -1,0 +1,217 @@
+#include "grader/submission/from_source.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/submission/include_policy.hpp"
+#include "sandbox/printable.hpp"
+#include "sandbox/process.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+struct Source {
+  fs::path file, object;
+};
+
+/// "starter", or a whole path, as one name.
+std::string name_of(const Layout& layout, const fs::path& directory) {
+  const fs::path real = fs::canonical(directory), root = fs::canonical(layout.root);
+  std::string name = real.lexically_relative(root).string();
+  if (name.starts_with(".")) name = real.string();
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+fs::path sibling(const fs::path& file, const char* extension) {
+  fs::path other = file;
+  return other.replace_extension(extension);
+}
+
+/// A hash of the command and of everything that the compiler read last time, without the system's
+/// headers: the object stays valid as long as it does not change.
+std::string fingerprint(const std::string& command, const fs::path& object) {
+  std::uint64_t hash = hash_text(command);
+  for (const fs::path& file : dependencies(read_text(sibling(object, ".d")))) {
+    hash = hash_text(read_text(file), hash);
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::vector<std::string> command_for(const Layout& layout, const std::vector<std::string>& flags) {
+  if (layout.compiler.empty()) {
+    throw MachineError(
+        "there is no C++ compiler: install one that knows C++20 (sudo apt install g++, or sudo dnf "
+        "install gcc-c++ glibc-static libstdc++-static), or set CXX");
+  }
+  std::vector<std::string> includes{"-I" + layout.root.string(),  // a mistake includes the solution
+                                    "-I" + layout.labs().string()};
+  for (const auto& entry : fs::directory_iterator(layout.labs())) {
+    if (entry.is_directory()) includes.push_back("-I" + entry.path().string());
+  }
+  std::sort(includes.begin(), includes.end());  // a stable key
+  std::vector<std::string> command{layout.compiler, "-std=c++20", "-ffp-contract=off"};
+  command.insert(command.end(), flags.begin(), flags.end());
+  command.insert(command.end(), includes.begin(), includes.end());
+  return command;
+}
+
+/// Compiles one file to a temporary name and renames it. Returns the compiler's messages on
+/// failure.
+std::string compile_source(std::vector<std::string> command, const Source& source,
+                           std::atomic<bool>& something_new) {
+  command.insert(command.end(), {"-c", source.file.string()});
+  const std::string key = fmt::format("{}", fmt::join(command, " "));
+  const fs::path known = sibling(source.object, ".key");
+  if (fs::exists(source.object) && read_text(known) == fingerprint(key, source.object)) return {};
+  something_new = true;
+  fs::create_directories(source.object.parent_path());
+  const std::string aside = fmt::format("{}.{}", source.object.string(), getpid());
+  command.insert(command.end(), {"-o", aside, "-MMD", "-MT", "object", "-MF",
+                                 sibling(source.object, ".d").string()});
+  const auto run = sandbox::run_process(command);
+  if (!run.succeeded()) return run.errors.empty() ? "the compiler failed\n" : run.errors;
+  fs::rename(aside, source.object);
+  write_text(known, fingerprint(key, source.object));
+  return {};
+}
+
+/// Compiles the files side by side. Returns the first failure's messages.
+std::string compile_sources(const std::vector<Source>& sources,
+                            const std::function<std::vector<std::string>(const Source&)>& command,
+                            std::atomic<bool>& something_new) {
+  std::vector<std::string> failures(sources.size());
+  run_side_by_side(sources.size(), cores(), [&](std::size_t i) {
+    failures[i] = compile_source(command(sources[i]), sources[i], something_new);
+  });
+  for (const std::string& failure : failures) {
+    if (!failure.empty()) return failure;
+  }
+  return {};
+}
+
+/// The lab's experiments first: they take longest.
+std::vector<Source> shared_sources(const Layout& layout, const Lab& lab, const fs::path& place) {
+  std::vector<Source> sources{
+      {layout.labs() / lab.folder / "experiments.cpp", place / lab.name / "experiments.o"}};
+  for (const fs::directory_entry& file : fs::directory_iterator(layout.labs() / "runner")) {
+    if (file.path().extension() != ".cpp") continue;
+    sources.push_back({file.path(), place / "runner" / file.path().stem().concat(".o")});
+  }
+  return sources;
+}
+
+/// Throws MachineError if programs cannot be linked as they are judged.
+void require_libraries(const Layout& layout) {
+  const fs::path place = layout.build / "objects";
+  write_text(place / "empty.cpp",
+             "#include <vector>\nint main() { return std::vector<int>{}.size(); }\n");
+  std::vector<std::string> command{layout.compiler, (place / "empty.cpp").string(), "-o",
+                                   (place / "empty").string()};
+  command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());
+  if (sandbox::run_process(command).succeeded()) return;
+  throw MachineError(
+      "the compiler cannot link a static program: install glibc-static and libstdc++-static "
+      "(dnf), or libc6-dev and the compiler's libstdc++ package (apt)");
+}
+
+}  // namespace
+
+BuildKind for_sanitizers() {
+  const std::string sanitizers = "-fsanitize=address,undefined";
+  return {"sanitize",
+          {"-Og", "-g", "-fno-omit-frame-pointer", sanitizers, "-D_GLIBCXX_ASSERTIONS"},
+          {sanitizers}};
+}
+
+BuildKind for_debugger() {
+  return {"debug", {"-O0", "-g", "-D_GLIBCXX_ASSERTIONS"}, {}};
+}
+
+ProgramByHand build_by_hand(const Layout& layout, const Lab& lab, const Submission& submission,
+                            const BuildKind& kind) {
+  const fs::path place = layout.build / kind.name;
+  const fs::path own = place / lab.name / name_of(layout, submission.path);
+  std::vector<Source> sources = shared_sources(layout, lab, place);
+  const std::size_t shared = sources.size();
+  std::vector<std::string> names = lab.depends_on;
+  names.push_back(lab.name);
+  for (const std::string& name : names) {
+    const auto file = submission.files.find(name);
+    if (file == submission.files.end()) return {{}, fmt::format("There is no {}.cpp.\n", name)};
+    sources.push_back({file->second, own / (name + ".o")});
+  }
+
+  const auto plain = command_for(layout, kind.compile_flags);
+  auto with_headers = plain;  // the judge includes these headers, too
+  with_headers.insert(with_headers.end(),
+                      {"-include", (layout.labs() / "runner" / "standard_headers.hpp").string()});
+  std::atomic<bool> something_new = false;
+  const std::string failure = compile_sources(
+      sources,
+      [&](const Source& source) {
+        return &source - sources.data() < static_cast<std::ptrdiff_t>(shared) ? plain
+                                                                              : with_headers;
+      },
+      something_new);
+  if (!failure.empty()) return {{}, failure};
+
+  const fs::path program = own / lab.name;
+  if (fs::exists(program) && !something_new) return {program, {}};
+  const std::string aside = fmt::format("{}.{}", program.string(), getpid());
+  std::vector<std::string> command{layout.compiler, "-o", aside};
+  command.insert(command.end(), kind.link_flags.begin(), kind.link_flags.end());
+  for (const Source& source : sources) command.push_back(source.object.string());
+  const auto linked = sandbox::run_process(command);
+  if (!linked.succeeded()) {
+    fs::remove(program);  // the objects are newer
+    return {{},
+            linked.errors +
+                "(If the linker misses the sanitizers themselves: Fedora has them in the "
+                "packages libasan and libubsan.)\n"};
+  }
+  fs::rename(aside, program);
+  return {program, {}};
+}
+
+std::vector<fs::path> shared_objects(const Layout& layout, const Lab& lab) {
+  if (!layout.judge_is_compiled) return layout.objects.at(lab.name);
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  static std::map<std::string, std::vector<fs::path>> done;
+  if (const auto found = done.find(lab.name); found != done.end()) return found->second;
+  const fs::path place = layout.build / "objects";
+  const std::vector<Source> sources = shared_sources(layout, lab, place);
+  std::atomic<bool> something_new = false;
+  const std::string failure = compile_sources(
+      sources,
+      [&](const Source& source) {  // only experiments can be slow
+        return command_for(layout, {&source == sources.data() ? "-O3" : "-O1"});
+      },
+      something_new);
+  if (!failure.empty()) {
+    throw MachineError(fmt::format("lab {} does not compile here (C++20 is needed):\n{}",
+                                   lab.number, sandbox::shortened(failure, 2000)));
+  }
+  if (something_new) require_libraries(layout);
+  std::vector<fs::path> objects;
+  for (const Source& source : sources) objects.push_back(source.object);
+  return done[lab.name] = objects;
+}
+
+}  // namespace mc::grader

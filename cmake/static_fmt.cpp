@@ -1,0 +1,3 @@
+// All of fmt, from its headers (handout.cmake).
+#define FMT_HEADER_ONLY
+#include <fmt/format.h>
