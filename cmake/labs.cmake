@@ -23,7 +23,6 @@ endif()
 
 file(GLOB LAB_FOLDERS CONFIGURE_DEPENDS LIST_DIRECTORIES ON RELATIVE ${CMAKE_SOURCE_DIR}/labs
   labs/[0-9]*-*)
-add_custom_target(starters)
 foreach(folder ${LAB_FOLDERS})
   string(REGEX REPLACE "^[0-9]+-" "" lab ${folder})
   string(REPLACE "-" "_" lab ${lab})
@@ -36,8 +35,7 @@ foreach(folder ${LAB_FOLDERS})
   with_warnings(experiments_${lab})
   string(APPEND LAYOUT "objects.${lab}=$<TARGET_OBJECTS:experiments_${lab}>;$<TARGET_OBJECTS:runner>\n")
 
-  # The same programs for a debugger and the sanitizers (CMakePresets.json): linked dynamically, run
-  # by hand, never graded. They are in compile_commands.json, so clangd knows the starters.
+  # Starters and solutions in compile_commands.json, for clangd. Nothing runs these programs.
   foreach(who starter solutions)
     file(GLOB files CONFIGURE_DEPENDS ${who}/${lab}.cpp)
     if(files)
@@ -46,9 +44,6 @@ foreach(folder ${LAB_FOLDERS})
       add_executable(${program} EXCLUDE_FROM_ALL ${${who}_FILES})
       target_link_libraries(${program} PRIVATE experiments_${lab} runner)
       target_include_directories(${program} PRIVATE labs ${LAB_INCLUDES})
-      if(who STREQUAL starter)
-        add_dependencies(starters ${program})
-      endif()
     endif()
   endforeach()
 endforeach()
