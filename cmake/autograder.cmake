@@ -29,7 +29,7 @@ list(FILTER sources EXCLUDE REGEX "/speed_data[.]cpp$")
 add_library(measuring STATIC ${sources})  # integrands are timed, so use the flags of submissions
 own_target(measuring)
 target_compile_options(measuring PRIVATE ${PROGRAM_FLAGS})
-target_link_libraries(measuring PUBLIC checking)
+target_link_libraries(measuring PUBLIC checking PRIVATE nlohmann_json::nlohmann_json)
 add_custom_target(judge_all)  # targets that ./lab grade needs
 foreach(lab ${LABS})
   set(programs checks_${lab})

@@ -1,13 +1,10 @@
 // The lecture demo: its integrals, and its page in a browser.
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "checks/support/catch.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/checkout/layout.hpp"
 #include "grader/reports/html.hpp"
-#include "measurements/support/demo.hpp"
 #include "sandbox/process.hpp"
 #include "tests/browser.hpp"
 #include "tests/submissions.hpp"
@@ -53,21 +50,6 @@ onload = () => {
 </script>)html";
 
 }  // namespace
-
-TEST_CASE("the integrals of the demo are those of its functions") {
-  constexpr int width = 2000;
-  for (const checks::DemoIntegrand& one : checks::demo_integrands()) {
-    double sum = 0;
-    for (int i = 0; i < width; ++i) {
-      for (int j = 0; j < width; ++j) sum += one.g((i + 0.5) / width, (j + 0.5) / width);
-    }
-    CAPTURE(one.name);
-    // The midpoint rule has an error of h^2/24 times second derivatives (at most 40^2 + 23^2) where
-    // g is smooth: 2.2e-5. Along an edge the error is at most one cell each, in some of at most 4
-    // width cells, with either sign.
-    CHECK(std::abs(sum / (width * width) - one.exact) < 5e-5);
-  }
-}
 
 TEST_CASE("the demo is one page, and all its controls work", "[.demo]") {
   const Scratch place;

@@ -3,7 +3,7 @@
 #   labels[i]  what they are called, data[i] the folder of their data
 #   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
 
-array way[5] = ["1.2 textbook", "1.3 two passes", "1.4 Welford", "1.5 merged parts", "1.8 moments"]
+array ways[5] = ["textbook_formula", "two_passes", "welford", "merged", "fast_moments"]
 
 # Digits kept against the offset ------------------------------------------------------------------
 name = "digits"; width = 80 + 430 * count; height = 460
@@ -20,9 +20,9 @@ set xlabel "offset"
 set ylabel "digits kept"
 set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 2 width -5
 do for [s=1:count] {
-  set title labels[s] noenhanced
-  plot for [i=1:5] data[s]."/digits.tsv" using 1:(column(i+1)) with linespoints ls i pi 4 notitle, \
-       for [i=1:5] keyentry with linespoints ls i title way[i]
+  set title panel(s) noenhanced
+  plot for [i=1:5] data[s]."/digits.tsv" using "offset":ways[i] with linespoints ls other+i pi 4 notitle, \
+       for [i=1:5] keyentry with linespoints ls other+i title is(ways[i])
   unset key
   unset ylabel
 }
@@ -41,16 +41,15 @@ set yrange [1e-18:1e4]
 set xtics (0.1, 0.3, 1, 3, 10, 30)
 set ytics 1e-16,1e4,1
 set format y "10^{%L}"
-set xlabel "ns a value (less is better)"
+set xlabel "ns per value (less is better)"
 set ylabel "relative error (less is better)"
 unset key
 array above[5] = [1, 1, 1, -1, 1]
-array task[5] = [2, 3, 4, 5, 8]
-speed(s, i) = sprintf("%s/speed-%d.tsv", data[s], task[i])
+speed(s, i) = sprintf("%s/speed-%s.tsv", data[s], ways[i])
 do for [s=1:count] {
-  set title labels[s] noenhanced
-  plot for [i=1:5] speed(s, i) using 2:(10**-$3) with points ls i ps 2, \
-       for [i=1:5] speed(s, i) using 2:(10**-$3):(way[i]) with labels offset 0,1.1*above[i]
+  set title panel(s) noenhanced
+  plot for [i=1:5] speed(s, i) using "ns":"error" with points ls other+i ps 2, \
+       for [i=1:5] speed(s, i) using "ns":"error":(is(ways[i])) with labels offset 0,1.1*above[i]
   unset ylabel
 }
 unset multiplot

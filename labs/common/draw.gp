@@ -1,6 +1,5 @@
-# The look of every plot. Set name, width and height, then load draw. Colours of Okabe and Ito,
-# which colour-blind eyes tell apart, and a point and a dash of its own for each line, for those who
-# print in grey. A white ground of its own, so that it reads on dark pages too.
+# The look of every plot. Set name, width and height, then load draw. A white background of its own,
+# so that it reads on dark pages too.
 reset
 set datafile missing "NaN"  # what could not be measured; gnuplot 5.4 crashes on labels at NaN
 if (ext eq "svg") {
@@ -13,21 +12,47 @@ set output out."-".name.".".ext
 set title offset 0,-0.6
 set xlabel offset 0,0.5
 set ylabel offset 1.2,0
-# By number, or by the name of a method (common/methods.gp).
-set style line 1 lc rgb "#D55E00" lw 2 pt 4  dt 2
-set style line 2 lc rgb "#0072B2" lw 2 pt 6  dt 1
-set style line 3 lc rgb "#009E73" lw 2 pt 8  dt 3
-set style line 4 lc rgb "#CC79A7" lw 2 pt 12 dt 4
-set style line 5 lc rgb "#000000" lw 2 pt 2  dt 1
-set style line 6 lc rgb "#E69F00" lw 2 pt 10 dt 5
-set style line 7 lc rgb "#56B4E9" lw 2 pt 3  dt 3
-set style line 8 lc rgb "#CC79A7" lw 2 pt 14 dt 4
-set style line 9 lc rgb "#999999" lw 1 dt 2  # for comparison: rates, what is exact
-set style line 10 lc rgb "#CC79A7" lw 2 pt 1 dt 4
-set style line 11 lc rgb "#009E73" lw 2 pt 1 dt 3
-set style line 12 lc rgb "#000000" lw 2 pt 3 dt 1
-set style line 13 lc rgb "#E69F00" lw 2 pt 1 dt 5
-set style line 14 lc rgb "#56B4E9" lw 2 pt 14 dt 4
-set style line 15 lc rgb "#000000" lw 2 pt 1 dt 3
 set grid lt 1 lw 0.5 lc rgb "#DDDDDD"
 set border lc rgb "#444444"
+
+# The methods of making points: one color and one mark each, in every plot of the course. Colors of
+# Okabe and Ito, which color-blind eyes tell apart; marks and dashes for those who print in gray.
+# A plot draws column KEY of its data with "ls value(KEY)" and the title "value(KEY."_is")", which
+# the data come with.
+independent = 1;        set style line  1 lc rgb "#D55E00" lw 2 pt 4  dt 2
+stratified = 2;         set style line  2 lc rgb "#0072B2" lw 2 pt 13 dt 1
+jittered = 3;           set style line  3 lc rgb "#0072B2" lw 2 pt 6  dt 1
+padded = 4;             set style line  4 lc rgb "#000000" lw 2 pt 7  dt 5
+jittered_nd = 5;        set style line  5 lc rgb "#009E73" lw 2 pt 15 dt 3
+latin_hypercube = 6;    set style line  6 lc rgb "#56B4E9" lw 2 pt 3  dt 3
+multi_jittered = 7;     set style line  7 lc rgb "#CC79A7" lw 2 pt 12 dt 4
+textbook = 8;           set style line  8 lc rgb "#777777" lw 2 pt 5  dt 1
+few_candidates = 9;     set style line  9 lc rgb "#E69F00" lw 2 pt 14 dt 5
+best_candidate = 10;    set style line 10 lc rgb "#009E73" lw 2 pt 1  dt 3
+poisson_disk = 11;      set style line 11 lc rgb "#000000" lw 2 pt 13 dt 1
+radical_inverse = 12;   set style line 12 lc rgb "#0072B2" lw 2 pt 5  dt 1
+halton = 13;            set style line 13 lc rgb "#009E73" lw 2 pt 8  dt 3
+hammersley = 14;        set style line 14 lc rgb "#CC79A7" lw 2 pt 14 dt 4
+sobol = 15;             set style line 15 lc rgb "#000000" lw 2 pt 2  dt 1
+rotated = 16;           set style line 16 lc rgb "#CC79A7" lw 2 pt 11 dt 4
+scrambled_sobol = 17;   set style line 17 lc rgb "#E69F00" lw 2 pt 10 dt 5
+scrambled_halton = 18;  set style line 18 lc rgb "#56B4E9" lw 2 pt 9  dt 3
+hashed = 19;            set style line 19 lc rgb "#D55E00" lw 2 pt 7  dt 2
+# Lines that are none (integrands, ways to a variance): other + 1, other + 2, ...
+other = 20
+set style line 21 lc rgb "#332288" lw 2 pt 4  dt 2
+set style line 22 lc rgb "#882255" lw 2 pt 6  dt 1
+set style line 23 lc rgb "#117733" lw 2 pt 8  dt 3
+set style line 24 lc rgb "#999933" lw 2 pt 12 dt 4
+set style line 25 lc rgb "#661100" lw 2 pt 2  dt 1
+set style line 26 lc rgb "#666666" lw 2 pt 10 dt 5
+theory = 30  # for comparison: rates, what is exact
+set style line 30 lc rgb "#999999" lw 2 dt 2
+set style line 31 lc rgb "#999999" lw 2 dt 3
+set style line 32 lc rgb "#999999" lw 2 dt 4
+
+# The title of a panel that shows submission s only, and what follows the title of one of several:
+# nothing, where there is one submission.
+panel(s) = count > 1 ? labels[s] : ""
+who(s) = count > 1 ? ", ".labels[s] : ""
+is(method) = value(method."_is")

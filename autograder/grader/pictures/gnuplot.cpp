@@ -37,10 +37,9 @@ std::string run_gnuplot(const fs::path& script, const std::string& text) {
 
 std::string script_beginning(const Layout& layout, const fs::path& out,
                              const std::string& extension) {
-  const fs::path common = layout.labs() / "common";
-  return fmt::format("out = {}\next = {}\ndraw = {}\nload {}\n", gnuplot_string(out.string()),
-                     gnuplot_string(extension), gnuplot_string((common / "draw.gp").string()),
-                     gnuplot_string((common / "methods.gp").string()));
+  return fmt::format("out = {}\next = {}\ndraw = {}\n", gnuplot_string(out.string()),
+                     gnuplot_string(extension),
+                     gnuplot_string((layout.labs() / "common" / "draw.gp").string()));
 }
 
 bool can_draw(Plots& plots) {

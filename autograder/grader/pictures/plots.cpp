@@ -1,6 +1,8 @@
 #include "grader/pictures/plots.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <mutex>
 #include <set>
 
@@ -109,7 +111,9 @@ bool has_data(const Panel& panel, const std::string& name) {
     for (const std::string_view row : text::split(rows, '\n')) {
       const auto values = text::split(row, '\t');
       for (std::size_t i = 1; i < values.size(); ++i) {
-        if (!values[i].empty() && values[i] != "NaN") return true;
+        const std::string value(values[i]);
+        char* end = nullptr;
+        if (std::isfinite(std::strtod(value.c_str(), &end)) && end != value.c_str()) return true;
       }
     }
   }
@@ -212,6 +216,9 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   const fs::path here = layout.labs() / lab.folder;
   std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
   for (Section& section : sections) look_at(section, panels, plots.remarks);
+  // What the lab calls its methods, if it has any: the same for all submissions.
+  const fs::path named = panels[0].data / "names.gp";
+  const std::string names = fs::exists(named) ? read_text(named) : "";
   constexpr std::array extensions{"svg", "png"};
   std::mutex mutex;
   run_side_by_side(sections.size() * extensions.size(), cores(), [&](std::size_t i) {
@@ -219,9 +226,9 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
     const std::string extension = extensions[i % extensions.size()];
     const std::string beginning =
         script_beginning(layout, place / lab.name, extension) +
-        fmt::format("count = {}\n{}{}here = {}\n", panels.size(),
+        fmt::format("count = {}\n{}{}here = {}\n{}", panels.size(),
                     gnuplot_array("labels", section.labels), gnuplot_array("data", data),
-                    gnuplot_string(here.string()));
+                    gnuplot_string(here.string()), names);
     const auto script =
         place / "data" / fmt::format("{}-{}.{}.gp", lab.name, i / extensions.size(), extension);
     std::string why_not = section.why_empty;

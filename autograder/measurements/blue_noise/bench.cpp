@@ -1,28 +1,22 @@
-// Lab 4 in the bench: best candidates and Poisson disks.
+// Lab 4 in the bench and in the demo: best candidates and Poisson disks.
 
 #include "checks/support/catch.hpp"
-#include "measurements/blue_noise/bench_samplers.hpp"
+#include "measurements/blue_noise/methods.hpp"
+#include "measurements/support/bench_data.hpp"
+#include "measurements/support/demo.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
+namespace {
 
-/// Poisson disks come in sets of different sizes, so each is an error of its own.
+std::vector<Method> benched() {
+  return methods_of(methods(), {"best_candidate", "poisson_disk"});
+}
+
 TEST_CASE("bench error", "[.bench-error]") {
-  auto all = blue_noise_samplers();
-  const BenchSampler discs = all.back();
-  all.pop_back();
-  bench_errors(all);
-  for (const std::uint64_t n : bench_sizes(discs, 2)) {
-    const std::uint64_t sets = n <= 1024 ? 400 : 64;
-    const double radius = radius_for(static_cast<double>(n));
-    const auto got = TRY_MEASURE_WITH(large, poisson_disk, radius, sets, n);
-    if (!got || patterns_if_any(*got, radius, sets).empty()) return;
-    const auto [x, y, sizes] = patterns_due(radius, sets);
-    const auto* const points = got->if_list_by_list({x, y, sizes});
-    bench_errors_of_sets("Poisson disk", points->sizes, points->x, points->y);
-  }
+  bench_errors(benched());
 }
 TEST_CASE("bench time", "[.bench-time]") {
-  bench_times(blue_noise_samplers());
+  bench_times(benched());
 }
 TEST_CASE("bench growth", "[.bench-growth]") {
   const auto grow = [](const char* name, unsigned task, std::uint64_t most) {
@@ -37,4 +31,9 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   grow("Poisson disk", 3, 65536);
 }
 
-}  // namespace mc::checks
+TEST_CASE("demo", "[.demo]") {
+  write_demo(4, method(methods(), "best_candidate"));
+}
+
+}  // namespace
+}  // namespace mc::measurements

@@ -1,39 +1,45 @@
 #pragma once
-// How the errors of scrambled points are distributed.
+// How the errors of scrambled points are distributed, beyond their mean square.
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <numeric>
-#include <optional>
-#include <vector>
+#include "measurements/halton/methods.hpp"
+#include "measurements/support/integrands.hpp"
 
-#include "measurements/halton/plot_points.hpp"
-#include "measurements/support/bench_data.hpp"
+namespace mc::measurements {
 
-namespace mc::checks {
-
-/// ErrorSums of the mean of exp(x) over the first n points of base 2, scrambled by 5.8 in so many
-/// ways.
-inline std::optional<ErrorSums> errors_of_exp(std::size_t n, std::size_t sets) {
-  const double exact = std::expm1(1.0);
-  const Column column = column_of(TRY_MEASURE(sobol, 0, 0, n), n);
-  if (!column) return {};
-  ErrorSums errors;
-  for (std::size_t done = 0; done < sets;) {
-    // As many at once as a result may carry.
-    std::vector<std::uint64_t> seeds(std::min(sets - done, 1'500'000 / n));
-    std::iota(seeds.begin(), seeds.end(), 1'000'000 * n + done);
-    done += seeds.size();
-    const Column all = column_of(TRY_MEASURE(owen_scramble, *column, seeds), n * seeds.size());
-    if (!all) return {};
-    for (std::size_t set = 0; set < seeds.size(); ++set) {
-      double sum = 0;
-      for (std::size_t i = 0; i < n; ++i) sum += std::exp((*all)[set * n + i]) - exact;
-      errors.add(sum / static_cast<double>(n));
-    }
-  }
-  return errors;
+/// Of the mean of exp(x) over the first n points of base 2, scrambled by 5.8 in so many ways.
+inline ErrorSums errors_of_exp(std::uint64_t n, std::uint64_t sets) {
+  return errors_of(method(methods(), "scrambled_sobol"), integrand("smooth 1D"), n, sets, n << 20);
 }
 
-}  // namespace mc::checks
+/// The bits of a word in reverse order.
+inline std::uint64_t reversed(std::uint64_t word) {
+  std::uint64_t all = 0;
+  for (int bit = 0; bit < 64; ++bit, word >>= 1) all = all << 1 | (word & 1);
+  return all;
+}
+
+/// What fails beside it: base 2 scrambled here, by a hash of all bits at once that is right for
+/// pairs of points only, for its one multiplication by a random number is followed by one mixing
+/// step.
+inline Method hashed_points() {
+  return {.key = "hashed",
+          .task = "",
+          .name = "a hash that is right for pairs only",
+          .points = [](Count n, Count, Count count, Count seed) {
+            Sets sets(count, PointSet(n, 1));
+            for (PointSet& set : sets) {
+              Rng rng(seed++);
+              const std::uint64_t shift = rng(), factor = rng() | 1;
+              for (Count i = 0; i < n; ++i) {
+                std::uint64_t z = i;  // its radical inverse has these bits, the first one lowest
+                z ^= z << 5;
+                z = z * factor + shift;
+                z ^= z * 0xb82f1e52d1342544u;
+                set.column(0)[i] = static_cast<double>(reversed(z) >> 11) * 0x1p-53;
+              }
+            }
+            return sets;
+          }};
+}
+
+}  // namespace mc::measurements

@@ -1,77 +1,62 @@
-// Lab 2 in the bench: independent points, and irradiance two ways.
+// Lab 2 in the bench and in the demo: independent points, and irradiance two ways; and numbers that
+// the handout quotes.
 
 #include <cmath>
 
-#include "2-independent/experiments.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/rect_light_exact.hpp"
+#include "common/normal_quantile.hpp"
+#include "measurements/independent/methods.hpp"
 #include "measurements/support/bench_data.hpp"
+#include "measurements/support/demo.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 namespace {
 
-std::vector<BenchSampler> samplers() {
-  BenchSampler independent;
-  independent.name = "independent";
-  independent.dims = {1, 2, 4, 8};
-  independent.same_for_all_n = true;
-  independent.points = [](std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
-                          std::uint64_t seed) -> std::optional<PointSets> {
-    const std::vector<std::uint64_t> sizes(sets, n * dims);
-    const auto got = TRY_MEASURE(uniforms, seed, sizes, 0);
-    const auto* const values = got ? got->if_exactly(sets * n * dims, unit) : nullptr;
-    if (values == nullptr) return {};
-    return PointSets{n, dims, *values};
-  };
-  independent.rounds = [](std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
-    return cpu_seconds_of(TRY_MEASURE(repeat_source, 2, n, dims * rounds, 1));
-  };
-  return {independent};
-}
-
-constexpr const char* ways[] = {"points on the light", "directions"};
-
 TEST_CASE("bench error", "[.bench-error]") {
-  bench_errors(samplers());
-  const RectLight light;
-  const double exact = irradiance(light);
+  bench_errors({uniform_points});
   for (const unsigned way : {0u, 1u}) {
-    for (std::uint64_t n = 16; n <= 65536; n *= 4) {
-      constexpr std::uint64_t replicates = 200;
-      const auto got = way == 0 ? TRY_MEASURE(irradiance_area, light, n, n, replicates)
-                                : TRY_MEASURE(irradiance_hemisphere, light, n, n, replicates);
-      const auto* const values = got ? got->if_exactly(replicates, any_number) : nullptr;
-      if (values == nullptr) break;
-      double squares = 0, fourths = 0;
-      for (const Estimate& one : *values) {
-        const double squared = std::pow(one.value / exact - 1, 2);
-        squares += squared / replicates;
-        fourths += squared * squared / replicates;
-      }
-      const double rmse = std::sqrt(squares);
-      const double error = std::sqrt((fourths - squares * squares) / replicates) / (2 * rmse);
-      bench_row({"error", ways[way], "rectangular light", 2, n, rmse, error});
+    for (Count n = 16; n <= 65536; n *= 4) {
+      const ErrorSums errors = irradiance_errors(way, n, 200, n);
+      if (errors.count == 0) break;
+      bench_error(light_ways[way], "rectangular light", 2, n, errors, irradiance(RectLight{}));
     }
   }
 }
 
 TEST_CASE("bench time", "[.bench-time]") {
-  bench_times(samplers());
+  bench_times({uniform_points});
   for (const unsigned way : {0u, 1u}) {
-    constexpr std::uint64_t n = 4096;
-    const auto round = seconds_once([&](std::uint64_t rounds) {
-      return cpu_seconds_of(TRY_MEASURE(repeat_irradiance, way, n, rounds));
+    bench_time(light_ways[way], "", 2, 4096, [&](Count rounds) {
+      return cpu_seconds_of(TRY_MEASURE(repeat_irradiance, way, 4096, rounds));
     });
-    if (round) bench_row({"time", ways[way], "", 2, n, *round * 1e9 / n});
   }
 }
 
 TEST_CASE("bench growth", "[.bench-growth]") {
-  for (const BenchSampler& sampler : samplers()) bench_growth_of_dims(sampler);
-  bench_growth("independent", 1, 100'000'000, [](std::uint64_t n, std::uint64_t rounds) {
+  bench_growth_of_dims("independent", uniform_points);
+  bench_growth("independent", 1, 100'000'000, [](Count n, Count rounds) {
     return used_by(TRY_MEASURE_WITH(large, repeat_source, 2, n, rounds, 1));
   });
 }
 
+/// The sixty estimates of the picture of intervals, by its seed.
+TEST_CASE("bench table of intervals", "[.bench-table]") {
+  const double z = normal_quantile(0.975);
+  for (const std::size_t i : {0u, 4u}) {
+    const auto got = TRY_MEASURE(estimates, line_integrands[i].g, 1000, 1, 60);
+    const auto* const all = got ? got->if_exactly(60) : nullptr;
+    if (all == nullptr) return;
+    double misses = 0;
+    for (const auto& one : *all) {
+      misses += std::abs(one.value - line_integrands[i].mean) > z * one.standard_error;
+    }
+    bench_table({"95 % intervals that miss, of 60", line_integrands[i].name, "misses", 0, misses});
+  }
+}
+
+TEST_CASE("demo", "[.demo]") {
+  write_demo(1, uniform_points);
+}
+
 }  // namespace
-}  // namespace mc::checks
+}  // namespace mc::measurements

@@ -1,36 +1,25 @@
 // The data of lab 2's plots. The same seeds for every submission, so that their lines can be
-// compared. Where a task is not written, or fails, its line is missing and nothing else.
+// compared.
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "2-independent/experiments.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/distributions.hpp"
-#include "checks/support/rect_light_exact.hpp"
 #include "common/normal_quantile.hpp"
+#include "measurements/independent/methods.hpp"
 #include "measurements/support/plot_data.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 namespace {
 
-using experiments::Function;
-using Row = std::vector<std::optional<double>>;
+constexpr Count plot_seed = 1;
 
-constexpr std::uint64_t plot_seed = 1;
-
-/// Integrands of the plots and their means, in the order of the columns.
-struct Plotted {
-  Function g;
-  double mean;
-};
-const double sqrt_half = std::sqrt(0.5);
-const std::array<Plotted, 5> integrands{{{{1, 0, 1, 0}, std::exp(1.0) - 1},  // exp(x)
-                                         {{3, sqrt_half, 1, 0}, sqrt_half},  // x < sqrt(1/2)
-                                         {{3, 0.01, 1, 0}, 0.01},            // x < 0.01
-                                         {{4, -0.4, 1, 0}, 1 / 0.6},         // x^-0.4
-                                         {{4, -0.75, 1, 0}, 4}}};            // x^-0.75
+/// Columns 1, 2, … are those integrands of the table.
+Names columns_of(const std::string& first, const std::vector<std::size_t>& which) {
+  Names all{first};
+  for (const std::size_t i : which) all.push_back("integrand_" + std::to_string(i + 1));
+  return all;
+}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -38,66 +27,60 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Root of the mean squared distance from `exact`; NaN where there is nothing, or NaN in it.
-template <class Range, class Value>
-double rms_error(const Range& estimates, double exact, Value value) {
-  double sum = 0;
-  for (const auto& one : estimates) sum += (value(one) - exact) * (value(one) - exact);
-  return std::sqrt(sum / static_cast<double>(estimates.size()));
-}
-
-/// Nanoseconds of a round: for an axis of time, noise of a few per cent is nothing.
-std::optional<double> plotted_seconds(
-    const std::function<std::optional<double>(std::uint64_t)>& run) {
-  return seconds_a_round(run, 0.008);
-}
-
 TEST_CASE("plot error against samples", "[.plot]") {
-  auto file = plot_file("error.tsv");
-  for (std::uint64_t n = 4; n <= 65536; n *= 4) {
+  const std::vector<std::size_t> which{0, 1, 2, 3, 4};
+  auto file = plot_file("error.tsv", columns_of("N", which));
+  for (Count n = 4; n <= 65536; n *= 4) {
     // Two of three medians of 201 errors are off by 8 % at most, of 101 by 12 %: 4 pixels.
-    const std::uint64_t replicates = n <= 4096 ? 201 : 101;
+    const Count replicates = n <= 4096 ? 201 : 101;
     Row row{static_cast<double>(n)};
-    for (const auto& [g, mean] : integrands) {
+    for (const std::size_t i : which) {
       // Medians: where the variance is infinite, a mean square says how long one waited.
-      const auto got = TRY_MEASURE(estimates, g, n, plot_seed, replicates);
+      const auto got = TRY_MEASURE(estimates, line_integrands[i].g, n, plot_seed, replicates);
       const auto* const all = got ? got->if_exactly(replicates) : nullptr;
+      row.emplace_back();
+      if (all == nullptr) continue;
       std::vector<double> errors;
-      if (all != nullptr) {
-        for (const auto& one : *all) errors.push_back(std::abs(one.value / mean - 1));
+      for (const auto& one : *all) {
+        errors.push_back(std::abs(one.value / line_integrands[i].mean - 1));
       }
-      row.push_back(errors.empty() ? std::nullopt : std::optional(median(errors)));
+      row.back() = median(errors);
     }
     plot_row(file, row);
   }
 }
 
 TEST_CASE("plot coverage against samples", "[.plot]") {
-  auto file = plot_file("coverage.tsv");
-  const std::uint64_t replicates = 500;  // a standard error of 1 % at 95 %
+  const std::vector<std::size_t> which{5, 2, 3, 4};
+  Names columns = columns_of("N", which);
+  columns.push_back("exact");
+  auto file = plot_file("coverage.tsv", columns);
+  const Count replicates = 500;  // a standard error of 1 % at 95 %
   const double level = 0.95, z = normal_quantile((1 + level) / 2);
-  for (std::uint64_t n = 2; n <= 8192; n *= 2) {
-    // Of normal values it is known: Student's t within z.
-    Row row{static_cast<double>(n), f_tails(z * z, 1, static_cast<double>(n - 1)).lower};
-    std::vector<Plotted> all{{{6, 0, 1, 0}, 0}};
-    all.insert(all.end(), integrands.begin() + 2, integrands.end());
-    for (const auto& [g, mean] : all) {
+  for (Count n = 2; n <= 8192; n *= 2) {
+    Row row{static_cast<double>(n)};
+    for (const std::size_t i : which) {
+      const auto& [name, g, mean] = line_integrands[i];
       const auto got = TRY_MEASURE(confidence_intervals, g, n, level, plot_seed, replicates);
       const auto* const intervals = got ? got->if_exactly(replicates, any_number) : nullptr;
       double covering = 0;
-      if (intervals != nullptr) {
-        for (const Interval& one : *intervals) covering += one.low <= mean && mean <= one.high;
+      for (std::size_t k = 0; intervals && k < replicates; ++k) {
+        covering += (*intervals)[k].low <= mean && mean <= (*intervals)[k].high;
       }
-      row.push_back(intervals != nullptr ? std::optional(covering / replicates) : std::nullopt);
+      row.push_back(intervals ? Number(covering / replicates) : Number{});
     }
+    // Of normal values it is known: Student's t within z.
+    row.emplace_back(f_tails(z * z, 1, static_cast<double>(n - 1)).lower);
     plot_row(file, row);
   }
 }
 
 TEST_CASE("plot intervals of sixty estimates", "[.plot]") {
-  auto file = plot_file("intervals.tsv");
   const double z = normal_quantile(0.975);
-  for (const auto& [g, mean] : {integrands[0], integrands[4]}) {
+  for (const auto& [file_name, i] :
+       {std::pair{"intervals-exp.tsv", 0}, {"intervals-power.tsv", 4}}) {
+    const auto& [name, g, mean] = line_integrands[static_cast<std::size_t>(i)];
+    auto file = plot_file(file_name, {"rank", "value", "reach", "covers"});
     const auto got = TRY_MEASURE(estimates, g, 1000, plot_seed, 60);
     const auto* const measured = got ? got->if_exactly(60) : nullptr;
     std::vector<experiments::Counted> all(1, {NAN, NAN, 0, 0});
@@ -109,61 +92,56 @@ TEST_CASE("plot intervals of sixty estimates", "[.plot]") {
       const double covers = std::abs(one.value - mean) <= reach ? 1 : 0;
       plot_row(file, Row{++rank, one.value / mean, reach / mean, covers});
     }
-    file << "\n\n";  // for gnuplot: the next integrand
+  }
+}
+
+/// Rows of n values or samples: microseconds of all of them, an RMSE, nanoseconds of one.
+void plot_against_time(const std::string& name, Count least, const Rounds& rounds_of_4096,
+                       const std::function<ErrorSums(Count)>& errors) {
+  auto file = plot_file(name, {"us", "error", "ns"});
+  // For an axis of time, noise of a few per cent is nothing.
+  const Number round = seconds_of(rounds_of_4096, 0.008, 3);
+  for (Count n = least; n <= 65536; n *= 4) {
+    Row row{{}, rmse_of(errors(n)), {}};
+    if (round) {
+      row[2] = *round / 4096 * 1e9;
+      row[0] = *row[2] * static_cast<double>(n) * 1e-3;
+    }
+    plot_row(file, row);
   }
 }
 
 TEST_CASE("plot irradiance two ways", "[.plot]") {
-  auto file = plot_file("irradiance.tsv");
-  const RectLight light;
   for (const unsigned way : {0u, 1u}) {
-    const std::uint64_t block = 4096;
-    const auto round = plotted_seconds([&](std::uint64_t rounds) -> std::optional<double> {
-      const auto got = TRY_MEASURE(repeat_irradiance, way, block, rounds);
-      if (!got) return {};
-      return got->cpu_seconds;
-    });
-    for (std::uint64_t n = 16; n <= 65536; n *= 4) {
-      const std::uint64_t replicates = n < 16384 ? 200 : 50;  // 5 % of the RMSE, and 10 %
-      const auto got = way == 0
-                           ? TRY_MEASURE(irradiance_area, light, n, plot_seed, replicates)
-                           : TRY_MEASURE(irradiance_hemisphere, light, n, plot_seed, replicates);
-      const auto* const all = got ? got->if_exactly(replicates, any_number) : nullptr;
-      Row row{std::nullopt, std::nullopt};
-      if (round) row[0] = *round / block * static_cast<double>(n) * 1e6;
-      if (all != nullptr) {
-        row[1] = rms_error(*all, irradiance(light), [](const Estimate& one) { return one.value; });
-      }
-      plot_row(file, row);
-    }
-    file << "\n\n";
+    plot_against_time(
+        way == 0 ? "irradiance-area.tsv" : "irradiance-hemisphere.tsv", 16,
+        [&](Count rounds) {
+          return cpu_seconds_of(TRY_MEASURE(repeat_irradiance, way, 4096, rounds));
+        },
+        [&](Count n) {  // 5 % of the RMSE, and 10 %
+          return irradiance_errors(way, n, n < 16384 ? 200 : 50, plot_seed);
+        });
   }
 }
 
+/// 0 std::mt19937_64 and std::uniform_real_distribution, 1 to_unit(rng()), 2 uniforms(); in blocks
+/// of 32 KB, in the first-level cache.
 TEST_CASE("plot time against error of three sources", "[.plot]") {
-  auto file = plot_file("speed.tsv");
   for (const unsigned source : {0u, 1u, 2u}) {
-    const std::uint64_t block = 4096;  // 32 KB: in the first-level cache
-    const auto round = plotted_seconds([&](std::uint64_t rounds) -> std::optional<double> {
-      const auto got = TRY_MEASURE(repeat_source, source, block, rounds, 1);
-      if (!got) return {};
-      return got->cpu_seconds;
-    });
-    for (std::uint64_t n = 256; n <= 65536; n *= 4) {
-      const std::uint64_t replicates = 200;  // 5 % of the RMSE
-      const auto got = TRY_MEASURE(means_of, source, n, plot_seed, replicates);
-      const auto* const means = got ? got->if_exactly(replicates, any_number) : nullptr;
-      Row row{std::nullopt, std::nullopt, std::nullopt};
-      if (round) {
-        row[2] = *round / block * 1e9;  // ns a number
-        row[0] = *row[2] * static_cast<double>(n) * 1e-3;
-      }
-      if (means != nullptr) row[1] = rms_error(*means, 0.5, [](double mean) { return mean; });
-      plot_row(file, row);
-    }
-    file << "\n\n";
+    plot_against_time(
+        "speed-" + std::to_string(source) + ".tsv", 256,
+        [&](Count rounds) {
+          return cpu_seconds_of(TRY_MEASURE(repeat_source, source, 4096, rounds, 1));
+        },
+        [&](Count n) {
+          const auto got = TRY_MEASURE(means_of, source, n, plot_seed, 200);
+          const auto* const means = got ? got->if_exactly(200, any_number) : nullptr;
+          ErrorSums errors;
+          for (std::size_t i = 0; means && i < means->size(); ++i) errors.add((*means)[i] - 0.5);
+          return errors;
+        });
   }
 }
 
 }  // namespace
-}  // namespace mc::checks
+}  // namespace mc::measurements

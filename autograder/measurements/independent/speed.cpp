@@ -1,18 +1,14 @@
 // What 2.8 costs, where it passed.
 
-#include "2-independent/experiments.hpp"
 #include "checks/support/catch.hpp"
-#include "measurements/support/plot_data.hpp"
+#include "measurements/independent/methods.hpp"
 #include "measurements/support/speed_data.hpp"
 
-namespace mc::checks {
-namespace {
+namespace mc::measurements {
 
 TEST_CASE("speed of uniforms", "[.speed]") {
-  bench_speed("2.8", "uniforms", 4096, [](std::uint64_t rounds) {
-    return cpu_seconds_of(TRY_MEASURE(repeat_source, 2, 4096, rounds, 1));
-  });
+  bench_speed("2.8", "uniforms", 4096,
+              [](Count rounds) { return uniform_points.rounds(4096, 1, rounds); });
 }
 
-}  // namespace
-}  // namespace mc::checks
+}  // namespace mc::measurements

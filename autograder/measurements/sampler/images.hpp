@@ -9,7 +9,7 @@
 #include "6-sampler/experiments.hpp"
 #include "measurements/support/plot_data.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 
 // Two pixels of a sheet each are one of these (labs/6-sampler/render.gp).
 inline constexpr std::size_t image_width = 128, image_height = 96;
@@ -47,4 +47,4 @@ inline Errors write_with_error(const std::string& name, const Image& image,
   return errors;
 }
 
-}  // namespace mc::checks
+}  // namespace mc::measurements

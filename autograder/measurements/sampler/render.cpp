@@ -18,7 +18,7 @@
 #include "protocol/environment.hpp"
 #include "protocol/render.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 namespace {
 
 // Of a picture by hand: the slowest sampler may take its time.
@@ -115,4 +115,4 @@ TEST_CASE("render one picture", "[.render]") {
 }
 
 }  // namespace
-}  // namespace mc::checks
+}  // namespace mc::measurements

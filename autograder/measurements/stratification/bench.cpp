@@ -1,29 +1,28 @@
-// Lab 3 in the bench: jittered points, padded ones, grids in all dimensions, Latin hypercubes.
+// Lab 3 in the bench and in the demo: jittered points, padded ones, grids in all dimensions, Latin
+// hypercubes.
 
 #include "checks/support/catch.hpp"
-#include "measurements/stratification/samplers.hpp"
+#include "measurements/stratification/methods.hpp"
+#include "measurements/support/bench_data.hpp"
+#include "measurements/support/demo.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 namespace {
 
-std::vector<BenchSampler> samplers() {
-  return {sampler(1, "jittered", {1}),
-          sampler(3, "jittered", {2}),
-          sampler(4, "jittered, padded", {4, 8}),
-          sampler(5, "jittered in all", {4}),
-          sampler(6, "Latin hypercube", {2, 4, 8}),
-          sampler(7, "multi-jittered", {2})};
+std::vector<Method> benched() {
+  return methods_of(methods(), {"stratified", "jittered", "padded", "jittered_nd",
+                                "latin_hypercube", "multi_jittered"});
 }
 
 TEST_CASE("bench error", "[.bench-error]") {
-  bench_errors(samplers());
+  bench_errors(benched());
 }
 TEST_CASE("bench time", "[.bench-time]") {
-  bench_times(samplers());
+  bench_times(benched());
 }
 TEST_CASE("bench growth", "[.bench-growth]") {
-  for (const unsigned task : {4u, 6u}) {
-    bench_growth_of_dims(sampler(task, task == 4 ? "jittered, padded" : "Latin hypercube", {}));
+  for (const Method& one : methods_of(methods(), {"padded", "latin_hypercube"})) {
+    bench_growth_of_dims(one.name, one);
   }
   const auto grow = [](const char* name, unsigned task, std::uint64_t dims, std::uint64_t most) {
     bench_growth(name, dims, most, [=](std::uint64_t n, std::uint64_t rounds) {
@@ -38,5 +37,10 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   grow("multi-jittered", 7, 2, 10'000'000);
 }
 
+TEST_CASE("demo", "[.demo]") {
+  write_demo(2, method(methods(), "jittered"));
+  write_demo(3, method(methods(), "multi_jittered"));
+}
+
 }  // namespace
-}  // namespace mc::checks
+}  // namespace mc::measurements

@@ -2,43 +2,77 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <complex>
 #include <ctime>
+#include <numbers>
+#include <numeric>
 
 #include "checks/support/data.hpp"
+#include "checks/support/rect_light_exact.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 namespace {
 
 const double e = std::exp(1.0);
 
-/// exp(x + y + …) over its mean.
-template <std::size_t dims>
-double smooth(std::span<const double> x) {
-  static const double scale = std::pow(e - 1, -static_cast<double>(dims));
-  double sum = 0;
-  for (std::size_t d = 0; d < dims; ++d) sum += x[d];
-  return scale * std::exp(sum);
+using Point = std::span<const double>;
+
+double exp_of_sum(Point x) {
+  return std::exp(std::accumulate(x.begin(), x.end(), 0.0));
 }
-/// E exp(2x) / (E exp(x))^2 of each coordinate.
-double smooth_variance(std::size_t dims) {
-  return std::pow((e * e - 1) / 2 / ((e - 1) * (e - 1)), static_cast<double>(dims)) - 1;
+/// Its mean and its mean square are products of those of exp(x).
+Integrand smooth(std::size_t dims, const char* formula) {
+  const auto d = static_cast<double>(dims);
+  const double mean = std::pow(e - 1, d), square = std::pow((e * e - 1) / 2, d);
+  return {.name = "smooth " + std::to_string(dims) + 'D',
+          .formula = formula,
+          .dims = dims,
+          .mean = mean,
+          .g = exp_of_sum,
+          .variance = square - mean * mean,
+          .in_bench = true,
+          .in_demo = dims == 2};
 }
 
 /// |x - 0.4| + |x + y - 1|: means (0.4^2 + 0.6^2)/2 and 1/3, squares (0.4^3 + 0.6^3)/3 and 1/6, and
 /// of their product the mean of |x - 0.4| (x^2 - x + 1/2), F(1) - 2 F(0.4) + F(0) with F = x^4/4 -
 /// 1.4 x^3/3 + 0.45 x^2 - 0.2 x: 361/3750.
 constexpr double kinks_mean = 0.26 + 1. / 3, kinks_product = 361. / 3750;
-constexpr double kinks_variance =
-    (0.28 / 3 + 1. / 6 + 2 * kinks_product) / (kinks_mean * kinks_mean) - 1;
-double kinks(std::span<const double> x) {
-  return (std::abs(x[0] - 0.4) + std::abs(x[0] + x[1] - 1)) / kinks_mean;
+constexpr double kinks_variance = 0.28 / 3 + 1. / 6 + 2 * kinks_product - kinks_mean * kinks_mean;
+
+/// A quarter of a disk of radius sqrt(0.7) < 1.
+const double disk = 0.7 * std::atan(1);
+
+/// The mean of exp(-a x^2) over [0, 1].
+double mean_of_bump(double a) {
+  return std::sqrt(std::numbers::pi / a) / 2 * std::erf(std::sqrt(a));
 }
 
-/// 1 in a quarter of a disk of radius sqrt(0.7) < 1, which is 0.7 pi/4 of the square, over that.
-const double disk = 0.7 * std::atan(1);
-double edge(std::span<const double> x) {
-  return x[0] * x[0] + x[1] * x[1] < 0.7 ? 1 / disk : 0;
+constexpr RectLight lamp;
+
+/// Cosines at receiver and light, both height / r, over r^2, times the light's area; dark where
+/// a small disk within the lamp is in the way, if its radius is not 0.
+constexpr double dark_x = 0.3, dark_y = 0.05, dark_radius = 0.3;
+double under_lamp(Point u, double radius) {
+  const double x = lamp.x0 + (lamp.x1 - lamp.x0) * u[0], y = lamp.y0 + (lamp.y1 - lamp.y0) * u[1];
+  const double dx = x - dark_x, dy = y - dark_y;
+  if (dx * dx + dy * dy < radius * radius) return 0;
+  const double h2 = lamp.height * lamp.height, r2 = x * x + y * y + h2;
+  return area(lamp) * lamp.radiance * h2 / (r2 * r2);
+}
+
+/// The irradiance under a disk parallel to the receiver, its centre off the axis (Howell, "A
+/// catalog of radiation heat transfer configuration factors", B-13).
+double irradiance_of_dark_disk() {
+  const double h2 = lamp.height * lamp.height, d2 = dark_x * dark_x + dark_y * dark_y;
+  const double r2 = dark_radius * dark_radius, sum = h2 + d2 + r2;
+  return lamp.radiance * std::numbers::pi / 2 *
+         (1 - (h2 + d2 - r2) / std::sqrt(sum * sum - 4 * r2 * d2));
+}
+
+/// The mean of exp(i k x) over [0, 1].
+std::complex<double> mean_of_wave(double k) {
+  return (std::polar(1.0, k) - 1.0) / std::complex<double>(0, k);
 }
 
 double seconds_of_this_process() {
@@ -49,43 +83,101 @@ double seconds_of_this_process() {
 
 }  // namespace
 
-std::span<const BenchIntegrand> bench_integrands() {
-  static const std::array<BenchIntegrand, 6> all{
-      BenchIntegrand{"smooth 1D", 1, smooth_variance(1), smooth<1>},
-      BenchIntegrand{"smooth 2D", 2, smooth_variance(2), smooth<2>},
-      BenchIntegrand{"kinks 2D", 2, kinks_variance, kinks},
-      BenchIntegrand{"edge 2D", 2, 1 / disk - 1, edge},
-      BenchIntegrand{"smooth 4D", 4, smooth_variance(4), smooth<4>},
-      BenchIntegrand{"smooth 8D", 8, smooth_variance(8), smooth<8>}};
+const std::vector<Integrand>& integrands() {
+  static const std::vector<Integrand> all{
+      smooth(1, "exp(x)"),
+      smooth(2, "exp(x + y)"),
+      {.name = "kinks 2D",
+       .formula = "|x - 0.4| + |x + y - 1|",
+       .dims = 2,
+       .mean = kinks_mean,
+       .g = [](Point x) { return std::abs(x[0] - 0.4) + std::abs(x[0] + x[1] - 1); },
+       .variance = kinks_variance,
+       .in_bench = true},
+      {.name = "edge 2D",
+       .formula = "1 where x² + y² < 0.7, else 0",
+       .dims = 2,
+       .mean = disk,
+       .g = [](Point x) { return x[0] * x[0] + x[1] * x[1] < 0.7 ? 1.0 : 0.0; },
+       .variance = disk - disk * disk,
+       .in_bench = true},
+      smooth(4, "exp(x + y + z + w)"),
+      smooth(8, "exp of a sum of eight"),
+      {.name = "bump",
+       .formula = "exp(-x² - y²)",
+       .dims = 2,
+       .mean = std::pow(mean_of_bump(1), 2),
+       .g = [](Point x) { return std::exp(-x[0] * x[0] - x[1] * x[1]); },
+       .variance = std::pow(mean_of_bump(2), 2) - std::pow(mean_of_bump(1), 4)},
+      {.name = "lamp",
+       .formula = "the irradiance under a rectangular lamp",
+       .dims = 2,
+       .mean = irradiance(lamp),
+       .g = [](Point x) { return under_lamp(x, 0); },
+       .in_demo = true},
+      {.name = "penumbra",
+       .formula = "the same lamp, partly behind a disk",
+       .dims = 2,
+       .mean = irradiance(lamp) - irradiance_of_dark_disk(),
+       .g = [](Point x) { return under_lamp(x, dark_radius); },
+       .in_demo = true},
+      // Where y < 0.65 - x/2: from 0.65 on the left to 0.15 on the right.
+      {.name = "edge",
+       .formula = "1 where x + 2y < 1.3, else 0",
+       .dims = 2,
+       .mean = 0.4,
+       .g = [](Point x) { return x[0] + 2 * x[1] < 1.3 ? 1.0 : 0.0; },
+       .in_demo = true},
+      {.name = "wave",
+       .formula = "1 + cos(40 x + 23 y)",
+       .dims = 2,
+       .mean = 1 + (mean_of_wave(40) * mean_of_wave(23)).real(),
+       .g = [](Point x) { return 1 + std::cos(40 * x[0] + 23 * x[1]); },
+       .in_demo = true}};
   return all;
 }
 
-double mean_over(const BenchIntegrand& integrand,
-                 std::span<const std::span<const double>> columns) {
-  const std::size_t n = columns[0].size();
+const Integrand& integrand(const std::string& name) {
+  const auto found = std::find_if(integrands().begin(), integrands().end(),
+                                  [&](const Integrand& one) { return one.name == name; });
+  if (found == integrands().end()) throw std::out_of_range("no integrand " + name);
+  return *found;
+}
+
+double error_of(const Integrand& integrand, const PointSet& points, std::size_t n,
+                std::size_t first) {
+  std::array<std::span<const double>, 8> columns;
+  for (std::size_t d = 0; d < integrand.dims; ++d) columns[d] = points.column(first + d);
   std::array<double, 8> x{};
   double sum = 0;  // of deviations: their rounding errors are as small as they are
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t d = 0; d < integrand.dims; ++d) x[d] = columns[d][i];
-    sum += integrand.g({x.data(), integrand.dims}) - 1;
+    sum += integrand.g({x.data(), integrand.dims}) - integrand.mean;
   }
-  return 1 + sum / static_cast<double>(n);
+  return sum / static_cast<double>(n);
 }
 
-double nanoseconds_of(const BenchIntegrand& integrand) {
+double variance_in_the_plane(const Integrand& integrand) {
+  constexpr int width = 1024;
+  double squares = 0;
+  for (int i = 0; i < width * width; ++i) {
+    const std::array x{(i % width + 0.5) / width, (i / width + 0.5) / width};
+    squares += std::pow(integrand.g(x), 2);
+  }
+  return squares / (width * width) - integrand.mean * integrand.mean;
+}
+
+double nanoseconds_of(const Integrand& integrand) {
   constexpr std::size_t n = 512;
   Rng rng(1);
-  const auto x = uniform_values(rng, n * integrand.dims, 0, 1);
-  std::vector<std::span<const double>> columns;
-  for (std::size_t d = 0; d < integrand.dims; ++d) {
-    columns.push_back(std::span(x).subspan(d * n, n));
-  }
+  const PointSet points =
+      sets_of(uniform_values(rng, n * integrand.dims, 0, 1), n, integrand.dims)[0];
   volatile double sink = 0;
   std::vector<double> nanoseconds;
   for (int i = 0; i < 5; ++i) {
     constexpr int rounds = 400;
     const double start = seconds_of_this_process();
-    for (int round = 0; round < rounds; ++round) sink = mean_over(integrand, columns);
+    for (int round = 0; round < rounds; ++round) sink = error_of(integrand, points);
     nanoseconds.push_back((seconds_of_this_process() - start) * 1e9 / (rounds * n));
   }
   (void)sink;
@@ -93,4 +185,29 @@ double nanoseconds_of(const BenchIntegrand& integrand) {
   return nanoseconds[2];
 }
 
-}  // namespace mc::checks
+std::vector<ErrorSums> errors_of(const Method& method, const std::vector<Integrand>& integrands,
+                                 std::uint64_t n, std::uint64_t replicates, std::uint64_t seed,
+                                 std::uint64_t used) {
+  std::vector<ErrorSums> errors(integrands.size());
+  const std::uint64_t dims = integrands.at(0).dims;
+  const std::uint64_t at_once = std::max<std::uint64_t>(1, most_coordinates / (n * dims));
+  if (!method.is_random) replicates = 1;
+  for (std::uint64_t done = 0; done < replicates; done += at_once) {
+    const Sets sets = method.points(n, dims, std::min(at_once, replicates - done), seed + done);
+    if (sets.empty()) return std::vector<ErrorSums>(integrands.size());
+    for (const PointSet& set : sets) {
+      const std::size_t size = used > 0 ? used : set.size();
+      for (std::size_t i = 0; i < integrands.size(); ++i) {
+        errors[i].add(error_of(integrands[i], set, size), static_cast<double>(size));
+      }
+    }
+  }
+  return errors;
+}
+
+ErrorSums errors_of(const Method& method, const Integrand& integrand, std::uint64_t n,
+                    std::uint64_t replicates, std::uint64_t seed, std::uint64_t used) {
+  return errors_of(method, std::vector{integrand}, n, replicates, seed, used)[0];
+}
+
+}  // namespace mc::measurements

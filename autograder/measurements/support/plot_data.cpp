@@ -2,16 +2,18 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "protocol/environment.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 
 namespace {
 
@@ -20,6 +22,7 @@ std::ofstream open_data(const std::string& name) {
   if (directory == nullptr) throw std::runtime_error("MC_PLOT_DATA is not set");
   std::ofstream file(std::filesystem::path(directory) / name);
   if (!file) throw std::runtime_error("cannot write " + name);
+  pass();  // a case that has written something is whole
   return file;
 }
 
@@ -49,14 +52,73 @@ std::string reason_of(std::string_view experiment, const sandbox::Outcome& outco
 
 }  // namespace
 
-std::ofstream plot_file(const std::string& name) {
+std::ofstream plot_file(const std::string& name, const Names& columns) {
   if (pictures.insert(name.substr(0, name.find_first_of("-."))).second) write_missing();
-  return open_data(name);
+  std::ofstream file = open_data(name);
+  if (!columns.empty()) file << fmt::format("{}\n", fmt::join(columns, "\t"));
+  return file;
 }
 
-void plot_row(std::ostream& file, std::span<const std::optional<double>> values) {
+void plot_row(std::ostream& file, std::span<const Number> values) {
   for (const auto& value : values) file << (value ? fmt::format("{}\t", *value) : "NaN\t");
   file << '\n';
 }
 
-}  // namespace mc::checks
+void plot_names(const std::vector<Method>& methods) {
+  std::ofstream file = open_data("names.gp");
+  for (const Method& one : methods) {
+    const std::string space = one.task.empty() ? "" : " ";
+    file << fmt::format("{}_is = \"{}{}{}\"\n", one.key, one.task, space, one.name);
+  }
+}
+
+void plot_points(const std::string& name, const Sets& sets) {
+  auto file = plot_file(name, {"x", "y"});
+  if (sets.empty()) plot_row(file, Row{{}, {}});  // so that there is a row to draw in any case
+  for (std::size_t i = 0; !sets.empty() && i < sets[0].size(); ++i) {
+    plot_row(file, Row{sets[0].column(0)[i], sets[0].column(1)[i]});
+  }
+}
+
+void plot_errors(const ErrorPlot& plot) {
+  Names columns{"N"};
+  for (const Method& one : plot.methods) columns.push_back(one.key);
+  columns.insert(columns.end(), plot.more.begin(), plot.more.end());
+  std::vector<std::ofstream> files;
+  for (const std::string& name : plot.names) {
+    files.push_back(plot_file("convergence-" + name + ".tsv", columns));
+  }
+  std::set<std::string> endless;  // what once ran out of time would do so again
+  for (const std::uint64_t n : plot.sizes) {
+    std::vector<Row> rows(files.size(), Row{static_cast<double>(n)});
+    for (const Method& one : plot.methods) {
+      std::vector<ErrorSums> errors(files.size());
+      if (n <= one.most && !endless.contains(one.key)) {
+        using Clock = std::chrono::steady_clock;
+        const auto start = Clock::now();
+        errors = errors_of(one, plot.integrands, n, plot.replicates(n), n);
+        const bool was_long = Clock::now() - start > std::chrono::seconds(1);
+        if (errors[0].count == 0 && was_long) endless.insert(one.key);
+      }
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(rmse_of(errors[i]));
+    }
+    const Row theory = plot.theory(n);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].insert(rows[i].end(), theory.begin(), theory.end());
+      plot_row(files[i], rows[i]);
+    }
+  }
+}
+
+void plot_speed(const std::vector<Method>& methods, const Integrand& integrand, std::uint64_t n,
+                std::uint64_t replicates) {
+  for (const Method& one : methods) {
+    auto file = plot_file("speed-" + one.key + ".tsv", {"ns", "error"});
+    const Number round = seconds_of(
+        [&](std::uint64_t rounds) { return one.rounds(n, integrand.dims, rounds); }, 0.01, 3);
+    const Number error = rmse_of(errors_of(one, integrand, n, replicates, n));
+    plot_row(file, Row{round ? Number(*round * 1e9 / static_cast<double>(n)) : Number{}, error});
+  }
+}
+
+}  // namespace mc::measurements

@@ -1,46 +1,54 @@
 #pragma once
 // What a plot is drawn from. A plot's data are made by a hidden test case, TEST_CASE("plot …",
 // "[.plot]"), with the same measurements in the same jail as a check; labs/N-name/plots.gp draws
-// them.
+// them. A task that is not written, or fails, leaves a gap.
 
-#include <algorithm>
 #include <fstream>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "checks/support/measure.hpp"
+#include "measurements/support/integrands.hpp"
+#include "measurements/support/methods.hpp"
+#include "measurements/support/speed_data.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 
-/// The data file `name` of the plots that are being drawn: "points-1.tsv" is of the picture
-/// "points".
-std::ofstream plot_file(const std::string& name);
+using Names = std::vector<std::string>;
+using Row = std::vector<Number>;
+
+/// The data file `name` of the plots that are being drawn ("points-1.tsv" is of the picture
+/// "points"), with a line that names its columns.
+std::ofstream plot_file(const std::string& name, const Names& columns = {});
 
 /// One row of a data file; what is missing is NaN, which gnuplot leaves out.
-void plot_row(std::ostream& file, std::span<const std::optional<double>> values);
-
-/// Seconds a round, seen from outside the program: the CPU time of 2R rounds less that of R, R so
-/// large that the difference is 50 ms at least (or `least`); the median of five such figures, since
-/// noise falls on either run. `run` gives the CPU time of so many rounds, or nothing.
-template <class Run>
-std::optional<double> seconds_a_round(Run run, double least = 0.05) {
-  std::uint64_t rounds = 1;
-  for (;; rounds *= 2) {
-    const std::optional<double> once = run(rounds);
-    if (!once) return {};
-    if (*once >= least) break;
-  }
-  std::vector<double> differences;
-  for (int i = 0; i < 5; ++i) {
-    const auto one = run(rounds), two = run(2 * rounds);
-    if (!one || !two) return {};
-    differences.push_back((*two - *one) / static_cast<double>(rounds));
-  }
-  std::sort(differences.begin(), differences.end());
-  if (differences[2] <= 0) return {};
-  return differences[2];
+void plot_row(std::ostream& file, std::span<const Number> values);
+inline void plot_row(std::ostream& file, const Row& values) {
+  plot_row(file, std::span(values));
 }
 
-}  // namespace mc::checks
+/// What a plot calls each method: KEY_is = "3.3 jittered", for gnuplot.
+void plot_names(const std::vector<Method>& methods);
+
+/// The two columns x and y of the first set.
+void plot_points(const std::string& name, const Sets& sets);
+
+/// A file for each integrand, "convergence-NAME.tsv": N and, in columns named by their keys, each
+/// method's RMSE over `replicates(n)` sets; and more columns, for a theory. Integrands are of the
+/// same dimensions.
+struct ErrorPlot {
+  Names names;
+  std::vector<Integrand> integrands;
+  std::vector<Method> methods;
+  std::vector<std::uint64_t> sizes;
+  std::function<std::uint64_t(std::uint64_t n)> replicates;
+  Names more = {};
+  std::function<Row(std::uint64_t n)> theory = [](std::uint64_t) { return Row{}; };
+};
+void plot_errors(const ErrorPlot& plot);
+
+/// Rows: of each method the nanoseconds of one of n points, and the RMSE on an integrand.
+void plot_speed(const std::vector<Method>& methods, const Integrand& integrand, std::uint64_t n,
+                std::uint64_t replicates);
+
+}  // namespace mc::measurements

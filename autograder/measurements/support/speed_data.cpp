@@ -13,10 +13,10 @@
 
 #include <fmt/format.h>
 
-#include "common/rng.hpp"
+#include "measurements/support/error_sums.hpp"
 #include "protocol/environment.hpp"
 
-namespace mc::checks {
+namespace mc::measurements {
 namespace {
 
 bool is_asked_for(const std::string& task) {
@@ -44,22 +44,6 @@ double nanoseconds_of_addition() {
   return least * 1e9 / (rounds * static_cast<double>(x.size()));
 }
 
-void time_speed(const std::string& what, std::uint64_t values, const Rounds& rounds) {
-  auto count = rounds_of(rounds, 0.025);
-  if (!count) return;
-  // The median of three differences, the two runs of each close together: a shared machine changes
-  // its pace from one second to the next.
-  std::array<double, 3> seconds{};
-  for (double& one : seconds) {
-    const auto round = seconds_by_difference(rounds, *count);
-    if (!round) return;
-    one = *round;
-  }
-  std::sort(seconds.begin(), seconds.end());
-  bench_row({"speed unit", what, "", 0, 1, nanoseconds_of_addition()});
-  bench_row({"speed", what, "", 0, values, seconds[1] * 1e9 / static_cast<double>(values)});
-}
-
 }  // namespace
 
 void bench_row(const protocol::Row& row) {
@@ -71,9 +55,9 @@ void bench_row(const protocol::Row& row) {
   file << protocol::line_of(row) << std::endl;
 }
 
-std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted) {
+std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted, std::uint64_t first) {
   constexpr double enough = 0.004;
-  for (std::uint64_t rounds = 1;; rounds *= 4) {
+  for (std::uint64_t rounds = first;; rounds *= 4) {
     const auto took = run(rounds);
     if (!took) return {};
     if (*took < enough) continue;
@@ -82,7 +66,7 @@ std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted) {
   }
 }
 
-std::optional<double> seconds_by_difference(const Rounds& run, std::uint64_t& rounds) {
+Number seconds_by_difference(const Rounds& run, std::uint64_t& rounds) {
   for (int attempt = 0; attempt < 8; ++attempt, rounds *= 4) {
     const auto one = run(rounds), two = run(2 * rounds);
     if (!one || !two) return {};
@@ -91,34 +75,48 @@ std::optional<double> seconds_by_difference(const Rounds& run, std::uint64_t& ro
   return {};
 }
 
+Number seconds_of(const Rounds& run, double wanted, int differences, std::uint64_t first) {
+  auto rounds = rounds_of(run, wanted, first);
+  std::vector<double> seconds;
+  for (int i = 0; rounds && i < differences; ++i) {
+    const Number one = seconds_by_difference(run, *rounds);
+    if (!one) return {};
+    seconds.push_back(*one);
+  }
+  if (seconds.empty()) return {};
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
 void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
                  const Rounds& rounds) {
   if (!is_asked_for(task)) return;
-  time_speed(task + ' ' + name, values, rounds);
+  const Number round = seconds_of(rounds, 0.025, 3);
+  if (!round) return;
+  const std::string what = task + ' ' + name;
+  bench_row({"speed unit", what, "", 0, 1, nanoseconds_of_addition()});
+  bench_row({"speed", what, "", 0, values, *round * 1e9 / static_cast<double>(values)});
 }
 
-void bench_speed_error(
-    const std::string& task, const std::string& name, std::uint64_t n,
-    const std::function<std::optional<std::vector<double>>(std::uint64_t sets)>& points) {
+void bench_speed_error(const std::string& task, const std::string& name, std::uint64_t n,
+                       const Method& method) {
   if (!is_asked_for(task)) return;
-  constexpr std::uint64_t sets = 64;
-  const auto got = points(sets);
-  if (!got || got->size() != sets * n * 2) return;
   constexpr double integral = (std::numbers::e - 1) * (std::numbers::e - 1);
-  double squares = 0, fourths = 0;
-  for (std::uint64_t set = 0; set < sets; ++set) {
-    const double* const x = got->data() + set * n * 2;
+  ErrorSums errors;
+  for (const PointSet& set : method.points(n, 2, 64, 1)) {
     double sum = 0;
-    for (std::uint64_t i = 0; i < n; ++i) sum += std::exp(x[i] + x[n + i]);
-    const double error = sum / static_cast<double>(n) / integral - 1;
-    squares += error * error / sets;
-    fourths += error * error * error * error / sets;
+    for (std::size_t i = 0; i < n; ++i) sum += std::exp(set.column(0)[i] + set.column(1)[i]);
+    errors.add(sum / static_cast<double>(n) / integral - 1);
   }
-  const double rmse = std::sqrt(squares);
-  // Of the RMSE: that of the mean square, by the delta method.
-  const double standard_error =
-      std::sqrt(std::max(0.0, fourths - squares * squares) / sets) / (2 * rmse);
-  bench_row({"speed error", task + ' ' + name, "exp(x + y)", 2, n, rmse, standard_error});
+  if (errors.count == 0) return;
+  bench_row({"speed error", task + ' ' + name, "exp(x + y)", 2, n, errors.rmse(),
+             errors.standard_error()});
 }
 
-}  // namespace mc::checks
+void bench_speed(const std::string& task, const std::string& name, std::uint64_t n,
+                 const Method& method) {
+  bench_speed(task, name, n, [&](std::uint64_t rounds) { return method.rounds(n, 2, rounds); });
+  bench_speed_error(task, name, n, method);
+}
+
+}  // namespace mc::measurements

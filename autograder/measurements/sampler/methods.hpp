@@ -1,0 +1,105 @@
+#pragma once
+// Lab 6's kinds of samplers as methods of making points, and the scenes to integrate.
+
+#include "checks/sampler/samplers.hpp"
+#include "checks/support/known_scenes.hpp"
+#include "measurements/support/integrands.hpp"
+#include "measurements/support/methods.hpp"
+
+namespace mc::measurements {
+
+/// In the order of sampler_kinds, and in the colors of the points that they hand out by next2().
+inline std::vector<Method> made_methods() {
+  std::vector<Method> all{{"independent", "6.1", "independent"},
+                          {"multi_jittered", "6.2", "stratified"},
+                          {"best_candidate", "6.7", "blue noise"},
+                          {"scrambled_halton", "6.3", "Halton"},
+                          {"scrambled_sobol", "6.3", "Sobol'"}};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::string kind = sampler_kinds[k];
+    all[k].most = kind == "blue_noise" ? 1024 : 16384;  // its time grows as n^2
+    all[k].points = [=](std::uint64_t n, std::uint64_t dims, std::uint64_t count,
+                        std::uint64_t seed) {
+      return sets_of(TRY_MEASURE_WITH(large, columns, kind, n, neighbours(seed, count),
+                                      repeated(dims / 2, {2})),
+                     n, dims, count);
+    };
+    // What generate() does included; dims as they come.
+    all[k].rounds = [=](std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
+      return cpu_seconds_of(TRY_MEASURE(repeat, kind, 2, dims, n, rounds, 1));
+    };
+  }
+  return all;
+}
+
+inline const std::vector<Method>& methods() {
+  static const std::vector<Method> all = made_methods();
+  return all;
+}
+
+/// The scenes of plots and bench, with what a sample asks for, from one next2() to next2(), next(),
+/// next2().
+struct SceneRow {
+  std::string name;
+  std::uint64_t dims;
+  bool in_plots, in_bench;
+  bool has_next2 = true;  ///< without one, blue noise is stratified
+};
+inline const std::vector<SceneRow> scene_rows{
+    {"pixel_edge", 2, true, true},     {"rect_light", 2, true, true},
+    {"penumbra_disk", 2, false, true}, {"ao_sphere", 2, false, true},
+    {"defocus_edge", 4, false, true},  {"motion_edge", 2, true, false, false},
+    {"pixel_time_lens", 5, true, true}};
+
+/// Errors of a kind's estimates of a scene, with seeds from `seed` on.
+inline ErrorSums scene_errors(const std::string& kind, const std::string& scene, std::uint64_t n,
+                              std::size_t count, std::uint64_t seed) {
+  ErrorSums errors;
+  const auto got =
+      TRY_MEASURE_WITH(large, estimates, kind, scene, {}, 1, 0, n, neighbours(seed, count));
+  const Values* const values = got ? got->if_exactly(count) : nullptr;
+  if (values == nullptr) return errors;
+  const double exact = known_scene(scene, {}).exact;
+  for (const double value : *values) errors.add(value - exact);
+  return errors;
+}
+
+/// Hands out the coordinates of one point.
+class AtPoint final : public Sampler {
+ public:
+  explicit AtPoint(std::span<const double> x) : x_(x) {}
+  void generate(std::size_t, std::uint64_t) override {}
+  double next() override { return x_[0]; }
+  Point2 next2() override { return {x_[0], x_[1]}; }
+  void advance() override {}
+
+ private:
+  std::span<const double> x_;
+};
+
+/// A scene that asks for one next2(), as an integrand of the plane.
+template <class S>
+Integrand plane_integrand(const S& scene) {
+  return {.name = "scene",
+          .formula = "",
+          .dims = 2,
+          .mean = exact(scene),
+          .g = [=](std::span<const double> x) {
+            AtPoint sampler(x);
+            return scene(sampler);
+          }};
+}
+
+/// Dimensions of one Sobol' sequence, scrambled.
+inline Method sobol_dimensions(const std::vector<unsigned>& dimensions) {
+  return {.key = "sobol",
+          .task = "5.8",
+          .name = "one sequence",
+          .points = [=](std::uint64_t n, std::uint64_t, std::uint64_t count, std::uint64_t seed) {
+            return sets_of(
+                TRY_MEASURE_WITH(large, sobol_columns, dimensions, n, neighbours(seed, count)), n,
+                dimensions.size(), count);
+          }};
+}
+
+}  // namespace mc::measurements
