@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "checks/support/anova.hpp"
 #include "checks/support/catch.hpp"
+#include "measurements/sampler/anova.hpp"
 
 namespace mc::checks {
 namespace {

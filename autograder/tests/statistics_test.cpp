@@ -143,17 +143,3 @@ TEST_CASE("p-values of a proportion are uniform") {
     return expect_proportion("", "", count, 30, 0.1, {"", never}, {});
   });
 }
-
-TEST_CASE("p-values of a distribution are uniform") {
-  check_uniform([](Rng& rng) {
-    const auto x = uniform_values(rng, 200, 0, 1);
-    return expect_distribution("", x, [](double u) { return u; }, {"", never}, {});
-  });
-}
-
-TEST_CASE("p-values of counts are uniform") {
-  check_uniform([](Rng& rng) {
-    const auto x = uniform_values(rng, 1600, 0, 1);
-    return expect_counts("", counts_of(x, 16), std::vector<double>{1.0 / 16}, {"", never}, {});
-  });
-}

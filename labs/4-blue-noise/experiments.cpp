@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "runner/experiment.hpp"
 
@@ -12,13 +13,11 @@ namespace {
 
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
-void append(Patterns& all, std::span<const double> x, std::span<const double> y) {
-  all.x.insert(all.x.end(), x.begin(), x.end());
-  all.y.insert(all.y.end(), y.begin(), y.end());
-  all.sizes.push_back(x.size());
-}
-
 Points columns_of(const PointSet& points) {
+  if (points.dims() != 2) {
+    throw std::logic_error("a point set in " + std::to_string(points.dims()) +
+                           " dimensions: points of the square have two");
+  }
   const auto x = points.column(0), y = points.column(1);
   return {{x.begin(), x.end()}, {y.begin(), y.end()}};
 }
@@ -55,8 +54,10 @@ Patterns poisson_disk(double radius, std::uint64_t sets, std::uint64_t seed) {
   Rng rng(seed);
   Patterns all;
   for (std::uint64_t set = 0; set < sets; ++set) {
-    const PointSet points = mc::poisson_disk(radius, rng);
-    append(all, points.column(0), points.column(1));
+    const Points points = columns_of(mc::poisson_disk(radius, rng));
+    all.x.insert(all.x.end(), points.x.begin(), points.x.end());
+    all.y.insert(all.y.end(), points.y.begin(), points.y.end());
+    all.sizes.push_back(points.x.size());
   }
   return all;
 }

@@ -18,84 +18,84 @@
 
 #include <array>
 #include <cmath>
-#include <deque>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "checks/blue_noise/nearness.hpp"
-#include "checks/support/battery.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/discs.hpp"
 #include "checks/support/refusals.hpp"
-#include "checks/support/statistics.hpp"
 
 namespace mc::checks {
+
+/// Each point of a few sets, and how many candidates it had. Where that is wrong, thousands of sets
+/// tell why.
+static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng) {
+  const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
+  const SampleSets all = random_sets(got, n, sets);
+  if (n == 5) require_fine(all);
+  std::vector<std::size_t> points(n - 1);
+  std::iota(points.begin(), points.end(), 1);
+  const Uniforms u = by_candidates(got.call, nearness(all, points, 500, rng), promised(c));
+  auto failure = dependence_in(
+      u, best_of_candidates("for each candidate its nearest point, of all points before; keep the "
+                            "candidate for which that is farthest"));
+  if (!failure) return pass();
+  constexpr std::size_t more = 4000;
+  if (n == 5) {
+    const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));
+    const std::string hint = candidates_hint(random_sets(again, n, more), c);
+    if (!hint.empty()) failure->likely = hint;
+  }
+  fail(*failure);
+}
 
 CHECK_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:10][needs:4.1]") {
   Rng rng = check_rng();
   // c = 1 tells a candidate that is missing from c i rounded down; for other c they are the same.
-  const std::array<double, 3> cases[] = {
-      // n, c, sets
-      {5, 1, 400},   {5, 0.4, 400}, {5, uniform(rng, 2.5, 3), 400}, {3, 20, 200}, {17, 1e-9, 60},
-      {65, 0.1, 12}, {2, 1, 400}};
-  for (const auto& [points, c, count] : cases) {
-    const auto n = static_cast<std::size_t>(points), sets = static_cast<std::size_t>(count);
-    const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
-    const auto all = sets_of(got, n, sets);
-    std::vector<Nearness> parts;
-    for (const Set& set : all) {
-      for (std::size_t i = 1; i < n; ++i) parts.push_back(nearness(set, i, 500, rng));
-    }
-    std::string likely;
-    if (n == 5 && !have_candidates(parts, [=](double i) { return std::ceil(c * i) + 1; })) {
-      constexpr std::size_t more = 4000;
-      const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));
-      likely = candidates_hint(sets_of(again, n, more), c);
-    }
-    expect_candidates(got.call, parts, c, likely);
-    if (n == 5) require_fine(got.call, all);
-  }
-  // The first point has one candidate, anywhere in the square.
+  for (const double c : {1.0, 0.4, uniform(rng, 2.5, 3)}) judge_candidates(5, c, 400, rng);
+  judge_candidates(3, 20, 200, rng);
+  judge_candidates(17, 1e-9, 60, rng);
+  judge_candidates(65, 0.1, 12, rng);
+  judge_candidates(2, 1, 400, rng);
   const auto got = MEASURE(best_candidate, 1, 1, 2000, fresh_seed(rng));
-  Uniforms first{got.call, 2};
-  for (const Set& set : sets_of(got, 1, 2000)) {
-    first.values.insert(first.values.end(), {set.x[0], set.y[0]});
-  }
+  const View first = random_sets(got, 1, 2000).values();
   expect_independent_uniforms(
-      first, {.words = "the first point is uniform in the square",
-              .alpha = alpha,
-              .otherwise = "the first point has one candidate, anywhere in the square"});
+      {got.call, 2, {first.begin(), first.end()}},
+      {.words = "the first point is uniform in the square",
+       .alpha = alpha,
+       .otherwise = "the first point has one candidate, anywhere in the square"});
 }
 
 CHECK_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
   Rng rng = check_rng();
-  constexpr std::size_t n = 256, sets = 64, calls = 4;
-  std::deque<Measured<Points>> got;  // in four calls, so that three plain loops are in time
-  std::vector<Set> all;
-  for (std::size_t call = 0; call < calls; ++call) {
-    got.push_back(MEASURE(best_candidate, n, 1, sets / calls, fresh_seed(rng)));
-    for (const Set& set : sets_of(got.back(), n, sets / calls)) all.push_back(set);
-  }
-  const std::string& what = got[0].call;
+  constexpr std::size_t n = 256, sets = 64;
+  const SampleSets all = in_four_calls([&] {
+    return random_sets(MEASURE(best_candidate, n, 1, sets / 4, fresh_seed(rng)), n, sets / 4);
+  });
   double radius = 0;
-  for (const Set& set : all) radius += least_distance(set.x, set.y) / lattice_distance(n) / sets;
+  for (std::size_t set = 0; set < sets; ++set) {
+    radius += least_distance(all.column(set, 0), all.column(set, 1)) / lattice_distance(n) / sets;
+  }
   const Spectrum mean = mean_spectrum(all, n);
   const double low = low_band(mean, n);
   const std::string likely =
-      "the first check of 4.2 asks for each point by itself: for the farthest of ceil(c i) + 1 "
-      "candidates from all points before, round the torus";
+      "each point is the farthest of ceil(c i) + 1 candidates from all points before, round the "
+      "torus, also where there are many of them";
   expect_that(
       low < 0.13,
-      fmt::format("{}: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", what, low, sets),
+      fmt::format("{}: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", all.call, low, sets),
       "less than 0.13; 0.088 on average",
       "independent points have 1, jittered ones 0.32, ten candidates for every point 0.19", likely);
   expect_that(radius > 0.6 && radius < 0.72,
               fmt::format("{}: the closest two are {:.3f} of the densest pattern's distance apart, "
                           "mean of {} sets",
-                          what, radius, sets),
+                          all.call, radius, sets),
               "0.6 to 0.72; 0.67 on average",
               "a fixed number of candidates lets the last points come close: 0.46", likely);
-  expect_no_lattice(what, mean, sets);
+  expect_no_lattice(all.call, mean, sets);
+  require_everywhere(all);
 }
 
 static std::vector<InvalidCall> wrong_candidates() {
@@ -113,12 +113,7 @@ static std::vector<InvalidCall> wrong_candidates() {
   return calls;
 }
 
-CHECK_CASE("4.2 misuse of best_candidate is refused", "[4.2][edge][points:2]") {
-  expect_refused(wrong_candidates());
-}
-
-CHECK_CASE("4.2 a refusal names the argument", "[4.2][edge][points:1]") {
-  expect_argument_named(wrong_candidates());
-}
+REFUSAL_CASES("4.2", "misuse of best_candidate is refused", "2", "a refusal names the argument",
+              "1", wrong_candidates())
 
 }  // namespace mc::checks

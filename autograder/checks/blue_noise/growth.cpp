@@ -10,13 +10,13 @@
 //   one of 12,000 points of a pattern  1,400   8,000   36,864   240,000
 
 #include <algorithm>
-#include <array>
 #include <ctime>
 
+#include <fmt/format.h>
+
 #include "checks/blue_noise/nearness.hpp"
-#include "checks/blue_noise/poisson_disks.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/statistics.hpp"
+#include "checks/support/discs.hpp"
 
 namespace mc::checks {
 namespace {
@@ -26,23 +26,16 @@ namespace {
 double seconds_per_distance() {
   Rng rng = check_rng();
   const Points points = uniform_points(rng, 1000);
-  const double* const x = points.x.data();
-  const double* const y = points.y.data();
   double least_time = infinity, sum = 0;
   for (int attempt = 0; attempt < 5; ++attempt) {
     constexpr int rounds = 4000;
     const std::clock_t start = std::clock();
     for (int round = 0; round < rounds; ++round) {
-      const double at = round * (1.0 / rounds);
       double nearest = 1;
-      for (int i = 0; i < 1000; ++i) {
-        double dx = at - x[i], dy = 0.5 - y[i];
-        dx = dx < 0 ? -dx : dx;
-        dy = dy < 0 ? -dy : dy;
-        dx = dx < 1 - dx ? dx : 1 - dx;
-        dy = dy < 1 - dy ? dy : 1 - dy;
-        const double squared = dx * dx + dy * dy;
-        nearest = squared < nearest ? squared : nearest;
+      for (std::size_t i = 0; i < 1000; ++i) {
+        const double dx = short_way(round * (1.0 / rounds) - points.x[i]);
+        const double dy = short_way(0.5 - points.y[i]);
+        nearest = std::min(nearest, dx * dx + dy * dy);
       }
       sum += nearest;
     }
@@ -89,14 +82,28 @@ Measured<Result> within_budget(const Budget& budget, Request request) {
 }
 
 /// The points of a pattern in a corner, a sixteenth of the square, as points of the square.
-Points corner_of(const Set& set) {
+SampleSets corner_of(const SampleSets& pattern) {
   Points corner;
-  for (std::size_t i = 0; i < set.x.size(); ++i) {
-    if (set.x[i] >= 0.25 || set.y[i] >= 0.25) continue;
-    corner.x.push_back(4 * set.x[i]);
-    corner.y.push_back(4 * set.y[i]);
+  for (std::size_t i = 0; i < pattern.n; ++i) {
+    const double x = 4 * pattern.column(0, 0)[i], y = 4 * pattern.column(0, 1)[i];
+    if (x < 1 && y < 1) corner.x.push_back(x), corner.y.push_back(y);
   }
-  return corner;
+  const std::uint64_t size = corner.x.size();
+  return sets_from_xy(pattern.call + ", a quarter of each axis", corner.x, corner.y, {&size, 1});
+}
+
+/// `count` points from `first` on and before `last`, spread over them, are the best of ceil(c i) +
+/// 1 candidates. Half as many candidates as are needed show in 350 points once in 1,000 not.
+void judge_points(const SampleSets& set, double c, std::size_t first, std::size_t last,
+                  std::size_t count, Rng& rng) {
+  std::vector<std::size_t> points;
+  for (std::size_t k = 0; k < count; ++k) points.push_back(first + k * (last - first) / count);
+  Uniforms u = by_candidates(set.call, nearness(set, points, 300, rng), promised(c));
+  u.positions = 1;  // one set: its points are the replicates
+  u.name = {};
+  expect_independent_uniforms(
+      u, best_of_candidates("near points are missed, or far ones called near: a search ends when "
+                            "nothing that was not looked at can be nearer, round the torus"));
 }
 
 }  // namespace
@@ -114,23 +121,11 @@ CHECK_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1]
   const auto large = within_budget<Points>(budget, [&](const sandbox::Limits& limits) {
     return MEASURE_OUTCOME_WITH(limits, best_candidate, n, c, 1, fresh_seed(rng));
   });
-  const std::string missed =
-      "near points are missed, or far ones called near: a search ends when nothing that was not "
-      "looked at can be nearer, round the torus";
-  // Half as many candidates as are needed show in 350 points once in 1,000 not.
-  const auto judge = [&](const Measured<Points>& got, const Set& set, double rate,
-                         std::size_t first, std::size_t last, std::size_t points) {
-    std::vector<Nearness> parts;
-    for (std::size_t k = 0; k < points; ++k) {
-      parts.push_back(nearness(set, first + k * (last - first) / points, 300, rng));
-    }
-    expect_candidates(got.call, parts, rate, missed);
-  };
-  const auto small = MEASURE(best_candidate, 2048, 1, 1, fresh_seed(rng));
-  const Set set = sets_of(small, 2048, 1)[0];
-  judge(small, set, 1, 3, 1024, 120);
-  judge(small, set, 1, 1024, 2048, 350);
-  judge(large, sets_of(large, n, 1)[0], c, 1, n, 60);
+  const SampleSets small =
+      random_sets(MEASURE(best_candidate, 2048, 1, 1, fresh_seed(rng)), 2048, 1);
+  judge_points(small, 1, 3, 1024, 200, rng);
+  judge_points(small, 1, 1024, 2048, 350, rng);
+  judge_points(random_sets(large, n, 1), c, 1, n, 200, rng);
 }
 
 CHECK_CASE("4.7 the cost of Poisson disks is linear in their number",
@@ -144,19 +139,23 @@ CHECK_CASE("4.7 the cost of Poisson disks is linear in their number",
                       "radius / sqrt(2) holds one point at most), and do not throw darts at the "
                       "whole square until the last gaps are hit: the more points there are, the "
                       "more rarely that happens"};
-  const auto got = within_budget<Patterns>(budget, [&](const sandbox::Limits& limits) {
-    return MEASURE_OUTCOME_WITH(limits, poisson_disk, radius, 1, fresh_seed(rng));
-  });
-  const Set set = sets_of(got, radius, 1)[0];
-  require_apart(got.call, set, radius);
+  const SampleSets set =
+      random_sets(within_budget<Patterns>(budget,
+                                          [&](const sandbox::Limits& limits) {
+                                            return MEASURE_OUTCOME_WITH(limits, poisson_disk,
+                                                                        radius, 1, fresh_seed(rng));
+                                          }),
+                  radius, 1);
+  require_apart(set, radius);
   // Darts until 1,000 in a row have missed leave 0.54 % +- 0.11 % here.
-  const double uncovered = uncovered_area(set.x, set.y, radius, 3000, uniform(rng));
+  const double uncovered =
+      uncovered_area(set.column(0, 0), set.column(0, 1), radius, 3000, uniform(rng));
   expect_that(uncovered <= 0.003,
-              fmt::format("{}: {:.3g} % of the square is uncovered", got.call, 100 * uncovered),
+              fmt::format("{}: {:.3g} % of the square is uncovered", set.call, 100 * uncovered),
               "0.3 % at most", "", "a limit on tries must grow with the number of points");
-  const Points corner = corner_of(set);
-  const std::array<Set, 1> part{Set{corner.x, corner.y}};
-  expect_no_lattice(got.call + ", a quarter of each axis", mean_spectrum(part, n / 16), 1);
+  const SampleSets corner = corner_of(set);
+  expect_no_lattice(corner.call, mean_spectrum(corner, n / 16), 1);
+  require_everywhere(set);
 }
 
 }  // namespace mc::checks

@@ -2,131 +2,137 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
 
 #include "checks/support/discs.hpp"
 #include "checks/support/distributions.hpp"
-#include "checks/support/statistics.hpp"
 
 namespace mc::checks {
 namespace {
 
-using Count = std::function<double(double)>;  ///< of candidates, for point i
-
-/// Do these values follow the uniform distribution? One in 10,000 that do is missed.
-bool are_uniform(Values u) {
-  std::sort(u.begin(), u.end());
-  double distance = 0;
-  const auto n = static_cast<double>(u.size());
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    const auto below = static_cast<double>(k) / n;
-    distance = std::max({distance, u[k] - below, below + 1 / n - u[k]});
-  }
-  return kolmogorov_tails(distance, u.size()).upper > 1e-4;
-}
-
 /// Which points the nearest one is looked for among, and how distances are measured.
-struct Way {
-  bool torus, to_last_only;
+struct Metric {
+  bool torus = true, to_last_only = false;
 };
 
-std::vector<Nearness> measured(std::span<const Set> sets, Way way) {
-  constexpr std::size_t rows = 200;
-  std::vector<Nearness> all;
-  for (const Set& set : sets) {
-    for (std::size_t i = 1; i < set.x.size(); ++i) {
-      const std::size_t first = way.to_last_only ? i - 1 : 0;
-      const View x = set.x.subspan(first, i - first), y = set.y.subspan(first, i - first);
-      double least = infinity;
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        const double dx = x[p] - set.x[i], dy = y[p] - set.y[i];
-        least = std::min(least,
-                         way.torus ? std::hypot(short_way(dx), short_way(dy)) : std::hypot(dx, dy));
-      }
-      all.push_back({i, 1 - uncovered_area(x, y, least, rows, 0.5, way.torus)});
+double part_nearer(const SampleSets& sets, std::size_t set, std::size_t i, Metric metric,
+                   std::size_t rows, double start) {
+  const std::size_t first = metric.to_last_only ? i - 1 : 0;
+  const View all_x = sets.column(set, 0), all_y = sets.column(set, 1);
+  const View x = all_x.subspan(first, i - first), y = all_y.subspan(first, i - first);
+  double least = infinity;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    const double dx = x[p] - all_x[i], dy = y[p] - all_y[i];
+    least = std::min(least,
+                     metric.torus ? std::hypot(short_way(dx), short_way(dy)) : std::hypot(dx, dy));
+  }
+  return 1 - uncovered_area(x, y, least, rows, start, metric.torus);
+}
+
+/// Of points 1, 2, … of each set.
+Nearness measured(const SampleSets& sets, Metric metric) {
+  Nearness all{std::vector<std::size_t>(sets.n - 1)};
+  std::iota(all.points.begin(), all.points.end(), 1);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (const std::size_t i : all.points) {
+      all.parts.push_back(part_nearer(sets, set, i, metric, 200, 0.5));
     }
   }
   return all;
 }
 
-}  // namespace
-
-Nearness nearness(const Set& set, std::size_t i, std::size_t rows, Rng& rng) {
-  const double distance = nearest_distance(set.x, set.y, i, i);
-  return {i, 1 - uncovered_area(set.x.first(i), set.y.first(i), distance, rows, uniform(rng))};
+/// Whether each of the points is the best of so many candidates: one in 10,000 that is is missed.
+bool explains(const Nearness& all, const Count& count) {
+  const Uniforms u = by_candidates("", all, count);
+  for (std::size_t position = 0; position < u.positions; ++position) {
+    Values of_point;
+    for (std::size_t r = 0; r < u.replicates(); ++r) {
+      of_point.push_back(u.values[r * u.positions + position]);
+    }
+    const double distance = distance_from_uniform(of_point);
+    if (!(kolmogorov_tails(distance, of_point.size()).upper > 1e-4)) return false;
+  }
+  return true;
 }
 
-Values by_candidates(std::span<const Nearness> all, const Count& candidates) {
-  Values u;
-  for (const auto& [i, part] : all) {
-    u.push_back(std::clamp(std::pow(part, candidates(static_cast<double>(i))), 0.0, below_one));
+}  // namespace
+
+Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::size_t rows,
+                  Rng& rng) {
+  Nearness all{std::move(points)};
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (const std::size_t i : all.points) {
+      all.parts.push_back(part_nearer(sets, set, i, {}, rows, uniform(rng)));
+    }
+  }
+  return all;
+}
+
+Uniforms by_candidates(const std::string& call, const Nearness& all, const Count& candidates) {
+  // Areas are right to three digits or so.
+  Uniforms u{call, all.points.size(), {}, 12, [points = all.points](std::size_t position) {
+               return fmt::format("nearness of point {}", points[position]);
+             }};
+  for (std::size_t k = 0; k < all.parts.size(); ++k) {
+    const auto i = static_cast<double>(all.points[k % all.points.size()]);
+    u.values.push_back(std::clamp(std::pow(all.parts[k], candidates(i)), 0.0, below_one));
   }
   return u;
 }
 
-void expect_candidates(const std::string& call, std::span<const Nearness> all, double c,
-                       const std::string& likely) {
-  const auto u = by_candidates(all, [&](double i) { return std::ceil(c * i) + 1; });
-  expect_distribution(
-      call, u, [](double p) { return p; },
-      {"the fraction of the square that is nearer to another point than point i, to the power of "
-       "ceil(c i) + 1, is uniform",
-       alpha},
-      {{}, likely});
+Count promised(double c) {
+  return [=](double i) { return std::ceil(c * i) + 1; };
 }
 
-bool have_candidates(std::span<const Nearness> all, const Count& candidates) {
-  return are_uniform(by_candidates(all, candidates));
+Randomness best_of_candidates(const std::string& otherwise) {
+  return {.words =
+              "the fraction of the square that is nearer to an earlier point than point i, to "
+              "the power of ceil(c i) + 1, is uniform",
+          .alpha = alpha,
+          .otherwise = otherwise,
+          .expected = "each point i is the best of ceil(c i) + 1 uniform candidates"};
 }
 
-std::string candidates_hint(std::span<const Set> sets, double c) {
-  const std::vector<Nearness> all = measured(sets, {true, false});
-  const auto explains = [](std::span<const Nearness> parts, const Count& count) {
-    for (std::size_t i = 1; i <= parts.back().i; ++i) {
-      std::vector<Nearness> of_point;
-      for (const Nearness& one : parts) {
-        if (one.i == i) of_point.push_back(one);
-      }
-      if (!have_candidates(of_point, count)) return false;
-    }
-    return true;
-  };
-  const Count right = [=](double i) { return std::ceil(c * i) + 1; };
+std::string candidates_hint(const SampleSets& sets, double c) {
+  const Nearness all = measured(sets, {});
+  Nearness opposite = all;
+  for (double& part : opposite.parts) part = 1 - part;
   // Were it the same number m for all points, -1 / mean(log(part)) would estimate it.
   double logarithms = 0;
-  for (const auto& [i, part] : all) logarithms -= std::log(std::max(part, 1e-300));
-  const double constant = std::round(static_cast<double>(all.size()) / logarithms);
-  std::vector<std::string> found;
-  const auto suspect = [&](std::span<const Nearness> parts, const Count& count, const char* hint) {
-    if (explains(parts, count)) found.emplace_back(hint);
+  for (const double part : all.parts) logarithms -= std::log(std::max(part, 1e-300));
+  const double constant = std::round(static_cast<double>(all.parts.size()) / logarithms);
+  const bool is_whole = c == std::floor(c);  // then one candidate missing is not c i rounded down
+  struct Mistake {
+    Nearness seen;
+    Count count;
+    const char* hint;
   };
-  if (c == std::floor(c)) {  // else these two are one
-    suspect(
-        all, [=](double i) { return c * i; }, "these are ceil(c i) candidates: one is missing");
-  } else {
-    suspect(
-        all, [=](double i) { return std::floor(c * i) + 1; },
-        "these are floor(c i) + 1 candidates: c i is rounded up");
+  const Mistake mistakes[] = {
+      {all, [=](double i) { return std::ceil(c * i); },
+       is_whole ? "these are ceil(c i) candidates: one is missing"
+                : "these are floor(c i) + 1 candidates: c i is rounded up"},
+      {all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
+      {all, [](double i) { return i + 1; },
+       "these are i + 1 candidates: c is not used, or rounded"},
+      {all, [=](double) { return constant; },
+       constant == 1 ? "these are uniform points: of several candidates, keep the farthest"
+                     : "the number of candidates is the same for all points: it grows with i"},
+      {opposite, promised(c),
+       "this keeps the candidate that is nearest to the others: keep the farthest"},
+      {measured(sets, {.torus = false}), promised(c),
+       "these are the best candidates within the square, so points crowd at its edges: measure "
+       "distances round the torus"},
+      {measured(sets, {.to_last_only = true}), promised(c),
+       "these candidates are far from the last point: they must be far from all points before"}};
+  std::string found;
+  for (const Mistake& mistake : mistakes) {
+    if (!explains(mistake.seen, mistake.count)) continue;
+    if (!found.empty()) return {};
+    found = mistake.hint;
   }
-  suspect(
-      all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many");
-  suspect(
-      all, [](double i) { return i + 1; }, "the number of candidates does not depend on c");
-  suspect(
-      all, [=](double) { return constant; },
-      constant == 1 ? "these are uniform points: of several candidates, keep the farthest"
-                    : "the number of candidates is the same for all points: it grows with i");
-  std::vector<Nearness> other = all;
-  for (Nearness& one : other) one.part = 1 - one.part;
-  suspect(other, right,
-          "this keeps the candidate that is nearest to the others: keep the farthest");
-  suspect(measured(sets, {false, false}), right,
-          "these are the best candidates within the square, so points crowd at its edges: measure "
-          "distances round the torus");
-  suspect(measured(sets, {true, true}), right,
-          "these candidates are far from the last point: they must be far from all points before");
-  if (found.size() == 1) return found[0];
-  return "for each candidate its nearest point, of all points before; keep the candidate for which "
-         "that is farthest";
+  return found;
 }
 
 }  // namespace mc::checks

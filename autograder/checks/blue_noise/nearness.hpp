@@ -1,40 +1,42 @@
 #pragma once
-// How a best candidate is known: by how lonely it is, in terms of probability.
+// How a best candidate is recognized: by how lonely it is, in terms of probability.
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "checks/blue_noise/point_sets.hpp"
+#include "checks/blue_noise/random_sets.hpp"
+#include "checks/support/battery.hpp"
 
 namespace mc::checks {
 
-/// The fraction of the square that is nearer to one of the points before point i than point i is.
+/// Some points of each set, and for each of them the fraction of the square that is nearer to an
+/// earlier point than it is.
 struct Nearness {
-  std::size_t i = 0;
-  double part = 0;
+  std::vector<std::size_t> points;  ///< the same ones of each set
+  Values parts = {};                ///< set by set
 };
 
-/// Of point i of a set, computed along `rows` lines that begin at a place drawn from `rng`.
-Nearness nearness(const Set& set, std::size_t i, std::size_t rows, Rng& rng);
+/// Of these points. The areas are computed along `rows` lines that begin at a place drawn from
+/// `rng`.
+Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::size_t rows,
+                  Rng& rng);
+
+using Count = std::function<double(double)>;  ///< of candidates, for point i
 
 /// Uniform candidates have a nearness that is uniform; the largest of m of them, raised to the m-th
-/// power, is uniform again. So this is uniform in [0, 1) for every right way, and independent from
-/// point to point, if there were `candidates(i)` of them.
-Values by_candidates(std::span<const Nearness> all,
-                     const std::function<double(double)>& candidates);
+/// power, is uniform again. So these are uniform and independent for every right answer, if there
+/// were `candidates(i)` of them.
+Uniforms by_candidates(const std::string& call, const Nearness& all, const Count& candidates);
 
-/// Judges that ceil(c i) + 1 candidates were there for each of these points.
-void expect_candidates(const std::string& call, std::span<const Nearness> all, double c,
-                       const std::string& likely);
+/// What 4.2 promises: ceil(c i) + 1.
+Count promised(double c);
 
-/// Are these points the best of so many candidates? One in 10,000 right answers is missed.
-bool have_candidates(std::span<const Nearness> all,
-                     const std::function<double(double)>& candidates);
+/// These points were chosen so; `otherwise` is said where they were not.
+Randomness best_of_candidates(const std::string& otherwise);
 
 /// Which well-known mistake explains points 1, 2, … of these sets, point by point, if one does and
 /// no other. Of thousands of sets: some mistakes are alike.
-std::string candidates_hint(std::span<const Set> sets, double c);
+std::string candidates_hint(const SampleSets& sets, double c);
 
 }  // namespace mc::checks

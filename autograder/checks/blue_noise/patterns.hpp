@@ -1,23 +1,15 @@
 #pragma once
 // Poisson-disk patterns as they come from a program, for checks, plots and the bench alike.
 
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <numeric>
 #include <vector>
 
 #include "4-blue-noise/experiments.hpp"
-#include "checks/support/measure.hpp"
+#include "checks/support/sample_sets.hpp"
 
 namespace mc::checks {
-
-using View = std::span<const double>;
-
-/// One set of points of several.
-struct Set {
-  View x, y;
-};
 
 /// About 0.7 / radius^2 points are a Poisson-disk pattern (0.696, by 400 patterns of the
 /// reference): the radius for n of them.
@@ -25,34 +17,27 @@ inline double radius_for(double n) {
   return std::sqrt(0.7 / n);
 }
 
-/// What is due of x, y and sizes of so many patterns. A radius fills a torus with 1.155 / radius^2
-/// points at most, and half of it with four times as many: enough to see that it was halved, and a
-/// bound for what is worth looking at.
-inline std::array<Due, 3> patterns_due(double radius, std::size_t sets) {
+/// What is expected of x, y and sizes of so many patterns. A radius fills a torus with 1.155 /
+/// radius^2 points at most, and half of it with four times as many: enough to see that it was
+/// halved, and a bound for what is worth looking at.
+inline std::vector<ListSpec> patterns_spec(double radius, std::size_t sets) {
   const double most = std::ceil(4 * 1.155 / (radius * radius) + 4);
   const std::size_t points = static_cast<std::size_t>(most) * sets;
-  return {Due{points, unit, true}, Due{points, unit, true}, Due{sets, up_to(most)}};
+  return {{points, unit, true}, {points, unit, true}, {sets, up_to(most)}};
 }
 
-/// One pattern after the other; none where one of them is empty or sizes do not add up.
-inline std::vector<Set> taken_apart(const experiments::Patterns& all) {
-  std::vector<Set> sets;
-  std::size_t first = 0;
-  for (const std::uint64_t size : all.sizes) {
-    if (size == 0 || size > all.x.size() - first) return {};
-    sets.push_back({View(all.x).subspan(first, size), View(all.y).subspan(first, size)});
-    first += size;
-  }
-  if (first != all.x.size()) return {};
-  return sets;
+/// One pattern after the other; none where sizes do not add up.
+inline SampleSets patterns_in(const std::string& call, const experiments::Patterns& all) {
+  const auto sum = std::accumulate(all.sizes.begin(), all.sizes.end(), std::uint64_t{0});
+  if (sum != all.x.size()) return {call, 0, 2, {}};
+  return sets_from_xy(call, all.x, all.y, all.sizes);
 }
 
-/// The patterns of an answer that stays in `got`; none where a check would end.
-inline std::vector<Set> patterns_if_any(const Measured<experiments::Patterns>& got, double radius,
-                                        std::size_t sets) {
-  const auto [x, y, sizes] = patterns_due(radius, sets);
-  const auto* const all = got.if_list_by_list({x, y, sizes});
-  return all == nullptr ? std::vector<Set>{} : taken_apart(*all);
+/// The patterns of an answer; none where a check would end.
+inline SampleSets patterns_if_any(const Measured<experiments::Patterns>& got, double radius,
+                                  std::size_t sets) {
+  const auto* const all = got.if_list_by_list(patterns_spec(radius, sets));
+  return patterns_in(got.call, all == nullptr ? experiments::Patterns{} : *all);
 }
 
 }  // namespace mc::checks

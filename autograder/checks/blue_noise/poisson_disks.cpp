@@ -12,17 +12,27 @@
 //
 // At 7 sigma a Gaussian errs once in 10^12.
 
-#include "checks/blue_noise/poisson_disks.hpp"
-
+#include <array>
 #include <cstdlib>
-#include <deque>
 #include <optional>
 
+#include <fmt/format.h>
+
+#include "checks/blue_noise/random_sets.hpp"
+#include "checks/support/battery.hpp"
 #include "checks/support/catch.hpp"
+#include "checks/support/discs.hpp"
 #include "checks/support/refusals.hpp"
-#include "checks/support/statistics.hpp"
 
 namespace mc::checks {
+
+static SampleSets patterns(double radius, std::size_t sets, Rng& rng) {
+  return random_sets(MEASURE(poisson_disk, radius, sets, fresh_seed(rng)), radius, sets);
+}
+
+static double mean_size(const SampleSets& sets) {
+  return static_cast<double>(sets.values().size()) / 2 / static_cast<double>(sets.size());
+}
 
 CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7][needs:4.1]") {
   Rng rng = check_rng();
@@ -30,31 +40,27 @@ CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7
   // rounded: of 1 / (cells along the square), radius / sqrt(2) rounded up. Just above sqrt(2) / 3
   // that is a third too large; it forgets a point in 11 % of the patterns or more, so 200 show it
   // but once in 10^10.
-  const std::pair<double, std::size_t> cases[] = {
-      {uniform(rng, 0.05, 0.06), 40},
-      {uniform(rng, 0.2, 0.4), 400},
-      {uniform(rng, 0.5, 0.7), 20},
-      {std::sqrt(2.0) / 3 * uniform(rng, 1 + 1e-9, 1 + 1e-6), 200},
-      {std::sqrt(2.0) / 4 * uniform(rng, 1 + 1e-9, 1 + 1e-6), 200},
-      {0.125, 10},
-      {std::sqrt(0.5) / 16, 10},
-      {uniform(rng, 0.025, 0.03), 1}};
+  const double just_above = uniform(rng, 1 + 1e-9, 1 + 1e-6);
+  const std::pair<double, std::size_t> cases[] = {{uniform(rng, 0.05, 0.06), 40},
+                                                  {uniform(rng, 0.2, 0.4), 400},
+                                                  {uniform(rng, 0.5, 0.7), 20},
+                                                  {std::sqrt(2.0) / 3 * just_above, 200},
+                                                  {std::sqrt(2.0) / 4 * just_above, 200},
+                                                  {0.125, 10},
+                                                  {std::sqrt(0.5) / 16, 10},
+                                                  {uniform(rng, 0.025, 0.03), 1}};
   for (const auto& [radius, sets] : cases) {
-    const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
-    double size = 0;
-    const std::vector<Set> all = sets_of(got, radius, sets);
-    for (const Set& set : all) {
-      require_apart(got.call, set, radius);
-      size += static_cast<double>(set.x.size()) / static_cast<double>(sets);
-    }
+    const SampleSets all = patterns(radius, sets, rng);
+    require_apart(all, radius);
     // How full is asked for by the next check; a tenth of 1 / radius^2 is hardly begun.
+    const double size = mean_size(all);
     expect_that(size > 0.1 / radius / radius,
-                fmt::format("{}: {:.1f} points a set on average", got.call, size),
+                fmt::format("{}: {:.1f} points a set on average", all.call, size),
                 fmt::format("about {:.0f}", 0.7 / radius / radius),
                 "there is room for about 0.7 / radius^2 points", "go on until no point fits");
     if (sets != 40) continue;
-    require_fine(got.call, all);
-    expect_no_lattice(got.call, mean_spectrum(all, size), sets);
+    require_fine(all);
+    expect_no_lattice(all.call, mean_spectrum(all, size), sets);
   }
 }
 
@@ -71,20 +77,20 @@ CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
                                                   {uniform(rng, 0.14, 0.16), 40},
                                                   {uniform(rng, 0.61, 0.65), 200}};
   for (const auto& [radius, sets] : cases) {
-    const auto got = MEASURE(poisson_disk, radius, sets, fresh_seed(rng));
-    double uncovered = 0, size = 0;
-    for (const Set& set : sets_of(got, radius, sets)) {
-      const auto parts = static_cast<double>(sets);
-      uncovered += uncovered_area(set.x, set.y, radius, 1000, uniform(rng)) / parts;
-      size += static_cast<double>(set.x.size()) / parts;
+    const SampleSets all = patterns(radius, sets, rng);
+    double uncovered = 0;
+    for (std::size_t set = 0; set < sets; ++set) {
+      uncovered +=
+          uncovered_area(all.column(set, 0), all.column(set, 1), radius, 1000, uniform(rng)) /
+          static_cast<double>(sets);
     }
     expect_that(
         uncovered <= 0.003,
         fmt::format("{}: {:.3g} % of the square is farther than the radius from every point, mean "
                     "of {} sets of {:.4g} points",
-                    got.call, 100 * uncovered, sets, size),
+                    all.call, 100 * uncovered, sets, mean_size(all)),
         "0.3 % at most",
-        "where no disc reaches there is room for another point (computed along 1000 lines; right "
+        "where no disk reaches there is room for another point (computed along 1000 lines; right "
         "to 0.01 %)",
         radius > 0.1 ? "at large radii one gap that is missed is much of the square: look for what "
                        "is left in the end"
@@ -92,71 +98,63 @@ CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
   }
 }
 
-CHECK_CASE("4.3 Poisson disks are blue", "[4.3][points:5][needs:4.1]") {
+CHECK_CASE("4.3 Poisson disks are blue", "[4.3][points:4][needs:4.1]") {
   Rng rng = check_rng();
-  constexpr std::size_t sets = 160, calls = 4;  // so many that the peak of the mean is known well
+  constexpr std::size_t sets = 160;  // so many that the peak of the mean is known well
   const double radius = radius_for(256);
-  std::deque<Measured<Patterns>> got;
-  std::vector<Set> all;
-  double size = 0;
-  for (std::size_t call = 0; call < calls; ++call) {
-    got.push_back(MEASURE(poisson_disk, radius, sets / calls, fresh_seed(rng)));
-    for (const Set& set : sets_of(got.back(), radius, sets / calls)) {
-      all.push_back(set);
-      size += static_cast<double>(set.x.size()) / sets;
-    }
-  }
+  const SampleSets all = in_four_calls([&] { return patterns(radius, sets / 4, rng); });
+  const double size = mean_size(all);
   // The densest pattern has 422 points here; a spectrum beyond that is not of a Poisson disk.
   expect_that(size > 100 && size < 500,
-              fmt::format("{}: {:.1f} points a set on average", got[0].call, size), "about 256",
-              "discs of half the radius cannot overlap, discs of the radius must cover",
+              fmt::format("{}: {:.1f} points a set on average", all.call, size), "about 256",
+              "disks of half the radius cannot overlap, disks of the radius must cover",
               "no two points closer than radius, and no room for another");
   const Spectrum mean = mean_spectrum(all, size);
   const double low = low_band(mean, size), top = peak(mean, size);
   expect_that(low < 0.13,
-              fmt::format("{}: mean power {:.4f} over 0 < |k| <= sqrt(N)/2", got[0].call, low),
+              fmt::format("{}: mean power {:.4f} over 0 < |k| <= sqrt(N)/2", all.call, low),
               "less than 0.13; 0.076 on average", "independent points have 1, jittered ones 0.32",
               "is the distance kept, and the square filled, everywhere alike?");
   expect_that(top > 1.4 && top < 1.9,
-              fmt::format("{}: the largest mean power of a ring is {:.3f}", got[0].call, top),
+              fmt::format("{}: the largest mean power of a ring is {:.3f}", all.call, top),
               "1.4 to 1.9; 1.75 on average",
-              "points just outside each other's discs are common, but not the rule",
-              top < 1.4 ? "the pattern is loose: too few neighbours at the radius"
-                        : "too regular: new points lie at the rim of a disc, or on a lattice, and "
+              "points just outside each other's disks are common, but not the rule",
+              top < 1.4 ? "the pattern is loose: too few neighbors at the radius"
+                        : "too regular: new points lie at the rim of a disk, or on a lattice, and "
                           "not anywhere they fit");
-  expect_no_lattice(got[0].call, mean, sets);
-  // One point of each set is uniform, as nothing is where it is because of a place.
-  Values x, y;
-  const double wide = uniform(rng, 0.2, 0.4);
-  const auto few = MEASURE(poisson_disk, wide, 400, fresh_seed(rng));
-  for (const Set& set : sets_of(few, wide, 400)) {
-    const std::size_t point = rng() % set.x.size();
-    x.push_back(set.x[point]);
-    y.push_back(set.y[point]);
+  expect_no_lattice(all.call, mean, sets);
+}
+
+CHECK_CASE("4.3 points fall anywhere on the torus", "[4.3][points:1][needs:4.1]") {
+  Rng rng = check_rng();
+  const double radius = uniform(rng, 0.2, 0.4);
+  const SampleSets all = patterns(radius, 400, rng);
+  Uniforms places{all.call + ": one point of each pattern", 2};
+  for (std::size_t set = 0; set < all.size(); ++set) {
+    const std::size_t point = rng() % all.points(set);
+    for (const std::size_t d : {0u, 1u}) places.values.push_back(all.column(set, d)[point]);
   }
-  for (const Values& axis : {x, y}) {
-    expect_distribution(
-        few.call + ": a coordinate of a point of each", axis, [](double p) { return p; },
-        {"one point of each pattern, whichever, is uniform in the square", alpha},
-        {{}, "points may fall anywhere on the torus, each place is like any other"});
-  }
+  expect_independent_uniforms(
+      places, {.words = "one point of each pattern, whichever, is uniform in the square",
+               .alpha = alpha,
+               .otherwise = "points may fall anywhere on the torus, each place is like any other"});
+  require_everywhere(all);
+  require_everywhere(patterns(uniform(rng, 0.05, 0.06), 40, rng));
 }
 
 CHECK_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:3]") {
   Rng rng = check_rng();
   for (const double radius : {uniform(rng, 0.72, 0.9), 1.0, uniform(rng, 1, 10), 0.70711,
                               std::nextafter(std::sqrt(0.5), 1), 1e300, infinity}) {
-    const auto got = MEASURE(poisson_disk, radius, 5, fresh_seed(rng));
-    for (const Set& set : sets_of(got, radius, 5)) {
-      expect_that(set.x.size() == 1, fmt::format("{}: {} points", got.call, set.x.size()), "1",
-                  "no two points of the torus are farther apart than sqrt(1/2)",
-                  "two points must not be nearer than radius, round the torus");
-    }
+    const SampleSets all = patterns(radius, 5, rng);
+    expect_that(all.values().size() == 10,
+                fmt::format("{}: {} points in 5 sets", all.call, all.values().size() / 2),
+                "one in each", "no two points of the torus are farther apart than sqrt(1/2)",
+                "two points must not be nearer than radius, round the torus");
   }
-  // Just below, a second point fits in one place, which nobody need find.
+  // Just below, a second point fits in one place, which need not be found.
   for (const double radius : {0.7071, std::nextafter(std::sqrt(0.5), 0)}) {
-    const auto got = MEASURE(poisson_disk, radius, 5, fresh_seed(rng));
-    for (const Set& set : sets_of(got, radius, 5)) require_apart(got.call, set, radius);
+    require_apart(patterns(radius, 5, rng), radius);
   }
 }
 

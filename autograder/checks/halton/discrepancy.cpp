@@ -185,13 +185,8 @@ std::vector<InvalidCall> no_points_of_the_square() {
   return calls;
 }
 
-CHECK_CASE("5.6 what is no point of the unit square is refused", "[5.6][points:1][edge]") {
-  expect_refused(no_points_of_the_square());
-}
-
-CHECK_CASE("5.6 a refusal names its argument", "[5.6][points:1][edge]") {
-  expect_argument_named(no_points_of_the_square());
-}
+REFUSAL_CASES("5.6", "what is no point of the unit square is refused", "1",
+              "a refusal names its argument", "1", no_points_of_the_square())
 
 }  // namespace
 }  // namespace mc::checks

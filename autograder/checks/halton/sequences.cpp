@@ -218,13 +218,8 @@ std::vector<InvalidCall> no_such_points() {
           {MEASURE_OUTCOME(sobol, 1, last_index, 2), range, indices}};
 }
 
-CHECK_CASE("5.5 Sobol' points that do not exist are refused", "[5.5][points:1][edge]") {
-  expect_refused(no_such_points());
-}
-
-CHECK_CASE("5.5 a refusal names its argument", "[5.5][points:1][edge]") {
-  expect_argument_named(no_such_points());
-}
+REFUSAL_CASES("5.5", "Sobol' points that do not exist are refused", "1",
+              "a refusal names its argument", "1", no_such_points())
 
 }  // namespace
 }  // namespace mc::checks

@@ -48,7 +48,7 @@ inline Function fresh(unsigned g, Rng& rng, double parameter = 0) {
 inline Values values_of(const std::string& call, const std::vector<Estimate>& estimates) {
   Values all;
   for (const Estimate& one : estimates) all.push_back(one.value);
-  if (const auto what = list_objection("value", all, all.size(), false, finite)) {
+  if (const auto what = list_failure("value", all, {all.size(), finite})) {
     refuse(call, *what);
   }
   return all;

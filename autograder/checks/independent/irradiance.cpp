@@ -126,11 +126,15 @@ CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1
   // One sample is one value, and tells how far from the receiver its point is.
   const RectLight light = aside(rng).light;
   const auto ones = by_area(light, 1, rng(), 20000);
-  const Values distances = square_distances(ones, light, 20000);
-  expect_distribution(ones.call + ", square distances from the point below the light's plane",
-                      distances, [&](double square) { return share_within(light, square); },
-                      {"points are uniform on the light", alpha},
-                      {{}, "x between x0 and x1, y between y0 and y1, from a number each"});
+  Uniforms shares{ones.call + ", parts of the light within the distances of its points", 1, {}, 20};
+  for (const double square : square_distances(ones, light, 20000)) {
+    shares.values.push_back(std::clamp(share_within(light, square), 0.0, 1 - 0x1p-53));
+  }
+  expect_independent_uniforms(
+      shares, {.words = "points are uniform on the light",
+               .alpha = alpha,
+               .otherwise = "x between x0 and x1, y between y0 and y1, from a number each",
+               .expected = "points anywhere on the light, independent"});
 }
 
 // The hemisphere ----------------------------------------------------------------------------------

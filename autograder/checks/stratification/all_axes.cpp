@@ -89,13 +89,8 @@ std::vector<InvalidCall> wrong_powers() {
           {made(16, 40, 65536), name, "65536^40 is 0 in 64 bits", divide}};
 }
 
-CHECK_CASE("3.5 sizes that are no power are refused", "[3.5][edge][points:0.5]") {
-  expect_refused(wrong_powers());
-}
-
-CHECK_CASE("3.5 the refusals name the argument", "[3.5][edge][points:0.5]") {
-  expect_argument_named(wrong_powers());
-}
+REFUSAL_CASES("3.5", "sizes that are no power are refused", "0.5", "the refusals name the argument",
+              "0.5", wrong_powers())
 
 // 3.6 ---------------------------------------------------------------------------------------------
 

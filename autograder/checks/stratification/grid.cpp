@@ -66,13 +66,7 @@ std::vector<InvalidCall> no_cells() {
   return {{MEASURE_OUTCOME(strata, {0}), "n|strata|cell", "there is no grid without cells"}};
 }
 
-CHECK_CASE("3.2 n = 0 is refused", "[3.2][edge][points:0.5]") {
-  expect_refused(no_cells());
-}
-
-CHECK_CASE("3.2 the refusal names the argument", "[3.2][edge][points:0.5]") {
-  expect_argument_named(no_cells());
-}
+REFUSAL_CASES("3.2", "n = 0 is refused", "0.5", "the refusal names the argument", "0.5", no_cells())
 
 CHECK_CASE("3.2 more cells than 32 bits count", "[3.2][edge][points:1]") {
   // Squares, products of neighbors, and what lies next to them. A loop over all numbers up to the
@@ -187,13 +181,8 @@ Call into_2d(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
   return MEASURE_OUTCOME(stratified_2d_into, size_x, size_y, grid);
 }
 
-CHECK_CASE("3.3 what is no grid of these points is refused", "[3.3][edge][points:1.5]") {
-  expect_refused(wrong_grids(into_2d));
-}
-
-CHECK_CASE("3.3 the refusals name the argument", "[3.3][edge][points:0.5]") {
-  expect_argument_named(wrong_grids(into_2d));
-}
+REFUSAL_CASES("3.3", "what is no grid of these points is refused", "1.5",
+              "the refusals name the argument", "0.5", wrong_grids(into_2d))
 
 }  // namespace
 }  // namespace mc::checks

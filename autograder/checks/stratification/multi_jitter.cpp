@@ -127,13 +127,8 @@ Call into_multi(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
   return MEASURE_OUTCOME(multi_jittered_into, size_x, size_y, grid);
 }
 
-CHECK_CASE("3.7 what is no grid of these points is refused", "[3.7][edge][points:0.5]") {
-  expect_refused(wrong_grids(into_multi));
-}
-
-CHECK_CASE("3.7 the refusals name the argument", "[3.7][edge][points:0.5]") {
-  expect_argument_named(wrong_grids(into_multi));
-}
+REFUSAL_CASES("3.7", "what is no grid of these points is refused", "0.5",
+              "the refusals name the argument", "0.5", wrong_grids(into_multi))
 
 }  // namespace
 }  // namespace mc::checks

@@ -48,6 +48,9 @@ struct Randomness {
   std::string otherwise;      ///< said where the numbers themselves do not show what is wrong
   std::string repeated = {};  ///< where numbers come again
   std::string same = {};      ///< where one position is a function of another
+  /// What the program should have done, where the numbers are not its own but computed from what it
+  /// did: then nothing that is visible in them is a hint.
+  std::string expected = {};
 };
 
 /// The numbers are uniform and independent; wants at least 200 numbers. `only_each` leaves out what

@@ -154,6 +154,17 @@ Tails kolmogorov_tails(double d, std::uint64_t n) {
   return tails;
 }
 
+double distance_from_uniform(std::vector<double>& values) {
+  std::sort(values.begin(), values.end());
+  const auto n = static_cast<double>(values.size());
+  double distance = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double below = static_cast<double>(i) / n;
+    distance = std::max({distance, values[i] - below, below + 1 / n - values[i]});
+  }
+  return distance;
+}
+
 Interval central_interval(const std::function<Tails(double)>& tails, double alpha, double low,
                           double high) {
   const auto boundary = [&](auto is_above) {

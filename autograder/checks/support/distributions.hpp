@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "common/estimation.hpp"
 
@@ -35,6 +36,9 @@ Tails binomial_tails(std::uint64_t k, std::uint64_t n, double p);
 /// Kolmogorov's D, the largest distance of the empirical distribution function of `n` independent
 /// values from the true one. Tails within 0.2 % for n >= 100.
 Tails kolmogorov_tails(double d, std::uint64_t n);
+
+/// That distance, of values that should be uniform in [0, 1). Sorts them.
+double distance_from_uniform(std::vector<double>& values);
 
 /// The values in [low, high] whose two_sided() is at least `alpha`, for tails that are monotone in
 /// between: by bisection, to 12 digits.

@@ -25,28 +25,6 @@ std::string hint_for(double got, const Hints& hints, Meets meets) {
   return found != nullptr ? found->hint : hints.otherwise;
 }
 
-[[noreturn]] void fail_with(const std::string& measured, const std::string& expected,
-                            const std::string& because, const std::string& likely) {
-  fail(Failure{measured, expected, because, likely});
-}
-
-/// "x or y" of "x|y".
-std::string in_words(const std::string& argument) {
-  std::string all;
-  for (const std::string_view choice : text::split(argument, '|')) {
-    if (!all.empty()) all += " or ";
-    all += choice;
-  }
-  return all;
-}
-
-bool names_argument(const std::string& text, const std::string& argument) {
-  const auto choices = text::split(argument, '|');
-  return std::any_of(choices.begin(), choices.end(), [&](std::string_view choice) {
-    return text.find(choice) != std::string::npos;
-  });
-}
-
 }  // namespace
 
 double digits(double got, double exact) {
@@ -60,40 +38,22 @@ void expect_within(const std::string& what, double got, double exact, double tol
                    const std::string& because, const Hints& hints) {
   const auto meets = [=](double value) { return std::abs(value - exact) <= tolerance; };
   if (meets(got)) return pass();
-  fail_with(fmt::format("{} = {}", what, got),
-            tolerance == 0 ? fmt::format("{}, exactly", exact)
-            : exact == 0   ? fmt::format("0, or at most {:.3g} away from it", tolerance)
-                           : fmt::format("{}, give or take {:.3g}", exact, tolerance),
-            because, hint_for(got, hints, meets));
+  fail(Failure{fmt::format("{} = {}", what, got),
+               tolerance == 0 ? fmt::format("{}, exactly", exact)
+               : exact == 0   ? fmt::format("0, or at most {:.3g} away from it", tolerance)
+                              : fmt::format("{}, give or take {:.3g}", exact, tolerance),
+               because, hint_for(got, hints, meets)});
 }
 
 void expect_that(bool holds, const std::string& measured, const std::string& expected,
                  const std::string& because, const std::string& hint) {
-  if (!holds) fail_with(measured, expected, because, hint);
+  if (!holds) fail(Failure{measured, expected, because, hint});
   pass();
 }
 
 void expect_nan(const std::string& what, double got, const std::string& because) {
   expect_that(std::isnan(got), fmt::format("{} = {}", what, got), "NaN", because,
               "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
-}
-
-void expect_invalid_argument(const Call& call, const std::string& argument,
-                             const std::string& because) {
-  const auto& outcome = call.outcome;
-  if (outcome.answered && outcome.status == wire::Status::value) {
-    fail_with(fmt::format("{} returned a value", call.text),
-              "std::invalid_argument" + (argument.empty() ? "" : " naming " + in_words(argument)),
-              because, "misuse throws std::invalid_argument, before anything is computed");
-  }
-  if (!outcome.answered || outcome.status != wire::Status::invalid_argument) {
-    require_value(call);  // ends the check with what happened instead
-  }
-  if (argument.empty()) return pass();
-  expect_that(names_argument(outcome.bytes, argument),
-              fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, outcome.bytes),
-              "a text that names the argument: " + in_words(argument), because,
-              "say in the exception's text which argument is wrong");
 }
 
 }  // namespace mc::checks

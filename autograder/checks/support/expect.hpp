@@ -46,9 +46,4 @@ void expect_that(bool holds, const std::string& measured, const std::string& exp
 /// `got` is NaN, as in numpy and R for what is undefined.
 void expect_nan(const std::string& what, double got, const std::string& because);
 
-/// The call threw std::invalid_argument, and its text names `argument` (or one of several,
-/// separated by '|').
-void expect_invalid_argument(const Call& call, const std::string& argument,
-                             const std::string& because);
-
 }  // namespace mc::checks

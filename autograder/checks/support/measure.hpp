@@ -2,7 +2,7 @@
 // Asking a submission's program for a measurement, from inside a check.
 //
 //   const auto got = MEASURE(variance_two_pass, x);        // Measured<double>: got.value, got.call
-//   const auto& u = MEASURE(uniforms, 1000, seed).exactly(1000, unit);  // lists: through the gate
+//   const auto& u = MEASURE(uniforms, 1000, seed).exactly(1000, unit);  // lists: validated
 //   const auto refused = MEASURE_OUTCOME(covariance, x, y);  // to look at exceptions
 //
 // The types come from the experiment's declaration; nothing of the experiment is linked here. A
@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "checks/support/gate.hpp"
+#include "checks/support/validation.hpp"
 #include "common/rng.hpp"
 #include "protocol/records.hpp"
 #include "runner/spelling.hpp"
@@ -46,9 +46,9 @@
 
 namespace mc::checks {
 
-/// What a call brought, as it came. A number or a struct of numbers is there as `value`: what a
-/// check expects of it, NaN does not meet. Lists are a stranger's in length and content: they are
-/// reached through the gate only (gate.hpp).
+/// What a call returned. A number or a struct of numbers is `value`: what a check expects of it, NaN
+/// does not meet. Lists are untrusted in length and content: they are validated first
+/// (validation.hpp).
 template <class T>
 struct Measured {
   T value;
@@ -68,44 +68,36 @@ struct Measured<T> {
 
   /// Exactly `count` values in each list, each in `range`; ends the check otherwise.
   const T& exactly(std::size_t count, const Range& range = finite) const {
-    return admitted(Sizes{{count}, true, false}, range);
+    return list_by_list({{count, range}});
   }
   /// The same where the lists of a struct differ: the counts of each, in order.
   const T& exactly(std::initializer_list<std::size_t> counts, const Range& range = finite) const {
-    return admitted(Sizes{counts, false, false}, range);
+    return list_by_list(specs_of(counts, range));
   }
-  /// As many values in each list, `most` at the most.
-  const T& at_most(std::size_t most, const Range& range = finite) const {
-    return admitted(Sizes{{most}, true, true}, range);
-  }
-  /// Lists that differ in kind, too: what is due of each, in order.
-  const T& list_by_list(std::initializer_list<Due> due) const {
-    if (const auto what = objection(value_, std::span(due.begin(), due.size()))) {
-      refuse(call, *what);
-    }
+  /// Lists that differ in kind, too: what is expected of each, in order.
+  const T& list_by_list(const std::vector<ListSpec>& specs) const {
+    if (const auto what = failure_of(value_, specs)) refuse(call, *what);
     pass();
     return value_;
   }
-  /// For plots: nothing where exactly() would end the check.
+  /// For plots: nothing where the check would end.
   const T* if_exactly(std::size_t count, const Range& range = finite) const {
-    return objection(value_, Sizes{{count}, true, false}, range) ? nullptr : &value_;
+    return if_list_by_list({{count, range}});
   }
   const T* if_exactly(std::initializer_list<std::size_t> counts,
                       const Range& range = finite) const {
-    return objection(value_, Sizes{counts, false, false}, range) ? nullptr : &value_;
+    return if_list_by_list(specs_of(counts, range));
   }
-  const T* if_at_most(std::size_t most, const Range& range = finite) const {
-    return objection(value_, Sizes{{most}, true, true}, range) ? nullptr : &value_;
-  }
-  const T* if_list_by_list(std::initializer_list<Due> due) const {
-    return objection(value_, std::span(due.begin(), due.size())) ? nullptr : &value_;
+  const T* if_list_by_list(const std::vector<ListSpec>& specs) const {
+    return failure_of(value_, specs) ? nullptr : &value_;
   }
 
  private:
-  const T& admitted(const Sizes& sizes, const Range& range) const {
-    if (const auto what = objection(value_, sizes, range)) refuse(call, *what);
-    pass();
-    return value_;
+  static std::vector<ListSpec> specs_of(std::initializer_list<std::size_t> counts,
+                                        const Range& range) {
+    std::vector<ListSpec> specs;
+    for (const std::size_t count : counts) specs.push_back({count, range});
+    return specs;
   }
   T value_;
 };

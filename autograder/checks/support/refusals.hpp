@@ -26,3 +26,13 @@ void expect_refused(const std::vector<InvalidCall>& calls);
 void expect_argument_named(const std::vector<InvalidCall>& calls);
 
 }  // namespace mc::checks
+
+/// Both as checks of a task, with their points: REFUSAL_CASES("4.5", "misuse of radial_power is
+/// refused", "2", "a refusal names the argument", "1", wrong_rings())
+#define REFUSAL_CASES(task, refused, points_refused, named, points_named, ...)  \
+  CHECK_CASE(task " " refused, "[" task "][edge][points:" points_refused "]") { \
+    ::mc::checks::expect_refused(__VA_ARGS__);                                  \
+  }                                                                             \
+  CHECK_CASE(task " " named, "[" task "][edge][points:" points_named "]") {     \
+    ::mc::checks::expect_argument_named(__VA_ARGS__);                           \
+  }

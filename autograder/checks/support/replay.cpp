@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "checks/support/expect.hpp"
 #include "checks/support/measure.hpp"
 
 namespace mc::checks {
@@ -43,13 +42,12 @@ void replay() {
   std::vector<std::string> requests;
   for (const std::size_t i : order) requests.push_back(calls[i].request);
   request.put(requests);
-  const auto expect_same = [&](bool is_same, std::size_t k, const std::string& what) {
-    if (is_same) return;
-    expect_that(false, fmt::format("{} {}", calls[order[k]].call, what),
-                "the same result as when it is the first call",
-                "a function of its arguments, whatever was called before: checks call it in one "
-                "process and in another",
-                "a static or global variable keeps something between calls");
+  const auto fail_at = [&](std::size_t k, const std::string& what) {
+    fail(Failure{fmt::format("{} {}", calls[order[k]].call, what),
+                 "the same result as when it is the first call",
+                 "a function of its arguments, whatever was called before: checks call it in one "
+                 "process and in another",
+                 "a static or global variable keeps something between calls"});
   };
   const Call together =
       ask_again(fmt::format("{} and {} calls before it", calls.back().call, calls.size()),
@@ -66,20 +64,19 @@ void replay() {
     answers.clear();
   }
   if (answers.size() != order.size()) {
-    expect_same(false, order.size() - 1,
-                fmt::format("ends the program after other calls: {}",
-                            outcome.failure.empty() ? "no answer" : outcome.failure));
+    fail_at(order.size() - 1, fmt::format("ends the program after other calls: {}",
+                                          outcome.failure.empty() ? "no answer" : outcome.failure));
   }
   for (std::size_t k = 0; k < order.size(); ++k) {
     const Kept& alone = calls[order[k]];
     const std::string& answer = answers[k];
     const bool is_same = !answer.empty() && answer[0] == static_cast<char>(alone.status) &&
                          (alone.status != wire::Status::value || answer.substr(1) == alone.bytes);
-    expect_same(is_same, k,
-                k == 0 ? "gives two results in two processes"
-                : order[k] == order[k - 1]
-                    ? "gives another result when it is called twice"
-                    : "gives another result after " + calls[order[k - 1]].call);
+    if (is_same) continue;
+    fail_at(k, k == 0 ? "gives two results in two processes"
+               : order[k] == order[k - 1]
+                   ? "gives another result when it is called twice"
+                   : "gives another result after " + calls[order[k - 1]].call);
   }
 }
 

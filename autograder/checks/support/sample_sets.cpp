@@ -48,6 +48,20 @@ void require_in_cube(const std::string& call, const std::string& name, View x, s
                 "numbers in [0, 1): points lie in the unit cube, without its upper faces", likely});
 }
 
+SampleSets sets_from_xy(std::string call, View x, View y, std::span<const std::uint64_t> sizes) {
+  Values values;
+  values.reserve(2 * x.size());
+  std::size_t first = 0;
+  for (const std::uint64_t size : sizes) {
+    for (const View all : {x, y}) {
+      const View part = all.subspan(first, size);
+      values.insert(values.end(), part.begin(), part.end());
+    }
+    first += size;
+  }
+  return {std::move(call), sizes, 2, std::move(values)};
+}
+
 SampleSets sets_from_columns(const Measured<Values>& got, std::size_t n, std::size_t dims,
                              std::size_t sets, std::size_t strata) {
   SampleSets all(got.call, n, dims, got.exactly(n * dims * sets, any_number));
@@ -103,29 +117,31 @@ Uniforms jitters_of(const SampleSets& sets, std::span<const Pattern> patterns,
 
 void expect_fresh(const SampleSets& sets, const SampleSets& other_seed,
                   std::span<const Pattern> patterns) {
-  const auto expect_other = [&](std::size_t d, std::size_t strata, View b, const char* where) {
-    Values x(sets.column(0, d).begin(), sets.column(0, d).end()), y(b.begin(), b.end()), common;
-    std::sort(x.begin(), x.end());
-    std::sort(y.begin(), y.end());
-    std::set_intersection(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(common));
-    if (2 * common.size() <= x.size()) return;
-    for (double& value : x) value = jitter_of(value, strata);
-    const auto [low, high] = std::minmax_element(x.begin(), x.end());
-    fail(Failure{fmt::format("{}: coordinate {} is the same in {}", sets.call, d, where),
-                 "other points in every set, and for every seed",
-                 "points are random, or estimates are biased",
-                 *high - *low < 1e-6
-                     ? fmt::format("every point lies at {:.3g} of its stratum: place it there at "
-                                   "random",
-                                   *low)
-                     : "the same numbers come again: draw them all from the generator that is "
-                       "passed in, anew for each set"});
-  };
   for (const Pattern& pattern : patterns) {
     for (std::size_t i = 0; i < pattern.dims.size(); ++i) {
-      const std::size_t d = pattern.dims[i], strata = pattern.strata[i];
-      expect_other(d, strata, sets.column(1, d), "two sets one after the other");
-      expect_other(d, strata, other_seed.column(0, d), "a set of another seed");
+      const std::size_t d = pattern.dims[i];
+      const View a = sets.column(0, d);
+      const std::pair<View, const char*> others[] = {
+          {sets.column(1, d), "two sets one after the other"},
+          {other_seed.column(0, d), "a set of another seed"}};
+      for (const auto& [b, where] : others) {
+        Values x(a.begin(), a.end()), y(b.begin(), b.end()), common;
+        std::sort(x.begin(), x.end());
+        std::sort(y.begin(), y.end());
+        std::set_intersection(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(common));
+        if (2 * common.size() <= x.size()) continue;
+        for (double& value : x) value = jitter_of(value, pattern.strata[i]);
+        const auto [low, high] = std::minmax_element(x.begin(), x.end());
+        fail(Failure{fmt::format("{}: coordinate {} is the same in {}", sets.call, d, where),
+                     "other points in every set, and for every seed",
+                     "points are random, or estimates are biased",
+                     *high - *low < 1e-6
+                         ? fmt::format("every point lies at {:.3g} of its stratum: place it there "
+                                       "at random",
+                                       *low)
+                         : "the same numbers come again: draw them all from the generator that is "
+                           "passed in, anew for each set"});
+      }
     }
   }
   pass();

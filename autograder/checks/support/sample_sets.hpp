@@ -16,24 +16,49 @@ namespace mc::checks {
 using Values = std::vector<double>;
 using View = std::span<const double>;
 
-/// `size()` sets of n points of [0, 1)^dims: set after set, of each one column after the other.
+/// `size()` sets of points of [0, 1)^dims: set after set, of each one column after the other.
 class SampleSets {
  public:
+  /// As many sets of `points` points as there are values for.
   SampleSets(std::string from, std::size_t points, std::size_t axes, Values values)
-      : call(std::move(from)), n(points), dims(axes), values_(std::move(values)) {}
+      : call(std::move(from)), n(points), dims(axes), values_(std::move(values)) {
+    const std::size_t sets = n * dims == 0 ? 0 : values_.size() / (n * dims);
+    while (size() < sets) first_.push_back(first_.back() + n);
+  }
+  /// Sets of these sizes.
+  SampleSets(std::string from, std::span<const std::uint64_t> sizes, std::size_t axes,
+             Values values)
+      : call(std::move(from)),
+        n(sizes.empty() ? 0 : sizes[0]),
+        dims(axes),
+        values_(std::move(values)) {
+    for (const std::uint64_t points : sizes) first_.push_back(first_.back() + points);
+  }
 
   std::string call;
-  std::size_t n, dims;
+  std::size_t n, dims;  ///< n points in each set; in the first one, where sizes differ
 
-  std::size_t size() const { return n * dims == 0 ? 0 : values_.size() / (n * dims); }
+  std::size_t size() const { return first_.size() - 1; }
+  std::size_t points(std::size_t set) const { return first_[set + 1] - first_[set]; }
   View column(std::size_t set, std::size_t d) const {
-    return View(values_).subspan((set * dims + d) * n, n);
+    return View(values_).subspan(first_[set] * dims + d * points(set), points(set));
   }
   View values() const { return values_; }
+  /// Sets of another call, with as many dimensions.
+  void add(const SampleSets& more) {
+    values_.insert(values_.end(), more.values_.begin(), more.values_.end());
+    for (std::size_t set = 0; set < more.size(); ++set) {
+      first_.push_back(first_.back() + more.points(set));
+    }
+  }
 
  private:
   Values values_;
+  std::vector<std::size_t> first_{0};  ///< how many points are in the sets before
 };
+
+/// Of sets of these sizes: first x of all of them, then y.
+SampleSets sets_from_xy(std::string call, View x, View y, std::span<const std::uint64_t> sizes);
 
 /// Ends the check where a value of a column does not lie in [0, 1), and says why that may be: never
 /// written, rounded up to 1, not divided by the number of `strata`. `name` is the list's.
@@ -49,16 +74,9 @@ template <class Points>
 SampleSets sets_from_xy(const Measured<Points>& got, Grid grid, std::size_t sets) {
   const std::size_t n = grid.nx * grid.ny;
   const Points& points = got.exactly(n * sets, any_number);
-  Values values;
-  values.reserve(2 * n * sets);
-  for (std::size_t set = 0; set < sets; ++set) {
-    const auto x = View(points.x).subspan(set * n, n), y = View(points.y).subspan(set * n, n);
-    require_in_cube(got.call, "x", x, grid.nx);
-    require_in_cube(got.call, "y", y, grid.ny);
-    values.insert(values.end(), x.begin(), x.end());
-    values.insert(values.end(), y.begin(), y.end());
-  }
-  return {got.call, n, 2, std::move(values)};
+  require_in_cube(got.call, "x", points.x, grid.nx);
+  require_in_cube(got.call, "y", points.y, grid.ny);
+  return sets_from_xy(got.call, points.x, points.y, std::vector<std::uint64_t>(sets, n));
 }
 
 /// Some columns of sets of points, with one point in each cell of a grid over them.

@@ -66,20 +66,4 @@ double expect_rate(const Replicates& few, const Known& at_few, const Replicates&
 double expect_proportion(const std::string& call, const std::string& event, std::uint64_t count,
                          std::uint64_t trials, double p, const Null& null, const Hints& hints);
 
-/// The values are independent and distributed as `cdf` says: Kolmogorov and Smirnov's test, both
-/// ways (too even is as wrong as uneven). Measured is the distance D.
-double expect_distribution(const std::string& call, std::vector<double> values,
-                           const std::function<double(double)>& cdf, const Null& null,
-                           const Hints& hints);
-
-/// Independent events fell into cells `counts` times each, with these `probabilities` (one for all,
-/// if only one is given): Pearson's chi-squared, both ways, with cells - 1 degrees of freedom.
-/// Wants about 100 expected events in every cell, so that the distribution holds in the far tails.
-/// Measured is chi-squared over its degrees of freedom.
-double expect_counts(const std::string& call, std::span<const std::uint64_t> counts,
-                     std::span<const double> probabilities, const Null& null, const Hints& hints);
-
-/// How many of `values`, each in [0, 1), fall into each of `cells` equal parts.
-std::vector<std::uint64_t> counts_of(std::span<const double> values, std::size_t cells);
-
 }  // namespace mc::checks

@@ -127,13 +127,8 @@ std::vector<InvalidCall> lists_of_two_sizes() {
   return calls;
 }
 
-CHECK_CASE("1.6 lists of two sizes are refused", "[1.6][edge][points:1]") {
-  expect_refused(lists_of_two_sizes());
-}
-
-CHECK_CASE("1.6 the refusal names the argument", "[1.6][edge][points:1]") {
-  expect_argument_named(lists_of_two_sizes());
-}
+REFUSAL_CASES("1.6", "lists of two sizes are refused", "1", "the refusal names the argument", "1",
+              lists_of_two_sizes())
 
 }  // namespace
 }  // namespace mc::checks

@@ -180,13 +180,8 @@ std::vector<InvalidCall> invalid_tables() {
   return calls;
 }
 
-CHECK_CASE("1.7 invalid tables are refused", "[1.7][edge][points:1]") {
-  expect_refused(invalid_tables());
-}
-
-CHECK_CASE("1.7 each refusal names the argument", "[1.7][edge][points:1]") {
-  expect_argument_named(invalid_tables());
-}
+REFUSAL_CASES("1.7", "invalid tables are refused", "1", "each refusal names the argument", "1",
+              invalid_tables())
 
 }  // namespace
 }  // namespace mc::checks

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "checks/blue_noise/point_sets.hpp"
+#include "checks/blue_noise/random_sets.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/discs.hpp"
 #include "measurements/blue_noise/methods.hpp"
@@ -91,8 +91,9 @@ TEST_CASE("bench table of gaps", "[.bench-table]") {
     const auto got = TRY_MEASURE_WITH(large, poisson_disk, radius, patterns, 1);
     if (!got) return;
     Mean uncovered;
-    for (const Set& set : patterns_if_any(*got, radius, patterns)) {
-      uncovered.add(100 * uncovered_area(set.x, set.y, radius, 200));
+    const SampleSets all = patterns_if_any(*got, radius, patterns);
+    for (std::size_t set = 0; set < all.size(); ++set) {
+      uncovered.add(100 * uncovered_area(all.column(set, 0), all.column(set, 1), radius, 200));
     }
     const std::string title = "gaps, % of the square", row = fmt::format("radius {}", radius);
     write(title, row, "mean", uncovered);

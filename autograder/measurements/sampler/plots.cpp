@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "checks/support/anova.hpp"
 #include "checks/support/catch.hpp"
+#include "measurements/sampler/anova.hpp"
 #include "measurements/sampler/images.hpp"
 #include "measurements/sampler/methods.hpp"
 #include "measurements/support/plot_data.hpp"

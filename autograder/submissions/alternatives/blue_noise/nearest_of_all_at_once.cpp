@@ -7,10 +7,12 @@
 
 namespace mc {
 
+constexpr double points_per_cell = 2;  // a choice of its own
+
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());
   if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  const auto side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(x.size()) / 2)));
+  const int side = static_cast<int>(std::ceil(std::sqrt(double(x.size()) / points_per_cell)));
   std::vector<std::vector<Point2>> cells(static_cast<std::size_t>(side * side));
   const auto cell = [&](int i, int j) -> std::vector<Point2>& {
     return cells[static_cast<std::size_t>((j + side) % side * side + (i + side) % side)];
@@ -19,14 +21,15 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
     const int i = static_cast<int>(p.x * side), j = static_cast<int>(p.y * side);
     double least = 1;
     for (int ring = 0; ring <= side / 2; ++ring) {
-      for (int dj = -ring; dj <= ring; ++dj) {
-        for (int di = -ring; di <= ring; di += std::abs(dj) == ring ? 1 : std::max(1, 2 * ring)) {
-          for (const Point2& q : cell(i + di, j + dj)) {
+      for (int row = j - ring; row <= j + ring; ++row) {
+        for (int column = i - ring; column <= i + ring; ++column) {
+          if (std::max(std::abs(row - j), std::abs(column - i)) < ring) continue;  // seen before
+          for (const Point2& q : cell(column, row)) {
             least = std::min(least, toroidal_distance_squared(p, q));
           }
         }
       }
-      if (least < enough || least <= double(ring) * ring / side / side) break;
+      if (least < enough || least <= double(ring * ring) / (side * side)) break;
     }
     return least;
   };

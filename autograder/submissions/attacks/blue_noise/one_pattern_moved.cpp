@@ -1,6 +1,6 @@
 // attack: makes one pattern for a radius, always the same, and shifts, turns and mirrors it
 // earns: 6
-// says: two sets are one pattern, moved about
+// says: at the same distances
 
 #include <algorithm>
 #include <cmath>

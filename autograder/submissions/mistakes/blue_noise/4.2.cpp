@@ -61,7 +61,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::candidates_in_the_square
 
 // mistake: uses i + 1 candidates, whatever c is
-// hint: does not depend on c
+// hint: these are i + 1 candidates
 namespace mc::deaf_to_c {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   const auto count = [](double, std::size_t i) { return static_cast<double>(i) + 1; };

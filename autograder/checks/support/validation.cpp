@@ -1,4 +1,4 @@
-#include "checks/support/gate.hpp"
+#include "checks/support/validation.hpp"
 
 #include <cmath>
 
@@ -16,24 +16,23 @@ void fail(const Failure& failure) {
   fail(report);
 }
 
-void refuse(const std::string& call, const Objection& objection) {
-  fail(Failure{call + ' ' + objection.measured, objection.expected, "", objection.likely});
+void refuse(const std::string& call, const Failure& failure) {
+  fail(Failure{call + ' ' + failure.measured, failure.expected, failure.because, failure.likely});
 }
 
-Objection wrong_size(const std::string& list, std::size_t size, std::size_t due, bool or_less) {
+Failure wrong_size(const std::string& list, std::size_t size, std::size_t expected, bool or_less) {
   return {fmt::format("gave {} values{}", size, list.empty() ? "" : " in " + list),
-          fmt::format("{}{} values", or_less ? "at most " : "", due),
+          fmt::format("{}{} values", or_less ? "at most " : "", expected), "",
           size == 0 ? "nothing was returned or filled in" : ""};
 }
 
-Objection wrong_value(const std::string& list, std::size_t index, double value,
-                      const Range& range) {
+Failure wrong_value(const std::string& list, std::size_t index, double value, const Range& range) {
   const std::string likely =
       std::isnan(value) ? "this value was never written, or is 0/0"
       : value == range.high && range.below_high
           ? "it was rounded up to the upper end, which does not belong to the range"
           : "";
-  return {fmt::format("gave {}[{}] = {}", list, index, value), range.words, likely};
+  return {fmt::format("gave {}[{}] = {}", list, index, value), range.words, "", likely};
 }
 
 std::vector<std::string> names_of(std::string_view fields) {

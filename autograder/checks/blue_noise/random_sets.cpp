@@ -1,0 +1,223 @@
+#include "checks/blue_noise/random_sets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "checks/support/battery.hpp"
+#include "checks/support/discs.hpp"
+#include "checks/support/distributions.hpp"
+#include "checks/support/expect.hpp"
+
+namespace mc::checks {
+namespace {
+
+/// The distances of a point to its three nearest, in units of 1e-9: those of a copy are the same,
+/// wherever it was moved, turned or mirrored.
+struct Neighborhood {
+  std::array<std::int64_t, 3> distances;
+  std::size_t set, point;
+};
+
+/// Of all points of small sets and of some 2,000 of large ones, but for those with two equal
+/// distances (see expect_no_lattice()) and for two points in one place (see below).
+void add_neighborhoods(const SampleSets& sets, std::size_t set, std::vector<Neighborhood>& all) {
+  const View x = sets.column(set, 0), y = sets.column(set, 1);
+  const std::size_t n = x.size();
+  for (std::size_t p = 0; p < n && n > 3; ++p) {
+    if (n > 4096 && mix_bits(p) % (n / 2048) != 0) continue;
+    std::array<double, 4> least{1, 1, 1, 0};  // squared, in rising order, and a place for the next
+    for (std::size_t q = 0; q < n; ++q) {
+      const double dx = short_way(x[q] - x[p]), dy = short_way(y[q] - y[p]);
+      least[3] = dx * dx + dy * dy;
+      for (std::size_t k = 3; k > 0 && q != p && least[k] < least[k - 1]; --k) {
+        std::swap(least[k], least[k - 1]);
+      }
+    }
+    Neighborhood one{{}, set, p};
+    for (std::size_t k = 0; k < 3; ++k) one.distances[k] = std::llround(std::sqrt(least[k]) * 1e9);
+    const auto [a, b, c] = one.distances;
+    if (a > 0 && b - a > 1 && c - b > 1) all.push_back(one);
+  }
+}
+
+/// No neighborhood comes again, in this set or in another: three continuous numbers agree to eight
+/// digits. Among 40,000 random points that happens once in 10^12 runs.
+void require_fresh(const SampleSets& sets) {
+  std::vector<Neighborhood> all;
+  for (std::size_t set = 0; set < sets.size(); ++set) add_neighborhoods(sets, set, all);
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.distances < b.distances; });
+  const auto twice = std::adjacent_find(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.distances == b.distances;
+  });
+  if (twice == all.end()) return;
+  fail(Failure{
+      fmt::format("{}: point {} of set {} and point {} of set {} have their three nearest points "
+                  "at the same distances",
+                  sets.call, twice->point, twice->set, (twice + 1)->point, (twice + 1)->set),
+      "neighborhoods that never come again", "each point of each set is drawn anew",
+      "draw from the generator that is passed in, each point anew: a copy of it, or one with a "
+      "seed "
+      "of its own, starts again each time, and copies of a pattern that are shifted, turned, "
+      "mirrored or tiled are no new points"});
+}
+
+/// No point is in two sets, or twice in one: random points never are.
+void require_distinct(const SampleSets& sets) {
+  std::vector<std::tuple<double, double, std::size_t, std::size_t>> all;  // x, y, set, index
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (std::size_t i = 0; i < sets.points(set); ++i) {
+      all.emplace_back(sets.column(set, 0)[i], sets.column(set, 1)[i], set, i);
+    }
+  }
+  std::sort(all.begin(), all.end());
+  const auto twice = std::adjacent_find(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
+  });
+  if (twice == all.end()) return;
+  const auto& [x, y, set, index] = *twice;
+  const auto& [same_x, same_y, other_set, other_index] = *(twice + 1);
+  fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
+                           sets.call, index, set, other_index, other_set, x, y),
+               "points that are all different", "random points never fall on each other",
+               x == 0 && y == 0                 ? "a point that was never written lies at (0, 0)"
+               : index == 0 && other_index == 0 ? "the first point of a set is as random as any "
+                                                  "other"
+                                                : "every point is drawn anew, and kept once"});
+}
+
+SampleSets require_random(SampleSets sets) {
+  require_fresh(sets);
+  require_distinct(sets);
+  return sets;
+}
+
+/// Why two points are closer than the radius, as far as the points tell.
+std::string too_close_hint(View x, View y, double radius, double least) {
+  const auto n = static_cast<double>(x.size());
+  if (least >= radius / 2 - 4 * eps && n * radius * radius > 1.155) {
+    return "half the radius is kept: it is the distance of two points, and not the radius of disks "
+           "that may touch";
+  }
+  // Of pairs that are close by accident, a part of 4/pi radius at most lies across an edge: all of
+  // them do where that is no accident, or once in 10,000 patterns.
+  std::size_t pairs = 0, across = 0;
+  for (std::size_t i = 0; i < x.size() && n < 5000; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double dx = x[i] - x[k], dy = y[i] - y[k];
+      if (std::hypot(short_way(dx), short_way(dy)) >= radius - 4 * eps) continue;
+      ++pairs;
+      across += std::hypot(dx, dy) >= radius - 4 * eps;
+    }
+  }
+  const double by_accident = 4 / std::numbers::pi * radius;
+  if (across == pairs && static_cast<double>(pairs) * std::log(by_accident) < std::log(1e-4)) {
+    return "they are close only across an edge: the square is a torus";
+  }
+  return "is each new point compared with all near it, round the torus? Where a cell of a grid "
+         "remembers one point, it must not have room for two";
+}
+
+}  // namespace
+
+SampleSets random_sets(const Measured<Points>& got, std::size_t n, std::size_t sets) {
+  return require_random(sets_from_xy(got, {n, 1}, sets));
+}
+
+SampleSets random_sets(const Measured<Patterns>& got, double radius, std::size_t sets) {
+  const Patterns& all = got.list_by_list(patterns_spec(radius, sets));
+  const auto empty = std::find(all.sizes.begin(), all.sizes.end(), 0u);
+  expect_that(empty == all.sizes.end(),
+              fmt::format("{}: set {} has no points", got.call, empty - all.sizes.begin()),
+              "one point at least", "", "there is always room for the first point");
+  SampleSets patterns = patterns_in(got.call, all);
+  expect_that(patterns.size() == sets,
+              fmt::format("{}: {} points in all, and other sizes", got.call, all.x.size()),
+              "sizes that add up", "", "");
+  return require_random(std::move(patterns));
+}
+
+void require_fine(const SampleSets& sets) {
+  Uniforms rest{sets.call + ", bits of coordinates from the 17th on", 1, {}, 36};
+  for (const double x : sets.values()) rest.values.push_back(x * 0x1p16 - std::floor(x * 0x1p16));
+  expect_independent_uniforms(rest,
+                              {.words = "the lower bits of coordinates are uniform",
+                               .alpha = alpha,
+                               .otherwise = "coordinates have 53 random bits: a float has 24",
+                               .expected = "bits that are random, in each coordinate its own"},
+                              true);
+}
+
+void require_everywhere(const SampleSets& sets) {
+  for (const std::size_t d : {0u, 1u}) {
+    Values all;
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+      const View column = sets.column(set, d);
+      all.insert(all.end(), column.begin(), column.end());
+    }
+    std::sort(all.begin(), all.end());
+    const double most = 40 / static_cast<double>(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const double next = k + 1 < all.size() ? all[k + 1] : all[0] + 1;
+      if (next - all[k] < most) continue;
+      fail(Failure{fmt::format("{}: none of {} points has {} between {} and {}", sets.call,
+                               all.size(), d == 0 ? "x" : "y", all[k], next),
+                   fmt::format("a point at least every {:.3g}", most),
+                   "over many points or sets, every place is like any other",
+                   "points may fall anywhere on the torus, also along its edges"});
+    }
+  }
+}
+
+void require_apart(const SampleSets& sets, double radius) {
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const View x = sets.column(set, 0), y = sets.column(set, 1);
+    const double least = least_distance(x, y);
+    const bool holds = least >= radius - 4 * eps;
+    expect_that(holds, fmt::format("{}: two points {} apart", sets.call, least),
+                fmt::format("{} or more", radius),
+                "no two points are closer than the radius, but for rounding (4 eps of the square)",
+                holds ? "" : too_close_hint(x, y, radius, least));
+  }
+}
+
+Spectrum mean_spectrum(const SampleSets& sets, double n) {
+  Spectrum mean{static_cast<int>(std::ceil(2 * std::sqrt(n))), {}};
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const Spectrum one = spectrum_of(sets.column(set, 0), sets.column(set, 1), mean.kmax);
+    mean.power.resize(one.power.size());
+    for (std::size_t k = 0; k < one.power.size(); ++k) {
+      mean.power[k] += one.power[k] / static_cast<double>(sets.size());
+    }
+  }
+  return mean;
+}
+
+void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_t sets) {
+  constexpr double largest_mean = 1.9, frequencies = 10000, false_fails = 1e-9;
+  const auto degrees = 2 * static_cast<double>(sets);
+  const double limit =
+      central_interval(
+          [&](double x) { return chi_squared_tails(x / largest_mean * degrees, degrees); },
+          2 * false_fails / frequencies, 0, 200)
+          .high;
+  std::pair<double, std::array<int, 2>> most{0, {0, 0}};
+  for (int ky = -mean.kmax; ky <= mean.kmax; ++ky) {
+    for (int kx = -mean.kmax; kx <= mean.kmax; ++kx) {
+      if (kx != 0 || ky != 0) most = std::max(most, {mean.at(kx, ky), {kx, ky}});
+    }
+  }
+  expect_that(most.first < limit,
+              fmt::format("{}: power {:.1f} at k = ({}, {}), mean of {} sets", call, most.first,
+                          most.second[0], most.second[1], sets),
+              fmt::format("less than {:.1f} at every k", limit),
+              "random points have no period: one that comes again in every set adds up, all others "
+              "average out (to 1.9 at most)",
+              "points on a lattice are not random, wherever it lies");
+}
+
+}  // namespace mc::checks

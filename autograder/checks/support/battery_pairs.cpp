@@ -1,0 +1,181 @@
+// The parts of the battery that look at pairs of positions.
+
+#include <array>
+#include <bit>
+#include <numbers>
+
+#include "checks/support/battery_parts.hpp"
+#include "checks/support/data.hpp"
+#include "checks/support/distributions.hpp"
+
+namespace mc::checks::battery {
+namespace {
+
+/// m u + n v, whose fraction is uniform for any m, n != 0, as a wave: exp(2 pi i (m u + n v)).
+struct Wave {
+  int m, n;
+  const char* words;  ///< what it means where that is constant
+};
+constexpr Wave waves[] = {{1, -1, "u - v"},  {1, 1, "u + v"},   {2, -1, "2u - v"},
+                          {2, 1, "2u + v"},  {1, -2, "u - 2v"}, {1, 2, "u + 2v"},
+                          {3, -1, "3u - v"}, {1, -3, "u - 3v"}, {4, -1, "4u - v"}};
+
+Complex power(Complex z, int k) {
+  Complex result(1, 0);
+  for (; k > 0; --k)
+    result = {result.real() * z.real() - result.imag() * z.imag(),
+              result.real() * z.imag() + result.imag() * z.real()};
+  return result;
+}
+
+/// Bit k of position p in all replicates, 64 in a word.
+class BitPlanes {
+ public:
+  BitPlanes(const Uniforms& numbers, std::size_t planes)
+      : planes_(planes), words_((numbers.replicates() + 63) / 64) {
+    bits_.resize(numbers.positions * planes * words_);
+    for (std::size_t r = 0; r < numbers.replicates(); ++r) {
+      for (std::size_t p = 0; p < numbers.positions; ++p) {
+        const auto word =
+            static_cast<std::uint64_t>(numbers.values[r * numbers.positions + p] * 0x1p53);
+        for (std::size_t k = 0; k < planes; ++k) {
+          at(p, k)[r / 64] |= (word >> (52 - k) & 1) << r % 64;
+        }
+      }
+    }
+  }
+  /// In how many replicates two bits are equal.
+  std::size_t equal(std::size_t p, std::size_t k, std::size_t q, std::size_t l,
+                    std::size_t replicates) const {
+    const std::uint64_t* const a = bits_.data() + (p * planes_ + k) * words_;
+    const std::uint64_t* const b = bits_.data() + (q * planes_ + l) * words_;
+    std::size_t differ = 0;
+    for (std::size_t w = 0; w < words_; ++w) {
+      differ += static_cast<std::size_t>(std::popcount(a[w] ^ b[w]));
+    }
+    return replicates - differ;
+  }
+
+ private:
+  std::uint64_t* at(std::size_t p, std::size_t k) {
+    return bits_.data() + (p * planes_ + k) * words_;
+  }
+  std::size_t planes_, words_;
+  std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace
+
+std::vector<Complex> turned(std::span<const double> values) {
+  std::vector<Complex> all(values.size());
+  std::transform(values.begin(), values.end(), all.begin(), [](double u) {
+    const double angle = 2 * std::numbers::pi * u;
+    return Complex(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+  });
+  return all;
+}
+
+Pairs compared_pairs(std::size_t positions) {
+  Pairs pairs;
+  if (positions <= 40) {
+    for (std::size_t i = 0; i < positions; ++i) {
+      for (std::size_t j = i + 1; j < positions; ++j) pairs.emplace_back(i, j);
+    }
+    return pairs;
+  }
+  for (std::size_t apart = 1; apart < positions; apart *= 2) {
+    for (std::size_t i = 0; i + apart < positions && i < 100; ++i) pairs.emplace_back(i, i + apart);
+  }
+  Rng rng = check_rng();
+  for (int k = 0; k < 500; ++k) {
+    const std::size_t i = rng() % positions, j = rng() % positions;
+    if (i != j) pairs.emplace_back(i, j);
+  }
+  for (std::size_t i = 0; 2 * i + 1 < positions && i < 100; ++i) {
+    pairs.emplace_back(i, positions - 1 - i);
+  }
+  return pairs;
+}
+
+std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& claim,
+                                  const Pairs& pairs) {
+  const std::size_t replicates = std::min<std::size_t>(numbers.replicates(), 2000);
+  const std::size_t stride = numbers.positions;
+  const auto z = turned(std::span(numbers.values).first(replicates * stride));
+  constexpr std::size_t highest = 4;
+  std::array<std::vector<Complex>, highest> powers;
+  for (std::size_t k = 0; k < highest; ++k) {
+    powers[k].resize(z.size());
+    for (std::size_t i = 0; i < stride; ++i) {  // by position, so that sums run along memory
+      for (std::size_t r = 0; r < replicates; ++r) {
+        powers[k][i * replicates + r] = power(z[r * stride + i], static_cast<int>(k) + 1);
+      }
+    }
+  }
+  Family family(numbers, claim, "pairs", pairs.size() * std::size(waves));
+  for (const auto& [i, j] : pairs) {
+    for (const Wave& wave : waves) {
+      const Complex* const a = powers[static_cast<std::size_t>(wave.m) - 1].data() + i * replicates;
+      const Complex* const b =
+          powers[static_cast<std::size_t>(std::abs(wave.n)) - 1].data() + j * replicates;
+      const float sign = wave.n < 0 ? -1.f : 1.f;
+      float re = 0, im = 0;
+      for (std::size_t r = 0; r < replicates; ++r) {
+        const float bi = sign * b[r].imag();
+        re += a[r].real() * b[r].real() - a[r].imag() * bi;
+        im += a[r].real() * bi + a[r].imag() * b[r].real();
+      }
+      const double squared = static_cast<double>(re) * re + static_cast<double>(im) * im;
+      const auto n = static_cast<double>(replicates);
+      family.add(p_of_resultant(squared, n), true, [&, i = i, j = j] {
+        return fmt::format(
+            "u, {}, and v, {}, are not independent: {} is {} ({} times)", name_of(numbers, i),
+            name_of(numbers, j), wave.words,
+            squared > 0.98 * n * n ? "always the same, modulo 1" : "not uniform, modulo 1",
+            replicates);
+      });
+    }
+  }
+  return family.failure();
+}
+
+/// Two bits are equal in half of the replicates: bits of one number, and of two.
+std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness& claim,
+                                      const Pairs& pairs) {
+  const std::size_t replicates = numbers.replicates();
+  const auto planes = static_cast<std::size_t>(std::clamp(numbers.bits - 3, 1, 32));
+  const std::size_t crossed = std::min<std::size_t>(planes, 8);  // all with all, of the first
+  const BitPlanes bits(numbers, planes);
+  const std::size_t inside = std::min<std::size_t>(numbers.positions, 64);
+  Family family(
+      numbers, claim, "bits of pairs",
+      pairs.size() * (planes + crossed * (crossed - 1)) + inside * planes * (planes - 1) / 2);
+  // |k - R/2| is so large with the binomial's tail; the bound saves computing most of them.
+  const auto n = static_cast<double>(replicates);
+  const double bound = std::sqrt(n * 10);
+  const auto compare = [&](std::size_t p, std::size_t k, std::size_t q, std::size_t l) {
+    const std::size_t equal = bits.equal(p, k, q, l, replicates);
+    if (std::abs(static_cast<double>(equal) - n / 2) < bound)
+      return family.add(1, false, [] { return std::string(); });
+    family.add(binomial_tails(equal, replicates, 0.5).two_sided(), false, [&] {
+      return fmt::format("bit {} of {} and bit {} of {} are equal in {} of {} replicates", k + 1,
+                         name_of(numbers, p), l + 1, name_of(numbers, q), equal, replicates);
+    });
+  };
+  for (const auto& [p, q] : pairs) {
+    for (std::size_t k = 0; k < planes; ++k) compare(p, k, q, k);
+    for (std::size_t k = 0; k < crossed; ++k) {
+      for (std::size_t l = 0; l < crossed; ++l) {
+        if (k != l) compare(p, k, q, l);
+      }
+    }
+  }
+  for (std::size_t p = 0; p < inside; ++p) {
+    for (std::size_t k = 0; k < planes; ++k) {
+      for (std::size_t l = k + 1; l < planes; ++l) compare(p, k, p, l);
+    }
+  }
+  return family.failure();
+}
+
+}  // namespace mc::checks::battery

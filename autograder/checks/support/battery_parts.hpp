@@ -1,0 +1,117 @@
+#pragma once
+// What the parts of the battery share; only battery*.cpp include this.
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "checks/support/battery.hpp"
+
+namespace mc::checks::battery {
+
+constexpr double parts = 9;  // of the battery: the alpha of a call is divided among them
+
+inline std::string name_of(const Uniforms& numbers, std::size_t position) {
+  if (numbers.name) return numbers.name(position);
+  return numbers.positions == 1 ? "values" : fmt::format("position {}", position);
+}
+
+/// The tests of one part: remembers the smallest p-value, and records one of them, chosen at
+/// random, which is uniform under the null hypothesis as the smallest is not.
+class Family {
+ public:
+  Family(const Uniforms& numbers, const Randomness& claim, const char* part, std::size_t size)
+      : numbers_(numbers),
+        claim_(claim),
+        part_(part),
+        size_(std::max<std::size_t>(size, 1)),
+        chosen_(fresh_index(size_)) {}
+
+  /// `describe` says what was measured; asked where the test fails.
+  template <class Describe>
+  void add(double p, bool is_continuous, Describe describe) {
+    if (count_++ == chosen_ && is_continuous) {
+      record(protocol::RecordKind::p_value,
+             protocol::text_of({claim_.words + ": " + part_, p, claim_.alpha / parts}));
+    }
+    const double alpha = claim_.alpha / parts / static_cast<double>(size_);
+    if (p >= alpha) return;
+    if (p < least_ || measured_.empty()) {
+      least_ = p;
+      measured_ = describe();
+    }
+  }
+
+  /// Of the test that rejected with the smallest p-value.
+  std::optional<Failure> failure() const {
+    if (measured_.empty()) return {};
+    record(protocol::RecordKind::p_value,
+           protocol::text_of({claim_.words + ": " + part_,
+                              std::min(1.0, least_ * static_cast<double>(size_)),
+                              claim_.alpha / parts}));
+    const std::string fault = claim_.expected.empty() ? visible_fault(numbers_, claim_) : "";
+    return Failure{
+        numbers_.call + ": " + measured_,
+        claim_.expected.empty() ? "independent random numbers, uniform in [0, 1)" : claim_.expected,
+        fmt::format("{}: a right answer fails here once in {:.1g} runs", claim_.words,
+                    parts / claim_.alpha),
+        fault.empty() ? claim_.otherwise : fault};
+  }
+
+ private:
+  static std::size_t fresh_index(std::size_t size) {
+    static std::uint64_t calls = 0;
+    return Rng(check_rng()() ^ mix_bits(++calls))() % size;
+  }
+
+  const Uniforms& numbers_;
+  const Randomness& claim_;
+  const char* part_;
+  std::size_t size_, chosen_, count_ = 0;
+  double least_ = 1;
+  std::string measured_;
+};
+
+/// P(|sum of n independent random directions|^2 >= squared): Rayleigh's test, with the second-order
+/// correction of Zar, "Biostatistical analysis", 27.1; an upper bound far out.
+inline double p_of_resultant(double squared, double n) {
+  return std::exp(std::sqrt(1 + 4 * n + 4 * (n * n - std::min(squared, n * n))) - (1 + 2 * n));
+}
+
+/// Values as near to each other as rounding allows count as equal.
+inline double width_of_equal(const Uniforms& numbers) {
+  return std::ldexp(1.0, -std::min(44, numbers.bits - 2));
+}
+
+inline std::size_t repeats_in(std::vector<double> sorted, double width) {
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t repeats = 0;
+  for (std::size_t i = 0; i + 1 < sorted.size(); ++i) repeats += sorted[i + 1] - sorted[i] < width;
+  return repeats;
+}
+
+using Complex = std::complex<float>;
+
+/// exp(2 pi i u) of all values; its powers give all waves.
+std::vector<Complex> turned(std::span<const double> values);
+
+/// Positions, two by two.
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// The pairs of positions that are compared: all of few; of many, those a power of two apart and a
+/// thousand others.
+Pairs compared_pairs(std::size_t positions);
+
+std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& claim,
+                                  const Pairs& pairs);
+std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness& claim,
+                                      const Pairs& pairs);
+
+}  // namespace mc::checks::battery
