@@ -72,8 +72,9 @@ void stratified(PointSet& points, Rng& rng);
 /// source: Owen, "Monte Carlo theory, methods and examples", chapter 10.
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng);
 
-/// 3.6  A Latin hypercube: every axis is stratified as in 3.1 and shuffled independently of the
-/// others.
+/// 3.6  A Latin hypercube: every axis is stratified as in 3.1, and its order is random and
+/// independent of the orders of the other axes. The points come in any order, so one axis may stay
+/// sorted: this changes no mean over all N points.
 /// requires: at least one point and one dimension.
 /// source: McKay, Beckman, Conover 1979, "A comparison of three methods for selecting values of
 ///   input variables in the analysis of output from a computer code".
