@@ -32,7 +32,7 @@ std::string reached(const Curve* curve, double target) {
 }
 
 /// Two significant digits.
-std::string figure(double value) {
+std::string shown_number(double value) {
   if (std::isnan(value)) return "";
   if (value >= 9999.5) return fmt::format("{:.1e}", value);
   if (value >= 99.5) return fmt::format("{:.0f}", value);
@@ -100,9 +100,9 @@ std::string one_minute(const Bench& bench) {
     const Curve::Point* const point = at_4096(line.plane);
     if (point == nullptr) continue;
     all += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", line.plane->what,
-                       whose(line.plane->submission), figure(point->sample),
+                       whose(line.plane->submission), shown_number(point->sample),
                        error_of(*point, false), reached(line.plane, 1e-3), reached(line.edge, 1e-3),
-                       reached(line.four, 1e-3), figure(point->efficiency));
+                       reached(line.four, 1e-3), shown_number(point->efficiency));
   }
   return all;
 }
@@ -117,11 +117,11 @@ std::string ratios(const Bench& bench) {
     std::string without, buys;
     for (const Ratio& other : bench.baseline) {
       if (other.name != one.name) continue;
-      without = figure(other.ratio);
+      without = shown_number(other.ratio);
       buys = fmt::format("× {:.1f}", other.ours / one.ours);
     }
     all += fmt::format("| {} | {} | {:.2f} | {:.2f} | {} | {} | {} | {} |\n", one.name, one.against,
-                       one.ours, one.other, figure(one.ratio), wish, without, buys);
+                       one.ours, one.other, shown_number(one.ratio), wish, without, buys);
   }
   return all;
 }
@@ -143,18 +143,18 @@ std::string tables_of_times(const Bench& bench) {
       if (curve.on != on || point == nullptr) continue;
       cost = point->integrand;
       rows += fmt::format("| {} | {} | {} | {} |", curve.what, whose(curve.submission),
-                          figure(point->sample), error_of(*point, true));
+                          shown_number(point->sample), error_of(*point, true));
       for (int digits = 2; digits <= 6; ++digits) {
         rows += fmt::format(" {} |", reached(&curve, std::pow(10, -digits)));
       }
-      rows += fmt::format(" {} |\n", figure(point->efficiency));
+      rows += fmt::format(" {} |\n", shown_number(point->efficiency));
     }
     all += fmt::format(
         "### {}\n\n{}\n\n| sampler | by | ns a sample | RMSE at 4096 | to 10⁻² | 10⁻³ | 10⁻⁴ | "
         "10⁻⁵ | "
         "10⁻⁶ | efficiency |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n{}\n",
         on,
-        cost > 0 ? fmt::format("The integrand itself takes {} ns.", figure(cost))
+        cost > 0 ? fmt::format("The integrand itself takes {} ns.", shown_number(cost))
                  : std::string("The integrand is part of the sample."),
         rows);
   }
@@ -178,8 +178,8 @@ std::string variances(const Bench& bench) {
   for (const auto& [what, by] : ways) {
     const auto in = time_of(bench, by, what, "in cache", 1, 4096),
                out = time_of(bench, by, what, "out of cache", 1, std::uint64_t{1} << 23);
-    all += fmt::format("| {} | {} | {} | {} |", what, whose(by), in ? figure(in->value) : "",
-                       out ? figure(out->value) : "");
+    all += fmt::format("| {} | {} | {} | {} |", what, whose(by), in ? shown_number(in->value) : "",
+                       out ? shown_number(out->value) : "");
     for (const std::string& on : cases) {
       const auto row = std::find_if(
           digits.begin(), digits.end(), [&, &what = what, &by = by](const BenchRow& one) {

@@ -72,6 +72,7 @@ int check(const Context& context, const Arguments& arguments) {
   options.judge.seed = seed_of(arguments);
   options.judge.only = arguments.get("only").value_or(meant.task);
   options.judge.first = arguments.has("first");
+  options.judge.with_reference = arguments.has("with-reference");
   options.with_speed = false;
   const bool is_whole = options.judge.only.empty() && !options.judge.first;
   Verdict verdict = [&] {
@@ -88,7 +89,8 @@ int check(const Context& context, const Arguments& arguments) {
   std::fflush(stdout);  // into a pipe, too: the next step takes a while
   // Neither a grade nor a file that could pass for one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
-  if (judged.no_program.empty() && !watched) {  // with --watch, the next verdict comes first
+  if (judged.no_program.empty() && !watched &&
+      judged.on_reference.empty()) {  // with --watch, the next verdict comes first
     {
       const ProgressLine line("timing " + lab.name);
       add_speed(context, submission, judged);
@@ -98,20 +100,21 @@ int check(const Context& context, const Arguments& arguments) {
   if (json) write_text(*json, report_json(verdict, {}));
   // Speeds up later runs; a first-time user should not wait for it.
   if (!is_first_time) precompile_headers(context.layout);
-  if (own && is_whole) remember(context.layout, judged);
+  if (own && is_whole && judged.on_reference.empty()) remember(context.layout, judged);
   return verdict.earned() == verdict.points() ? 0 : 1;
 }
 
 const RegisterCommand check_command{
     {"check",
-     "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE]",
-     {"only=", "first", "watch", "seed=", "json="},
+     "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE] [--with-reference]",
+     {"only=", "first", "watch", "seed=", "json=", "with-reference"},
      "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, only its checks:\n"
      "./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
      "  --first       stop at the first task that is not right\n"
      "  --watch       judge again after each save; the first open task is on top; Ctrl-C ends\n"
      "  --seed S      repeat the run with that seed; every report names its seed\n"
      "  --json FILE   also write Gradescope's results.json\n"
+     "  --with-reference  use the solutions of the labs that this one depends on\n"
      "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks\n"
      "something.\n",
      check}};

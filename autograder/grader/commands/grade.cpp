@@ -18,6 +18,7 @@
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/class_page.hpp"
 #include "grader/gradebook/corrections.hpp"
+#include "grader/gradebook/roster.hpp"
 #include "grader/gradebook/slurm.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
@@ -120,7 +121,13 @@ class Records {
     std::vector<std::string> ids;
     for (const IntakeEntry& one : mine) ids.push_back(one.submission.label);
     // From all submissions, so that the tables of several shards have the same columns.
-    book_.emplace(Book::Setup{*csv_, columns_for(context, all, asked_for), std::move(ids), seed,
+    const bool has_people =
+        arguments.has("roster") || std::any_of(all.begin(), all.end(), [](const IntakeEntry& one) {
+          const Delivery& delivery = one.submission.delivery;
+          return delivery.late || !delivery.submitted.empty();
+        });
+    book_.emplace(Book::Setup{*csv_, columns_for(context, all, asked_for),
+                              has_people ? People::shown : People::hidden, std::move(ids), seed,
                               arguments.has("resume")});
   }
 
@@ -225,7 +232,12 @@ int grade_on_slurm(const Context& context, const Arguments& arguments, std::size
   tasks.seed = seed;
   tasks.go_on = arguments.has("resume");
   if (const auto labs = arguments.get("lab")) tasks.options = {"--lab", *labs};
-  if (arguments.has("speed")) tasks.options.emplace_back("--speed");
+  if (const auto roster = arguments.get("roster")) {
+    tasks.options.insert(tasks.options.end(), {"--roster", *roster});
+  }
+  for (const char* flag : {"speed", "with-reference"}) {
+    if (arguments.has(flag)) tasks.options.push_back(std::string("--") + flag);
+  }
   tasks.words = arguments.words;
   if (!tasks.go_on) records.book()->begin();
   const std::string job = submit_tasks(context, tasks);
@@ -244,6 +256,19 @@ void check_slurm(const Arguments& arguments) {
       throw UsageError(fmt::format("--slurm takes no --{}: give it with --resume, later", other));
     }
   }
+}
+
+/// Gives the submissions the ids of the roster, and lists who is missing on either side.
+void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
+  const Roster roster = read_roster(file);
+  const RosterReport report = match_roster(roster, entries);
+  fmt::print("roster: {} students, {} handed in nothing\n", roster.people.size(),
+             report.without_submission.size());
+  const auto list = [](const char* what, const std::vector<std::string>& ids) {
+    if (!ids.empty()) fmt::print("{}: {}\n", what, fmt::join(ids, ", "));
+  };
+  list("handed in nothing", report.without_submission);
+  list("not on the roster", report.not_on_roster);
 }
 
 int grade(const Context& context, const Arguments& arguments) {
@@ -271,6 +296,7 @@ int grade(const Context& context, const Arguments& arguments) {
   options.with_speed = arguments.has("speed");
   options.judging.judge.seed = seed_for(arguments, csv);
   options.judging.judge.workers = options.workers;
+  options.judging.judge.with_reference = arguments.has("with-reference");
   sweep_scratch(context.layout);
   Intake intake = take_in(context, arguments.words, json ? Meaning::one : Meaning::many);
   if (!json && (arguments.words.size() > 1 || intake.entries.size() > 1)) {
@@ -278,8 +304,10 @@ int grade(const Context& context, const Arguments& arguments) {
                intake.each_word_is_one ? "one in each directory or zip that is named"
                                        : "one in each directory, zip or name in what is named");
   }
+  if (const auto roster = arguments.get("roster")) match(*roster, intake.entries);
   if (arguments.has("resume")) gather_tasks(*csv);
-  const bool single = intake.entries.size() == 1 && !arguments.has("shard");
+  const bool single =
+      intake.entries.size() == 1 && !arguments.has("shard") && !arguments.has("roster");
   const std::vector<IntakeEntry> mine = shard_of(intake.entries, arguments.get("shard"));
   Records records(context, arguments, intake.entries, mine, options.asked_for,
                   options.judging.judge.seed);
@@ -295,9 +323,9 @@ int grade(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand grade_command{
     {"grade",
-     "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--html DIR] [--json FILE] ...",
-     {"lab=,", "json=", "leaderboard", "visibility=", "csv=", "resume", "html=", "shard=", "slurm",
-      "seed=", "jobs=j", "speed", "no-plots"},
+     "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--roster FILE] [--html DIR] ...",
+     {"lab=,", "roster=", "with-reference", "json=", "leaderboard", "visibility=", "csv=", "resume",
+      "html=", "shard=", "slurm", "seed=", "jobs=j", "speed", "no-plots"},
      "Grades every lab that DIR has a file of: at its top, in starter/, or anywhere below. A\n"
      "directory or zip of several people's work, as Gradescope, Canvas and Moodle export it,\n"
      "means each of them. One submission gets a report of each check, and plots; several get one\n"
@@ -310,6 +338,10 @@ const RegisterCommand grade_command{
      "  --resume      continue a run with the same FILE and its seed; changed submissions and "
      "those\n"
      "                that were not judged are judged again\n"
+     "  --roster FILE  a row for each student of this list, with name, e-mail address, time of\n"
+     "                submission and LATE mark; the file has the columns id, name, email, or is\n"
+     "                what Canvas, Moodle or Gradescope exports\n"
+     "  --with-reference  use the solutions of the labs that a lab depends on\n"
      "  --html DIR    write DIR/index.html with all points and what ./lab stats shows, and a page\n"
      "                for each submission\n"
      "  --json FILE   write Gradescope's results.json (one DIR)\n"

@@ -28,9 +28,10 @@ constexpr std::size_t most_programs = std::size_t{300} << 20;
 constexpr int most_failures = 3;
 
 /// Everything submitted that a verdict depends on.
-std::string everything_in(const IntakeEntry& entry) {
-  return fmt::format("{}\n{}\n{}", entry.unreadable, entry.submission.found_in,
-                     contents_of(entry.submission.files));
+std::string everything_in(const IntakeEntry& entry, const JudgeOptions& options) {
+  return fmt::format("{}\n{}\n{}{}", entry.unreadable, entry.submission.found_in,
+                     contents_of(entry.submission.files),
+                     options.with_reference ? "on the reference's files\n" : "");
 }
 
 /// Did the machine, and not only the autograder, prevent judging?
@@ -81,13 +82,17 @@ class Batch {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const IntakeEntry& one = entries_[i];
       const auto labs = labs_of(context_, one.submission, options_.asked_for);
-      const auto known = known_verdict(one, labs);
+      auto known = known_verdict(one, labs);
       if (!known) {
         open_.push_back(i);
         continue;
       }
       ++outcome_.known;
       outcome_.unreadable += known->unreadable.empty() ? 0 : 1;
+      if (known->delivery != one.submission.delivery) {  // the roster may be newer
+        known->delivery = one.submission.delivery;
+        book_->update(*known);
+      }
       book_->keep(*known);
     }
     if (book_ != nullptr) book_->begin();
@@ -96,8 +101,8 @@ class Batch {
   std::optional<Verdict> known_verdict(const IntakeEntry& one, const std::vector<Lab>& labs) const {
     if (book_ == nullptr) return {};
     try {
-      return book_->known(one.submission.label, everything_in(one), context_.layout.version,
-                          judged_labs(one, labs));
+      return book_->known(one.submission.label, everything_in(one, options_.judging.judge),
+                          context_.layout.version, judged_labs(one, labs));
     } catch (const std::exception&) {  // judge it again, which reports the error
       return {};
     }
@@ -176,7 +181,8 @@ class Batch {
       if (!verdict || !verdict->not_judged.empty() || !verdict->unreadable.empty()) continue;
       bool changed = false;
       for (LabVerdict& lab : verdict->labs) {
-        if (!lab.speed.empty()) continue;  // timed before it was interrupted
+        // Timed before it was interrupted, or on files that are not its own.
+        if (!lab.speed.empty() || !lab.on_reference.empty()) continue;
         add_speed(context_, one.submission, lab);
         changed |= !lab.speed.empty();
       }
@@ -237,7 +243,7 @@ Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std:
   try {
     Budget budget;
     options.judge.budget = &budget;
-    contents = everything_in(entry);
+    contents = everything_in(entry, options.judge);
     if (entry.unreadable.empty()) {
       verdict = judge_submission(context, entry.submission, labs, options);
     }
@@ -246,6 +252,7 @@ Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std:
   }
   verdict.submission = entry.submission.label;
   verdict.found_in = entry.submission.found_in;
+  verdict.delivery = entry.submission.delivery;
   verdict.contents = std::move(contents);
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;

@@ -103,7 +103,7 @@ Book::Book(Setup setup) : setup_(std::move(setup)) {
 }
 
 void Book::keep(const Verdict& verdict) {
-  rows_[verdict.submission] = csv_row(setup_.columns, verdict);
+  rows_[verdict.submission] = csv_row(setup_.columns, verdict, setup_.people);
 }
 
 void Book::begin() {
@@ -130,7 +130,7 @@ std::optional<Verdict> Book::read(const std::string& id) const {
 }
 
 void Book::add(const Verdict& verdict) {
-  const std::string row = csv_row(setup_.columns, verdict);
+  const std::string row = csv_row(setup_.columns, verdict, setup_.people);
   const std::lock_guard lock(mutex_);
   write_text(verdict_file(setup_.csv, verdict.submission), verdict_to_json(verdict));
   rows_[verdict.submission] = row;
@@ -153,7 +153,7 @@ void Book::finish(bool whole) {
 }
 
 void Book::write_table() const {
-  std::string table = csv_header(setup_.columns);
+  std::string table = csv_header(setup_.columns, setup_.people);
   for (const std::string& id : setup_.ids) {
     if (const auto row = rows_.find(id); row != rows_.end()) table += row->second;
   }

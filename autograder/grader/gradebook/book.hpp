@@ -39,6 +39,7 @@ class Book {
   struct Setup {
     std::filesystem::path csv;
     std::vector<LabColumns> columns;
+    People people = People::hidden;
     std::vector<std::string> ids;  ///< all submissions, in the order of the rows
     std::uint64_t seed = 0;
     bool resume = false;  ///< false: replace an existing table

@@ -34,7 +34,8 @@ std::string_view lab_number(std::string_view column) {
 
 /// Sort key of a column: first what every row has, then labs, checks, and added columns.
 std::pair<int, int> place_of(const std::vector<Lab>& labs, const std::string& column) {
-  constexpr std::string_view fixed[] = {"id", "seed", "version", "seconds", "reason"};
+  constexpr std::string_view fixed[] = {"id",   "seed",  "version",   "seconds", "reason",
+                                        "name", "email", "submitted", "late"};
   if (std::find(std::begin(fixed), std::end(fixed), column) != std::end(fixed)) return {0, 0};
   const Lab* const lab = lab_of_column(labs, column);
   if (lab == nullptr) return {3, 0};

@@ -176,7 +176,8 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const BuildResult& bu
     find_waiting(verdict.checks);
     withhold(verdict.checks);
     for (CheckResult& result : verdict.checks) {
-      if (result.status != Status::failed || result.call.empty() || !options.submission.empty()) {
+      if (result.status != Status::failed || result.call.empty() || !options.submission.empty() ||
+          options.with_reference) {
         continue;  // ./lab run has no sandbox: it is for your own code only
       }
       result.by_hand = by_hand_command(layout, lab, result.call, options);

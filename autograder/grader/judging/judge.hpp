@@ -23,6 +23,8 @@ struct JudgeOptions {
   /// The directory or zip, for the command that repeats a check; empty: the student's own.
   std::string submission;
   Budget* budget = nullptr;  ///< of the whole submission; null: none
+  /// The reference's files take the place of the submission's in the labs that a lab depends on.
+  bool with_reference = false;
   /// Called after each check with the numbers of finished and of all checks; never concurrently.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/judging/speed.hpp"
 #include "grader/submission/compile.hpp"
@@ -30,6 +31,19 @@ BuildResult build_within(const Context& context, const Lab& lab, const Submissio
       build_program(context.layout, lab, submission, options.workers == 1 ? 1 : cores());
   if (options.budget != nullptr) options.budget->use(built.cpu_seconds);
   return built;
+}
+
+/// The submission with the reference's files of the labs that this one depends on.
+Submission on_reference(const Context& context, Submission submission, const Lab& lab) {
+  for (const std::string& name : lab.depends_on) {
+    const std::filesystem::path file =
+        context.layout.solutions() / find_lab(context.labs, name).file();
+    if (!std::filesystem::exists(file)) {
+      throw UsageError("--with-reference needs the solutions, and a handout has none");
+    }
+    submission.files[name] = file;
+  }
+  return submission;
 }
 
 /// Compiles the files of several labs at the same time, for their programs to be linked from. The
@@ -132,19 +146,25 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   CompletionCache finished(context, submission, judge);
   const auto all = static_cast<double>(labs.size());
   if (labs.size() > 1 && options.progress) options.progress(0, all, "compiling");
-  compile_side_by_side(context, submission, labs, judge);
+  if (!judge.with_reference) compile_side_by_side(context, submission, labs, judge);
   for (std::size_t i = 0; i < labs.size(); ++i) {
     const Lab& lab = labs[i];
     const auto show_progress = [&](double part, const std::string& what) {
       if (options.progress) options.progress(static_cast<double>(i) + part, all, what);
     };
     show_progress(0, "compiling " + lab.file());
-    const BuildResult built = build_within(context, lab, submission, judge);
+    const bool is_mixed = judge.with_reference && !lab.depends_on.empty();
+    const BuildResult built = build_within(
+        context, lab, is_mixed ? on_reference(context, submission, lab) : submission, judge);
     judge.progress = [&](std::size_t done, std::size_t checks) {
       show_progress(static_cast<double>(done) / static_cast<double>(checks), "judging " + lab.name);
     };
     LabVerdict judged = judge_lab(context.layout, lab, built, judge);
-    wait_for_labs(judged, std::ref(finished));
+    if (is_mixed) {
+      judged.on_reference = lab.depends_on;
+    } else {
+      wait_for_labs(judged, std::ref(finished));
+    }
     if (judge.only.empty()) finished.add(judged);
     if (judge.only.empty() && options.with_speed && built.program) {
       show_progress(1, "timing " + lab.name);

@@ -54,9 +54,9 @@ std::string short_of(const Layout& layout, const std::string& argument) {
 }  // namespace
 
 std::string repeat_command(const Lab& lab, const Check& check, const JudgeOptions& options) {
-  return fmt::format("./lab check {}{} --only {} --seed {}", lab.name,
+  return fmt::format("./lab check {}{} --only {} --seed {}{}", lab.name,
                      is_own(options) ? "" : ' ' + shell_quoted(options.submission), check.task,
-                     options.seed);
+                     options.seed, options.with_reference ? " --with-reference" : "");
 }
 
 std::string by_hand_command(const Layout& layout, const Lab& lab,

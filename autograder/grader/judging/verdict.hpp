@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grader/checkout/labs.hpp"
+#include "grader/submission/delivery.hpp"
 #include "protocol/records.hpp"
 
 namespace mc::grader {
@@ -68,6 +69,8 @@ struct LabVerdict {
   std::vector<std::string> unfinished;  ///< labs and tasks that checks wait for: "3", "1.4"
   double seconds = 0;
   std::vector<Speed> speed;  ///< of the speed tasks that passed
+  /// The labs it depends on, if the reference's files took the place of the submission's.
+  std::vector<std::string> on_reference = {};
   double earned() const;
   double points() const;
   /// The speed relative to the solutions: the geometric mean over its speed tasks.
@@ -77,6 +80,7 @@ struct LabVerdict {
 struct Verdict {
   std::string submission;
   std::string found_in;  ///< the folder in it that has the files, if not the top
+  Delivery delivery;
   std::string contents;  ///< all submitted text: if it changes, it is judged again
   std::uint64_t seed = 0;
   std::string version, flags;

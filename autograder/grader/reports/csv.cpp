@@ -34,7 +34,8 @@ std::string status_of(const Verdict& verdict, const Lab& lab, const LabVerdict* 
   if (std::find(absent.begin(), absent.end(), lab.name) != absent.end()) return "no file";
   if (!verdict.not_judged.empty()) return "not judged";
   if (judged == nullptr) return "";
-  return judged->no_program.empty() ? "judged" : "no program";
+  if (!judged->no_program.empty()) return "no program";
+  return judged->on_reference.empty() ? "judged" : "judged on reference";
 }
 
 std::string reason_of(const Verdict& verdict) {
@@ -54,8 +55,9 @@ std::string csv_field(const std::string& text) {
   return all + '"';
 }
 
-std::string csv_header(const std::vector<LabColumns>& labs) {
+std::string csv_header(const std::vector<LabColumns>& labs, People people) {
   std::string line = "id,seed,version,seconds,reason";
+  if (people == People::shown) line += ",name,email,submitted,late";
   for (const LabColumns& one : labs) {
     line += ',' + csv_field(one.lab.name + " status") + ',' + csv_field(one.lab.name + " total");
   }
@@ -65,10 +67,15 @@ std::string csv_header(const std::vector<LabColumns>& labs) {
   return line + '\n';
 }
 
-std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict) {
+std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict, People people) {
   std::string line =
       fmt::format("{},{},{},{:.1f},{}", csv_field(verdict.submission), verdict.seed,
                   csv_field(verdict.version), verdict.seconds, csv_field(reason_of(verdict)));
+  if (people == People::shown) {
+    const Delivery& one = verdict.delivery;
+    line += fmt::format(",{},{},{},{}", csv_field(one.name), csv_field(one.email),
+                        csv_field(one.submitted), one.late ? "LATE" : "");
+  }
   const bool is_grade = verdict.not_judged.empty() && verdict.unreadable.empty();
   for (const LabColumns& one : labs) {
     const LabVerdict* const judged = judged_in(verdict, one.lab);

@@ -15,9 +15,12 @@ struct LabColumns {
   std::vector<std::string> checks;
 };
 
-/// Lines with their line ends. A row that was not judged has the reason and no points.
-std::string csv_header(const std::vector<LabColumns>& labs);
-std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict);
+/// Lines with their line ends. A row that was not judged has the reason and no points. With people:
+/// also their names, e-mail addresses, times of submission, and LATE marks.
+enum class People { hidden, shown };
+std::string csv_header(const std::vector<LabColumns>& labs, People people = People::hidden);
+std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict,
+                    People people = People::hidden);
 
 /// A field of a CSV table: quoted where needed, and never a formula for a spreadsheet.
 std::string csv_field(const std::string& text);

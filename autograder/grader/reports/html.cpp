@@ -180,6 +180,7 @@ auto found_or_empty(const Map& map, const std::string& key) {
 std::string lab_section(const LabVerdict& lab, std::uint64_t seed, const PageMaterial& material) {
   std::string all = fmt::format("<h2>{}: {:g} of {:g} points</h2>\n", html_escaped(lab.lab.title()),
                                 lab.earned(), lab.points());
+  if (!lab.on_reference.empty()) all += "<p>" + html_escaped(reference_line(lab)) + "</p>\n";
   if (!lab.no_program.empty()) all += "<pre>" + html_escaped(lab.no_program) + "</pre>\n";
   for (const std::string& need : lab.unfinished) {
     all += fmt::format("<p>First: {} {} is not right yet, and checks below stand on it.</p>\n",
@@ -245,6 +246,11 @@ std::string submission_page(const Verdict& verdict, const PageMaterial& material
   }
   body += fmt::format("<p class=\"quiet\">seed {}, version {}</p>\n", verdict.seed,
                       html_escaped(verdict.version));
+  if (!verdict.delivery.submitted.empty() || verdict.delivery.late) {
+    body +=
+        fmt::format("<p class=\"quiet\">submitted {}{}</p>\n",
+                    html_escaped(verdict.delivery.submitted), verdict.delivery.late ? " LATE" : "");
+  }
   if (const std::string warning = jail_warning(verdict); !warning.empty()) {
     body += "<p class=\"failed\">" + html_escaped(warning) + "</p>\n";
   }

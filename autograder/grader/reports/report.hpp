@@ -35,6 +35,9 @@ std::size_t columns_of(std::string_view text);
 /// blanks.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
+/// "judged with the reference's variance"; empty if only the submission's files were judged.
+std::string reference_line(const LabVerdict& lab);
+
 /// Why there is no grade; empty if there is one.
 std::string not_judged_line(const Verdict& verdict);
 

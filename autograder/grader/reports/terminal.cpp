@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "grader/reports/report.hpp"
 #include "runner/text.hpp"
@@ -176,6 +177,11 @@ std::string jail_warning(const Verdict& verdict) {
          "grade\nno more than you trust its author.\n";
 }
 
+std::string reference_line(const LabVerdict& lab) {
+  if (lab.on_reference.empty()) return {};
+  return fmt::format("judged with the reference's {}", fmt::join(lab.on_reference, ", "));
+}
+
 std::string not_judged_line(const Verdict& verdict) {
   if (verdict.not_judged.empty()) return {};
   return fmt::format("not judged: {}\n", verdict.not_judged);
@@ -185,6 +191,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
   std::string all = fmt::format("{}  {}, seed {}\n\n", painted(terminal, bold, lab.lab.title()),
                                 verdict.submission, verdict.seed);
   if (!verdict.found_in.empty()) all += fmt::format("  found in {}\n\n", verdict.found_in);
+  if (!lab.on_reference.empty()) all += fmt::format("  {}\n\n", reference_line(lab));
   if (!lab.no_program.empty()) {
     for (const std::string_view line : text::split(lab.no_program, '\n')) {
       all += fmt::format("  {}\n", line);

@@ -123,14 +123,28 @@ Speed speed_in(const Json& json) {
           json.value("addition", 0.0)};
 }
 
+Json json_of(const Delivery& delivery) {
+  return {{"name", delivery.name},
+          {"email", delivery.email},
+          {"submitted", delivery.submitted},
+          {"late", delivery.late},
+          {"platform_name", delivery.platform_name}};
+}
+Delivery delivery_in(const Json& json) {
+  return {json.at("name"), json.at("email"), json.at("submitted"), json.at("late"),
+          json.at("platform_name")};
+}
+
 Json json_of(const LabVerdict& lab) {
   auto checks = Json::array(), speed = Json::array();
   for (const CheckResult& result : lab.checks) checks.push_back(json_of(result));
   for (const Speed& one : lab.speed) speed.push_back(json_of(one));
   // "earned" is for people and scripts; the grader does not read it back.
-  return {{"lab", json_of(lab.lab)},      {"earned", lab.earned()},       {"points", lab.points()},
-          {"no_program", lab.no_program}, {"unfinished", lab.unfinished}, {"seconds", lab.seconds},
-          {"checks", std::move(checks)},  {"speed", std::move(speed)}};
+  return {{"lab", json_of(lab.lab)},         {"earned", lab.earned()},
+          {"points", lab.points()},          {"no_program", lab.no_program},
+          {"unfinished", lab.unfinished},    {"seconds", lab.seconds},
+          {"checks", std::move(checks)},     {"speed", std::move(speed)},
+          {"on_reference", lab.on_reference}};
 }
 LabVerdict lab_verdict_in(const Json& json) {
   LabVerdict lab;
@@ -140,6 +154,7 @@ LabVerdict lab_verdict_in(const Json& json) {
   lab.seconds = json.at("seconds");
   for (const Json& one : json.at("checks")) lab.checks.push_back(check_in(one));
   for (const Json& one : json.at("speed")) lab.speed.push_back(speed_in(one));
+  lab.on_reference = json.value("on_reference", std::vector<std::string>());
   return lab;
 }
 
@@ -175,6 +190,7 @@ std::string verdict_to_json(const Verdict& verdict) {
   const Json all{{"format", verdict_format},
                  {"submission", verdict.submission},
                  {"found_in", verdict.found_in},
+                 {"delivery", json_of(verdict.delivery)},
                  {"contents", bytes_as_utf8(verdict.contents)},
                  {"seed", verdict.seed},
                  {"version", verdict.version},
@@ -194,6 +210,7 @@ Verdict verdict_from_json(const std::string& text) {
   Verdict verdict;
   verdict.submission = json.at("submission");
   verdict.found_in = json.at("found_in");
+  if (json.contains("delivery")) verdict.delivery = delivery_in(json.at("delivery"));
   verdict.contents = bytes_in_utf8(json.at("contents").get<std::string>());
   verdict.seed = json.at("seed");
   verdict.version = json.at("version");

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grader/submission/source.hpp"
+#include "grader/base/text_file.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 
@@ -65,11 +65,13 @@ std::optional<PlatformName> named_by_platform(const fs::path& path) {
     if (!is_key(parts[i]) || !is_key(parts[i + 1])) continue;
     std::string person;
     for (std::size_t j = 0; j <= i; ++j) {
-      if (parts[j] == "LATE") continue;
+      if (parts[j] == "LATE") continue;  // in the name only if the platform says so
       person += (person.empty() ? "" : "_") + std::string(parts[j]);
     }
     const auto begin = static_cast<std::size_t>(parts[i + 2].data() - name.data());
     PlatformName found{id_from_name(person), name.substr(begin), path};
+    found.late = std::find(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(i), "LATE") !=
+                 parts.begin() + static_cast<std::ptrdiff_t>(i);
     take_count_off(found);
     return found;
   }
@@ -82,13 +84,15 @@ bool is_moodle_text(const std::string& name) {
          !std::string_view(name).substr(at + moodles.size()).starts_with("file");
 }
 
-std::map<std::string, std::string> gradescope_people(const fs::path& directory) {
-  const SourceFile file = fs::exists(directory / "submission_metadata.yml")
-                              ? read_source(directory / "submission_metadata.yml")
-                              : SourceFile{};
-  std::map<std::string, std::string> people;
+std::map<std::string, GradescopeEntry> gradescope_entries(const fs::path& directory) {
+  // With all results of a class it is longer than any source.
+  constexpr std::uintmax_t longest = std::uintmax_t{64} << 20;
+  const fs::path file = directory / "submission_metadata.yml";
+  std::map<std::string, GradescopeEntry> entries;
+  if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) > longest) return {};
+  const std::string text = read_text(file);  // outlives its lines
   std::string submission, name;
-  for (const std::string_view line : text::split(file.text, '\n')) {
+  for (const std::string_view line : text::split(text, '\n')) {
     const auto begin = line.find_first_not_of(" -");
     if (begin == std::string_view::npos) continue;
     const std::string_view words = line.substr(begin);
@@ -96,13 +100,16 @@ std::map<std::string, std::string> gradescope_people(const fs::path& directory) 
       submission = words.substr(0, words.size() - 1);
     } else if (words.starts_with(":name: ")) {
       name = yaml_value(words);
-      std::string& all = people[submission];
+      std::string& all = entries[submission].people;
       all += (all.empty() ? "" : " & ") + name;
-    } else if (words.starts_with(":email: ") && !people[submission].empty()) {
-      people[submission] += " (" + yaml_value(words) + ")";
+    } else if (words.starts_with(":email: ") && !entries[submission].people.empty()) {
+      entries[submission].people += " (" + yaml_value(words) + ")";
+    } else if (words.starts_with(":created_at: ") && entries[submission].submitted.empty()) {
+      // Later ones are those of earlier attempts.
+      entries[submission].submitted = yaml_value(words).substr(0, sizeof "2026-01-02 03:04:05" - 1);
     }
   }
-  return people;
+  return entries;
 }
 
 std::string id_from_name(const std::string& name) {

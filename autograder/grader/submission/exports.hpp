@@ -14,6 +14,7 @@ struct PlatformName {
   std::string file;    ///< "variance.cpp": the submitted name
   std::filesystem::path path;
   int attempt = 0;  ///< of several files with that name, the latest has the highest
+  bool late = false;
 };
 
 /// Parses Canvas's doejane_LATE_123_456_variance-1.cpp and Moodle's
@@ -23,10 +24,14 @@ std::optional<PlatformName> named_by_platform(const std::filesystem::path& path)
 /// Is this a Moodle directory or file without submitted files: an online text, comments?
 bool is_moodle_text(const std::string& name);
 
-/// The names and e-mail addresses of submission_metadata.yml, which Gradescope puts next to the
-/// directories that it exports: "submission_11" -> "Jane Doe (jane@example.edu)". Groups are joined
-/// by " & ". Empty if there is no such file.
-std::map<std::string, std::string> gradescope_people(const std::filesystem::path& directory);
+/// What submission_metadata.yml says of a directory next to it.
+struct GradescopeEntry {
+  std::string people;     ///< "Jane Doe (jane@example.edu)"; groups are joined by " & "
+  std::string submitted;  ///< "2026-01-02 03:04:05 Z"
+};
+
+/// By directory, "submission_11". Empty if there is no such file.
+std::map<std::string, GradescopeEntry> gradescope_entries(const std::filesystem::path& directory);
 
 /// The id that a directory or zip name stands for, safe to show and to use as a file name.
 std::string id_from_name(const std::string& name);

@@ -303,11 +303,16 @@ class IntakeBuilder {
     }
     const auto named = [&](const fs::path& path) { return is_unpacked ? fs::path() : path; };
     const std::size_t first = intake_.entries.size();
-    const auto people = gradescope_people(parent);
+    auto entries = gradescope_entries(parent);
     for (const auto& [key, directory] : directories_by_person(listing.directories)) {
-      const auto known = people.find(directory.filename().string());
-      guarded(known == people.end() ? id_of(directory) : id_from_name(known->second),
-              named(directory), [&, &from = directory](IntakeEntry& entry) { open(from, entry); });
+      const std::string name = directory.filename().string();
+      const GradescopeEntry& known = entries[name];
+      guarded(known.people.empty() ? id_of(directory) : id_from_name(known.people),
+              named(directory), [&, &from = directory](IntakeEntry& entry) {
+                entry.submission.delivery.platform_name = name;
+                entry.submission.delivery.submitted = known.submitted;
+                open(from, entry);
+              });
     }
     for (const fs::path& zip : listing.zips) {
       if (named_by_platform(zip)) continue;
@@ -334,8 +339,15 @@ class IntakeBuilder {
         if (!is_new && one.attempt > before->second.attempt) before->second = one;
       }
     }
+    Delivery& delivery = entry.submission.delivery;
+    delivery.platform_name = files[0].path.filename().string();
+    delivery.late = files[0].late;
     std::vector<Files> places;
-    for (const auto& [lab, one] : latest) places.push_back({{lab, fs::canonical(one.path)}});
+    for (const auto& [lab, one] : latest) {
+      places.push_back({{lab, fs::canonical(one.path)}});
+      delivery.platform_name = one.path.filename().string();
+      delivery.late = one.late;
+    }
     if (!places.empty()) return take(files[0].path.parent_path(), places, entry);
     std::vector<fs::path> zips;
     for (const PlatformName& one : files) {

@@ -9,6 +9,7 @@
 
 #include "grader/checkout/labs.hpp"
 #include "grader/checkout/layout.hpp"
+#include "grader/submission/delivery.hpp"
 
 namespace mc::grader {
 
@@ -22,6 +23,7 @@ struct Submission {
   bool trusted = false;
   std::vector<std::string> libraries = {};  ///< flags to link the library of a peer
   std::string found_in = {};  ///< where below `path` the files are; empty if at the top
+  Delivery delivery = {};
 };
 
 /// A directory with some of the labs' .cpp files. Throws UsageError if it does not exist, is a link

@@ -1,0 +1,18 @@
+#pragma once
+// Who handed in a submission, and when, as far as a learning platform or a roster says.
+
+#include <string>
+
+namespace mc::grader {
+
+struct Delivery {
+  std::string name, email;  ///< from the roster
+  /// "2026-01-02 03:04:05 Z" from the platform's metadata; "… (file time)" if only files tell it.
+  std::string submitted;
+  bool late = false;          ///< the platform's mark
+  std::string platform_name;  ///< of the file or directory in the export, for sending feedback back
+
+  bool operator==(const Delivery&) const = default;
+};
+
+}  // namespace mc::grader
