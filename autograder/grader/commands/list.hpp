@@ -28,6 +28,7 @@ inline constexpr CommandEntry command_list[] = {
     {"grade", "judge whole submissions", true},
     {"merge", "make one table of the tables of several shards", true},
     {"stats", "what a table of grades says of the class and of the checks", true},
+    {"feedback", "a page and a text for each student, and tables to upload", true},
     {"export", "lay a class's files out for JPlag, which finds similar ones", true},
     {"handout", "write the repository that students get", true, "docs/handout"},
     {"gradescope", "write the zip that Gradescope's autograder is made of", true,

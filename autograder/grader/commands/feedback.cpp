@@ -1,0 +1,227 @@
+// feedback: what goes back to the students, a page and a text each, and to the platform.
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+#include "grader/gradebook/corrections.hpp"
+#include "grader/gradebook/roster.hpp"
+#include "grader/gradebook/table.hpp"
+#include "grader/reports/csv.hpp"
+#include "grader/reports/html.hpp"
+#include "grader/reports/report.hpp"
+#include "grader/submission/exports.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the instructor changed, and the totals that count.
+std::string corrections_of(const Row& row, const Verdict& verdict) {
+  std::string all = field(row, "corrections");
+  if (all.empty()) return all;
+  for (const LabVerdict& lab : verdict.labs) {
+    all += fmt::format("; total of {}: {}", lab.lab.name, field(row, lab.lab.name + " total"));
+  }
+  return all;
+}
+
+/// The same without anything of the grading machine: paths in commands, and why it failed.
+Verdict for_student(Verdict verdict) {
+  if (!verdict.not_judged.empty()) verdict.not_judged = "the grading machine failed";
+  for (LabVerdict& lab : verdict.labs) {
+    for (CheckResult& result : lab.checks) {
+      result.repeat = fmt::format("./lab check {} --only {} --seed {}", lab.lab.name,
+                                  result.check.task, verdict.seed);
+      result.by_hand.clear();
+      if (result.status == Status::not_judged) result.report = verdict.not_judged;
+    }
+  }
+  return verdict;
+}
+
+std::string text_for(const Verdict& verdict, const std::string& corrections) {
+  const Terminal paper{.color = false, .width = 80, .interactive = false};
+  std::string all = verdict.unreadable.empty() ? "" : "unreadable: " + verdict.unreadable + '\n';
+  for (const LabVerdict& lab : verdict.labs) all += report_lab(lab, verdict, paper) + '\n';
+  if (!corrections.empty()) all += "Corrected by hand: " + corrections + '\n';
+  return all + "Judged by version " + verdict.version + '\n';
+}
+
+/// The folder and name under which a platform takes a student's page for that student.
+///   Canvas finds user and attachment by the first two numbers between underscores of the
+///     downloaded file's name: doejane_4711_991_variance.html (infer_comment_context_from_filename
+///     in github.com/instructure/canvas-lms, app/models/assignment.rb).
+///   Moodle takes fullname_userid_assignsubmission_file_anything
+///     (github.com/moodle/moodle, mod/assign/feedback/file/importziplib.php).
+///   Gradescope has no upload of feedback files: the page has the name of the submission.
+std::optional<fs::path> upload_name(const Verdict& verdict, const Person* person) {
+  const std::string& name = verdict.delivery.platform_name;
+  const std::string plugin = "_assignsubmission_file_";
+  const auto at = name.find("_assignsubmission_");
+  if (at != std::string::npos) {
+    return fs::path("moodle") / (name.substr(0, at) + plugin + "feedback.html");
+  }
+  if (name.empty()) {  // handed in nothing: Moodle's worksheet still knows the number
+    const bool is_moodle = person != nullptr && !field(person->row, "Identifier").empty();
+    if (!is_moodle || person->number.empty()) return {};
+    return fs::path("moodle") /
+           (id_from_name(person->name) + '_' + person->number + plugin + "feedback.html");
+  }
+  if (name.starts_with("submission_")) return fs::path("gradescope") / (name + ".html");
+  const auto dot = name.rfind('.');
+  return fs::path("canvas") / (name.substr(0, dot) + ".html");
+}
+
+/// The column of a lab's assignment in Canvas's export, "variance (123)"; else a new one.
+std::string assignment_of(const Roster& roster, const Lab& lab) {
+  for (const std::string& column : roster.columns) {
+    std::string text = column;
+    for (char& c : text) c = c == ' ' ? '_' : static_cast<char>(std::tolower(c));
+    if (text.ends_with(')') && text.find(lab.name) != std::string::npos) return column;
+  }
+  return fmt::format("Lab {} {}", lab.number, lab.name);
+}
+
+using Totals = std::map<std::string, Row>;  // id -> its row of the table of grades
+
+Table upload_table(const Roster& roster, std::vector<std::string> columns,
+                   const std::vector<std::pair<std::string, Lab>>& labs, const Totals& totals) {
+  Table table{{}, std::move(columns), {}};
+  for (const auto& [column, lab] : labs) {
+    if (std::find(table.columns.begin(), table.columns.end(), column) == table.columns.end()) {
+      table.columns.push_back(column);
+    }
+  }
+  for (const Person& person : roster.people) {
+    Row row = person.row;
+    const auto graded = totals.find(person.id);
+    for (const auto& [column, lab] : labs) {
+      row[column] = graded == totals.end() ? "" : field(graded->second, lab.name + " total");
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// Tables of grades as the platform of this roster imports them.
+///   Canvas, gradebook: Student, ID, SIS User ID, SIS Login ID, Section, then a column for each
+///     assignment (teaching.resources.osu.edu, "Import CSV file to Carmen Grades";
+///     GradebookImporter in github.com/instructure/canvas-lms).
+///   Moodle, grading worksheet of one assignment: it requires Identifier, Grade and Last modified
+///     (grade) (github.com/moodle/moodle, mod/assign/feedback/offline/importgradeslib.php).
+///   Moodle, grades: any columns; the import maps e-mail address or ID number to a student
+///     (docs.moodle.org/en/Grade_import).
+std::vector<std::string> write_tables(const fs::path& out, const Roster& roster,
+                                      const std::vector<Lab>& labs, const Totals& totals) {
+  const auto has = [&](const char* column) {
+    return std::find(roster.columns.begin(), roster.columns.end(), column) != roster.columns.end();
+  };
+  std::vector<std::string> files;
+  const auto write = [&](const std::string& name, const Table& table) {
+    write_text(out / name, table_text(table));
+    files.push_back(name);
+  };
+  if (has("Identifier") && has("Grade")) {
+    for (const Lab& lab : labs) {
+      write(fmt::format("moodle-{}.csv", lab.name),
+            upload_table(roster, roster.columns, {{"Grade", lab}}, totals));
+    }
+    return files;
+  }
+  const bool is_canvas = has("Student");
+  std::vector<std::string> columns;
+  const std::vector<std::string> canvas{"Student", "ID", "SIS User ID", "SIS Login ID", "Section"};
+  for (const std::string& column : is_canvas ? canvas : roster.columns) {
+    if (has(column.c_str())) columns.push_back(column);
+  }
+  std::vector<std::pair<std::string, Lab>> assignments;
+  for (const Lab& lab : labs) assignments.emplace_back(assignment_of(roster, lab), lab);
+  write(is_canvas ? "canvas-grades.csv" : "moodle-grades.csv",
+        upload_table(roster, columns, assignments, totals));
+  return files;
+}
+
+int feedback(const Context& context, const Arguments& arguments) {
+  const auto to = arguments.get("out");
+  if (arguments.words.size() != 1 || !to) {
+    throw UsageError("usage: ./lab feedback grades.csv --out DIR [--roster FILE]");
+  }
+  const fs::path out = *to;
+  if (fs::exists(out) && (!fs::is_directory(out) || !fs::is_empty(out))) {
+    throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(out.string())));
+  }
+  const Table table = read_corrected_table(arguments.words[0], context.labs);
+  const auto verdicts = read_verdicts(table);
+  Roster roster;
+  if (const auto file = arguments.get("roster")) roster = read_roster(*file);
+  std::map<std::string, const Person*> people;
+  for (const Person& person : roster.people) people[person.id] = &person;
+  fs::create_directories(out / "students");
+  std::size_t count = 0, named = 0;
+  Totals totals;
+  for (const Row& row : table.rows) {
+    const std::string id = field(row, "id");
+    totals[id] = row;
+    const auto found = verdicts.find(id);
+    if (found == verdicts.end()) {
+      fmt::print("left out: {}: it has no verdict next to the table\n", id);
+      continue;
+    }
+    const Verdict verdict = for_student(found->second);
+    const std::string corrections = corrections_of(row, verdict);
+    const std::string page = submission_page(verdict, {{}, {}, corrections});
+    write_text(out / "students" / (id + ".html"), page);
+    write_text(out / "students" / (id + ".txt"), text_for(verdict, corrections));
+    ++count;
+    const auto person = people.find(id);
+    const auto name = upload_name(verdict, person == people.end() ? nullptr : person->second);
+    if (!name) continue;
+    fs::create_directories((out / *name).parent_path());
+    write_text(out / *name, page);
+    ++named;
+  }
+  fmt::print("{}: {} students, a page and a text each", sandbox::printable_line(out.string()),
+             count);
+  if (named > 0) fmt::print("; {} pages named for upload", named);
+  fmt::print("\n");
+  if (roster.people.empty()) return 0;
+  std::vector<Lab> labs;
+  for (const Lab& lab : context.labs) {
+    const std::string column = lab.name + " total";
+    if (std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end()) {
+      labs.push_back(lab);
+    }
+  }
+  for (const std::string& file : write_tables(out, roster, labs, totals)) {
+    fmt::print("grades to upload: {}\n", sandbox::printable_line((out / file).string()));
+  }
+  return 0;
+}
+
+const RegisterCommand feedback_command{
+    {"feedback",
+     "feedback grades.csv --out DIR [--roster FILE]",
+     {"out=", "roster="},
+     "Writes DIR/students/ID.html and ID.txt for each student of a table from ./lab grade --csv:\n"
+     "every check, with commands for the student's own checkout, and your corrections. Pages of\n"
+     "students whose work came from a platform's export are in DIR/canvas, DIR/moodle or\n"
+     "DIR/gradescope too, under the names that the platform's bulk upload expects.\n"
+     "  --out DIR     a new or empty directory\n"
+     "  --roster FILE  also write tables of grades for Canvas or Moodle; FILE is the list that "
+     "this\n"
+     "                platform exported (Canvas: gradebook; Moodle: grading worksheet)\n",
+     feedback}};
+
+}  // namespace
+}  // namespace mc::grader

@@ -1,0 +1,101 @@
+// What goes back to students and platforms.
+#include <filesystem>
+#include <string>
+
+#include "checks/support/catch.hpp"
+#include "grader/gradebook/table.hpp"
+#include "grader/reports/csv.hpp"
+#include "tests/gradebook/course.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::feedback {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// A class of a Canvas download, graded; anna fails, bob did not hand in.
+struct CanvasClass : Course {
+  fs::path roster = path() / "roster.csv", out = path() / "feedback";
+  CanvasClass() {
+    std::string wrong = text_of(layout.solutions());
+    const std::string right = "if (columns == 0) throw";
+    wrong.replace(wrong.find(right), right.size(), "if (columns == 77) throw");
+    fs::create_directories(path() / "class");
+    write_text(path() / "class" / "ashanna_LATE_4711_991_variance-1.cpp", wrong);
+    write_text(path() / "class" / "zoe_4999_992_variance.cpp", "int 7;\n");
+    write_text(roster,
+               "Student,ID,SIS User ID,SIS Login ID,Section,Variance (88),Final\n"
+               "    Points Possible,,,,,100,\n\"Ash, Anna\",4711,a7,anna@x.edu,S1,,\n"
+               "\"Bo, Bob\",4712,b8,bob@x.edu,S1,,\n");
+    write_text(path() / "corrections.csv", "id,what,points,comment\na7,variance,91,a typo\n");
+    const auto run = grade({"--csv", csv().string(), "--roster", roster.string(), "--seed", "7"});
+    CAPTURE(run.output, run.errors);
+    REQUIRE(run.exit_code == 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("feedback goes back by name, without anything of the grading machine") {
+  const CanvasClass course;
+  const auto run = course.run({"feedback", course.csv().string(), "--out", course.out.string(),
+                               "--roster", course.roster.string()});
+  CAPTURE(run.output, run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "3 students, a page and a text each; 2 pages named for upload"));
+  const std::string page = read_text(course.out / "students" / "a7.html");
+  const std::string text = read_text(course.out / "students" / "a7.txt");
+  for (const std::string& one : {page, text}) {
+    CHECK(contains(one, "./lab check variance --only 1."));
+    CHECK(contains(one, "--seed 7"));
+    CHECK(contains(one, "variance: 91 (a typo); total of variance: 91"));
+    CHECK(contains(one, course.layout.version));
+    CHECK(!contains(one, course.path().string()));
+    CHECK(!contains(one, course.layout.root.string()));
+  }
+  CHECK(contains(page, "LATE"));
+  CHECK(read_text(course.out / "canvas" / "ashanna_LATE_4711_991_variance-1.html") == page);
+  CHECK(fs::exists(course.out / "students" / "b8.html"));
+  // Canvas's columns, and its name for the assignment.
+  CHECK(read_text(course.out / "canvas-grades.csv") ==
+        "Student,ID,\"SIS User ID\",\"SIS Login ID\",Section,\"Variance (88)\"\n"
+        "\"Ash, Anna\",4711,a7,anna@x.edu,S1,91\n\"Bo, Bob\",4712,b8,bob@x.edu,S1,0\n");
+  // Nothing is overwritten.
+  CHECK(course.run({"feedback", course.csv().string(), "--out", course.out.string()}).exit_code ==
+        2);
+}
+
+TEST_CASE("Moodle gets its worksheet back, and pages under its names") {
+  Course course;
+  const fs::path place = course.path() / "class" / "Anna Ash_12_assignsubmission_file";
+  fs::create_directories(place);
+  write_text(place / "variance.cpp", "int 1;\n");
+  const fs::path roster = course.path() / "worksheet.csv", out = course.path() / "feedback";
+  const std::string header =
+      "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Maximum Grade\",\"Last modified "
+      "(submission)\",\"Last modified (grade)\"\n";
+  write_text(roster, header +
+                         "Participant 12,Anna Ash,anna@x.edu,Submitted,,100,\"Friday, 2 May\",-\n"
+                         "Participant 13,Bob Bo,bob@x.edu,No submission,,100,-,-\n");
+  const std::string csv = course.csv().string();
+  const auto graded = course.run({"grade", (course.path() / "class").string(), "--lab", "1",
+                                  "--csv", csv, "--roster", roster.string()});
+  CAPTURE(graded.output, graded.errors);
+  REQUIRE(graded.exit_code == 0);
+  const auto run =
+      course.run({"feedback", csv, "--out", out.string(), "--roster", roster.string()});
+  CAPTURE(run.output, run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(fs::exists(out / "moodle" / "Anna Ash_12_assignsubmission_file_feedback.html"));
+  CHECK(fs::exists(out / "moodle" / "Bob Bo_13_assignsubmission_file_feedback.html"));
+  const auto rows = csv_rows(read_text(out / "moodle-variance.csv"));
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0] == csv_rows(header)[0]);
+  CHECK(rows[1][0] == "Participant 12");
+  CHECK(rows[1][4] == "0");
+  CHECK(rows[1][7] == "-");
+}
+
+}  // namespace mc::tests::feedback
