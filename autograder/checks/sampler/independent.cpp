@@ -16,7 +16,7 @@ const Randomness fresh{
 
 CHECK_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][needs:2]") {
   Rng rng = check_rng();
-  for (const std::size_t n : {4096u, 1000u, 65537u}) {
+  for (const std::size_t n : {4096u, 1000u, 131073u}) {
     const Uses uses = n > 10000 ? Uses{1, 2} : repeated(17, {1, 2});
     const SampleSets got = columns_of("independent", n, {fresh_seed(rng)}, uses);
     Uniforms samples{got.call, got.dims};

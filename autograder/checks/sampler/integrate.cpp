@@ -25,7 +25,7 @@ CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]"
   Rng rng = check_rng();
   Results results;
   results.is_tame = true;
-  for (const std::size_t size : domain::sizes(5000, rng)) {
+  for (const std::size_t size : domain::sizes(70000, rng)) {
     const auto n = static_cast<double>(size);
     const double low = size % 2 == 0 ? 1 : -2;
     const Values dealt = uniform_values(rng, size, low, low + 1);

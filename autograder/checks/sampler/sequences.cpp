@@ -99,7 +99,7 @@ void check_first_blocks(const std::string& kind, const Uses& uses) {
                   "all flips of bits, and permutations of digits, are random and independent",
                   "a digital shift, or digits permuted in base 2, flips a bit of all points alike; "
                   "nested scrambling depends on the bits before it: owen_scramble of lab 5, with a "
-                  "seed for each dimension");
+                  "seed for each dimension; larger bases have random permutations (5.9)");
 }
 
 CHECK_CASE("6.3 the first dimensions of sobol are Sobol' dimensions",
@@ -203,10 +203,10 @@ CHECK_CASE("6.3 halton begins anew after eight dimensions", "[6.3][points:3][nee
   check_later_blocks("halton");
 }
 
-/// The flips of the order of a block, of 2^m samples, by its dimension 0: bit k of a point's index is
-/// digit k. Scrambling flips it for all points with the same digits before it: so samples q 2^(k+1)
-/// with q = 1, 2, … are compared with the one of the first 2^k that shares these digits. Empty where
-/// there is none.
+/// The flips of the order of a block, of 2^m samples, by its dimension 0: bit k of a point's index
+/// is digit k. Scrambling flips it for all points with the same digits before it: so samples
+/// q 2^(k+1), q = 1, 2, …, are compared with the one of the first 2^k that shares these digits.
+/// Empty where there is none.
 std::vector<std::size_t> flips_of_order(View x) {
   std::vector<std::size_t> flips;
   for (std::size_t size = 1; 2 * size < x.size(); size *= 2) {
@@ -224,14 +224,27 @@ std::vector<std::size_t> flips_of_order(View x) {
   return flips;
 }
 
+/// The flips of the nested scrambling of a column of a block, in base 2: the first 2^k samples have
+/// the same digit k before it, and all digits before that; flips are compared with the first one's.
+std::vector<std::size_t> flips_of_scrambling(View x) {
+  std::vector<std::size_t> flips;
+  for (std::size_t size = 2; size < x.size(); size *= 2) {
+    const auto digit = [&](std::size_t i) {
+      return static_cast<std::size_t>(digits_of(x[i], 2, 2.0 * static_cast<double>(size))) % 2;
+    };
+    for (std::size_t i = 1; i < size; ++i) flips.push_back(digit(0) ^ digit(i));
+  }
+  return flips;
+}
+
 CHECK_CASE("6.3 each later block has a random order of its own", "[6.3][points:2][needs:5]") {
   Rng rng = check_rng();
   const Uses uses = repeated(16, {2});  // three later blocks
   for (const std::string& kind : sequences) {
     const SampleSets got = columns_of(kind, 16, domain::seeds(rng, 600), uses);
-    Uniforms numbers{got.call, 3 * 11};
-    numbers.name = [](std::size_t position) {
-      return fmt::format("flip {} of the order of block {}", position % 11, 1 + position / 11);
+    Uniforms orders{got.call, 3 * 11}, scrambles = orders;
+    orders.name = scrambles.name = [](std::size_t position) {
+      return fmt::format("flip {} of block {}", position % 11, 1 + position / 11);
     };
     bool is_in_order = true;
     for (std::size_t set = 0; set < got.size(); ++set) {
@@ -242,15 +255,21 @@ CHECK_CASE("6.3 each later block has a random order of its own", "[6.3][points:2
                     "the first 2^k samples of a block are 2^k points in a row",
                     hint_for(kind, block));
         for (const std::size_t flip : flips) {
-          numbers.values.push_back(fill_cell(flip, 2, rng));
+          orders.values.push_back(fill_cell(flip, 2, rng));
           is_in_order = is_in_order && flip == 0;
+        }
+        const std::size_t d = kind == "sobol" ? set % block_dims : 0;
+        for (const std::size_t flip : flips_of_scrambling(block.columns[d])) {
+          scrambles.values.push_back(fill_cell(flip, 2, rng));
         }
       }
     }
-    check_decisions(numbers, "the orders of blocks are independent random nested shuffles",
+    check_decisions(orders, "the orders of blocks are independent random nested shuffles",
                     is_in_order
                         ? "every block but the first needs a shuffle, one for all its dimensions"
                         : "each block needs a random permutation of its own, with every seed");
+    check_decisions(scrambles, "the scrambles of blocks are independent and nested",
+                    "owen_scramble of lab 5, with a seed for each dimension of each block");
   }
 }
 

@@ -45,9 +45,9 @@ inline std::vector<Place> places_of(const Uses& uses) {
   return places;
 }
 
-/// The first digits of x in a base, as many as `power` = base^k has, as a whole number. A digit that
-/// rounding may have put one too low, within 2^-49 of the next, counts as that: room for the four
-/// roundings of 5.1's bound, which a scrambled tail enters once in 1e13. In base 2 nothing is
+/// The first digits of x in a base, as many as `power` = base^k has, as a whole number. A digit
+/// that rounding may have put one too low, within 2^-49 of the next, counts as that: room for the
+/// four roundings of 5.1's bound, which a scrambled tail enters once in 1e13. In base 2 nothing is
 /// rounded.
 inline double digits_of(double x, unsigned base, double power) {
   return std::floor(x * power + (base == 2 ? 0 : power * 0x1p-49));

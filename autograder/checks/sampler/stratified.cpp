@@ -1,6 +1,6 @@
 // 6.2: every sample dimension stratified, in an order of its own.
 
-#include <set>
+#include <algorithm>
 #include <tuple>
 
 #include "checks/sampler/samplers.hpp"
@@ -37,9 +37,9 @@ CHECK_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][poin
 
 /// The stratum of each sample, in the coordinates whose order is free: next(), and x of next2(),
 /// which decides about y.
-std::vector<std::vector<std::size_t>> orders_of(const SampleSets& got, std::size_t set,
-                                                const Uses& uses) {
-  std::vector<std::vector<std::size_t>> orders;
+using Orders = std::vector<std::vector<std::size_t>>;
+Orders orders_of(const SampleSets& got, std::size_t set, const Uses& uses) {
+  Orders orders;
   std::size_t c = 0;
   for (const unsigned use : uses) {
     auto& order = orders.emplace_back();
@@ -47,6 +47,24 @@ std::vector<std::vector<std::size_t>> orders_of(const SampleSets& got, std::size
     c += use;
   }
   return orders;
+}
+
+/// What is visibly wrong with the orders of all sets.
+std::string hint_for_orders(const std::vector<Orders>& sets) {
+  const auto& of_first = sets[0];
+  if (std::is_sorted(of_first[0].begin(), of_first[0].end())) {
+    return "the strata come in order: the pattern must be shuffled";
+  }
+  for (std::size_t a = 0; a < of_first.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (std::all_of(sets.begin(), sets.end(),
+                      [=](const Orders& orders) { return orders[a] == orders[b]; })) {
+        return "one permutation for different sample dimensions: each needs a shuffle of its own";
+      }
+    }
+  }
+  return "the pattern must be shuffled, by a permutation of its own for each sample dimension and "
+         "each seed";
 }
 
 /// Samples, uses, and sets to look at.
@@ -65,11 +83,13 @@ CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][poin
           "at call {}",
           position % (n - 1), position / (n - 1));
     };
+    std::vector<Orders> orders;
     for (std::size_t set = 0; set < sets; ++set) {
       for (std::size_t c = 0; c < got.dims; ++c) {
         expect_one_in_each_cell(got, set, line_of(n, c), "a column has one number in each stratum");
       }
-      for (const auto& order : orders_of(got, set, uses)) {
+      orders.push_back(orders_of(got, set, uses));
+      for (const auto& order : orders.back()) {
         const Values more = uniforms_of_permutation(order, rng);
         choices.values.insert(choices.values.end(), more.begin(), more.end());
       }
@@ -77,17 +97,9 @@ CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][poin
     auto failure = dependence_in(
         choices, {.words = "each sample dimension is in an independent random permutation",
                   .alpha = alpha,
-                  .otherwise = "the pattern must be shuffled, by a permutation of its own for each "
-                               "sample dimension and each seed",
-                  .repeated = same_for_seeds});
+                  .otherwise = ""});
     if (!failure) continue;
-    const auto orders = orders_of(got, 0, uses);
-    if (std::is_sorted(orders[0].begin(), orders[0].end())) {
-      failure->likely = "the strata come in order: the pattern must be shuffled";
-    } else if (std::set(orders.begin(), orders.end()).size() < orders.size()) {
-      failure->likely =
-          "one permutation for different sample dimensions: each needs a shuffle of its own";
-    }
+    failure->likely = hint_for_orders(orders);
     fail(*failure);
   }
   pass();
@@ -104,7 +116,8 @@ CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:4][needs:3]"
         {.words = "numbers are uniform in their strata, each by a random number of its own",
          .alpha = alpha,
          .otherwise = "a random number of its own places each number in its stratum",
-         .repeated = same_for_seeds});
+         .repeated =
+             "one random number places several numbers, x and y say; or " + same_for_seeds});
   }
 }
 
