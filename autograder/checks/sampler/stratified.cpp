@@ -119,6 +119,21 @@ CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:4][needs:3]"
          .repeated =
              "one random number places several numbers, x and y say; or " + same_for_seeds});
   }
+  // And in their cells: the strata of x and of y within a cell are independent.
+  for (const std::size_t n : {4u, 9u, 12u}) {
+    const Grid grid = squarest(n);
+    Uniforms places = sample_of(columns_of("stratified", n, domain::seeds(rng, 2000), {2, 2}), 0);
+    for (std::size_t k = 0; k < places.values.size(); ++k) {
+      places.values[k] = jitter_of(places.values[k], k % 2 == 0 ? grid.nx : grid.ny);
+    }
+    places.bits = bits_of_jitter(grid.nx);
+    expect_independent_uniforms(
+        places, {.words = "each point of next2() is uniform in its cell",
+                 .alpha = alpha,
+                 .otherwise = "the strata of x in a column of cells and those of y in a row are "
+                              "permuted at random, independently (3.7)",
+                 .repeated = same_for_seeds});
+  }
 }
 
 }  // namespace
