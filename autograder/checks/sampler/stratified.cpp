@@ -105,7 +105,7 @@ CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][poin
   pass();
 }
 
-CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:4][needs:3]") {
+CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]") {
   Rng rng = check_rng();
   for (const auto& [n, uses, sets] : shapes) {
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, sets), uses);
@@ -119,20 +119,33 @@ CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:4][needs:3]"
          .repeated =
              "one random number places several numbers, x and y say; or " + same_for_seeds});
   }
-  // And in their cells: the strata of x and of y within a cell are independent.
+}
+
+CHECK_CASE("6.2 points are uniform in their cells", "[6.2][points:1][needs:3]") {
+  Rng rng = check_rng();
   for (const std::size_t n : {4u, 9u, 12u}) {
     const Grid grid = squarest(n);
-    Uniforms places = sample_of(columns_of("stratified", n, domain::seeds(rng, 2000), {2, 2}), 0);
-    for (std::size_t k = 0; k < places.values.size(); ++k) {
-      places.values[k] = jitter_of(places.values[k], k % 2 == 0 ? grid.nx : grid.ny);
+    const SampleSets got = columns_of("stratified", n, domain::seeds(rng, 2000), {2});
+    for (std::size_t cell = 0; cell < n; ++cell) {  // they may share permutations
+      Uniforms places{got.call, 2};
+      places.bits = bits_of_jitter(grid.nx);
+      places.name = [](std::size_t axis) { return axis == 0 ? "x" : "y"; };
+      for (std::size_t set = 0; set < got.size(); ++set) {
+        const auto cells = expect_one_in_each_cell(got, set, {{0, 1}, {grid.nx, grid.ny}}, "");
+        const auto i =
+            static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
+        places.values.push_back(jitter_of(got.column(set, 0)[i], grid.nx));
+        places.values.push_back(jitter_of(got.column(set, 1)[i], grid.ny));
+      }
+      expect_independent_uniforms(
+          places,
+          {.words = "each point of next2() is uniform in its cell",
+           .alpha = alpha / 10,
+           .otherwise = "random permutations, independent of each other, give the strata of "
+                        "x to the cells of a column, and those of y to the cells of a row "
+                        "(3.7)",
+           .repeated = same_for_seeds});
     }
-    places.bits = bits_of_jitter(grid.nx);
-    expect_independent_uniforms(
-        places, {.words = "each point of next2() is uniform in its cell",
-                 .alpha = alpha,
-                 .otherwise = "the strata of x in a column of cells and those of y in a row are "
-                              "permuted at random, independently (3.7)",
-                 .repeated = same_for_seeds});
   }
 }
 
