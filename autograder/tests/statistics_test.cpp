@@ -128,14 +128,6 @@ TEST_CASE("p-values of a variance are uniform") {
   });
 }
 
-TEST_CASE("p-values of a rate are uniform") {
-  check_uniform([](Rng& rng) {
-    const auto few = means_of_uniform(rng, 100, 4), many = means_of_uniform(rng, 60, 16);
-    return expect_rate({"", few, 4}, {0.5, 1.0 / (12 * 4), 3 - 1.2 / 4}, {"", many, 16},
-                       {0.5, 1.0 / (12 * 16), 3 - 1.2 / 16}, {"", never}, {});
-  });
-}
-
 TEST_CASE("p-values of a proportion are uniform") {
   check_uniform([](Rng& rng) {
     std::uint64_t count = 0;

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -35,17 +34,16 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
   const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
   const SampleSets all = random_sets(got, n, sets);
   if (n == 5) require_fine(all);
-  std::vector<std::size_t> points(n - 1);
-  std::iota(points.begin(), points.end(), 1);
-  const Uniforms u = by_candidates(got.call, nearness(all, points, 500, rng), promised(c));
+  const Nearness parts = nearness(all, later_points(n), 500, rng);
   auto failure = dependence_in(
-      u, best_of_candidates("for each candidate its nearest point, of all points before; keep the "
-                            "candidate for which that is farthest"));
+      by_candidates(got.call, parts, promised(c)),
+      best_of_candidates("for each candidate its nearest point, of all points before; keep the "
+                         "candidate for which that is farthest"));
   if (!failure) return pass();
   constexpr std::size_t more = 4000;
   if (n == 5) {
     const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));
-    const std::string hint = candidates_hint(random_sets(again, n, more), c);
+    const std::string hint = candidates_hint(random_sets(again, n, more), c, rng);
     if (!hint.empty()) failure->likely = hint;
   }
   fail(*failure);
@@ -60,9 +58,9 @@ CHECK_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:1
   judge_candidates(65, 0.1, 12, rng);
   judge_candidates(2, 1, 400, rng);
   const auto got = MEASURE(best_candidate, 1, 1, 2000, fresh_seed(rng));
-  const View first = random_sets(got, 1, 2000).values();
+  const SampleSets first = random_sets(got, 1, 2000);
   expect_independent_uniforms(
-      {got.call, 2, {first.begin(), first.end()}},
+      {got.call, 2, first.values()},
       {.words = "the first point is uniform in the square",
        .alpha = alpha,
        .otherwise = "the first point has one candidate, anywhere in the square"});

@@ -12,37 +12,6 @@
 namespace mc::checks {
 namespace {
 
-/// Which points the nearest one is looked for among, and how distances are measured.
-struct Metric {
-  bool torus = true, to_last_only = false;
-};
-
-double part_nearer(const SampleSets& sets, std::size_t set, std::size_t i, Metric metric,
-                   std::size_t rows, double start) {
-  const std::size_t first = metric.to_last_only ? i - 1 : 0;
-  const View all_x = sets.column(set, 0), all_y = sets.column(set, 1);
-  const View x = all_x.subspan(first, i - first), y = all_y.subspan(first, i - first);
-  double least = infinity;
-  for (std::size_t p = 0; p < x.size(); ++p) {
-    const double dx = x[p] - all_x[i], dy = y[p] - all_y[i];
-    least = std::min(least,
-                     metric.torus ? std::hypot(short_way(dx), short_way(dy)) : std::hypot(dx, dy));
-  }
-  return 1 - uncovered_area(x, y, least, rows, start, metric.torus);
-}
-
-/// Of points 1, 2, … of each set.
-Nearness measured(const SampleSets& sets, Metric metric) {
-  Nearness all{std::vector<std::size_t>(sets.n - 1)};
-  std::iota(all.points.begin(), all.points.end(), 1);
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (const std::size_t i : all.points) {
-      all.parts.push_back(part_nearer(sets, set, i, metric, 200, 0.5));
-    }
-  }
-  return all;
-}
-
 /// Whether each of the points is the best of so many candidates: one in 10,000 that is is missed.
 bool explains(const Nearness& all, const Count& count) {
   const Uniforms u = by_candidates("", all, count);
@@ -60,11 +29,20 @@ bool explains(const Nearness& all, const Count& count) {
 }  // namespace
 
 Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::size_t rows,
-                  Rng& rng) {
+                  Rng& rng, Metric metric) {
   Nearness all{std::move(points)};
   for (std::size_t set = 0; set < sets.size(); ++set) {
     for (const std::size_t i : all.points) {
-      all.parts.push_back(part_nearer(sets, set, i, {}, rows, uniform(rng)));
+      const std::size_t first = metric.to_last_only ? i - 1 : 0;
+      const View all_x = sets.column(set, 0), all_y = sets.column(set, 1);
+      const View x = all_x.subspan(first, i - first), y = all_y.subspan(first, i - first);
+      double least = infinity;
+      for (std::size_t p = 0; p < x.size(); ++p) {
+        const double dx = x[p] - all_x[i], dy = y[p] - all_y[i];
+        least = std::min(
+            least, metric.on_torus ? std::hypot(short_way(dx), short_way(dy)) : std::hypot(dx, dy));
+      }
+      all.parts.push_back(1 - uncovered_area(x, y, least, rows, uniform(rng), metric.on_torus));
     }
   }
   return all;
@@ -82,6 +60,12 @@ Uniforms by_candidates(const std::string& call, const Nearness& all, const Count
   return u;
 }
 
+std::vector<std::size_t> later_points(std::size_t n) {
+  std::vector<std::size_t> points(n - 1);
+  std::iota(points.begin(), points.end(), 1);
+  return points;
+}
+
 Count promised(double c) {
   return [=](double i) { return std::ceil(c * i) + 1; };
 }
@@ -95,8 +79,11 @@ Randomness best_of_candidates(const std::string& otherwise) {
           .expected = "each point i is the best of ceil(c i) + 1 uniform candidates"};
 }
 
-std::string candidates_hint(const SampleSets& sets, double c) {
-  const Nearness all = measured(sets, {});
+std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
+  const auto measured = [&](Metric metric) {
+    return nearness(sets, later_points(sets.n), 200, rng, metric);
+  };
+  const Nearness all = measured({});
   Nearness opposite = all;
   for (double& part : opposite.parts) part = 1 - part;
   // Were it the same number m for all points, -1 / mean(log(part)) would estimate it.
@@ -121,10 +108,10 @@ std::string candidates_hint(const SampleSets& sets, double c) {
                      : "the number of candidates is the same for all points: it grows with i"},
       {opposite, promised(c),
        "this keeps the candidate that is nearest to the others: keep the farthest"},
-      {measured(sets, {.torus = false}), promised(c),
+      {measured({.on_torus = false}), promised(c),
        "these are the best candidates within the square, so points crowd at its edges: measure "
        "distances round the torus"},
-      {measured(sets, {.to_last_only = true}), promised(c),
+      {measured({.to_last_only = true}), promised(c),
        "these candidates are far from the last point: they must be far from all points before"}};
   std::string found;
   for (const Mistake& mistake : mistakes) {

@@ -17,10 +17,18 @@ struct Nearness {
   Values parts = {};                ///< set by set
 };
 
+/// Which earlier points count, and how distances are measured: mistakes differ in that.
+struct Metric {
+  bool on_torus = true, to_last_only = false;
+};
+
 /// Of these points. The areas are computed along `rows` lines that begin at a place drawn from
 /// `rng`.
 Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::size_t rows,
-                  Rng& rng);
+                  Rng& rng, Metric metric = {});
+
+/// 1, 2, … n - 1.
+std::vector<std::size_t> later_points(std::size_t n);
 
 using Count = std::function<double(double)>;  ///< of candidates, for point i
 
@@ -37,6 +45,6 @@ Randomness best_of_candidates(const std::string& otherwise);
 
 /// Which well-known mistake explains points 1, 2, … of these sets, point by point, if one does and
 /// no other. Of thousands of sets: some mistakes are alike.
-std::string candidates_hint(const SampleSets& sets, double c);
+std::string candidates_hint(const SampleSets& sets, double c, Rng& rng);
 
 }  // namespace mc::checks

@@ -61,18 +61,6 @@ inline double short_way(double difference) {
   return std::min(inside, 1 - inside);
 }
 
-/// The distance on the torus of the point `p` to the nearest of the first `among` of the points.
-inline double nearest_distance(std::span<const double> x, std::span<const double> y, std::size_t p,
-                               std::size_t among) {
-  double least = std::numeric_limits<double>::infinity();  // squared
-  for (std::size_t i = 0; i < among; ++i) {
-    if (i == p) continue;
-    const double dx = short_way(x[i] - x[p]), dy = short_way(y[i] - y[p]);
-    least = std::min(least, dx * dx + dy * dy);
-  }
-  return std::sqrt(least);
-}
-
 /// The least distance of any two points of [0,1)^2 on the torus; infinite below two points. Takes
 /// n log n, wherever they lie: a line sweeps over the square along x, and once more over its
 /// beginning; a set holds what lies within the least distance behind it, by y. No two of them are

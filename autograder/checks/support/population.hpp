@@ -17,11 +17,6 @@ inline Population population(double m1, double m2, double m3, double m4) {
   return {m1, variance, fourth / (variance * variance)};
 }
 
-/// Of scale · X + offset.
-inline Population transformed(const Population& x, double scale, double offset) {
-  return {scale * x.mean + offset, scale * scale * x.variance, x.kurtosis};
-}
-
 /// Of the mean of n independent values: the excess over a Gaussian's kurtosis falls as 1/n.
 inline Known mean_of(const Population& x, double n) {
   return {x.mean, x.variance / n, 3 + (x.kurtosis - 3) / n};

@@ -42,12 +42,4 @@ double mean_over(const RectLight& light, Function f) {
   return sum / (9.0 * panels * panels);
 }
 
-/// The solid angle that the light fills, times its radiance: the irradiance of a receiver without
-/// a cosine, or from a light without one.
-inline double without_a_cosine(const RectLight& light) {
-  return area(light) * light.radiance * mean_over(light, [&](double x, double y) {
-           return light.height / std::pow(x * x + y * y + light.height * light.height, 1.5);
-         });
-}
-
 }  // namespace mc::checks

@@ -43,7 +43,7 @@ class SampleSets {
   View column(std::size_t set, std::size_t d) const {
     return View(values_).subspan(first_[set] * dims + d * points(set), points(set));
   }
-  View values() const { return values_; }
+  const Values& values() const { return values_; }
   /// Sets of another call, with as many dimensions.
   void add(const SampleSets& more) {
     values_.insert(values_.end(), more.values_.begin(), more.values_.end());

@@ -24,20 +24,6 @@ struct Spectrum {
 /// right to 10 k eps: for averages over sets, which have three digits.
 Spectrum spectrum_of(std::span<const double> x, std::span<const double> y, int kmax);
 
-/// The mean power over low <= abs(k) < high, k = 0 left out. NaN where there is no such k.
-inline double mean_power(const Spectrum& spectrum, double low, double high) {
-  double sum = 0, count = 0;
-  for (int ky = -spectrum.kmax; ky <= spectrum.kmax; ++ky) {
-    for (int kx = -spectrum.kmax; kx <= spectrum.kmax; ++kx) {
-      const double k = std::sqrt(kx * kx + ky * ky);
-      if (k == 0 || k < low || k >= high) continue;
-      sum += spectrum.at(kx, ky);
-      ++count;
-    }
-  }
-  return sum / count;
-}
-
 /// The power that jittered points, one in each of side x side cells, have on average at k: 1 -
 /// sinc(kx / side)^2 sinc(ky / side)^2. A cell's mean wave has the size sinc sinc; what cells have
 /// in common cancels, each cell's own remainder does not.
@@ -51,7 +37,16 @@ inline double jittered_power(int kx, int ky, int side) {
 
 /// The mean power over 0 < abs(k) <= sqrt(n)/2: the low band, where blue noise has little.
 inline double low_band(const Spectrum& spectrum, double n) {
-  return mean_power(spectrum, 0, std::nextafter(std::sqrt(n) / 2, n));
+  double sum = 0, count = 0;
+  for (int ky = -spectrum.kmax; ky <= spectrum.kmax; ++ky) {
+    for (int kx = -spectrum.kmax; kx <= spectrum.kmax; ++kx) {
+      const int squared = kx * kx + ky * ky;
+      if (squared == 0 || 4 * squared > n) continue;
+      sum += spectrum.at(kx, ky);
+      ++count;
+    }
+  }
+  return sum / count;
 }
 
 /// The largest mean power over rings of width sqrt(n)/20, up to 2 sqrt(n).

@@ -152,33 +152,6 @@ double expect_variance(const Replicates& estimates, double exact, double varianc
   return judge(outcome, null, hints);
 }
 
-double expect_rate(const Replicates& few, const Known& at_few, const Replicates& many,
-                   const Known& at_many, const Null& null, const Hints& hints) {
-  require_numbers(few, hints);
-  require_numbers(many, hints);
-  const double above = degrees_of(few, at_few.kurtosis), below = degrees_of(many, at_many.kurtosis);
-  const double ratio = (sum_of_squares(few, at_few.exact) /
-                        (static_cast<double>(few.values.size()) * at_few.variance)) /
-                       (sum_of_squares(many, at_many.exact) /
-                        (static_cast<double>(many.values.size()) * at_many.variance));
-  const double two_log = 2 * std::log(many.n / few.n);
-  const auto exponent_tails = [&](double exponent) {
-    return f_tails(std::exp(exponent * two_log) * at_many.variance / at_few.variance, above, below);
-  };
-  Outcome outcome;
-  outcome.expected = std::log(at_few.variance / at_many.variance) / two_log;
-  outcome.measured = outcome.expected + std::log(ratio) / two_log;
-  outcome.accepted = [&] {
-    return central_interval(exponent_tails, null.alpha, outcome.expected - 20 / two_log,
-                            outcome.expected + 20 / two_log);
-  };
-  outcome.p = outcome.recorded = f_tails(ratio, above, below).two_sided();
-  outcome.measured_words = fmt::format("{}, then {} samples: the error falls as N^-{:.4g}",
-                                       describe(few), many.n, outcome.measured);
-  outcome.name = "an exponent";
-  return judge(outcome, null, hints);
-}
-
 double expect_proportion(const std::string& call, const std::string& event, std::uint64_t count,
                          std::uint64_t trials, double p, const Null& null, const Hints& hints) {
   const Tails tails = binomial_tails(count, trials, p);

@@ -54,11 +54,6 @@ struct Known {
   double kurtosis = 3;  ///< of one replicate
 };
 
-/// Their error falls as n^-p between two sizes, p from the two exact variances: the ratio of the
-/// two mean squared errors, each over its exact one, is F. Measured is p.
-double expect_rate(const Replicates& few, const Known& at_few, const Replicates& many,
-                   const Known& at_many, const Null& null, const Hints& hints);
-
 /// `count` of `trials` independent events of probability `p` happened: exact binomial. `event` says
 /// what happened: "the interval held the true mean". Measured is the proportion. (The recorded
 /// p-value is spread over the jump of the distribution at `count`, so that it is uniform; the

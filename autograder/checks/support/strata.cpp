@@ -37,6 +37,11 @@ std::string name_of(std::span<const Axis> axes, std::size_t cell) {
   return fmt::format("cell ({}) of {}", place, grid);
 }
 
+bool is_stratified(const Axis& axis, std::size_t n) {
+  const Axis finer{axis.name, axis.values, n};
+  return !cells_of(std::span(&finer, 1)).empty();
+}
+
 /// Whether each of `strata` strata of x has as many points as any other.
 bool is_even(std::span<const double> x, std::size_t strata) {
   std::vector<std::size_t> points(strata);
@@ -86,8 +91,7 @@ std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> po
   if (dims == 2 && n >= 12 && axes[0].strata != axes[1].strata && !cells_of(turned).empty()) {
     return "nx and ny have changed places: nx cells along x, ny along y";
   }
-  if (dims == 2 && n >= 4 &&
-      each_axis([&](const Axis& axis) { return is_stratified(axis.values, n); })) {
+  if (dims == 2 && n >= 4 && each_axis([&](const Axis& axis) { return is_stratified(axis, n); })) {
     return "each axis is stratified, the plane is left to chance: two 1D patterns are not a 2D "
            "pattern, nor is one whose x and y were shuffled apart";
   }

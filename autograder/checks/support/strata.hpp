@@ -48,30 +48,6 @@ std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
                                                  std::span<const Axis> axes,
                                                  const std::string& elsewhere);
 
-// The line and the plane.
-
-inline std::vector<std::size_t> cells_of(std::span<const double> x, std::span<const double> y,
-                                         Grid grid) {
-  const Axis axes[] = {{"x", x, grid.nx}, {"y", y, grid.ny}};
-  return cells_of(axes);
-}
-inline bool is_stratified(std::span<const double> x, std::size_t n) {
-  const Axis axis{"x", x, n};
-  return !cells_of(std::span(&axis, 1)).empty();
-}
-inline void expect_one_in_each(const std::string& call, const char* axis, std::span<const double> x,
-                               std::size_t n, const std::string& elsewhere) {
-  const Axis only{axis, x, n};
-  expect_one_in_each_cell(call, std::span(&only, 1), elsewhere);
-}
-inline std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
-                                                        std::span<const double> x,
-                                                        std::span<const double> y, Grid grid) {
-  const Axis axes[] = {{"x", x, grid.nx}, {"y", y, grid.ny}};
-  return expect_one_in_each_cell(call, axes,
-                                 "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
-}
-
 inline const std::string because_cell =
     "one point in each cell, in any order; edges are i / n in double division";
 

@@ -41,8 +41,6 @@ inline constexpr double largest_finite = std::numeric_limits<double>::max();
 inline constexpr Range finite{-largest_finite, largest_finite, false, false, "finite numbers"};
 inline constexpr Range unit{0, 1, true, false, "numbers in [0, 1)"};
 inline constexpr Range closed_unit{0, 1, false, false, "numbers in [0, 1]"};
-inline constexpr Range non_negative{0, largest_finite, false, false,
-                                    "finite numbers, none negative"};
 inline constexpr Range any_number{0, 0, false, true, "numbers"};
 /// Whole numbers up to `most`.
 constexpr Range up_to(double most) {
