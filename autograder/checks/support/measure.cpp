@@ -73,12 +73,26 @@ struct PastCall {
 std::vector<PastCall> past_calls;
 constexpr std::size_t most_past_calls = 256;
 
-/// The latest call that a failure report names, or else the latest.
-const PastCall* call_in(const std::string& story) {
-  for (auto call = past_calls.rbegin(); call != past_calls.rend(); ++call) {
-    if (story.find(call->text) != std::string::npos) return &*call;
+/// The call that a failure report names, or the only one. Nothing where calls with other arguments
+/// are shown alike (long lists are cut), or where the failure is about many calls.
+const PastCall* call_in(const std::string& report) {
+  if (past_calls.size() == 1) return &past_calls.front();
+  const PastCall* found = nullptr;
+  std::size_t first = std::string::npos;
+  for (const PastCall& call : past_calls) {
+    const auto at = report.find(call.text);
+    if (at == std::string::npos || at > first) continue;
+    if (at == first && call.text.size() < found->text.size()) continue;
+    first = at;
+    found = &call;
   }
-  return past_calls.empty() ? nullptr : &past_calls.back();
+  if (found == nullptr) return nullptr;
+  const std::string typed = found->typed();
+  const bool is_ambiguous = std::any_of(past_calls.begin(), past_calls.end(), [&](auto& call) {
+    return call.text == found->text && call.experiment == found->experiment &&
+           call.typed() != typed;
+  });
+  return is_ambiguous ? nullptr : found;
 }
 
 /// A failure of the machine is no verdict on the program: it is said, and ends the check.

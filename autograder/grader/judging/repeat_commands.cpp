@@ -36,7 +36,7 @@ std::vector<std::string> parameters_of(const Layout& layout, const Lab& lab,
 /// The argument itself, or a file that holds it.
 std::string short_of(const Layout& layout, const std::string& argument) {
   constexpr std::size_t longest = 60;
-  if (argument.size() <= longest) return shell_quoted(argument);
+  if (argument.size() <= longest) return shell_quoted_value(argument);
   const fs::path file = layout.build / "inputs" / fmt::format("{:016x}.txt", hash_text(argument));
   std::error_code ignored;
   fs::create_directories(file.parent_path(), ignored);

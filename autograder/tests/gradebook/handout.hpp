@@ -28,6 +28,15 @@ struct Handout : Course {
   }
   sandbox::ProcessResult lab(std::vector<std::string> words) const {
     words.insert(words.begin(), (root / "lab").string());
+    return run_here(words);
+  }
+  /// A line of a shell, in the handout.
+  sandbox::ProcessResult lab_words(const std::string& line) const {
+    return run_here({"sh", "-c", line});
+  }
+
+ private:
+  sandbox::ProcessResult run_here(const std::vector<std::string>& words) const {
     sandbox::ProcessOptions options{.directory = root,
                                     .environment = {{"MC_BUILD", ""}, {"CI", "true"}}};
     if (!search_path.empty()) options.environment.push_back({"PATH", search_path.string()});

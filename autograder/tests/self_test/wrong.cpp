@@ -7,9 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "grader/base/shell.hpp"
 #include "grader/judging/judge.hpp"
+#include "grader/judging/repeat_commands.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
+#include "sandbox/process.hpp"
 #include "tests/self_test/proof.hpp"
 #include "tests/self_test/seed_log.hpp"
 
@@ -98,6 +101,22 @@ void judge_mistake(const Subject& subject, const LabVerdict& verdict,
   }
 }
 
+/// The command by hand of each failure runs the program: it is not refused for its arguments.
+void run_by_hand(const Proof& proof, const LabVerdict& verdict) {
+  for (const CheckResult& result : verdict.checks) {
+    if (result.status != Status::failed || result.call.empty() || !proof.built.program) continue;
+    const std::string command = grader::by_hand_command(proof.layout, proof.lab, result.call, {});
+    const std::string start = "./lab run " + proof.lab.name + ' ';
+    if (!command.starts_with(start)) complain("not a command by hand: " + command);
+    const auto run = sandbox::run_process(
+        {"sh", "-c",
+         grader::shell_quoted(proof.built.program->path) + ' ' + command.substr(start.size())},
+        {.directory = proof.layout.root, .wall_seconds = 2});
+    constexpr int refused = 2;
+    if (run.exit_code == refused) complain(command + " is refused: " + run.errors);
+  }
+}
+
 bool has_failed(const LabVerdict& verdict) {
   return std::any_of(verdict.checks.begin(), verdict.checks.end(),
                      [](const CheckResult& result) { return result.status == Status::failed; });
@@ -138,6 +157,7 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   LabVerdict verdict = proof.judge(seed, checks);
   if (!has_failed(verdict)) verdict = proof.judge(seed, checks_to_judge(proof, tasks, true));
   judge_mistake(subject, verdict, tasks);
+  run_by_hand(proof, verdict);
   compare_limits(subject, verdict);
   std::optional<SeedLog> kept;
   if (seeds > 1) seed = std::max(seed, kept.emplace(proof).resume([](const auto&) {}));
