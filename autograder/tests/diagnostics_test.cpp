@@ -1,16 +1,26 @@
 // Original messages of compilers and linkers, and what students see of them.
 #include "grader/submission/diagnostics.hpp"
+
+#include <map>
+#include <string>
+
 #include "checks/support/catch.hpp"
 
 namespace mc::tests::diagnostics {
 
-using grader::explain_link_errors;
 using grader::first_errors;
 using grader::Lab;
 
 namespace {
 
 const Lab lab{1, "variance", "1-variance", {}};
+const std::map<std::string, std::string> headers{{"variance", "double covariance(int);"},
+                                                 {"independent", "double to_unit(int);"},
+                                                 {"blue_noise", "double radius(int);"}};
+
+std::string explain_link_errors(const std::string& text, const Lab& of) {
+  return grader::explain_link_errors(text, of, headers);
+}
 
 const std::string source =
     "#include \"variance.hpp\"\n"
@@ -100,8 +110,13 @@ TEST_CASE("missing definitions, as three linkers report them") {
             lab) == expected);
   // A program also contains the files of the labs it depends on.
   const Lab above{4, "blue_noise", "4-blue-noise", {"variance"}};
-  CHECK(explain_link_errors("unit.o: undefined reference to `mc::covariance(int)'\n", above,
-                            {{"variance", "double covariance(int);"}}) == expected);
+  CHECK(explain_link_errors("unit.o: undefined reference to `mc::covariance(int)'\n", above) ==
+        expected);
+  CHECK(
+      explain_link_errors("unit.o: undefined reference to `mc::to_unit(int)'\n",
+                          {4, "blue_noise", "4-blue-noise", {}}) ==
+      "Your blue_noise.cpp uses `mc::to_unit`, which independent.cpp defines; lab 4 is linked with "
+      "no other lab. Copy the function into blue_noise.cpp, in a namespace without a name.");
   CHECK(explain_link_errors("unit.o: undefined reference to `helper(int)'\n", lab) ==
         "Your variance.cpp uses `helper(int)`, which nothing defines.");
 }

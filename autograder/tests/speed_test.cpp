@@ -68,6 +68,8 @@ TEST_CASE("without the reference, its time is shown as an estimate") {
   CHECK(report.find("a running sum, to compare") != std::string::npos);
   CHECK(report.find("0.5 ns\n") != std::string::npos);
   CHECK(report.find("about 4.0 times as fast as the reference") != std::string::npos);
+  lab.speed = {task(600, 1.0)};
+  CHECK(report_speed(lab).find("about 600 times slower than the reference") != std::string::npos);
 }
 
 // Not in --quick: it times every speed task.

@@ -3,6 +3,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
@@ -26,8 +27,8 @@ std::size_t columns() {
   return 80;
 }
 
-std::string about(double seconds) {
-  return seconds < 90     ? fmt::format("{:.0f} s", seconds)
+std::string rounded(double seconds) {
+  return seconds < 90     ? fmt::format("{:.0f} s", 10 * std::round(seconds / 10))
          : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60)
                           : fmt::format("{:.1f} h", seconds / 3600);
 }
@@ -85,11 +86,10 @@ void ProgressLine::print() {
   const double passed = std::chrono::duration<double>(Clock::now() - start_).count();
   std::string line = what_;
   if (all_ > 0) line = fmt::format("{:.0f} of {:.0f}  {}", done_, all_, what_);
-  if (all_ > 0 && done_ > 0 && passed > 2) {
-    line += fmt::format(", about {} left", about(passed * (all_ - done_) / done_));
-  } else {
-    line += fmt::format(", {:.0f} s", passed);
-  }
+  line += fmt::format(", {:.0f} s", passed);
+  // Steps take different times: an early estimate would be far off, and one of seconds is useless.
+  const double left = done_ > 0 ? passed * (all_ - done_) / done_ : 0;
+  if (done_ >= all_ / 4 && left >= 10) line += fmt::format(", about {} left", rounded(left));
   if (!interactive_) {
     fmt::print(stderr, "{}\n", line);
     return;

@@ -298,9 +298,13 @@ std::string report_speed(const LabVerdict& lab) {
   }
   if (addition > 0) line("a running sum, to compare", nanoseconds(addition), "");
   if (const auto times = lab.times_the_reference()) {
-    const std::string ratio =
-        is_estimate ? fmt::format("about {:.1f}", *times) : fmt::format("{:.2f}", *times);
-    all += fmt::format("  {} times as fast as the reference; speed is not graded.\n", ratio);
+    const bool is_slow = *times < 0.5;
+    const double ratio = is_slow ? 1 / *times : *times;
+    all += fmt::format("  {}{} the reference; speed is not graded.\n",
+                       is_estimate || ratio >= 10
+                           ? fmt::format("about {:.{}f} times", ratio, ratio < 10 ? 1 : 0)
+                           : fmt::format("{:.2f} times", ratio),
+                       is_slow ? " slower than" : " as fast as");
   }
   return all;
 }

@@ -95,13 +95,11 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     for (const fs::path& object : objects) {
       if (!fs::exists(object)) throw MachineError(object.string() + " was taken away");
     }
-    std::map<std::string, std::string> headers_below;
+    std::map<std::string, std::string> headers;
     for (const Lab& other : labs) {
-      const auto& below = lab.depends_on;
-      if (std::find(below.begin(), below.end(), other.name) == below.end()) continue;
-      headers_below[other.name] = read_text(layout.labs() / other.folder / other.header());
+      headers[other.name] = read_text(layout.labs() / other.folder / other.header());
     }
-    built.failure = explain_link_errors(linked.errors, lab, headers_below);
+    built.failure = explain_link_errors(linked.errors, lab, headers);
     return built;
   }
   const Segments segments = segments_of(aside);

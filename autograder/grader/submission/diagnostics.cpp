@@ -1,11 +1,13 @@
 #include "grader/submission/diagnostics.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
@@ -106,14 +108,21 @@ std::string first_errors(const std::string& diagnostics, const std::string& file
 }
 
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
-                                const std::map<std::string, std::string>& headers_below) {
-  // The lab whose header declares it: a program that depends on other labs may lack theirs.
-  const auto owner_of = [&](const std::string& plain) {
+                                const std::map<std::string, std::string>& headers) {
+  // The lab whose header declares it, if one does; this lab's header comes first.
+  const auto owner_of = [&](const std::string& plain) -> std::string {
     const std::string declared = ' ' + plain.substr(plain.rfind(':') + 1) + '(';
-    for (const auto& [name, header] : headers_below) {
-      if (header.find(declared) != std::string::npos) return name;
-    }
-    return lab.name;
+    const auto declares = [&](const auto& header) {
+      return header.second.find(declared) != std::string::npos;
+    };
+    const auto own = headers.find(lab.name);
+    if (own != headers.end() && declares(*own)) return lab.name;
+    const auto other = std::find_if(headers.begin(), headers.end(), declares);
+    return other == headers.end() ? "" : other->first;
+  };
+  const auto is_linked = [&](const std::string& name) {
+    return name == lab.name ||
+           std::find(lab.depends_on.begin(), lab.depends_on.end(), name) != lab.depends_on.end();
   };
   std::set<std::string> missing, doubled;
   for (const std::string& line : lines_of(diagnostics)) {
@@ -128,12 +137,20 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
   for (const std::string& name : missing) {
     const std::string plain = name.substr(0, name.find('('));
     const std::string owner = owner_of(plain);
-    lines.push_back(
-        plain.starts_with("mc::")
-            ? fmt::format("Your {0}.cpp does not define `{1}` with the parameters that {0}.hpp "
-                          "declares.",
-                          owner, plain)
-            : fmt::format("Your {} uses `{}`, which nothing defines.", lab.file(), name));
+    if (owner.empty() || !plain.starts_with("mc::")) {
+      lines.push_back(fmt::format("Your {} uses `{}`, which nothing defines.", lab.file(), name));
+    } else if (is_linked(owner)) {
+      lines.push_back(fmt::format(
+          "Your {0}.cpp does not define `{1}` with the parameters that {0}.hpp declares.", owner,
+          plain));
+    } else {
+      lines.push_back(fmt::format(
+          "Your {0} uses `{1}`, which {2}.cpp defines; lab {3} is linked with {4}. Copy the "
+          "function into {0}, in a namespace without a name.",
+          lab.file(), plain, owner, lab.number,
+          lab.depends_on.empty() ? "no other lab"
+                                 : fmt::format("{} only", fmt::join(lab.depends_on, ", "))));
+    }
   }
   for (const std::string& name : doubled) {
     lines.push_back(

@@ -13,8 +13,9 @@ namespace mc::grader {
 std::string first_errors(const std::string& diagnostics, const std::string& file,
                          const std::string& text);
 
-/// "your variance.cpp does not define `mc::covariance` (declared in variance.hpp)", and the like.
+/// "Your variance.cpp does not define `mc::covariance` …" and the like. `headers` has the text of each
+/// lab's header, by the lab's name.
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
-                                const std::map<std::string, std::string>& headers_below = {});
+                                const std::map<std::string, std::string>& headers);
 
 }  // namespace mc::grader
