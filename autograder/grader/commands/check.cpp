@@ -7,6 +7,7 @@
 
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
+#include "grader/checkout/hints.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/judging_options.hpp"
 #include "grader/commands/lab_and_task.hpp"
@@ -86,6 +87,13 @@ int check(const Context& context, const Arguments& arguments) {
   const auto watched = watching_terminal();
   fmt::print("{}", watched ? report_open_first(judged, verdict, *watched)
                            : report_lab(judged, verdict, this_terminal()));
+  if (own && judged.no_program.empty()) {
+    constexpr int often = 3;
+    const auto [times, task] = failures_in_a_row(context.layout, judged);
+    if (times >= often && !hints_for(context.layout, lab, task).empty()) {
+      fmt::print("  Stuck on {0}? ./lab hint {0} shows a step towards it.\n", task);
+    }
+  }
   std::fflush(stdout);  // into a pipe, too: the next step takes a while
   // Neither a grade nor a file that could pass for one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));

@@ -31,6 +31,21 @@ void remember(const Layout& layout, const LabVerdict& verdict) {
                                text_now(layout, verdict.lab)));
 }
 
+std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVerdict& verdict) {
+  const auto file = file_of(layout, verdict.lab).concat(".failing");
+  for (const CheckResult& result : verdict.checks) {
+    if (result.status != Status::failed) continue;
+    std::istringstream known(read_text(file));
+    std::string task;
+    int count = 0;
+    if (!(known >> task >> count) || task != result.check.task) count = 0;
+    std::filesystem::create_directories(file.parent_path());
+    write_text(file, fmt::format("{} {}\n", result.check.task, count + 1));
+    return {count + 1, result.check.task};
+  }
+  return {0, {}};
+}
+
 std::optional<Progress> recall(const Layout& layout, const Lab& lab) {
   std::istringstream file(read_text(file_of(layout, lab)));
   Progress progress;

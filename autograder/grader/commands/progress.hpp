@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "grader/judging/verdict.hpp"
 
@@ -15,6 +16,10 @@ struct Progress {
 };
 
 void remember(const Layout& layout, const LabVerdict& verdict);
+/// How many checks in a row, with this one, the first task that fails has failed; and the task. 0
+/// where none fails.
+std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVerdict& verdict);
+
 std::optional<Progress> recall(const Layout& layout, const Lab& lab);
 
 }  // namespace mc::grader

@@ -183,7 +183,7 @@ std::string lab_section(const LabVerdict& lab, std::uint64_t seed, const PageMat
   if (!lab.on_reference.empty()) all += "<p>" + html_escaped(reference_line(lab)) + "</p>\n";
   if (!lab.no_program.empty()) all += "<pre>" + html_escaped(lab.no_program) + "</pre>\n";
   for (const std::string& need : lab.unfinished) {
-    all += fmt::format("<p>First: {} {} is not right yet, and checks below stand on it.</p>\n",
+    all += fmt::format("<p>First: {} {} is not right yet, and checks below depend on it.</p>\n",
                        need.find('.') == std::string::npos ? "lab" : "task", html_escaped(need));
   }
   if (lab.no_program.empty()) {

@@ -86,7 +86,7 @@ std::string roots_elsewhere(const LabVerdict& lab) {
   for (const std::string& need : lab.unfinished) {
     const auto dot = need.find('.');
     all += fmt::format(
-        "  First: {} is not right yet, and checks below stand on it: ./lab check {}\n",
+        "  First: {} is not right yet, and checks below depend on it: ./lab check {}\n",
         called(need), dot == std::string::npos ? need : need.substr(0, dot) + " --only " + need);
   }
   return all.empty() ? all : all + '\n';

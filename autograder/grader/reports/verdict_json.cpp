@@ -57,10 +57,10 @@ Json json_of(const Lab& lab) {
   return {{"number", lab.number},
           {"name", lab.name},
           {"folder", lab.folder},
-          {"stands_on", lab.depends_on}};
+          {"depends_on", lab.depends_on}};
 }
 Lab lab_in(const Json& json) {
-  return {json.at("number"), json.at("name"), json.at("folder"), json.at("stands_on")};
+  return {json.at("number"), json.at("name"), json.at("folder"), json.at("depends_on")};
 }
 
 Json json_of(const CheckResult& result) {

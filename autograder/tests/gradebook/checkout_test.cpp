@@ -278,6 +278,17 @@ TEST_CASE("a handout needs only a compiler", "[.handout]") {
 
   write_text(handout.root / "starter" / "variance.cpp", text_of(handout.layout.solutions()));
   CHECK(contains(handout.lab({"hint", "1.1"}).output, "1.1"));
+  std::string wrong = text_of(handout.layout.solutions());
+  const std::string begin = "double mean(std::span<const double> x) {";
+  REQUIRE(contains(wrong, begin));
+  wrong.insert(wrong.find(begin) + begin.size(), "\n  if (x.size() > 2) return 42;\n");
+  const fs::path file = handout.root / "starter" / "variance.cpp";
+  write_text(file, wrong);
+  for (int times = 1; times <= 3; ++times) {
+    const std::string report = handout.lab({"check", "1.1"}).output;
+    CHECK(contains(report, "./lab hint 1.1 shows a step") == (times == 3));
+  }
+  write_text(file, text_of(handout.layout.solutions()));
   editor_commands_work(handout);
   CHECK(handout.lab({"report", "variance"}).exit_code == 0);
   CHECK(contains(handout.lab({"plot", "variance"}).output, "gnuplot is not installed"));
