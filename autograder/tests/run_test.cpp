@@ -32,6 +32,25 @@ TEST_CASE("an experiment by hand", "[script]") {
   CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
 }
 
+TEST_CASE("a shell completes commands, labs, tasks, experiments and options", "[script]") {
+  const auto completed = [](const std::string& words, int word) {
+    const auto script = lab({"completion", "bash"});
+    REQUIRE(script.exit_code == 0);
+    return sandbox::run_process({"bash", "-c",
+                                 script.output + "COMP_WORDS=(./lab " + words +
+                                     ") COMP_CWORD=" + std::to_string(word) +
+                                     "; _monte_carlo_labs; echo \"${COMPREPLY[*]}\""})
+        .output;
+  };
+  CHECK(completed("che", 1) == "check\n");
+  CHECK(completed("plot va", 2) == "variance\n");
+  CHECK(completed("check 1.", 2).starts_with("1.1 1.2 "));
+  CHECK(completed("hint ''", 2).starts_with("1.1 1.2 "));
+  CHECK(completed("run halton random", 3) == "random_shift\n");
+  CHECK(completed("check 1 --w", 3) == "--watch\n");
+  CHECK(lab({"completion", "fish"}).exit_code == 2);
+}
+
 TEST_CASE("the output of an experiment says which number is what", "[script]") {
   const std::string solutions = read_layout().solutions().string();
   const auto run = [&](std::vector<std::string> words) {

@@ -25,6 +25,7 @@ inline constexpr CommandEntry command_list[] = {
     {"report", "your work on a lab as a page"},
     {"reset", "the starter of a lab again (your file is kept as a backup)"},
     {"submit", "write the zip to hand in"},
+    {"completion", "a script for your shell that completes commands on TAB"},
     {"grade", "judge whole submissions", true},
     {"merge", "make one table of the tables of several shards", true},
     {"stats", "what a table of grades says of the class and of the checks", true},

@@ -273,8 +273,8 @@ TEST_CASE("a handout needs only a compiler", "[.handout]") {
   }
   handout.search_path = handout.path() / "programs";
   link_programs(handout.search_path, {"sh", "uname", "tr", "dirname", "c++", "as", "ld", "git"});
-  works_from_the_first_call_on(
-      handout, {"setup", "check", "run", "hint", "plot", "demo", "report", "reset", "submit"});
+  works_from_the_first_call_on(handout, {"setup", "check", "run", "hint", "plot", "demo", "report",
+                                         "reset", "submit", "completion"});
 
   write_text(handout.root / "starter" / "variance.cpp", text_of(handout.layout.solutions()));
   CHECK(contains(handout.lab({"hint", "1.1"}).output, "1.1"));
@@ -311,8 +311,8 @@ TEST_CASE("a handout with the judge's sources works from the first call on", "[.
   const Handout handout({"--labs", "variance", "--with-sources"});
   REQUIRE(handout.written.exit_code == 0);
   builds_from_sources(handout);
-  works_from_the_first_call_on(
-      handout, {"setup", "check", "run", "hint", "plot", "demo", "report", "reset", "submit"});
+  works_from_the_first_call_on(handout, {"setup", "check", "run", "hint", "plot", "demo", "report",
+                                         "reset", "submit", "completion"});
 }
 
 }  // namespace mc::tests::checkout
