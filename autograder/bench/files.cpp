@@ -17,6 +17,7 @@ nlohmann::ordered_json as_json(const std::vector<Ratio>& ratios) {
   auto all = nlohmann::ordered_json::array();
   for (const Ratio& one : ratios) {
     all.push_back({{"name", one.name},
+                   {"against", one.against},
                    {"ratio", one.ratio},
                    {"nanoseconds", one.ours},
                    {"nanoseconds_of_the_other", one.other}});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "bench/bench.hpp"
+#include "bench/markdown.hpp"
 
 namespace mc::grader {
 namespace {
@@ -93,141 +95,132 @@ std::vector<Line> lines_of(const std::vector<Curve>& curves) {
 
 std::string one_minute(const Bench& bench) {
   const auto curves = curves_of(bench);
-  std::string all =
-      "| sampler | by | ns a sample | error | smooth 2D to 10⁻³ | edge 2D to 10⁻³ | smooth 4D to "
-      "10⁻³ | efficiency |\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  Markdown table{{"sampler", "by", "ns a sample", "error", "smooth 2D to 10⁻³", "edge 2D to 10⁻³",
+                  "smooth 4D to 10⁻³", "efficiency"},
+                 2};
   for (const Line& line : lines_of(curves)) {
     const Curve::Point* const point = at_4096(line.plane);
     if (point == nullptr) continue;
-    all += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", line.plane->what,
-                       whose(line.plane->submission), shown_number(point->sample),
-                       error_of(*point, false), reached(line.plane, 1e-3), reached(line.edge, 1e-3),
-                       reached(line.four, 1e-3), shown_number(point->efficiency));
+    table.rows.push_back({line.plane->what, whose(line.plane->submission),
+                          shown_number(point->sample), error_of(*point, false),
+                          reached(line.plane, 1e-3), reached(line.edge, 1e-3),
+                          reached(line.four, 1e-3), shown_number(point->efficiency)});
   }
-  return all;
+  return table.text();
 }
 
 std::string ratios(const Bench& bench) {
-  std::string all =
-      "| what | against | ns | ns of the other | ratio | wanted | ratio "
-      "without "
-      "AVX2 | AVX2 buys |\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  Markdown table{{"what", "against", "ns", "ns of the other", "ratio", "wanted",
+                  "ratio without AVX2", "AVX2 buys"},
+                 2};
   for (const Ratio& one : bench.ratios) {
-    const std::string wish = one.wanted > 0 ? fmt::format("≥ {:g}", one.wanted) : "";
     std::string without, buys;
     for (const Ratio& other : bench.baseline) {
-      if (other.name != one.name) continue;
+      if (other.name != one.name || other.against != one.against) continue;
       without = shown_number(other.ratio);
       buys = fmt::format("× {:.1f}", other.ours / one.ours);
     }
-    all += fmt::format("| {} | {} | {:.2f} | {:.2f} | {} | {} | {} | {} |\n", one.name, one.against,
-                       one.ours, one.other, shown_number(one.ratio), wish, without, buys);
+    table.rows.push_back({one.name, one.against, fmt::format("{:.2f}", one.ours),
+                          fmt::format("{:.2f}", one.other), shown_number(one.ratio),
+                          one.wanted > 0 ? fmt::format("≥ {:g}", one.wanted) : "", without, buys});
   }
-  return all;
+  return table.text();
 }
 
 std::string tables_of_times(const Bench& bench) {
   const auto curves = curves_of(bench);
   std::vector<std::string> integrands;
-  for (const Curve& curve : curves) {
-    if (std::find(integrands.begin(), integrands.end(), curve.on) == integrands.end()) {
-      integrands.push_back(curve.on);
-    }
-  }
+  for (const Curve& curve : curves) enlist(integrands, curve.on);
   std::string all;
   for (const std::string& on : integrands) {
     double cost = 0;
-    std::string rows;
+    Markdown table{{"sampler", "by", "ns a sample", "RMSE at 4096", "to 10⁻²", "10⁻³", "10⁻⁴",
+                    "10⁻⁵", "10⁻⁶", "efficiency"},
+                   2};
     for (const Curve& curve : curves) {
       const Curve::Point* const point = at_4096(&curve);
       if (curve.on != on || point == nullptr) continue;
       cost = point->integrand;
-      rows += fmt::format("| {} | {} | {} | {} |", curve.what, whose(curve.submission),
-                          shown_number(point->sample), error_of(*point, true));
+      table.rows.push_back({curve.what, whose(curve.submission), shown_number(point->sample),
+                            error_of(*point, true)});
       for (int digits = 2; digits <= 6; ++digits) {
-        rows += fmt::format(" {} |", reached(&curve, std::pow(10, -digits)));
+        table.rows.back().push_back(reached(&curve, std::pow(10, -digits)));
       }
-      rows += fmt::format(" {} |\n", shown_number(point->efficiency));
+      table.rows.back().push_back(shown_number(point->efficiency));
     }
-    all += fmt::format(
-        "### {}\n\n{}\n\n| sampler | by | ns a sample | RMSE at 4096 | to 10⁻² | 10⁻³ | 10⁻⁴ | "
-        "10⁻⁵ | "
-        "10⁻⁶ | efficiency |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n{}\n",
-        on,
-        cost > 0 ? fmt::format("The integrand itself takes {} ns.", shown_number(cost))
-                 : std::string("The integrand is part of the sample."),
-        rows);
+    all +=
+        fmt::format("### {}\n\n{}\n\n{}\n", on,
+                    cost > 0 ? fmt::format("The integrand itself takes {} ns.", shown_number(cost))
+                             : "The integrand is part of the sample.",
+                    table.text());
   }
   return all;
 }
 
 std::string variances(const Bench& bench) {
+  Markdown table{{"way", "by", "ns, in cache", "ns, out of it"}, 2};
   std::vector<std::string> cases;
-  std::vector<std::pair<std::string, std::string>> ways;  // what, by
+  std::map<std::pair<std::string, std::string>, std::size_t> rows;  // of what, by
   const auto digits = bench.of("digits");
+  for (const BenchRow& row : digits) enlist(cases, row.on);
+  table.headers.insert(table.headers.end(), cases.begin(), cases.end());
   for (const BenchRow& row : digits) {
-    if (std::find(cases.begin(), cases.end(), row.on) == cases.end()) cases.push_back(row.on);
-    const std::pair way(row.what, row.submission);
-    if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(way);
-  }
-  std::string all =
-      fmt::format("| way | by | ns, in cache | ns, out of it | {} |\n|---|---|--:|--:|",
-                  fmt::join(cases, " | "));
-  for (std::size_t i = 0; i < cases.size(); ++i) all += "--:|";
-  all += '\n';
-  for (const auto& [what, by] : ways) {
-    const auto in = time_of(bench, by, what, "in cache", 1, 4096),
-               out = time_of(bench, by, what, "out of cache", 1, std::uint64_t{1} << 23);
-    all += fmt::format("| {} | {} | {} | {} |", what, whose(by), in ? shown_number(in->value) : "",
-                       out ? shown_number(out->value) : "");
-    for (const std::string& on : cases) {
-      const auto row = std::find_if(
-          digits.begin(), digits.end(), [&, &what = what, &by = by](const BenchRow& one) {
-            return one.what == what && one.submission == by && one.on == on;
-          });
-      all += row == digits.end() ? " |" : fmt::format(" {:.1f} |", row->value);
+    const auto [at, is_new] = rows.try_emplace({row.what, row.submission}, table.rows.size());
+    if (is_new) {
+      table.rows.push_back({row.what, whose(row.submission)});
+      for (const auto& [where, n] :
+           {std::pair{"in cache", std::uint64_t{4096}}, {"out of cache", std::uint64_t{1} << 23}}) {
+        const auto time = time_of(bench, row.submission, row.what, where, 1, n);
+        table.rows.back().push_back(time ? shown_number(time->value) : "");
+      }
+      table.rows.back().resize(table.headers.size());
     }
-    all += '\n';
+    const auto column = std::find(table.headers.begin(), table.headers.end(), row.on);
+    table.rows[at->second][static_cast<std::size_t>(column - table.headers.begin())] =
+        fmt::format("{:.1f}", row.value);
   }
-  return all;
+  return table.text();
 }
 
 std::string libraries(const Bench& bench) {
-  std::string all = "| library | lab | what of it | fails | because |\n|---|---|---|---|---|\n";
+  Markdown table{{"library", "lab", "what of it", "fails", "because"}, 5};
   for (const Peer& peer : bench.peers) {
-    const std::string start =
-        fmt::format("| {}{} | {} | {} |", peer.library,
-                    peer.installed ? "" : " (not installed here)", peer.lab, peer.what);
-    if (peer.failures.empty()) all += start + " nothing | |\n";
+    const std::vector<std::string> start{
+        peer.library + (peer.installed ? "" : " (not installed here)"), peer.lab, peer.what};
+    const auto add = [&](const std::string& fails, const std::string& because) {
+      table.rows.push_back(start);
+      table.rows.back().insert(table.rows.back().end(), {fails, because});
+    };
+    if (peer.failures.empty()) add("nothing", "");
     for (const Peer::Failure& failure : peer.failures) {
-      all += fmt::format("{} {} | {} |\n", start, fmt::join(failure.checks, "; "), failure.because);
+      add(fmt::format("{}", fmt::join(failure.checks, "; ")), failure.because);
     }
   }
-  return all;
+  return table.text();
 }
 
 std::string growth(const Bench& bench) {
   const auto rows = bench.of("growth"), memory = bench.of("memory");
   std::set<std::tuple<std::string, std::string, std::string, std::uint64_t>> done;
-  std::string all =
-      "| what | over | from | to | time grows as | memory as | ns at the largest | bytes |\n"
-      "|---|---|--:|--:|--:|--:|--:|--:|\n";
+  Markdown table{
+      {"what", "over", "from", "to", "time grows as", "memory as", "ns at the largest", "bytes"},
+      2};
   for (const BenchRow& row : rows) {
     const bool over_n = row.on == "n";
     if (!done.insert({row.submission, row.what, row.on, over_n ? row.dims : 0}).second) continue;
-    std::vector<std::pair<double, double>> times, bytes;
-    const auto collect = [&](const std::vector<BenchRow>& from, auto& into) {
+    const auto points_of = [&](const std::vector<BenchRow>& from) {
+      std::vector<std::pair<double, double>> points;
       for (const BenchRow& other : from) {
-        if (other.submission != row.submission || other.what != row.what || other.on != row.on ||
-            (over_n && other.dims != row.dims)) {
-          continue;
+        if (other.submission == row.submission && other.what == row.what && other.on == row.on &&
+            (!over_n || other.dims == row.dims)) {
+          points.emplace_back(static_cast<double>(over_n ? other.n : other.dims), other.value);
         }
-        into.emplace_back(static_cast<double>(over_n ? other.n : other.dims), other.value);
       }
-      std::sort(into.begin(), into.end());
+      std::sort(points.begin(), points.end());
+      return points;
     };
-    collect(rows, times);
-    collect(memory, bytes);
+    const auto times = points_of(rows);
+    auto bytes = points_of(memory);
     // Without the program's own memory; the remainder is noise.
     for (std::size_t i = bytes.size(); i-- > 0;) bytes[i].second -= bytes[0].second;
     std::erase_if(bytes, [](const auto& point) { return point.second < 5e5; });
@@ -235,17 +228,16 @@ std::string growth(const Bench& bench) {
       return exponent ? fmt::format("{}^({:.2f} ± {:.2f})", of, exponent->slope, exponent->error)
                       : std::string();
     };
-    if (times.empty()) continue;
     const auto [largest, seconds] = times.back();
-    const double items =
-        over_n ? largest * static_cast<double>(row.dims) : largest * static_cast<double>(row.n);
-    all += fmt::format("| {} | {} | {:g} | {:g} | {} | {} | {:.2f} a coordinate | {} |\n", row.what,
-                       over_n ? fmt::format("N, {}D", row.dims) : "dimensions, N = 4096",
-                       times.front().first, largest, shown(exponent_of(times), over_n ? "N" : "d"),
-                       shown(exponent_of(bytes), "N"), seconds * 1e9 / items,
-                       bytes.empty() ? "" : fmt::format("{:.0f} MB", bytes.back().second / 1e6));
+    const double items = largest * static_cast<double>(over_n ? row.dims : row.n);
+    table.rows.push_back(
+        {row.what, over_n ? fmt::format("N, {}D", row.dims) : "dimensions, N = 4096",
+         fmt::format("{:g}", times.front().first), fmt::format("{:g}", largest),
+         shown(exponent_of(times), over_n ? "N" : "d"), shown(exponent_of(bytes), "N"),
+         fmt::format("{:.2f} a coordinate", seconds * 1e9 / items),
+         bytes.empty() ? "" : fmt::format("{:.0f} MB", bytes.back().second / 1e6)});
   }
-  return all;
+  return table.text();
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ do for [axis in "samples time"] {
   column_of = axis eq "samples" ? 1 : 2
   name = axis; width = 1180; height = 880
   load draw
-  array style[6] = [independent, jittered, multi_jittered, poisson_disk, halton, scrambled_sobol]
+  array style[6] = [independent, jittered, multi_jittered, poisson_disk, scrambled_halton, scrambled_sobol]
   set multiplot layout 2,3 margins 75./width, 1 - 15./width, 150./height, 1 - 36./height spacing 65./width, 90./height
   set logscale xy
   set format "10^{%L}"
@@ -53,10 +53,10 @@ set logscale x
 set xrange [0.1:50]
 set yrange [-1.5:17.5]
 set ytics 0,2,16
-set xlabel "ns a value (less is better)"
+set xlabel "ns per value (less is better)"
 set ylabel "decimal digits that are right (more is better)"
 set key at graph 0.02,0.55 left Left reverse
 set label "1.2 textbook\n1.3 two passes\n1.4 Welford\n1.5 merged parts\n1.8 moments" at graph 0.03,0.3
 set datafile separator "\t"
-plot for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2 with points ls i ps 1.8 title who[i], \
+plot for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2 with points ls other+i ps 1.8 title who[i], \
      for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2:3 with labels offset 0,(i % 2 == 1 ? 1 : -1) notitle

@@ -153,7 +153,10 @@ class BenchRun {
       add(times, "table-time", round);
     }
     if (!tables_only) add(growth, "growth", 0);
-    if (entrants_.empty()) return;
+    if (errors.empty() && times.empty() && growth.empty()) {
+      fmt::print("There is nothing to measure: no submission, or a lab without a bench.\n");
+      return;
+    }
     constexpr double workers = 2;
     for (const Job& one : errors) progress_.expect(name_of(one), workers);
     for (const Job& one : times) progress_.expect(name_of(one));
@@ -213,6 +216,7 @@ class BenchRun {
     const auto [found, is_new] = has_cases_.try_emplace({lab.name, kind}, false);
     if (is_new) {
       found->second =
+          fs::exists(context_.layout.measurements(lab.name)) &&
           !hidden_cases(context_.layout, lab, CaseKind::measurements, tag_of(kind)).empty();
     }
     return found->second;

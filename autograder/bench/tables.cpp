@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "bench/bench.hpp"
+#include "bench/markdown.hpp"
 
 namespace mc::grader {
 namespace {
@@ -20,11 +18,6 @@ constexpr std::string_view prefix = "table ";
 
 /// A cell whose relative error exceeds this shows the error too.
 constexpr double uncertain = 0.15;
-
-/// Names in their order of arrival.
-void enlist(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
 
 /// Two significant digits: "0.00012" is 1.2e-4.
 std::string figure(double value) {
@@ -37,26 +30,9 @@ std::string figure(double value) {
 
 struct Table {
   std::string title;
-  std::vector<std::string> rows{}, columns{};
-  std::map<std::pair<std::string, std::string>, std::string> cells{};
+  std::vector<std::string> rows{}, columns{""};
+  Markdown cells{};
   double largest = 0;  ///< relative error of the cells that do not show their own
-
-  std::string printed() const {
-    std::string all = title;
-    if (largest > 0) all += fmt::format(" (± {:.0f} % at most)", 100 * largest);
-    all += fmt::format("\n\n| | {} |\n|---|", fmt::join(columns, " | "));
-    for (std::size_t i = 0; i < columns.size(); ++i) all += "--:|";
-    all += '\n';
-    for (const std::string& row : rows) {
-      all += fmt::format("| {} |", row);
-      for (const std::string& column : columns) {
-        const auto found = cells.find({row, column});
-        all += found == cells.end() ? " |" : fmt::format(" {} |", found->second);
-      }
-      all += '\n';
-    }
-    return all;
-  }
 };
 
 }  // namespace
@@ -73,9 +49,11 @@ std::string bench_tables(const Bench& bench) {
     const bool without_name = cell.submission == "solutions" || cell.what.ends_with(", exact");
     const std::string row =
         without_name ? cell.what : fmt::format("{}, {}", cell.what, cell.submission);
-    enlist(table->rows, row);
-    enlist(table->columns, cell.on);
-    std::string& shown = table->cells[{row, cell.on}];
+    const std::size_t y = enlist(table->rows, row), x = enlist(table->columns, cell.on);
+    auto& lines = table->cells.rows;
+    if (y == lines.size()) lines.push_back({row});
+    for (auto& line : lines) line.resize(table->columns.size());
+    std::string& shown = lines[y][x];
     shown = figure(cell.value);
     if (cell.error > uncertain * cell.value) {
       shown += " ± " + figure(cell.error);
@@ -84,7 +62,12 @@ std::string bench_tables(const Bench& bench) {
     }
   }
   std::string all;
-  for (const Table& table : tables) all += (all.empty() ? "" : "\n") + table.printed();
+  for (Table& table : tables) {
+    table.cells.headers = table.columns;
+    all += (all.empty() ? "" : "\n") + table.title;
+    if (table.largest > 0) all += fmt::format(" (± {:.0f} % at most)", 100 * table.largest);
+    all += "\n\n" + table.cells.text();
+  }
   return all;
 }
 

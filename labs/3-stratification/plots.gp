@@ -113,11 +113,11 @@ set yrange [1e-4:1]
 set xlabel "n"
 set ylabel "RMSE"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
-array how[3] = ["", ", row by row", " (shuffled)"]
+how(m) = m eq "jittered" ? ", row by row" : m eq "padded" ? " (shuffled)" : ""
 do for [s=1:count] {
   set title panel(s) noenhanced
-  plot for [i=1:3] data[s]."/early.tsv" using "N":(word("independent jittered padded", i)) \
-    with linespoints ls value(word("independent jittered padded", i)) title is(word("independent jittered padded", i)).how[i]
+  plot for [m in "independent jittered padded"] data[s]."/early.tsv" using "N":m \
+    with linespoints ls value(m) title is(m).how(m)
   unset key
   unset ylabel
 }

@@ -1,20 +1,17 @@
 #include "bench/ratios/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <limits>
-#include <map>
-#include <utility>
-#include <vector>
 
 namespace mc::ratios {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Nanoseconds per call, over as many calls as take 0.2 ms.
-double nanoseconds(const std::function<void()>& work) {
+double nanoseconds(const Work& work) {
+  using Clock = std::chrono::steady_clock;
   constexpr double least = 2e-4;
   for (int calls = 1;; calls *= 2) {
     const auto start = Clock::now();
@@ -24,39 +21,28 @@ double nanoseconds(const std::function<void()>& work) {
   }
 }
 
-std::multimap<int, void (*)()>& measurements() {
-  static std::multimap<int, void (*)()> all;
-  return all;
-}
-
 }  // namespace
 
 volatile double sink = 0;
 
-Measurements::Measurements(int place, void (*measure)()) {
-  measurements().emplace(place, measure);
-}
-
-void compare(const Ratio& ratio, const std::function<void()>& ours,
-             const std::function<void()>& other) {
-  std::vector<std::pair<double, std::pair<double, double>>> ratios;
-  for (int time = 0; time < 5; ++time) {
-    double best_ours = std::numeric_limits<double>::infinity(), best_other = best_ours;
-    for (int round = 0; round < 15; ++round) {
-      best_ours = std::min(best_ours, nanoseconds(ours));
-      best_other = std::min(best_other, nanoseconds(other));
+void compare(const std::string& name, double values, const Work& ours,
+             const std::vector<Opponent>& opponents) {
+  for (const Opponent& opponent : opponents) {
+    std::array<std::array<double, 3>, 5> ratios{};  // ratio, ours, the other's
+    for (auto& [ratio, best, other] : ratios) {
+      best = other = std::numeric_limits<double>::infinity();
+      for (int round = 0; round < 15; ++round) {
+        best = std::min(best, nanoseconds(ours));
+        other = std::min(other, nanoseconds(opponent.work));
+      }
+      ratio = other / best;
     }
-    ratios.push_back({best_other / best_ours, {best_ours, best_other}});
+    std::sort(ratios.begin(), ratios.end());
+    const auto& [ratio, best, other] = ratios[2];
+    std::printf("%s\t%s\t%.4g\t%.4g\t%.4g\t%.4g\n", name.c_str(), opponent.name.c_str(),
+                opponent.wanted, ratio, best / values, other / values);
+    std::fflush(stdout);
   }
-  std::sort(ratios.begin(), ratios.end());
-  const auto& [median, times] = ratios[2];
-  std::printf("%s\t%s\t%.4g\t%.4g\t%.4g\t%.4g\n", ratio.name.c_str(), ratio.against.c_str(),
-              ratio.wanted, median, times.first / ratio.values, times.second / ratio.values);
-  std::fflush(stdout);
 }
 
 }  // namespace mc::ratios
-
-int main() {
-  for (const auto& [place, measure] : mc::ratios::measurements()) measure();
-}

@@ -194,6 +194,11 @@ void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& pan
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder) {
   Plots plots;
+  const fs::path here = layout.labs() / lab.folder;
+  if (!fs::exists(here / "plots.gp") || !fs::exists(layout.measurements(lab.name))) {
+    plots.remarks.push_back(fmt::format("lab {}, {}, has no plots", lab.number, lab.name));
+    return plots;
+  }
   if (!can_draw(plots)) return plots;
   const fs::path place = layout.build / "plots" / folder;
   std::vector<Panel> panels;
@@ -213,7 +218,6 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
 
   std::vector<std::string> data;
   for (const Panel& panel : panels) data.push_back(panel.data.string());
-  const fs::path here = layout.labs() / lab.folder;
   std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
   for (Section& section : sections) look_at(section, panels, plots.remarks);
   // What the lab calls its methods, if it has any: the same for all submissions.
