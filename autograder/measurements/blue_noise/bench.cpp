@@ -9,7 +9,7 @@ namespace mc::measurements {
 namespace {
 
 std::vector<Method> benched() {
-  return methods_of(methods(), {"best_candidate", "poisson_disk"});
+  return methods_of(methods, {"best_candidate", "poisson_disk"});
 }
 
 TEST_CASE("bench error", "[.bench-error]") {
@@ -32,7 +32,7 @@ TEST_CASE("bench growth", "[.bench-growth]") {
 }
 
 TEST_CASE("demo", "[.demo]") {
-  write_demo(4, method(methods(), "best_candidate"));
+  write_demo(4, method(methods, "best_candidate"));
 }
 
 }  // namespace

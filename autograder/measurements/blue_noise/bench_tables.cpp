@@ -72,14 +72,14 @@ TEST_CASE("bench table of low frequencies", "[.bench-table]") {
   write_power("jittered, exact", exactly(jittered_low_power(16)));
   write_power("Halton, exact", exactly(power_of(halton_axis(2), halton_axis(3))));
   Mean power, closest, of_disks;
-  for (const PointSet& set : method(methods(), "best_candidate").points(low_n, 2, low_sets, 1)) {
+  for (const PointSet& set : method(methods, "best_candidate").points(low_n, 2, low_sets, 1)) {
     power.add(power_of(set.column(0), set.column(1)));
     closest.add(least_distance(set.column(0), set.column(1)) / lattice_distance(low_n));
   }
   write_power("best_candidate", power);
   // In parts of the distance in the densest pattern.
   write("closest two of 256", "best_candidate", "distance", closest);
-  for (const PointSet& set : method(methods(), "poisson_disk").points(low_n, 2, low_sets, 1)) {
+  for (const PointSet& set : method(methods, "poisson_disk").points(low_n, 2, low_sets, 1)) {
     of_disks.add(power_of(set.column(0), set.column(1)));
   }
   write_power("poisson_disk", of_disks);
@@ -104,7 +104,7 @@ TEST_CASE("bench table of gaps", "[.bench-table]") {
 /// How much less the RMSE is with 1,024 points.
 TEST_CASE("bench table of gains", "[.bench-table]") {
   const Integrand& smooth = integrand("bump");
-  const ErrorSums errors = errors_of(method(methods(), "poisson_disk"), smooth, 1024, 1000, 1);
+  const ErrorSums errors = errors_of(method(methods, "poisson_disk"), smooth, 1024, 1000, 1);
   if (errors.count == 0) return;
   const double ratio = std::sqrt(smooth.variance / 1024) / errors.rmse();
   bench_table({"gain over independent points", "poisson_disk", "ratio", 0, ratio,

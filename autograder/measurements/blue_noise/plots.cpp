@@ -14,7 +14,7 @@ namespace {
 const Names shown{"independent", "jittered", "few_candidates", "best_candidate", "poisson_disk"};
 
 TEST_CASE("plot names", "[.plot]") {
-  plot_names(methods());
+  plot_names(methods);
 }
 
 constexpr int kmax = 48, spectrum_side = 2 * kmax + 1;
@@ -45,7 +45,7 @@ std::vector<double> mean_periodogram(Sets sets) {
 
 TEST_CASE("plot patterns", "[.plot]") {
   for (const std::string& key : shown) {
-    plot_points("spectra-pattern-" + key + ".tsv", method(methods(), key).points(256, 2, 1, 256));
+    plot_points("spectra-pattern-" + key + ".tsv", method(methods, key).points(256, 2, 1, 256));
   }
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("plot periodograms as pictures and over rings", "[.plot]") {
     rows[ring - 1].emplace_back(static_cast<double>(ring) / 16);
   }
   for (const std::string& key : shown) {
-    const auto mean = mean_periodogram(method(methods(), key).points(256, 2, 40, 256));
+    const auto mean = mean_periodogram(method(methods, key).points(256, 2, 40, 256));
     auto file = plot_file("spectra-power-" + key + ".tsv");
     for (std::size_t row = 0; row < spectrum_side; ++row) {
       Row values(spectrum_side);
@@ -83,26 +83,23 @@ TEST_CASE("plot error against N", "[.plot]") {
       {.names = {"bump", "edge"},
        .integrands = {integrand("bump"), integrand("edge")},
        .methods =
-           methods_of(methods(), {"independent", "jittered", "best_candidate", "poisson_disk"}),
+           methods_of(methods, {"independent", "jittered", "best_candidate", "poisson_disk"}),
        .sizes = {4, 16, 64, 256, 1024},
        .replicates = [](std::uint64_t n) -> std::uint64_t { return n == 1024 ? 40 : 100; }});
 }
 
 TEST_CASE("plot time against N", "[.plot]") {
   const Names keys{"best_candidate", "poisson_disk"};
-  auto file = plot_file("speed.tsv", {"N", keys[0], keys[1]});
-  for (const std::uint64_t n : {64u, 256u, 1024u, 4096u, 16384u, 65536u}) {
-    Row row{static_cast<double>(n)};
-    for (const Method& one : methods_of(methods(), keys)) {
-      row.emplace_back();
-      if (one.key == "best_candidate" && n > 4096) continue;  // it takes n^2 candidates
-      // Noise of a few per cent is nothing on four decades.
-      const Number round =
-          seconds_of([&](std::uint64_t rounds) { return one.rounds(n, 2, rounds); }, 0.004);
-      if (round) row.back() = *round * 1e6 / static_cast<double>(n);
-    }
-    plot_row(file, row);
-  }
+  plot_table("speed.tsv", "N", powers(64, 4, 65536), keys, [&](double n, std::size_t c) -> Number {
+    if (c == 0 && n > 4096) return {};  // it takes n^2 candidates
+    // Noise of a few per cent is nothing on four decades.
+    const Number round = seconds_of(
+        [&](std::uint64_t rounds) {
+          return method(methods, keys[c]).rounds(static_cast<std::uint64_t>(n), 2, rounds);
+        },
+        0.004);
+    return round ? Number(*round * 1e6 / n) : Number{};
+  });
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 namespace mc::measurements {
 
 TEST_CASE("speed of blue noise", "[.speed]") {
-  bench_speed("4.7", "best candidates", 256, method(methods(), "best_candidate"));
+  bench_speed("4.7", "best candidates", 256, method(methods, "best_candidate"));
   bench_speed("4.7", "Poisson disks", 1024, [](std::uint64_t rounds) {
-    return method(methods(), "poisson_disk").rounds(1024, 2, rounds);
+    return method(methods, "poisson_disk").rounds(1024, 2, rounds);
   });
 }
 

@@ -9,8 +9,8 @@ namespace mc::measurements {
 namespace {
 
 std::vector<Method> benched() {
-  return {shifted(method(methods(), "halton")), method(methods(), "scrambled_halton"),
-          shifted(method(methods(), "sobol")), method(methods(), "scrambled_sobol")};
+  return {shifted(method(methods, "halton")), method(methods, "scrambled_halton"),
+          shifted(method(methods, "sobol")), method(methods, "scrambled_sobol")};
 }
 
 TEST_CASE("bench error", "[.bench-error]") {
@@ -35,7 +35,7 @@ TEST_CASE("bench growth", "[.bench-growth]") {
 /// Randomized, since an RMSE is shown beside an error. As in lab 6: base 2 by 5.8, whose errors
 /// fall faster than those of 5.9, base 3 by 5.9.
 TEST_CASE("demo", "[.demo]") {
-  Method halton = method(methods(), "scrambled_halton");
+  Method halton = method(methods, "scrambled_halton");
   halton.is_sequence = true;
   halton.points = [](Count n, Count, Count count, Count seed) {
     const Sets base_2 = sets_of(TRY_MEASURE(radical_inverses, 2, 0, n), n, 1, 1);
@@ -47,7 +47,7 @@ TEST_CASE("demo", "[.demo]") {
     });
   };
   write_demo(5, halton);
-  write_demo(6, method(methods(), "scrambled_sobol"));
+  write_demo(6, method(methods, "scrambled_sobol"));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ inline Method shifted(const Method& points) {
   return moved;
 }
 
-inline std::vector<Method> made_methods() {
+inline const std::vector<Method> methods = [] {
   constexpr static unsigned bases[] = {2, 3, 5, 7, 11, 13, 17, 19};
   const auto way = [](std::string key, unsigned task, std::string name, auto points) {
     return Method{.key = std::move(key),
@@ -124,11 +124,15 @@ inline std::vector<Method> made_methods() {
   };
   all[6].is_sequence = true;
   return all;
-}
+}();
 
-inline const std::vector<Method>& methods() {
-  static const std::vector<Method> all = made_methods();
-  return all;
+/// D* of the first set, by the submission.
+inline Number star_discrepancy_of(const Sets& sets) {
+  if (sets.empty()) return {};
+  const auto x = sets[0].column(0), y = sets[0].column(1);
+  const auto got = TRY_MEASURE(star_discrepancy_2d, {x.begin(), x.end()}, {y.begin(), y.end()});
+  if (!got || !(got->value >= 0 && got->value <= 1)) return {};
+  return got->value;
 }
 
 }  // namespace mc::measurements

@@ -16,7 +16,7 @@ namespace {
 const Names shown{"independent", "jittered", "halton", "hammersley", "sobol", "scrambled_sobol"};
 
 TEST_CASE("plot names", "[.plot]") {
-  auto all = methods();
+  auto all = methods;
   all.push_back(hashed_points());
   plot_names(all);
 }
@@ -24,32 +24,21 @@ TEST_CASE("plot names", "[.plot]") {
 TEST_CASE("plot the points", "[.plot]") {
   for (const std::string& key : shown) {
     plot_points("points-" + key + ".tsv",
-                method(methods(), key).points(key == "halton" ? 216 : 256, 2, 1, 1));
+                method(methods, key).points(key == "halton" ? 216 : 256, 2, 1, 1));
   }
 }
 
 /// N at powers of two, and between them where the binary digits are 10101…: there Sobol' points are
 /// as uneven as they get.
 TEST_CASE("plot discrepancy against N", "[.plot]") {
-  Names columns = shown;
-  columns.insert(columns.begin(), "N");
-  auto file = plot_file("discrepancy.tsv", columns);
-  for (Count power = 16; power <= 4096; power *= 2) {
-    for (const Count n : {power * 2 / 3 + 1, power}) {
-      Row row{static_cast<double>(n)};
-      for (const Method& one : methods_of(methods(), shown)) {
-        row.emplace_back();
-        if (one.key == "jittered" && n != power) continue;  // there is no such grid
-        const Sets sets = one.points(n, 2, 1, n);
-        if (sets.empty()) continue;
-        const auto x = sets[0].column(0), y = sets[0].column(1);
-        const auto got =
-            TRY_MEASURE(star_discrepancy_2d, {x.begin(), x.end()}, {y.begin(), y.end()});
-        if (got && got->value >= 0 && got->value <= 1) row.back() = got->value;
-      }
-      plot_row(file, row);
-    }
-  }
+  std::vector<double> sizes;
+  for (const double n : powers(16, 2, 4096))
+    sizes.insert(sizes.end(), {std::floor(n * 2 / 3) + 1, n});
+  plot_table("discrepancy.tsv", "N", sizes, shown, [](double size, std::size_t c) -> Number {
+    const auto n = static_cast<Count>(size);
+    if (shown[c] == "jittered" && (n & (n - 1)) != 0) return {};  // there is no such grid
+    return star_discrepancy_of(method(methods, shown[c]).points(n, 2, 1, n));
+  });
 }
 
 TEST_CASE("plot the bad pairs", "[.plot]") {
@@ -78,7 +67,7 @@ TEST_CASE("plot the bad pairs", "[.plot]") {
 void plot_convergence(const Names& names, const std::vector<Integrand>& of) {
   plot_errors({.names = names,
                .integrands = of,
-               .methods = methods_of(methods(), shown),
+               .methods = methods_of(methods, shown),
                .sizes = {16, 64, 256, 1024, 4096, 16384, 65536},
                .replicates = [](Count n) -> Count { return n > 10000 ? 8 : 32; }});
 }
@@ -97,47 +86,37 @@ TEST_CASE("plot error against N in four dimensions", "[.plot]") {
 /// frequency N.
 TEST_CASE("plot error of randomized points", "[.plot]") {
   const Names keys{"independent", "rotated", "scrambled_halton", "scrambled_sobol"};
-  Names columns = keys;
-  columns.insert(columns.begin(), "N");
-  auto smooth = plot_file("randomised-smooth.tsv", columns),
-       waves = plot_file("randomised-wave.tsv", columns);
-  for (Count n = 4; n <= 4096; n *= 4) {
-    const double frequency = 2 * std::numbers::pi * static_cast<double>(n);
-    const Integrand wave{
-        .name = "wave",
-        .formula = "cos(2 pi N x)",
-        .dims = 1,
-        .mean = 0,
-        .g = [=](std::span<const double> x) { return std::cos(frequency * x[0]); }};
-    std::vector<Row> rows(2, Row{static_cast<double>(n)});
-    for (const Method& one : methods_of(methods(), keys)) {
-      const auto errors = errors_of(one, {integrand("smooth 1D"), wave}, n, 256, 1);
-      for (std::size_t i = 0; i < 2; ++i) rows[i].push_back(rmse_of(errors[i]));
-    }
-    plot_row(smooth, rows[0]);
-    plot_row(waves, rows[1]);
+  for (const bool is_wave : {false, true}) {
+    plot_table(is_wave ? "randomised-wave.tsv" : "randomised-smooth.tsv", "N", powers(4, 4, 4096),
+               keys, [&](double n, std::size_t c) {
+                 const double frequency = 2 * std::numbers::pi * n;
+                 const Integrand wave{"wave", "cos(2 pi N x)", 1, 0,
+                                      [=](auto x) { return std::cos(frequency * x[0]); }};
+                 return rmse_of(errors_of(method(methods, keys[c]),
+                                          is_wave ? wave : integrand("smooth 1D"),
+                                          static_cast<Count>(n), 256, 1));
+               });
   }
 }
 
 /// The kurtosis: what the RMSE does not tell.
 TEST_CASE("plot the tails of errors", "[.plot]") {
-  auto file = plot_file("tails.tsv", {"N", "scrambled_sobol", "standard_error", "hashed", "its"});
-  for (Count n = 16; n <= 4096; n *= 4) {
-    const Count sets = std::min<Count>(20'000, 4'000'000 / n);
-    Row row{static_cast<double>(n)};
-    for (const ErrorSums& errors :
-         {errors_of_exp(n, sets), errors_of(hashed_points(), integrand("smooth 1D"), n, sets, 1)}) {
-      const bool is_there = errors.count > 0;
-      row.push_back(is_there ? Number(errors.kurtosis()) : Number{});
-      row.push_back(is_there ? Number(errors.kurtosis_error()) : Number{});
-    }
-    plot_row(file, row);
-  }
+  ErrorSums errors;
+  plot_table("tails.tsv", "N", powers(16, 4, 4096),
+             {"scrambled_sobol", "standard_error", "hashed", "its"},
+             [&](double size, std::size_t c) -> Number {
+               const auto n = static_cast<Count>(size);
+               const Count sets = std::min<Count>(20'000, 4'000'000 / n);
+               if (c == 0) errors = errors_of_exp(n, sets);
+               if (c == 2) errors = errors_of(hashed_points(), integrand("smooth 1D"), n, sets, 1);
+               if (errors.count == 0) return {};
+               return c % 2 == 0 ? errors.kurtosis() : errors.kurtosis_error();
+             });
 }
 
 TEST_CASE("plot error against time", "[.plot]") {
-  plot_speed(methods_of(methods(), {"radical_inverse", "halton", "sobol", "scrambled_sobol",
-                                    "scrambled_halton"}),
+  plot_speed(methods_of(methods, {"radical_inverse", "halton", "sobol", "scrambled_sobol",
+                                  "scrambled_halton"}),
              integrand("smooth 2D"), 4096, 32);
 }
 
@@ -147,16 +126,18 @@ TEST_CASE("plot error against time", "[.plot]") {
 TEST_CASE("plot the first points of a sequence", "[.plot]") {
   const auto axis = strata_of([](double x) { return std::exp(-x * x); }, 32);
   const WithinStrata cells = product_of(axis, axis);
-  auto file = plot_file("early.tsv", {"N", "independent", "padded", "scrambled_sobol"});
-  for (Count quarter = 0, done = 0; quarter <= 40; ++quarter) {
-    const auto n = static_cast<Count>(std::lround(std::exp2(static_cast<double>(quarter) / 4)));
-    if (n == done) continue;
-    done = n;
-    const ErrorSums errors =
-        errors_of(method(methods(), "scrambled_sobol"), integrand("bump"), 1024, 200, 99, n);
-    plot_row(file, Row{static_cast<double>(n), std::sqrt(independent_variance(cells, n)),
-                       std::sqrt(variance_of_first(cells, n)), rmse_of(errors)});
+  std::vector<double> sizes;
+  for (const double n : powers(1, std::exp2(0.25), 1025)) {
+    if (sizes.empty() || std::round(n) > sizes.back()) sizes.push_back(std::round(n));
   }
+  plot_table("early.tsv", "N", sizes, {"independent", "padded", "scrambled_sobol"},
+             [&](double size, std::size_t c) -> Number {
+               const auto n = static_cast<Count>(size);
+               if (c == 0) return std::sqrt(independent_variance(cells, n));
+               if (c == 1) return std::sqrt(variance_of_first(cells, n));
+               return rmse_of(errors_of(method(methods, "scrambled_sobol"), integrand("bump"), 1024,
+                                        200, 99, n));
+             });
 }
 
 }  // namespace

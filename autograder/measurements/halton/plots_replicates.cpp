@@ -59,7 +59,7 @@ TEST_CASE("plot intervals from replicates", "[.plot]") {
   }
   auto file = plot_file("replicates.tsv", columns);
   for (std::size_t count = 2; count <= 64; count *= 2) {
-    const Sets sets = sets_in_parts(method(methods(), "scrambled_sobol"), evaluations / count, 2,
+    const Sets sets = sets_in_parts(method(methods, "scrambled_sobol"), evaluations / count, 2,
                                     estimates * count, count);
     Row row{static_cast<double>(count), f_tails(z * z, 1, static_cast<double>(count - 1)).lower};
     for (const char* name : {"smooth 2D", "kinks 2D", "edge 2D"}) {

@@ -16,7 +16,7 @@ TEST_CASE("speed of sequences", "[.speed]") {
   bench_speed("5.5", "Sobol' coordinates", 4096, column(5, 1));
   bench_speed("5.8", "scrambled Sobol' coordinates", 4096, column(8, 1));
   bench_speed_error("5.8", "scrambled Sobol' coordinates", 1024,
-                    method(methods(), "scrambled_sobol"));
+                    method(methods, "scrambled_sobol"));
 }
 
 }  // namespace mc::measurements

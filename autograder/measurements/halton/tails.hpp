@@ -8,7 +8,7 @@ namespace mc::measurements {
 
 /// Of the mean of exp(x) over the first n points of base 2, scrambled by 5.8 in so many ways.
 inline ErrorSums errors_of_exp(std::uint64_t n, std::uint64_t sets) {
-  return errors_of(method(methods(), "scrambled_sobol"), integrand("smooth 1D"), n, sets, n << 20);
+  return errors_of(method(methods, "scrambled_sobol"), integrand("smooth 1D"), n, sets, n << 20);
 }
 
 /// The bits of a word in reverse order.

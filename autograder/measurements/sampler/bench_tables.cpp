@@ -70,10 +70,10 @@ Sets sets_of_one_sequence(std::size_t count) {
 }
 
 TEST_CASE("bench table", "[.bench-table]") {
-  for (std::size_t k = 0; k < methods().size(); ++k) {
+  for (std::size_t k = 0; k < methods.size(); ++k) {
     // A best candidate of 1,024 points costs as much as a thousand scrambled ones.
     const std::size_t count = sampler_kinds[k] == "blue_noise" ? 48 : 240;
-    write_worth(sampler_kinds[k], sets_in_parts(methods()[k], table_n, 2 * table_uses, count, 1));
+    write_worth(sampler_kinds[k], sets_in_parts(methods[k], table_n, 2 * table_uses, count, 1));
   }
   write_worth("sobol, one sequence", sets_of_one_sequence(240));
 }
@@ -115,7 +115,7 @@ TEST_CASE("bench table of blocks", "[.bench-table]") {
 /// How early an integration may be stopped (6.3): the first and the second block.
 TEST_CASE("bench table of early stops", "[.bench-table]") {
   for (const std::size_t k : {1u, 3u, 4u}) {
-    const Sets sets = sets_in_parts(methods()[k], table_n, 12, 288, 1);
+    const Sets sets = sets_in_parts(methods[k], table_n, 12, 288, 1);
     for (const auto& [use, name] : {std::pair{0u, "1st"}, {1u, "2nd"}, {4u, "5th"}, {5u, "6th"}}) {
       bench_table("first 256 of 1024 samples: RMSE of exp(x + y) by the k-th next2()",
                   sampler_kinds[k], name, 256, exp_errors(sets, 2, 256, 2 * use));
@@ -128,7 +128,7 @@ TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
   for (const std::size_t k : {3u, 4u}) {
     for (const std::size_t side : {4u, 8u, 16u, 32u}) {
       const std::size_t n = side * side;
-      const Sets sets = sets_in_parts(methods()[k], n, 8, 50, 1);
+      const Sets sets = sets_in_parts(methods[k], n, 8, 50, 1);
       for (std::size_t use = 0; use < 4 && !sets.empty(); ++use) {
         double empty = 0;
         for (const PointSet& set : sets) {
@@ -151,10 +151,10 @@ TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
 
 /// Four dimensions by next2(), what generate() does included.
 TEST_CASE("bench table of times", "[.bench-table-time]") {
-  for (std::size_t k = 0; k < methods().size(); ++k) {
+  for (std::size_t k = 0; k < methods.size(); ++k) {
     for (const std::uint64_t n : {16u, 64u, 1024u}) {
       const Number round =
-          seconds_of([&](std::uint64_t rounds) { return methods()[k].rounds(n, 4, rounds); });
+          seconds_of([&](std::uint64_t rounds) { return methods[k].rounds(n, 4, rounds); });
       if (!round) break;
       bench_table({"ns per number, four dimensions by next2(), generate() included",
                    sampler_kinds[k], fmt::format("N = {}", n), n,

@@ -9,7 +9,7 @@
 namespace mc::measurements {
 
 /// In the order of sampler_kinds, and in the colors of the points that they hand out by next2().
-inline std::vector<Method> made_methods() {
+inline const std::vector<Method> methods = [] {
   std::vector<Method> all{{"independent", "6.1", "independent"},
                           {"multi_jittered", "6.2", "stratified"},
                           {"best_candidate", "6.7", "blue noise"},
@@ -30,12 +30,7 @@ inline std::vector<Method> made_methods() {
     };
   }
   return all;
-}
-
-inline const std::vector<Method>& methods() {
-  static const std::vector<Method> all = made_methods();
-  return all;
-}
+}();
 
 /// The scenes of plots and bench, with what a sample asks for, from one next2() to next2(), next(),
 /// next2().

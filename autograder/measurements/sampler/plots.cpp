@@ -17,42 +17,38 @@ bool is_blue(std::size_t k) {
   return sampler_kinds[k] == "blue_noise";
 }
 
-/// The keys of all kinds, with something before and behind.
-Names columns_for(const std::string& before, const Names& behind) {
-  Names all{before};
-  for (const Method& one : methods()) {
-    for (const std::string& what : behind) all.push_back(one.key + what);
-  }
+/// Two columns for each kind.
+Names two_columns_each(const std::string& first, const std::string& second) {
+  Names all;
+  for (const Method& one : methods) all.insert(all.end(), {one.key + first, one.key + second});
   return all;
 }
 
 TEST_CASE("plot names", "[.plot]") {
-  plot_names(methods());
+  plot_names(methods);
 }
 
 /// Of each kind the error, and the CPU time of an estimate in microseconds.
-void plot_scene(const std::string& name) {
-  auto file = plot_file("error-" + name + ".tsv", columns_for("N", {"", "_us"}));
-  for (std::uint64_t n = 16; n <= 4096; n *= 4) {
-    Row row{static_cast<double>(n)};
-    for (std::size_t k = 0; k < methods().size(); ++k) {
-      const std::string& kind = sampler_kinds[k];
-      row.resize(row.size() + 2);
-      // Without a next2() blue noise is stratified; with 4096 points it takes a second.
-      if (is_blue(k) && (name == "motion_edge" || n > 1024)) continue;
-      const std::size_t count = is_blue(k) ? std::clamp<std::size_t>((1 << 22) / (n * n), 20, 400)
-                                           : std::max<std::size_t>(100, (1 << 16) / n);
-      row[row.size() - 2] = rmse_of(scene_errors(kind, name, n, count, 0));
-      const Number round = seconds_of(
-          [&](std::uint64_t rounds) {
-            return cpu_seconds_of(TRY_MEASURE(repeat_scene, kind, name, n, rounds, 1));
-          },
-          0.004, 1,
-          std::max<std::uint64_t>(1, (1 << (is_blue(k) ? 18 : 17)) / (is_blue(k) ? n * n : n)));
-      if (round) row.back() = 1e6 * *round;
-    }
-    plot_row(file, row);
-  }
+void plot_scene(const std::string& scene) {
+  plot_table("error-" + scene + ".tsv", "N", powers(16, 4, 4096), two_columns_each("", "_us"),
+             [&](double size, std::size_t c) -> Number {
+               const auto n = static_cast<std::uint64_t>(size);
+               const std::size_t k = c / 2;
+               // Without a next2() blue noise is stratified; with 4096 points it takes a second.
+               if (is_blue(k) && (scene == "motion_edge" || n > 1024)) return {};
+               const std::uint64_t cost = is_blue(k) ? n * n / 8 : n;
+               if (c % 2 == 0) {
+                 const auto count = std::clamp<std::size_t>((1 << 19) / cost, 20, 400);
+                 return rmse_of(scene_errors(sampler_kinds[k], scene, n, count, 0));
+               }
+               const Number round = seconds_of(
+                   [&](std::uint64_t rounds) {
+                     return cpu_seconds_of(
+                         TRY_MEASURE(repeat_scene, sampler_kinds[k], scene, n, rounds, 1));
+                   },
+                   0.004, 1, std::max<std::uint64_t>(1, (1 << 17) / cost));
+               return round ? Number(1e6 * *round) : Number{};
+             });
 }
 
 TEST_CASE("plot the error under a lamp", "[.plot]") {
@@ -78,7 +74,7 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
   const char* const names[] = {"rect_light", "pixel_edge"};
   auto file = plot_file("next2.tsv", {"k", "scrambled_sobol_1", "scrambled_sobol_2", "sobol_1",
                                       "sobol_2", "independent_1", "independent_2"});
-  const Sets all = sets_in_parts(method(methods(), "scrambled_sobol"), n, 2 * uses, count, 1);
+  const Sets all = sets_in_parts(method(methods, "scrambled_sobol"), n, 2 * uses, count, 1);
   for (unsigned k = 0; k < uses; ++k) {
     // One sequence has 32 dimensions: behind the sixteenth pair there is none left.
     const Sets pair = k < 16 ? sobol_dimensions({2 * k, 2 * k + 1}).points(n, 2, count, 1) : Sets{};
@@ -136,7 +132,7 @@ Number nanoseconds(std::size_t k, unsigned by, std::uint64_t dims, std::uint64_t
 TEST_CASE("plot what a coordinate costs", "[.plot]") {
   for (const std::uint64_t n : {16u, 256u, 4096u}) {
     auto file = plot_file("speed-" + std::to_string(n) + ".tsv", {"generation", "all"});
-    for (std::size_t k = 0; k < methods().size(); ++k) {
+    for (std::size_t k = 0; k < methods.size(); ++k) {
       plot_row(file, is_blue(k) && n > 256 ? Row(2)
                                            : Row{nanoseconds(k, 0, 4, n), nanoseconds(k, 2, 4, n)});
     }
@@ -145,16 +141,12 @@ TEST_CASE("plot what a coordinate costs", "[.plot]") {
 
 /// With 256 samples: of each kind by next() and by next2().
 TEST_CASE("plot what a coordinate costs against dimensions", "[.plot]") {
-  auto file = plot_file("speed-dims.tsv", columns_for("dims", {"_1", "_2"}));
-  for (const std::uint64_t dims : {2u, 4u, 8u}) {
-    Row row{static_cast<double>(dims)};
-    for (std::size_t k = 0; k < methods().size(); ++k) {
-      for (const unsigned by : {1u, 2u}) {
-        row.push_back(is_blue(k) ? Number{} : nanoseconds(k, by, dims, 256));
-      }
-    }
-    plot_row(file, row);
-  }
+  plot_table("speed-dims.tsv", "dims", {2, 4, 8}, two_columns_each("_1", "_2"),
+             [](double dims, std::size_t c) {
+               return is_blue(c / 2)
+                          ? Number{}
+                          : nanoseconds(c / 2, c % 2 + 1, static_cast<std::uint64_t>(dims), 256);
+             });
 }
 
 /// The handout's picture, for render.gp; what it needs to know of it besides stands in a script.

@@ -10,8 +10,8 @@ namespace mc::measurements {
 namespace {
 
 std::vector<Method> benched() {
-  return methods_of(methods(), {"stratified", "jittered", "padded", "jittered_nd",
-                                "latin_hypercube", "multi_jittered"});
+  return methods_of(methods, {"stratified", "jittered", "padded", "jittered_nd", "latin_hypercube",
+                              "multi_jittered"});
 }
 
 TEST_CASE("bench error", "[.bench-error]") {
@@ -21,7 +21,7 @@ TEST_CASE("bench time", "[.bench-time]") {
   bench_times(benched());
 }
 TEST_CASE("bench growth", "[.bench-growth]") {
-  for (const Method& one : methods_of(methods(), {"padded", "latin_hypercube"})) {
+  for (const Method& one : methods_of(methods, {"padded", "latin_hypercube"})) {
     bench_growth_of_dims(one.name, one);
   }
   const auto grow = [](const char* name, unsigned task, std::uint64_t dims, std::uint64_t most) {
@@ -38,8 +38,8 @@ TEST_CASE("bench growth", "[.bench-growth]") {
 }
 
 TEST_CASE("demo", "[.demo]") {
-  write_demo(2, method(methods(), "jittered"));
-  write_demo(3, method(methods(), "multi_jittered"));
+  write_demo(2, method(methods, "jittered"));
+  write_demo(3, method(methods, "multi_jittered"));
 }
 
 }  // namespace

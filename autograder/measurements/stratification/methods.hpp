@@ -6,7 +6,7 @@
 
 namespace mc::measurements {
 
-inline std::vector<Method> made_methods() {
+inline const std::vector<Method> methods = [] {
   const auto way = [](std::string key, unsigned task, std::string name, auto points) {
     return Method{.key = std::move(key),
                   .task = "3." + std::to_string(task),
@@ -57,11 +57,6 @@ inline std::vector<Method> made_methods() {
     return cpu_seconds_of(TRY_MEASURE(repeat_textbook, 2, n, rounds));
   };
   return all;
-}
-
-inline const std::vector<Method>& methods() {
-  static const std::vector<Method> all = made_methods();
-  return all;
-}
+}();
 
 }  // namespace mc::measurements

@@ -14,7 +14,7 @@ namespace {
 using Count = std::uint64_t;
 
 TEST_CASE("plot names", "[.plot]") {
-  plot_names(methods());
+  plot_names(methods);
 }
 
 /// An integrand of the plots, and what is exact of one point in each of n strata.
@@ -83,7 +83,7 @@ void plot_case(const Case& one) {
   keys.push_back("independent");
   plot_errors({.names = {one.name},
                .integrands = {one.integrand},
-               .methods = methods_of(methods(), keys),
+               .methods = methods_of(methods, keys),
                .sizes = one.sizes,
                .replicates = replicates,
                .more = {"by_chance", "by_strata"},
@@ -95,7 +95,7 @@ void plot_case(const Case& one) {
   for (const Count n : one.sizes) {
     const auto size = static_cast<double>(n);
     const auto rmse =
-        rmse_of(errors_of(method(methods(), one.methods[0]), one.integrand, n, replicates(n), n));
+        rmse_of(errors_of(method(methods, one.methods[0]), one.integrand, n, replicates(n), n));
     plot_row(file, Row{size, stratified_variance(one.over(n)) * size / whole,
                        rmse ? Number(*rmse * *rmse * size / whole) : Number{}});
   }
@@ -116,21 +116,18 @@ TEST_CASE("plot the error against N in four dimensions", "[.plot]") {
 
 TEST_CASE("plot what stopping early costs", "[.plot]") {
   const Names keys{"independent", "jittered", "padded"};
-  auto file = plot_file("early.tsv", {"N", keys[0], keys[1], keys[2]});
-  for (const Count used : {1u,   2u,   4u,   8u,   16u,  32u,  64u,   128u,  256u,  384u,
-                           512u, 640u, 768u, 896u, 960u, 992u, 1008u, 1016u, 1020u, 1024u}) {
-    Row row{static_cast<double>(used)};
-    for (const Method& one : methods_of(methods(), keys)) {
-      row.push_back(rmse_of(errors_of(one, integrand("bump"), 1024, 128, used, used)));
-    }
-    plot_row(file, row);
-  }
+  plot_table("early.tsv", "N", {1,   2,   4,   8,   16,  32,  64,   128,  256,  384,
+                                512, 640, 768, 896, 960, 992, 1008, 1016, 1020, 1024},
+             keys, [&](double n, std::size_t c) {
+               const auto used = static_cast<Count>(n);
+               return rmse_of(
+                   errors_of(method(methods, keys[c]), integrand("bump"), 1024, 128, used, used));
+             });
 }
 
 TEST_CASE("plot patterns of 64 points", "[.plot]") {
   for (const char* key : {"independent", "jittered", "latin_hypercube", "multi_jittered"}) {
-    plot_points(std::string("patterns-") + key + ".tsv",
-                method(methods(), key).points(64, 2, 1, 1));
+    plot_points(std::string("patterns-") + key + ".tsv", method(methods, key).points(64, 2, 1, 1));
   }
 }
 
@@ -150,8 +147,8 @@ TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
 }
 
 TEST_CASE("plot time against error", "[.plot]") {
-  plot_speed(methods_of(methods(), {"textbook", "independent", "jittered", "padded", "jittered_nd",
-                                    "latin_hypercube", "multi_jittered"}),
+  plot_speed(methods_of(methods, {"textbook", "independent", "jittered", "padded", "jittered_nd",
+                                  "latin_hypercube", "multi_jittered"}),
              integrand("bump"), 1024, 128);  // 16 KB: in the first-level cache
 }
 

@@ -7,7 +7,7 @@
 namespace mc::measurements {
 
 TEST_CASE("speed of jittered points", "[.speed]") {
-  bench_speed("3.9", "points of a jittered grid", 1024, method(methods(), "jittered"));
+  bench_speed("3.9", "points of a jittered grid", 1024, method(methods, "jittered"));
 }
 
 }  // namespace mc::measurements

@@ -22,24 +22,12 @@ double rounded(double value, int digits) {
   return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 
-/// The points of a set as 16 bits a coordinate, x and y in turn, the lower byte first; in base 64.
-std::string as_base64(const PointSet& set) {
-  std::string bytes, text;
+/// The points of a set, x and y in turn, as parts of 65536: four hexadecimal digits each.
+std::string as_hex(const PointSet& set) {
+  std::string text;
   for (std::size_t i = 0; i < set.size(); ++i) {
     for (const std::size_t d : {0u, 1u}) {
-      const auto step = static_cast<unsigned>(set.column(d)[i] * 65536);
-      bytes += static_cast<char>(step & 0xff);
-      bytes += static_cast<char>(step >> 8);
-    }
-  }
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned three = 0;
-    for (std::size_t k = i; k < i + 3; ++k) {
-      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
-    }
-    for (unsigned k = 0; k < 4; ++k) {
-      text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
+      text += fmt::format("{:04x}", static_cast<unsigned>(set.column(d)[i] * 65536));
     }
   }
   return text;
@@ -98,7 +86,7 @@ void write_demo(int place, const Method& method) {
       rmse[i].push_back(rounded(errors.rmse(), 4));
     }
     if (method.is_sequence && n != most) continue;
-    for (std::size_t set = 0; set < sets_shown; ++set) points.push_back(as_base64(sets[set]));
+    for (std::size_t set = 0; set < sets_shown; ++set) points.push_back(as_hex(sets[set]));
   }
   for (const Integrand& one : shown) all.push_back(as_json(one));
   file << ordered_json{{"name", method.name}, {"sequence", method.is_sequence},

@@ -64,6 +64,12 @@ inline std::vector<Method> methods_of(const std::vector<Method>& all,
 /// What large sizes may use: below 1 GB.
 inline const sandbox::Limits large{120, 240, std::size_t{1000} << 20};
 
+inline std::vector<std::string> keys_of(const std::vector<Method>& all) {
+  std::vector<std::string> keys;
+  for (const Method& one : all) keys.push_back(one.key);
+  return keys;
+}
+
 template <class Measured>
 Number cpu_seconds_of(const Measured& measured) {
   if (!measured) return {};

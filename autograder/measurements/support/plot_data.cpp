@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "protocol/environment.hpp"
 
@@ -55,13 +54,32 @@ std::string reason_of(std::string_view experiment, const sandbox::Outcome& outco
 std::ofstream plot_file(const std::string& name, const Names& columns) {
   if (pictures.insert(name.substr(0, name.find_first_of("-."))).second) write_missing();
   std::ofstream file = open_data(name);
-  if (!columns.empty()) file << fmt::format("{}\n", fmt::join(columns, "\t"));
+  for (const std::string& column : columns) file << column << '\t';
+  if (!columns.empty()) file << '\n';
   return file;
 }
 
 void plot_row(std::ostream& file, std::span<const Number> values) {
   for (const auto& value : values) file << (value ? fmt::format("{}\t", *value) : "NaN\t");
   file << '\n';
+}
+
+void plot_table(const std::string& name, const std::string& x_name, const std::vector<double>& xs,
+                const Names& columns, const std::function<Number(double, std::size_t)>& cell) {
+  Names all{x_name};
+  all.insert(all.end(), columns.begin(), columns.end());
+  auto file = plot_file(name, all);
+  for (const double x : xs) {
+    Row row{x};
+    for (std::size_t c = 0; c < columns.size(); ++c) row.push_back(cell(x, c));
+    plot_row(file, row);
+  }
+}
+
+std::vector<double> powers(double from, double factor, double most) {
+  std::vector<double> all;
+  for (double x = from; x <= most; x *= factor) all.push_back(x);
+  return all;
 }
 
 void plot_names(const std::vector<Method>& methods) {

@@ -16,57 +16,35 @@ TEST_CASE("plot names", "[.plot]") {
 TEST_CASE("plot digits kept against the offset", "[.plot]") {
   constexpr std::size_t sets = 5, n = 1000;
   Rng rng(1);  // the same data for every submission, so that their lines can be compared
+  const std::vector<double> offsets = powers(1, std::sqrt(10), 1.1e15);
   Values all;
-  std::vector<Row> rows;
-  for (double exponent = 0; exponent <= 15; exponent += 0.5) {
-    const double offset = std::pow(10, exponent);
-    rows.push_back({offset});
-    for (std::size_t set = 0; set < sets; ++set) {
-      // offset + values uniform in [0,1), rounded as doubles are
-      const auto x = uniform_values(rng, n, offset, offset + 1);
-      all.insert(all.end(), x.begin(), x.end());
-    }
+  for (std::size_t i = 0; i < sets * offsets.size(); ++i) {
+    // offset + values uniform in [0,1), rounded as doubles are
+    const double offset = offsets[i / sets];
+    const auto x = uniform_values(rng, n, offset, offset + 1);
+    all.insert(all.end(), x.begin(), x.end());
   }
-  Names columns{"offset"};
-  for (const Method& way : ways) {
-    columns.push_back(way.key);
-    const auto kept = digits_kept(way, all, n);  // a column is there or is not
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i].emplace_back();
-      for (std::size_t set = i * sets; set < (i + 1) * sets && !kept.empty(); ++set) {
-        rows[i].back() = rows[i].back().value_or(0) + kept[set] / sets;
-      }
-    }
-  }
-  auto file = plot_file("digits.tsv", columns);
-  for (const Row& row : rows) plot_row(file, row);
+  std::vector<std::vector<double>> kept;
+  for (const Method& way : ways) kept.push_back(digits_kept(way, all, n));
+  plot_table("digits.tsv", "offset", offsets, keys_of(ways),
+             [&](double x, std::size_t c) -> Number {
+               if (kept[c].empty()) return {};
+               const auto from = std::find(offsets.begin(), offsets.end(), x) - offsets.begin();
+               const auto first = kept[c].begin() + from * static_cast<std::ptrdiff_t>(sets);
+               return std::accumulate(first, first + sets, 0.0) / sets;
+             });
 }
 
-/// 4,096 values near 1e9, 32 KB: they stay in the first-level cache. A case and a file for each
-/// way: what is measured is drawn, whatever becomes of the others.
-void plot_speed_of(std::size_t i) {
+/// 4,096 values near 1e9, 32 KB: they stay in the first-level cache. A file for each way: what is
+/// measured is drawn, whatever becomes of the others.
+TEST_CASE("plot time against digits", "[.plot]") {
   Rng rng(2);
   const auto x = uniform_values(rng, 4096, 1e9, 1e9 + 1);
-  auto file = plot_file("speed-" + ways[i].key + ".tsv", {"ns", "error"});
-  const auto kept = digits_kept(ways[i], x, x.size());
-  if (kept.empty()) return plot_row(file, Row(2));
-  plot_row(file, Row{nanoseconds_of(ways[i], x), std::pow(10, -kept[0])});
-}
-
-TEST_CASE("plot time against digits of the textbook formula", "[.plot]") {
-  plot_speed_of(0);
-}
-TEST_CASE("plot time against digits of two passes", "[.plot]") {
-  plot_speed_of(1);
-}
-TEST_CASE("plot time against digits of Welford's update", "[.plot]") {
-  plot_speed_of(2);
-}
-TEST_CASE("plot time against digits of merged parts", "[.plot]") {
-  plot_speed_of(3);
-}
-TEST_CASE("plot time against digits of the fast moments", "[.plot]") {
-  plot_speed_of(4);
+  for (const Method& way : ways) {
+    auto file = plot_file("speed-" + way.key + ".tsv", {"ns", "error"});
+    const auto kept = digits_kept(way, x, x.size());
+    plot_row(file, kept.empty() ? Row(2) : Row{nanoseconds_of(way, x), std::pow(10, -kept[0])});
+  }
 }
 
 }  // namespace
