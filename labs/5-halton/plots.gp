@@ -150,7 +150,7 @@ do for [s=1:count] {
   set logscale y
   set format y "10^{%L}"
   set yrange [5e-5:20]
-  set key right top vertical maxrows 3 Left reverse samplen 2 width -4 opaque
+  set key right top vertical maxrows 3 Left reverse samplen 2 width -2 opaque
   plot for [i=1:3] file using "R":"reach_".integrand[i] with linespoints ls other+i title held[i], \
        for [i=1:3] file using "R":"independent_".integrand[i] with lines ls other+i lw 1 title "as if independent"
   unset logscale y

@@ -111,7 +111,7 @@ do for [s=1:count] {
     set title sprintf("%d samples", samples[i]).who(s)
     set ylabel (i == 1 ? "ns per coordinate, of 4 (less is better)" : "") offset 0.7,0
     if (i == 1) { set key left top Left reverse samplen 1 } else { unset key }
-    if (i == 3) { set label 1 "not timed:\n4096² candidates" at 3,200 center textcolor rgb "#666666" } else { unset label 1 }
+    if (i == 3) { set label 1 "blue noise is not timed:\n4096²/2 candidates" at 3,200 center textcolor rgb "#666666" } else { unset label 1 }
     file = data[s]."/speed-".samples[i].".tsv"
     plot file using ($0+1):"all":"generation":"all" with yerrorbars pt -1 lw 1 lc rgb "#999999" notitle, \
          for [k=1:5] file every ::k-1::k-1 using ($0+k):"all" with points ls value(ways[k]) ps 1.4 notitle, \
