@@ -37,10 +37,13 @@ inline const std::vector<Method> methods = [] {
             const auto got = TRY_MEASURE_WITH(large, poisson_disk, radius, count, seed);
             Sets sets;
             if (!got) return sets;
-            for (const Set& set : patterns_if_any(*got, radius, count)) {
-              sets.emplace_back(set.x.size(), 2);
-              std::copy(set.x.begin(), set.x.end(), sets.back().column(0).begin());
-              std::copy(set.y.begin(), set.y.end(), sets.back().column(1).begin());
+            const SampleSets all = patterns_if_any(*got, radius, count);
+            for (std::size_t set = 0; set < all.size(); ++set) {
+              sets.emplace_back(all.points(set), 2);
+              for (const std::size_t d : {0u, 1u}) {
+                const View from = all.column(set, d);
+                std::copy(from.begin(), from.end(), sets.back().column(d).begin());
+              }
             }
             return sets;
           }),
