@@ -59,7 +59,8 @@ std::vector<Curve> wrong_means(const Values& power, int kmax, const RingOf& near
        "this is the mean over ky >= 0 alone"},
       {means([=](int, int, double k) { return std::min<double>(std::round(k), kmax); }),
        "the corners are in the last ring: they belong to none"},
-      {with_center, "the power at k = 0 is still in here: ring 0 has no meaning, so NaN"}};
+      {with_center, "the power at k = 0 is still in here: ring 0 has no meaning, so NaN"},
+      {with_zero, "ring 0 has no meaning, so NaN, not 0"}};
 }
 
 CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
