@@ -140,21 +140,31 @@ CHECK_CASE("5.8 a value is scrambled alike in any column", "[5.8][points:1][edge
     Values longer(x.rbegin(), x.rend());
     longer.insert(longer.begin(), 2 + n % 5, 1 - half_ulp);
     const SampleSets there = scrambled(longer, {seed});
-    const View column = there.column(0, 0);
+    const View column = there.column(0, 0), all = got.values();
     expect_each(
         {there.call, {column.rbegin().base() - static_cast<std::ptrdiff_t>(n), column.end()}},
-        {.exact = {got.values().rbegin(), got.values().rend()},
+        {.exact = {all.rbegin(), all.rend()},
          .because = "a function of value and seed alone: the same values, in the reverse "
                     "order and after some others",
          .otherwise = "where a value stands in its column must not matter"});
+    const std::size_t skip = rng() % n, size = 1 + (rng() % (n - skip) >> rng() % 8);
+    const View some = View(x).subspan(skip, size), exact = all.subspan(skip, size);
+    const SampleSets part = scrambled({some.begin(), some.end()}, {seed});
+    expect_each(
+        {part.call, part.values()},
+        {.exact = {exact.begin(), exact.end()},
+         .because = "a function of value and seed alone: a part of the column of " + got.call,
+         .otherwise = "the length of a column must not matter"});
   }
 }
 
 CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
   Rng rng = check_rng();
-  expect_all_seeds(rng, 2, "level", [](const std::vector<std::uint64_t>& seeds) {
+  const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
     return MEASURE(owen_scramble, {0}, seeds);
-  });
+  };
+  expect_all_seeds(rng, 2, "level", of_zero);
+  expect_many_seeds(rng, of_zero);
 }
 
 CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {

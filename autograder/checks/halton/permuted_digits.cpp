@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "checks/support/expect_all_seeds.hpp"
 #include "checks/support/refusals.hpp"
 #include "checks/support/sample_sets.hpp"
+#include "checks/support/strata.hpp"
 
 namespace mc::checks {
 namespace {
@@ -121,6 +123,27 @@ void check_digits(Rng& rng, unsigned base) {
   }
 }
 
+/// All single digits of a large base, with two seeds: random permutations, and not the same.
+void check_large_base(Rng& rng, unsigned base) {
+  const auto measured = MEASURE(radical_inverses_scrambled, base, 0, base, {rng(), rng()});
+  const SampleSets got = sets_from_columns(measured, base, 1, 2);
+  Uniforms choices{got.call};
+  std::vector<std::size_t> digits[2];
+  for (std::size_t set = 0; set < 2; ++set) {
+    check_bijection(got.call, got.column(set, 0));
+    for (const double x : got.column(set, 0)) digits[set].push_back(*stratum_of(x, base));
+    const Values more = uniforms_of_permutation(digits[set], rng);
+    choices.values.insert(choices.values.end(), more.begin(), more.end());
+  }
+  expect_that(digits[0] != digits[1], got.call + ": the same digits with both seeds",
+              "different ones", "a function of all 64 bits of the seed",
+              "does the seed decide, in large bases too?");
+  expect_independent_uniforms(
+      choices, {.words = fmt::format("a random permutation of {} digits", base),
+                .alpha = one_alpha,
+                .otherwise = "a random permutation for each position, in large bases too"});
+}
+
 CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3][main]") {
   Rng rng = check_rng();
   for (const unsigned base : {3u, 5u, 29u, 31u, 2u, 4u, 257u}) {
@@ -129,22 +152,26 @@ CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3]
     check_bijection(column.call, column.exactly(n, unit));
     check_digits(rng, base);
   }
-  for (const unsigned base : {7919u, 65535u, 65536u}) {
-    const auto column = MEASURE(radical_inverses_scrambled, base, 0, base, {rng()});
-    check_bijection(column.call, column.exactly(base, unit));
+  for (const unsigned base : {7919u, 257u, 4099u, 40009u, 65535u, 65536u}) {
+    check_large_base(rng, base);
   }
   // Digits that stay what they are do all that, too.
-  const auto zeros = MEASURE(radical_inverses_scrambled, 3, 0, 1, domain::seeds(rng, 400));
-  const Values values = zeros.exactly(400, unit);
-  const bool stay = std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
-  auto failure =
-      dependence_in({zeros.call, 1, values},
-                    {.words = "the scrambled value of index 0 is uniform",
-                     .alpha = one_alpha,
-                     .otherwise = "a random digit for each of the zeros of index 0, to 2^-53"},
-                    true);
-  if (failure && stay) failure->likely = zeros_too;
-  if (failure) fail(*failure);
+  for (const unsigned base : {3u, 2u, 29u}) {
+    const auto zeros = MEASURE(radical_inverses_scrambled, base, 0, 1, domain::seeds(rng, 400));
+    Values values = zeros.exactly(400, unit);
+    const bool stay = std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
+    const Randomness claim{
+        .words = "the scrambled value of index 0 is uniform",
+        .alpha = one_alpha,
+        .otherwise = "a random digit for each of the zeros of index 0, to 2^-53"};
+    auto failure = dependence_in({zeros.call, 1, values}, claim, true);
+    // The digits from the 40th bit on; what the last ones leave is rounded.
+    const double power = std::pow(base, std::ceil(40 / std::log2(base)));
+    for (double& x : values) x = std::min(x * power - std::floor(x * power), 1 - half_ulp);
+    if (!failure) failure = dependence_in({zeros.call, 1, values, 6}, claim, true);
+    if (failure && stay) failure->likely = zeros_too;
+    if (failure) fail(*failure);
+  }
 }
 
 /// How often each permutation of three digits came: 012, 021, 102, 120, 201, 210.
@@ -160,6 +187,13 @@ std::string shuffle_hint(const Orders& orders, std::size_t count) {
     return "no digit ever stays in place: one that is drawn for a place may be the one that is "
            "there already";
   }
+  double chi_squared = 0;  // of five degrees of freedom, if all permutations are equally likely
+  for (const std::uint64_t order : orders) {
+    const double each = static_cast<double>(count) / 6, off = static_cast<double>(order) - each;
+    chi_squared += off * off / each;
+  }
+  if (chi_squared < 60)
+    return "a random permutation for each position, from a hash of seed and position";
   // Each of n digits swapped with any of n: 27 ways, of which three orders get 4 and three get 5.
   Orders sorted = orders;
   std::sort(sorted.begin(), sorted.end());
@@ -230,9 +264,11 @@ CHECK_CASE("5.9 permutations are random for every position and seed", "[5.9][poi
 
 CHECK_CASE("5.9 neighboring seeds and all their bits", "[5.9][points:1][edge]") {
   Rng rng = check_rng();
-  expect_all_seeds(rng, 3, "position", [](const std::vector<std::uint64_t>& seeds) {
+  const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
     return MEASURE(radical_inverses_scrambled, 3, 0, 1, seeds);
-  });
+  };
+  expect_all_seeds(rng, 3, "position", of_zero);
+  expect_many_seeds(rng, of_zero);
 }
 
 /// Values `skip` … of a column, in a column of their own.
@@ -264,6 +300,10 @@ CHECK_CASE("5.9 a scrambled value depends on index and seed alone", "[5.9][point
   for (const std::uint64_t n : domain::sizes(5000, rng)) {
     const unsigned base = n % 2 == 0 ? 2 : 5;
     check_part(base, rng() % 70, 5100, rng() % 100, n, rng());
+  }
+  for (int bit = 5; bit < 64; ++bit) {  // on both sides of a power of two
+    check_part(bit % 2 == 0 ? 3 : 2, (std::uint64_t{1} << bit) - 30, 60, 20 + rng() % 20, 20,
+               rng());
   }
   check_part(7, 7, 20, 3, 0, 1);
 }

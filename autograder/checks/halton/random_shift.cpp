@@ -1,5 +1,7 @@
 // 5.7: random shifts (Cranley-Patterson rotations).
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "5-halton/experiments.hpp"
@@ -40,7 +42,8 @@ Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, st
                               measured.call, k % dims, i, from[i], to[i], from[0], to[0]),
                   "all points moved by the same vector, around the unit cube",
                   "shifted points have the same differences as before, modulo 1",
-                  inside       ? "one random number for an axis, not one for a point"
+                  inside && to[i] > 1 - 1e-6 ? "wrap around at 1, not before"
+                  : inside                   ? "one random number for an axis, not one for a point"
                   : to[i] == 1 ? "it was rounded up to 1: subtract 1 from a sum that is 1"
                   : to[i] > 1  ? "it left the unit interval: subtract 1 where the sum is 1 or more"
                                : "it left the unit interval: add to the coordinate, and subtract 1 "
@@ -79,6 +82,17 @@ CHECK_CASE("5.7 shifted points stay in the unit cube", "[5.7][points:2][edge]") 
   // For every shift the point just below 1 goes to just below the shift.
   shifts_of({0, 0.5, 1 - half_ulp, 1 - 2 * half_ulp, 1 - 3 * half_ulp, 0x1p-1074, 0x1p-60}, 1, 1000,
             rng());
+  // The same seed is the same shift: points that it takes to just below 1, to 1, and past it.
+  for (int i = 0; i < 20; ++i) {
+    const std::uint64_t seed = rng();
+    const double edge = 1 - shifts_of({0, 0}, 1, 1, seed).values[0];
+    Values points{edge};
+    for (const double off : {half_ulp, 2 * half_ulp, 4 * half_ulp, 0x1p-45, 0x1p-30}) {
+      points.insert(points.end(), {edge - off, edge + off});
+    }
+    for (double& x : points) x = std::clamp(x, 0.0, 1 - half_ulp);
+    shifts_of(points, 1, 1, seed);
+  }
   for (const std::size_t n : domain::sizes(5000, rng)) {
     shifts_of(uniform_values(rng, n * 2, 0, 1), 2, 2, rng());
   }

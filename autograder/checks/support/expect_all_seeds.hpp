@@ -56,4 +56,22 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
                                                 "to 32 bits?"});
 }
 
+/// `measure(seeds)` gives one number for each of 300,000 random seeds, and none comes twice more
+/// often than by chance: of numbers that depend on 32 bits of a hash, ten do.
+template <class Measurement>
+void expect_many_seeds(Rng& rng, Measurement measure) {
+  Uniforms numbers;
+  constexpr std::size_t count = 50'000;
+  for (int part = 0; part < 6; ++part) {
+    const auto got = measure(domain::seeds(rng, count));
+    const auto& values = got.exactly(count, unit);
+    numbers.call = got.call;
+    numbers.values.insert(numbers.values.end(), values.begin(), values.end());
+  }
+  expect_independent_uniforms(
+      numbers, {.words = "different seeds give independent numbers",
+                .alpha = one_alpha,
+                .otherwise = "seeds meet in one state: is a hash of the seed cut to 32 bits?"});
+}
+
 }  // namespace mc::checks
