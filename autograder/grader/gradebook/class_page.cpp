@@ -14,11 +14,13 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A table that scrolls if it is wider than the window; its first column names the rows.
-std::string table_begin(const std::vector<std::string>& numbers, const std::string& first) {
+/// Its label is different from that of every other region of the page.
+std::string table_begin(const std::vector<std::string>& numbers, const std::string& first,
+                        const std::string& label) {
   std::string all = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>\n<tr>"
-      "<th scope=\"col\" class=\"name\">{0}</th>",
-      html_escaped(first));
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table>\n<tr>"
+      "<th scope=\"col\" class=\"name\">{}</th>",
+      html_escaped(label), html_escaped(first));
   for (const std::string& number : numbers) {
     all += fmt::format("<th scope=\"col\" class=\"number\">{}</th>", html_escaped(number));
   }
@@ -37,8 +39,8 @@ std::string name_cell(const std::string& name) {
   return fmt::format("<th scope=\"row\" class=\"name\">{}</th>", name);
 }
 
-std::string histogram(const std::vector<double>& totals) {
-  const auto bars = histogram_of(totals);
+std::string histogram(const LabStatistics& lab) {
+  const auto bars = histogram_of(lab.totals, lab.points);
   std::size_t most = 1;
   for (const PointsBar& bar : bars) most = std::max(most, bar.submissions);
   std::string all =
@@ -50,22 +52,31 @@ std::string histogram(const std::vector<double>& totals) {
         "<tr><th scope=\"row\" class=\"number\">{}</th>{}<td class=\"wide\"><span class=\"bar\" "
         "aria-hidden=\"true\" "
         "style=\"width:{:.1f}%\"></span></td></tr>\n",
-        bar.range, number_cell(bar.submissions),
+        html_escaped(bar.range), number_cell(bar.submissions),
         100.0 * static_cast<double>(bar.submissions) / static_cast<double>(most));
   }
   return all + "</table>\n";
 }
 
 std::string lab_section(const LabStatistics& lab) {
-  std::string all = fmt::format("<h2>{}</h2>\n<p>{} with points", html_escaped(lab.lab.title()),
-                                lab.totals.size());
-  if (lab.not_judged > 0) all += fmt::format(", {} not judged", lab.not_judged);
+  const std::string title = lab.lab.title(), others = other_submissions(lab);
+  std::string all =
+      fmt::format("<h2>{}</h2>\n<p>{} attempts", html_escaped(title), lab.totals.size());
   if (!lab.totals.empty()) all += "; " + centre_of(lab.totals);
-  all += "</p>\n<h3>Points</h3>\n" + histogram(lab.totals) + "<h3>Checks</h3>\n";
-  all += table_begin({"passed", "failed", "not written", "not judged", "discrimination"}, "check");
+  if (!others.empty()) all += "<br>" + others;
+  all += "</p>\n<h3>Points</h3>\n" + histogram(lab) + "<h3>Tasks</h3>\n";
+  all += table_begin({"points earned", "attempts with all points"}, "task", title + ": tasks");
+  for (const TaskStatistics& one : lab.tasks) {
+    all += "<tr>" + name_cell(one.task) + number_cell(fmt::format("{:.0f} %", 100 * one.share)) +
+           number_cell(one.complete) + "</tr>\n";
+  }
+  all += std::string(table_end) + "<h3>Checks</h3>\n" +
+         table_begin({"passed", "wrong", "waiting", "withheld", "not written", "discrimination"},
+                     "check", title + ": checks");
   for (const CheckStatistics& one : lab.checks) {
     all += "<tr>" + name_cell(html_escaped(one.name)) + number_cell(one.passed) +
-           number_cell(one.failed) + number_cell(one.not_written) + number_cell(one.not_judged) +
+           number_cell(one.wrong) + number_cell(one.waiting) + number_cell(one.withheld) +
+           number_cell(one.not_written) +
            number_cell(one.discrimination ? fmt::format("{:.2f}", *one.discrimination) : "-") +
            "</tr>\n";
   }
@@ -77,7 +88,7 @@ std::string statistics_sections(const ClassStatistics& statistics) {
   if (statistics.without_verdict > 0) {
     all += fmt::format(
         "<p>{} of {} submissions have no verdict next to the table: their unwritten tasks count "
-        "as failed, and their hints are unknown.</p>\n",
+        "as wrong, and their hints are unknown.</p>\n",
         statistics.without_verdict, statistics.submissions);
   }
   for (const LabStatistics& lab : statistics.labs) all += lab_section(lab);
@@ -88,7 +99,7 @@ std::string statistics_sections(const ClassStatistics& statistics) {
         "the points of the lab's other checks.</p>\n";
   }
   if (statistics.hints.empty()) return all;
-  all += "<h2>Hints</h2>\n" + table_begin({"submissions"}, "hint");
+  all += "<h2>Hints</h2>\n" + table_begin({"submissions"}, "hint", "hints");
   for (std::size_t i = 0; i < std::min(most_hints, statistics.hints.size()); ++i) {
     all += "<tr>" + name_cell(html_escaped(statistics.hints[i].hint)) +
            number_cell(statistics.hints[i].submissions) + "</tr>\n";
@@ -107,6 +118,35 @@ std::string address_of(const std::string& name) {
   return all;
 }
 
+/// Students × tasks: the share of each task's points, as a number and as a shade.
+std::string heat_map(const Table& table, const ClassStatistics& statistics) {
+  std::vector<std::string> names;
+  for (const LabStatistics& lab : statistics.labs) {
+    for (const TaskStatistics& task : lab.tasks) names.push_back(task.task);
+  }
+  if (names.empty()) return {};
+  std::string all = "<h2>Tasks</h2>\n<p class=\"quiet\">Percent of each task's points</p>\n" +
+                    table_begin(names, "submission", "submissions and tasks");
+  for (const Row& row : table.rows) {
+    all += "<tr>" + name_cell(html_escaped(field(row, "id")));
+    for (const LabStatistics& lab : statistics.labs) {
+      for (const TaskStatistics& task : lab.tasks) {
+        const auto earned = task_points_in(table, row, task);
+        if (!earned || task.points <= 0) {
+          all += "<td></td>";
+          continue;
+        }
+        const double share = *earned / task.points;
+        all += fmt::format(
+            "<td class=\"number\" style=\"background:rgba(0,114,178,{:.2f})\">{:.0f}</td>",
+            0.45 * std::clamp(share, 0.0, 1.0), 100 * share);
+      }
+    }
+    all += "</tr>\n";
+  }
+  return all + table_end;
+}
+
 constexpr const char* pages_folder = "submissions";
 
 std::string index_page(const Table& table, const std::map<std::string, Verdict>& verdicts,
@@ -115,7 +155,7 @@ std::string index_page(const Table& table, const std::map<std::string, Verdict>&
   for (const LabStatistics& lab : statistics.labs) labs.push_back(lab.lab.name);
   std::string all = fmt::format("<h1>Grades</h1>\n<p>{} submissions</p>\n<h2>Submissions</h2>\n",
                                 statistics.submissions);
-  all += table_begin(labs, "submission");
+  all += table_begin(labs, "submission", "submissions");
   for (const Row& row : table.rows) {
     const std::string id = field(row, "id"), name = html_escaped(id);
     std::string first =
@@ -137,7 +177,8 @@ std::string index_page(const Table& table, const std::map<std::string, Verdict>&
     }
     all += "</tr>\n";
   }
-  return html_page("Grades", all + table_end + statistics_sections(statistics));
+  all += table_end + heat_map(table, statistics);
+  return html_page("Grades", all + statistics_sections(statistics));
 }
 
 }  // namespace

@@ -38,16 +38,18 @@ bool lacks_grade(const Row& row, const Lab& lab) {
   return status == "not judged" || status == "unreadable";
 }
 
-bool has_status(const Verdict& verdict, const std::string& check, Status status) {
-  for (const LabVerdict& lab : verdict.labs) {
+/// This check's result, if the verdict has it.
+const CheckResult* result_in(const Verdict* verdict, const std::string& check) {
+  if (verdict == nullptr) return nullptr;
+  for (const LabVerdict& lab : verdict->labs) {
     for (const CheckResult& result : lab.checks) {
-      if (result.check.name == check) return result.status == status;
+      if (result.check.name == check) return &result;
     }
   }
-  return false;
+  return nullptr;
 }
 
-/// The rows with points in a lab: the points of each check, in the order of the columns.
+/// Attempts: the points of each check, in the order of the columns.
 using Points = std::vector<std::vector<std::optional<double>>>;
 
 std::optional<double> discrimination_of(const Points& points, std::size_t check) {
@@ -63,40 +65,97 @@ std::optional<double> discrimination_of(const Points& points, std::size_t check)
   return point_biserial(passed, rest);
 }
 
+/// What became of one check of an attempt.
+std::size_t& outcome_in(CheckStatistics& check, double earned, const CheckResult* result) {
+  if (earned > 0) return check.passed;
+  switch (result == nullptr ? Status::failed : result->status) {
+    case Status::passed:  // a check may have 0 points
+      return check.passed;
+    case Status::not_written:
+      return check.not_written;
+    case Status::waiting:
+      return check.waiting;
+    case Status::withheld:
+      return check.withheld;
+    default:
+      return check.wrong;
+  }
+}
+
+/// The tasks of these checks, with the points of all their checks: those that verdicts state, else
+/// the most that someone earned.
+std::vector<TaskStatistics> tasks_of(const std::vector<std::string>& checks, const Points& points,
+                                     const std::map<std::string, Verdict>& verdicts) {
+  std::vector<TaskStatistics> tasks;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const std::string task = checks[i].substr(0, checks[i].find(' '));
+    if (tasks.empty() || tasks.back().task != task) tasks.push_back({task, {}, 0, 0, 0});
+    tasks.back().checks.push_back(checks[i]);
+    double most = 0;
+    for (const auto& one : points) most = std::max(most, one[i].value_or(0));
+    for (const auto& [id, verdict] : verdicts) {
+      const CheckResult* const result = result_in(&verdict, checks[i]);
+      if (result != nullptr && result->check.points > 0) most = result->check.points;
+      if (result != nullptr) break;
+    }
+    tasks.back().points += most;
+  }
+  std::size_t first = 0;
+  for (TaskStatistics& task : tasks) {
+    double earned = 0;
+    for (const auto& one : points) {
+      double sum = 0;
+      for (std::size_t i = 0; i < task.checks.size(); ++i) sum += one[first + i].value_or(0);
+      earned += sum;
+      task.complete += sum >= task.points;
+    }
+    const double all = task.points * static_cast<double>(points.size());
+    task.share = all > 0 ? earned / all : 0;
+    first += task.checks.size();
+  }
+  return tasks;
+}
+
 LabStatistics lab_statistics(const Table& table, const std::map<std::string, Verdict>& verdicts,
                              const Lab& lab, const std::vector<std::string>& checks) {
-  LabStatistics statistics{lab, {}, 0, {}};
-  for (const std::string& check : checks) statistics.checks.push_back({check, 0, 0, 0, 0, {}});
+  LabStatistics statistics;
+  statistics.lab = lab;
+  for (const std::string& check : checks) statistics.checks.push_back({check, 0, 0, 0, 0, 0, {}});
   Points points;
   for (const Row& row : table.rows) {
-    const bool lacks = lacks_grade(row, lab);
     const auto total = points_in(table, row, lab.name + " total");
-    if (total) statistics.totals.push_back(*total);
-    statistics.not_judged += !total && lacks;
-    const auto verdict = verdicts.find(field(row, "id"));
-    const bool has_file = field(row, lab.name + " status") != "no file";
-    const auto has = [&](const std::string& check, Status status) {
-      return verdict != verdicts.end() && has_status(verdict->second, check, status);
-    };
+    const std::string status = field(row, lab.name + " status");
+    const auto found = verdicts.find(field(row, "id"));
+    const Verdict* const verdict = found == verdicts.end() ? nullptr : &found->second;
+    const bool has_begun = std::any_of(checks.begin(), checks.end(), [&](const std::string& check) {
+      const CheckResult* const result = result_in(verdict, check);
+      return result == nullptr || result->status != Status::not_written;
+    });
+    const bool has_program = status != "no file" && status != "no program";
+    if (!total && lacks_grade(row, lab)) {
+      ++statistics.not_judged;
+    } else if (total.value_or(0) > 0 || (total && has_program && (has_begun || checks.empty()))) {
+      statistics.totals.push_back(*total);
+    } else if (status == "no program") {
+      ++statistics.not_compiled;
+    } else if (total || status == "no file") {
+      ++statistics.not_attempted;
+    }
+    if (!total || !has_program || !(has_begun || *total > 0)) continue;
     std::vector<std::optional<double>> of_row;
     for (CheckStatistics& check : statistics.checks) {
-      const auto earned = points_in(table, row, check.name);
-      of_row.push_back(earned);
-      if (!earned) {
-        check.not_judged += lacks;
-      } else if (*earned > 0 || has(check.name, Status::passed)) {  // a check may have 0 points
-        ++check.passed;
-      } else if (!has_file || has(check.name, Status::not_written)) {
-        ++check.not_written;
-      } else {
-        ++check.failed;
-      }
+      of_row.push_back(points_in(table, row, check.name));
+      if (of_row.back()) ++outcome_in(check, *of_row.back(), result_in(verdict, check.name));
     }
-    if (total) points.push_back(std::move(of_row));
+    points.push_back(std::move(of_row));
   }
   for (std::size_t i = 0; i < checks.size(); ++i) {
     statistics.checks[i].discrimination = discrimination_of(points, i);
   }
+  statistics.tasks = tasks_of(checks, points, verdicts);
+  double all = 0;
+  for (const TaskStatistics& task : statistics.tasks) all += task.points;
+  if (!verdicts.empty() && all > 0) statistics.points = all;
   return statistics;
 }
 
@@ -167,14 +226,36 @@ std::optional<double> point_biserial(const std::vector<bool>& yes,
          std::sqrt(squares);
 }
 
-std::vector<PointsBar> histogram_of(const std::vector<double>& totals) {
+std::optional<double> task_points_in(const Table& table, const Row& row,
+                                     const TaskStatistics& task) {
+  std::optional<double> sum;
+  for (const std::string& check : task.checks) {
+    if (const auto earned = points_in(table, row, check)) sum = sum.value_or(0) + *earned;
+  }
+  return sum;
+}
+
+std::vector<PointsBar> histogram_of(const std::vector<double>& totals, double points) {
   std::vector<PointsBar> bars;
-  for (int i = 0; i < 10; ++i) bars.push_back({fmt::format("{}-{}", 10 * i, 10 * i + 9), 0});
-  bars.push_back({"100", 0});
+  for (int i = 0; i < 10; ++i) bars.push_back({fmt::format("{:g}+", i * points / 10), 0});
+  bars.push_back({fmt::format("{:g}", points), 0});
+  bars.push_back({fmt::format(">{:g}", points), 0});
   for (const double total : totals) {
-    ++bars[static_cast<std::size_t>(std::clamp(std::floor(total / 10), 0.0, 10.0))].submissions;
+    const double bar = total > points ? 11 : std::clamp(std::floor(10 * total / points), 0.0, 10.0);
+    ++bars[static_cast<std::size_t>(bar)].submissions;
   }
   return bars;
+}
+
+std::string other_submissions(const LabStatistics& lab) {
+  std::string all;
+  const std::pair<std::size_t, const char*> kinds[] = {{lab.not_attempted, "not attempted"},
+                                                       {lab.not_compiled, "not compiling"},
+                                                       {lab.not_judged, "not judged"}};
+  for (const auto& [count, what] : kinds) {
+    if (count > 0) all += fmt::format("{}{} {}", all.empty() ? "" : ", ", count, what);
+  }
+  return all;
 }
 
 std::string centre_of(const std::vector<double>& totals) {

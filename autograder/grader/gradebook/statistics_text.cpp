@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t width = 80;
 
-std::string histogram_text(const std::vector<double>& totals) {
+std::string histogram_text(const LabStatistics& lab) {
   constexpr std::size_t longest = 50;  // columns of the longest bar
-  const auto bars = histogram_of(totals);
+  const auto bars = histogram_of(lab.totals, lab.points);
   std::size_t most = 1;
   for (const PointsBar& bar : bars) most = std::max(most, bar.submissions);
   std::string all;
@@ -30,16 +30,24 @@ std::string histogram_text(const std::vector<double>& totals) {
 }
 
 std::string checks_text(const std::vector<CheckStatistics>& checks) {
-  constexpr std::size_t numbers = 45;  // columns before the name
+  constexpr std::size_t numbers = 55;  // columns before the name
   std::string all =
-      "  passed  failed      not     not   discri-\n"
-      "                  written  judged  mination  check\n";
+      "  passed   wrong  waiting    with-      not   discri-\n"
+      "                              held  written  mination  check\n";
   for (const CheckStatistics& one : checks) {
     const std::string discrimination =
         one.discrimination ? fmt::format("{:.2f}", *one.discrimination) : "-";
-    all += fmt::format("  {:>6}  {:>6}  {:>7}  {:>6}  {:>8}  {}\n", one.passed, one.failed,
-                       one.not_written, one.not_judged, discrimination,
+    all += fmt::format("  {:>6}  {:>6}  {:>7}  {:>7}  {:>7}  {:>8}  {}\n", one.passed, one.wrong,
+                       one.waiting, one.withheld, one.not_written, discrimination,
                        wrapped(one.name, width - numbers, numbers));
+  }
+  return all;
+}
+
+std::string tasks_text(const std::vector<TaskStatistics>& tasks) {
+  std::string all = "  task   points earned  all points\n";
+  for (const TaskStatistics& one : tasks) {
+    all += fmt::format("  {:<6} {:>12.0f}%  {:>10}\n", one.task, 100 * one.share, one.complete);
   }
   return all;
 }
@@ -51,16 +59,17 @@ std::string report_statistics(const ClassStatistics& statistics) {
   if (statistics.without_verdict > 0) {
     all +=
         wrapped(fmt::format("{} of them have no verdict next to the table: their unwritten tasks "
-                            "count as failed, and their hints are unknown.",
+                            "count as wrong, and their hints are unknown.",
                             statistics.without_verdict),
                 width, 0) +
         '\n';
   }
   for (const LabStatistics& one : statistics.labs) {
-    all += fmt::format("\n{}: {} with points", one.lab.title(), one.totals.size());
-    if (one.not_judged > 0) all += fmt::format(", {} not judged", one.not_judged);
+    all += fmt::format("\n{}: {} attempts", one.lab.title(), one.totals.size());
     if (!one.totals.empty()) all += "; " + centre_of(one.totals);
-    all += "\n\n" + histogram_text(one.totals) + '\n' + checks_text(one.checks);
+    if (const auto others = other_submissions(one); !others.empty()) all += "\n  " + others;
+    all += "\n\n" + histogram_text(one) + '\n' + tasks_text(one.tasks) + '\n' +
+           checks_text(one.checks);
   }
   if (!statistics.hints.empty()) all += "\nHints, by the submissions they were given to\n\n";
   for (std::size_t i = 0; i < std::min(most_hints, statistics.hints.size()); ++i) {

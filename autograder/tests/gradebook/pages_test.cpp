@@ -1,6 +1,8 @@
 // A class as pages, opened in a browser.
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -112,6 +114,14 @@ TEST_CASE("the index has the numbers of stats") {
   CHECK(contains(read_text(graded.pages / "index.html"), numbers));
 }
 
+TEST_CASE("the index shows every student's share of every task") {
+  const std::string index = read_text(graded_class().pages / "index.html");
+  const auto map = index.find("submissions and tasks");
+  REQUIRE(map != std::string::npos);
+  CHECK(contains(index.substr(map), "background:rgba(0,114,178,0.45)\">100</td>"));
+  CHECK(contains(index.substr(map), "background:rgba(0,114,178,0.00)\">0</td>"));
+}
+
 TEST_CASE("pages need no stored table, and work for a single submission") {
   Course course;
   course.hand_in("ada", "int x\n");
@@ -134,6 +144,15 @@ TEST_CASE("pages are self-contained, with headings in order and a text for every
     }
     CHECK(contains(page, "prefers-color-scheme: dark"));
     CHECK(contains(page, "<html lang=\"en\">"));
+    // One main landmark, and no two regions of one name.
+    CHECK(page.find("<main>") != std::string::npos);
+    CHECK(page.find("<main>") == page.rfind("<main>"));
+    std::set<std::string> regions;
+    const std::string label = "aria-label=\"";
+    for (auto at = page.find(label); at != std::string::npos; at = page.find(label, at + 1)) {
+      const auto name = at + label.size();
+      CHECK(regions.insert(page.substr(name, page.find('"', name) - name)).second);
+    }
     char before = '0';
     for (auto at = page.find("<h"); at != std::string::npos; at = page.find("<h", at + 1)) {
       if (page[at + 2] < '1' || page[at + 2] > '6') continue;

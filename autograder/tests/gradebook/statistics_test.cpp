@@ -41,12 +41,13 @@ Verdict verdict_on(const std::string& id, std::vector<CheckResult> results) {
   return verdict;
 }
 
-/// "passed failed not written not judged"
+/// "passed wrong waiting withheld not-written"
 std::string counts(const CheckStatistics& one) {
-  return fmt::format("{} {} {} {}", one.passed, one.failed, one.not_written, one.not_judged);
+  return fmt::format("{} {} {} {} {}", one.passed, one.wrong, one.waiting, one.withheld,
+                     one.not_written);
 }
 
-/// Six people, of whom five have points; bob wrote 1.1 but not 1.2.
+/// Six people, of whom four attempted the lab; bob wrote 1.1 but not 1.2.
 struct SmallClass : Scratch {
   fs::path csv = write("g.csv",
                        "id,seed,version,seconds,reason,variance status,variance total,1.1 a,1.1 b,"
@@ -93,24 +94,49 @@ TEST_CASE("the point-biserial correlation, and when it is undefined") {
   CHECK(!point_biserial({}, {}));
 }
 
-TEST_CASE("each check counts passed, failed, not written, not judged") {
+TEST_CASE("statistics are over attempts, and count the rest by kind") {
   const SmallClass place;
   const auto statistics = place.statistics();
   CHECK(statistics.submissions == 6);
   REQUIRE(statistics.labs.size() == 1);  // there is no column for halton
   const LabStatistics& lab = statistics.labs[0];
-  CHECK(lab.totals == std::vector<double>{100, 50, 0, 30, 80});
-  CHECK(lab.not_judged == 1);
+  CHECK(lab.totals == std::vector<double>{100, 50, 30, 80});
+  CHECK(other_submissions(lab) == "1 not attempted, 1 not judged");
   REQUIRE(lab.checks.size() == 3);
-  CHECK(counts(lab.checks[0]) == "3 1 1 1");  // cy has no file
-  CHECK(counts(lab.checks[1]) == "3 1 1 1");
-  CHECK(counts(lab.checks[2]) == "1 1 3 1");
-  // 1.1 a: passed by ada, bob, eve with 50, 0, 30 of the rest, not by cy, dee with 0, 30.
+  CHECK(counts(lab.checks[0]) == "3 1 0 0 0");
+  CHECK(counts(lab.checks[1]) == "3 1 0 0 0");
+  CHECK(counts(lab.checks[2]) == "1 1 0 0 2");
+  // 1.1 a: passed by ada, bob, eve with 50, 0, 30 of the rest, not by dee with 30.
   CHECK(*lab.checks[0].discrimination ==
-        Approx(*point_biserial({true, true, false, false, true}, {50, 0, 0, 30, 30})));
+        Approx(*point_biserial({true, true, false, true}, {50, 0, 30, 30})));
   CHECK(*lab.checks[2].discrimination ==
-        Approx(*point_biserial({true, false, false, false, false}, {80, 50, 0, 30, 80})));
-  CHECK(centre_of(lab.totals) == "mean 52.0, median 50");
+        Approx(*point_biserial({true, false, false, false}, {80, 50, 30, 80})));
+  CHECK(centre_of(lab.totals) == "mean 65.0, median 65");
+  // Task 1.1: 80 points; 80, 50, 30 and 80 of them. Task 1.2: 20 points, earned once.
+  REQUIRE(lab.tasks.size() == 2);
+  CHECK(lab.tasks[0].points == 80);
+  CHECK(lab.tasks[0].share == Approx(240.0 / 320));
+  CHECK(lab.tasks[0].complete == 2);
+  CHECK(lab.tasks[1].share == Approx(0.25));
+}
+
+TEST_CASE("waiting, withheld, not compiling and not begun are different from wrong") {
+  const Scratch place;
+  const Table table =
+      read_table(place.write("g.csv",
+                             "id,seed,version,variance status,variance total,1.1 a,1.2 b\n"
+                             "ada,7,1.0,judged,0,0,0\nbob,7,1.0,judged,0,0,0\n"
+                             "cy,7,1.0,\"no program\",0,0,0\ndee,7,1.0,\"no program\",91,0,0\n"));
+  const std::map<std::string, Verdict> verdicts{
+      {"ada", verdict_on("ada", {result_of("1.1 a", Status::withheld),
+                                 result_of("1.2 b", Status::waiting)})},
+      {"bob", verdict_on("bob", {result_of("1.1 a", Status::not_written),
+                                 result_of("1.2 b", Status::not_written)})}};
+  const LabStatistics lab = statistics_of(table, verdicts, two_labs).labs.at(0);
+  CHECK(lab.totals == std::vector<double>{0, 91});  // dee's was corrected by hand
+  CHECK(other_submissions(lab) == "1 not attempted, 1 not compiling");
+  CHECK(counts(lab.checks[0]) == "0 0 0 1 0");
+  CHECK(counts(lab.checks[1]) == "0 0 1 0 0");
 }
 
 TEST_CASE("a check worth no points counts as passed if its verdict says so") {
@@ -122,7 +148,7 @@ TEST_CASE("a check worth no points counts as passed if its verdict says so") {
       {"ada", verdict_on("ada", {result_of("1.1 a", Status::passed)})},
       {"bob", verdict_on("bob", {result_of("1.1 a", Status::failed)})}};
   const auto statistics = statistics_of(read_table(csv), verdicts, two_labs);
-  CHECK(counts(statistics.labs.at(0).checks.at(0)) == "1 1 0 0");
+  CHECK(counts(statistics.labs.at(0).checks.at(0)) == "1 1 0 0 0");
 }
 
 TEST_CASE("a check that is missing from a row's table does not count for that row") {
@@ -133,7 +159,7 @@ TEST_CASE("a check that is missing from a row's table does not count for that ro
                                              "bob,judged,0,0,0\n"
                                              "cy,judged,9,,9\n"));
   const auto checks = statistics_of(table, {}, two_labs).labs[0].checks;
-  CHECK(counts(checks[0]) == "1 1 0 0");
+  CHECK(counts(checks[0]) == "1 1 0 0 0");
   CHECK(*checks[0].discrimination == Approx(1));  // only ada and bob
 }
 
@@ -150,8 +176,8 @@ TEST_CASE("a lab that a student was not asked for and did not hand in does not c
   CHECK(labs[0].totals == std::vector<double>{0});
   CHECK(labs[1].totals == std::vector<double>{7});
   CHECK(labs[1].not_judged == 1);
-  CHECK(counts(labs[0].checks[0]) == "0 1 0 1");
-  CHECK(counts(labs[1].checks[0]) == "1 0 0 1");
+  CHECK(counts(labs[0].checks[0]) == "0 1 0 0 0");
+  CHECK(counts(labs[1].checks[0]) == "1 0 0 0 0");
 }
 
 TEST_CASE("a hint counts once per submission that got it") {
@@ -162,7 +188,7 @@ TEST_CASE("a hint counts once per submission that got it") {
   CHECK(hints[1].hint == "it <b>rounds");
 }
 
-TEST_CASE("without verdicts, unwritten tasks count as failed, and the report says so") {
+TEST_CASE("without verdicts, unwritten tasks count as wrong, and the report says so") {
   SmallClass place;
   place.keep(verdict_on("bob", {result_of("1.2 c", Status::not_written)}));
   Verdict older = verdict_on("dee", {result_of("1.2 c", Status::not_written)});
@@ -171,23 +197,28 @@ TEST_CASE("without verdicts, unwritten tasks count as failed, and the report say
   Verdict newer = verdict_on("eve", {});
   newer.version = "1.1";
   place.keep(newer);
-  CHECK(counts(place.statistics().labs[0].checks[2]) == "1 2 2 1");
+  CHECK(counts(place.statistics().labs[0].checks[2]) == "1 2 0 0 1");
   CHECK(place.statistics().without_verdict == 4);
   fs::remove_all(verdict_directory(place.csv));
   const auto statistics = place.statistics();
-  CHECK(counts(statistics.labs[0].checks[2]) == "1 3 1 1");
+  CHECK(counts(statistics.labs[0].checks[2]) == "1 3 0 0 0");
   CHECK(statistics.hints.empty());
   CHECK(statistics.without_verdict == 6);
   CHECK(contains(report_statistics(statistics), "6 of them have no verdict next to the table"));
 }
 
-TEST_CASE("a histogram has ten bars of ten points, and one for all points") {
-  const auto bars = histogram_of({0, 9.5, 10, 99.5, 100, 104, -3});
-  REQUIRE(bars.size() == 11);
-  std::string counted;
-  for (const PointsBar& bar : bars) counted += fmt::format("{}:{} ", bar.range, bar.submissions);
-  CHECK(counted ==
-        "0-9:3 10-19:1 20-29:0 30-39:0 40-49:0 50-59:0 60-69:0 70-79:0 80-89:0 90-99:1 100:2 ");
+TEST_CASE("a histogram has ten bars, one for all points, and one for more") {
+  const auto ranges = [](const std::vector<double>& totals, double points) {
+    std::string counted;
+    for (const PointsBar& bar : histogram_of(totals, points)) {
+      counted += fmt::format("{}:{} ", bar.range, bar.submissions);
+    }
+    return counted;
+  };
+  CHECK(ranges({0, 9.5, 10, 99.5, 100, 104, -3}, 100) ==
+        "0+:3 10+:1 20+:0 30+:0 40+:0 50+:0 60+:0 70+:0 80+:0 90+:1 100:1 >100:1 ");
+  CHECK(ranges({20, 19, 2}, 20) ==
+        "0+:0 2+:1 4+:0 6+:0 8+:0 10+:0 12+:0 14+:0 16+:0 18+:1 20:1 >20:0 ");
   CHECK(centre_of({}).empty());
   CHECK(centre_of({1, 2, 4, 9}) == "mean 4.0, median 3");
 }
@@ -195,18 +226,22 @@ TEST_CASE("a histogram has ten bars of ten points, and one for all points") {
 TEST_CASE("statistics fit 80 columns, for large classes and long names") {
   ClassStatistics statistics;
   statistics.submissions = statistics.without_verdict = 100'000;
-  LabStatistics lab{two_labs[0], std::vector<double>(99'999, 42.0), 0, {}};
+  LabStatistics lab;
+  lab.lab = two_labs[0];
+  lab.totals.assign(99'999, 42.0);
+  lab.not_attempted = lab.not_compiled = lab.not_judged = 100'000;
   lab.totals.push_back(7);
   std::string name = "1.1 the";
   for (int i = 0; i < 20; ++i) name += " variance";
-  lab.checks = {{name, 100'000, 100'000, 100'000, 100'000, -0.5}};
+  lab.checks = {{name, 100'000, 100'000, 100'000, 100'000, 100'000, -0.5}};
+  lab.tasks = {{"1.10", {name}, 7, 1, 100'000}};
   statistics.labs = {lab};
   statistics.hints = {{name, 100'000}};
   const std::string text = report_statistics(statistics);
   std::size_t widest = 0;
   for (const auto line : text::split(text, '\n')) widest = std::max(widest, columns_of(line));
   CHECK(widest <= 80);
-  CHECK(contains(text, "0-9      1  #\n"));  // a single one is visible among very many
+  CHECK(contains(text, "0+      1  #\n"));  // a single one is visible among very many
   CHECK(contains(text, "-0.50  1.1 the variance"));
 }
 
@@ -218,11 +253,9 @@ TEST_CASE("stats of a graded class, as text and as a page without names") {
   const fs::path page = course.path() / "stats.html";
   const auto run = course.run({"stats", csv, "--html", page.string()});
   CHECK(run.exit_code == 0);
-  CHECK(contains(run.output, "Lab 1 · variance: 5 with points; mean 0.0, median 0"));
-  CHECK(
-      contains(run.output, "       0       4        1       0         -  1.1 the mean of a list"));
+  CHECK(contains(run.output, "Lab 1 · variance: 0 attempts\n  1 not attempted, 4 not compiling"));
   const std::string html = read_text(page);
-  CHECK(contains(html, "<td class=\"number\">4</td>"));
+  CHECK(contains(html, "1 not attempted, 4 not compiling"));
   CHECK(!contains(html, "s03"));
   for (const char* wrong : {"/no/such.csv", "/"})
     CHECK(course.run({"stats", wrong}).exit_code == 2);
