@@ -12,6 +12,7 @@
 #include "grader/commands/command.hpp"
 #include "grader/commands/judging_options.hpp"
 #include "grader/commands/tree.hpp"
+#include "grader/judging/points.hpp"
 #include "grader/submission/scratch.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
@@ -38,6 +39,7 @@ void lay_out(const Context& context, const Arguments& arguments, const std::stri
     copy_into(root / file, to / file);
   }
   copy_compiled_judge(context, chosen, to);
+  if (fs::exists(root / points_file)) copy_into(root / points_file, to / points_file);
   if (arguments.has("leaderboard")) {  // only the leaderboard compares with the solutions
     for (const std::string& lab : chosen) {
       const fs::path file = fs::path("solutions") / find_lab(context.labs, lab).file();

@@ -27,6 +27,7 @@ constexpr const char* kept_back[] = {"solutions/",
                                      ".ci/",
                                      ".github/",
                                      "README.md",
+                                     "points.csv",  // copied where it belongs
                                      "SECURITY.md",
                                      "REUSE.toml",
                                      "CONTRIBUTING.md",

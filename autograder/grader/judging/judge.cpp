@@ -12,6 +12,7 @@
 #include "grader/base/errors.hpp"
 #include "grader/base/side_by_side.hpp"
 #include "grader/judging/check_process.hpp"
+#include "grader/judging/points.hpp"
 #include "grader/judging/repeat_commands.hpp"
 #include "grader/judging/task_runner.hpp"
 #include "protocol/environment.hpp"
@@ -131,6 +132,12 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
   if (checks.empty()) {
     throw MachineError(
         fmt::format("the checks of lab {} are not built: run ./lab setup", lab.name));
+  }
+  try {
+    apply_points(layout.root, lab, checks);
+  } catch (...) {
+    checks.clear();  // not known yet
+    throw;
   }
   std::stable_sort(checks.begin(), checks.end(), [](const Check& a, const Check& b) {
     return task_number(a.task) < task_number(b.task);

@@ -83,6 +83,11 @@ class CompletionCache {
       const auto dot = need.find('.');
       const Lab& lab = find_lab(context_.labs, need.substr(0, dot));
       options_.only = dot == std::string::npos ? "" : need;
+      const auto checks = expected_checks(context_.layout, lab);
+      const auto is_about = [&](const Check& check) { return check.task == need; };
+      if (dot != std::string::npos && std::none_of(checks.begin(), checks.end(), is_about)) {
+        return known_[need] = true;  // points.csv leaves it out
+      }
       const BuildResult built = build_within(context_, lab, submission_, options_);
       const LabVerdict verdict = judge_lab(context_.layout, lab, built, options_);
       known_[need] = verdict.earned() == verdict.points();

@@ -62,7 +62,9 @@ void prove_repository() {
     for (const auto& [task, count] : mains) {
       if (count != 1) complain(fmt::format("task {} has {} checks tagged [main]", task, count));
     }
-    if (points != 100) complain(fmt::format("lab {}: {:g} points, not 100", lab.name, points));
+    const bool is_changed = fs::exists(layout.root / "points.csv");
+    if (points != 100 && !is_changed)
+      complain(fmt::format("lab {}: {:g} points, not 100", lab.name, points));
     const std::pair<fs::path, std::string> places[] = {
         {layout.labs() / lab.folder / lab.header(), "/// "},
         {layout.labs() / lab.folder / "README.md", "\n### "},

@@ -1,0 +1,103 @@
+#include "grader/judging/points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "runner/text.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace {
+
+struct PointsLine {
+  std::size_t number = 0;
+  std::string what;
+  double points = 0;
+};
+
+[[noreturn]] void refuse_line(std::size_t number, const std::string& why) {
+  throw UsageError(fmt::format("{}, line {}: {}", points_file, number, why));
+}
+
+/// The names of checks have no commas and no quotes.
+std::vector<PointsLine> lines_of_points(const std::filesystem::path& root) {
+  std::vector<PointsLine> lines;
+  const std::string text = read_text(root / points_file);
+  std::size_t number = 0;
+  for (std::string_view line : text::split(text, '\n')) {
+    ++number;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+    if (line.empty() || line == "what,points") continue;
+    const auto comma = line.rfind(',');
+    PointsLine one{number, std::string(line.substr(0, comma)), NAN};
+    std::erase(one.what, '"');
+    try {
+      if (comma != std::string_view::npos) text::parse(line.substr(comma + 1), one.points);
+    } catch (const std::invalid_argument&) {
+      one.points = NAN;
+    }
+    if (!std::isfinite(one.points) || one.points < 0) {
+      refuse_line(number, "a line is a task or a check, a comma, and its points");
+    }
+    lines.push_back(std::move(one));
+  }
+  return lines;
+}
+
+}  // namespace
+
+void apply_points(const std::filesystem::path& root, const Lab& lab, std::vector<Check>& checks) {
+  std::set<std::string> left_out;
+  for (const PointsLine& line : lines_of_points(root)) {
+    if (std::atoi(line.what.c_str()) != lab.number) continue;
+    double before = 0;
+    std::vector<Check*> named;
+    for (Check& check : checks) {
+      if (check.task != line.what && check.name != line.what) continue;
+      named.push_back(&check);
+      before += check.points;
+    }
+    if (named.empty()) {
+      refuse_line(line.number, fmt::format("lab {} has no task or check '{}'", lab.number,
+                                           sandbox::printable_line(line.what)));
+    }
+    for (Check* const check : named) {
+      const double share =
+          before > 0 ? check->points / before : 1 / static_cast<double>(named.size());
+      check->points = line.points * share;
+      if (line.points == 0) left_out.insert(check->name);
+      if (line.points > 0) left_out.erase(check->name);
+    }
+  }
+  std::erase_if(checks, [&](const Check& check) { return left_out.contains(check.name); });
+}
+
+std::set<std::string> tasks_left_out(const std::filesystem::path& root) {
+  std::set<std::string> tasks;
+  for (const PointsLine& line : lines_of_points(root)) {
+    if (line.points == 0 && line.what.find(' ') == std::string::npos) tasks.insert(line.what);
+  }
+  return tasks;
+}
+
+std::string without_section(const std::string& text, const std::string& heading) {
+  auto begin = text.find('\n' + heading + ' ');
+  if (begin == std::string::npos) begin = text.find('\n' + heading + '\n');
+  if (begin == std::string::npos) return text;
+  ++begin;
+  auto end = text.size();
+  // A heading of the same level or above ends it; "# " also begins comments in blocks.
+  for (std::string mark = "\n## "; mark.size() <= heading.find(' ') + 2; mark.insert(1, "#")) {
+    end = std::min(end, text.find(mark, begin));
+  }
+  return text.substr(0, begin) + (end < text.size() ? text.substr(end + 1) : "");
+}
+
+}  // namespace mc::grader

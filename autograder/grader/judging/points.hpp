@@ -1,0 +1,31 @@
+#pragma once
+// Points that a course gives, in place of those in the checks' tags: points.csv in the checkout.
+//
+//   what,points
+//   1.3,12                          a task: its checks share 12 points as they did before
+//   1.6 the covariance of pairs,8   a check
+//   1.7,0                           left out: of handouts, reports and statistics
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/checkout/labs.hpp"
+#include "grader/judging/verdict.hpp"
+
+namespace mc::grader {
+
+inline constexpr const char* points_file = "points.csv";
+
+/// Sets the points of a lab's checks, and removes those that are left out. Throws UsageError, naming
+/// the line, for a line that is not one of these or that names no check of its lab.
+void apply_points(const std::filesystem::path& root, const Lab& lab, std::vector<Check>& checks);
+
+/// The tasks that are left out.
+std::set<std::string> tasks_left_out(const std::filesystem::path& root);
+
+/// A Markdown text without the section of that heading, "### 1.7".
+std::string without_section(const std::string& text, const std::string& heading);
+
+}  // namespace mc::grader

@@ -1,0 +1,105 @@
+// points.csv changes points without C++, and leaves tasks out everywhere.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "checks/support/catch.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/judging/points.hpp"
+#include "tests/gradebook/course.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::points {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+Check check_of(const std::string& name, double points) {
+  Check check;
+  check.name = name;
+  check.task = name.substr(0, name.find(' '));
+  check.points = points;
+  return check;
+}
+
+/// "1.1 a=6 …" of a lab with three checks of 3, 1 and 5 points.
+std::string points_with(const std::string& text) {
+  const Scratch place;
+  place.write(points_file, text);
+  std::vector<Check> checks{check_of("1.1 a", 3), check_of("1.1 b", 1), check_of("1.2 c", 5)};
+  apply_points(place.path(), {1, "variance", "1-variance", {}}, checks);
+  std::string all;
+  for (const Check& check : checks) all += fmt::format("{}={:g} ", check.name, check.points);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("points.csv sets tasks and checks, with any total, and leaves out those with 0") {
+  CHECK(points_with("") == "1.1 a=3 1.1 b=1 1.2 c=5 ");
+  CHECK(points_with("what,points\n1.1,12\n") == "1.1 a=9 1.1 b=3 1.2 c=5 ");
+  CHECK(points_with("1.2 c,7.5\r\n\"1.1 b\",2\r\n") == "1.1 a=3 1.1 b=2 1.2 c=7.5 ");
+  CHECK(points_with("1.1,0\n") == "1.2 c=5 ");
+  CHECK(points_with("1.1,0\n1.1 a,4\n") == "1.1 a=4 1.2 c=5 ");
+  CHECK(points_with("2.1,3\n5.1 x,0\n") == "1.1 a=3 1.1 b=1 1.2 c=5 ");  // other labs'
+  for (const char* wrong : {"1.9,4\n", "1.1\n", "1.1,-1\n", "1.1,many\n", "1.1,nan\n"}) {
+    CHECK_THROWS_AS(points_with(wrong), UsageError);
+  }
+}
+
+TEST_CASE("a section ends at the next heading of its level, not at a comment in a block") {
+  const std::string text = "# A\n### 1.1 x\none\n# a comment\n### 1.2 y\ntwo\n## End\nrest\n";
+  CHECK(without_section(text, "### 1.1") == "# A\n### 1.2 y\ntwo\n## End\nrest\n");
+  CHECK(without_section(text, "### 1.2") == "# A\n### 1.1 x\none\n# a comment\n## End\nrest\n");
+  CHECK(without_section(text, "### 1.3") == text);
+  CHECK(without_section("# H\n\n## 1.1\n\n### 1\nx\n\n## 1.2\ny\n", "## 1.1") ==
+        "# H\n\n## 1.2\ny\n");
+}
+
+TEST_CASE("a task left out is in no table, report, statistic and handout") {
+  // A clone of this checkout with the programs of this build.
+  Course course;
+  const fs::path root = course.path() / "root", build = course.path() / "build";
+  REQUIRE(sandbox::run_process(
+              {"git", "clone", "-q", "--shared", course.layout.root.string(), root.string()})
+              .succeeded());
+  write_text(root / points_file, "what,points\n1.8,0\n1.1,30\n");
+  fs::create_directories(build / "bin");
+  for (const auto& entry : fs::directory_iterator(course.layout.build / "bin")) {
+    const fs::path to = build / "bin" / entry.path().filename();
+    if (to.filename() == "course") fs::copy_file(entry.path(), to);
+    if (to.filename() != "course") fs::create_symlink(entry.path(), to);
+  }
+  std::string layout = read_text(course.layout.build / "layout.txt");
+  const std::string line = "root=" + course.layout.root.string() + "\n";
+  REQUIRE(contains(layout, line));
+  layout.replace(layout.find(line), line.size(), "root=" + root.string() + "\n");
+  write_text(build / "layout.txt", layout);
+  const auto lab = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), (build / "bin" / "course").string());
+    const auto run = sandbox::run_process(words);
+    CAPTURE(run.output, run.errors);
+    CHECK(run.exit_code == 0);
+    return run.output;
+  };
+  course.hand_in("anna", text_of(course.layout.solutions()));
+  course.hand_in("bob", "int 1;\n");
+  const std::string csv = course.csv().string();
+  lab({"grade", (course.path() / "class").string(), "--lab", "1", "--csv", csv});
+  const std::string table = read_text(csv);
+  CHECK(!contains(table, "\"1.8 "));
+  CHECK(contains(table, " points "));  // the version says so
+  CHECK(!contains(lab({"stats", csv}), "1.8"));
+  const fs::path handout = course.path() / "handout";
+  lab({"handout", handout.string(), "--labs", "1", "--with-sources"});
+  CHECK(fs::exists(handout / points_file));
+  CHECK(!contains(read_text(handout / "labs" / "1-variance" / "README.md"), "### 1.8"));
+  CHECK(!contains(read_text(handout / "labs" / "1-variance" / "hints.md"), "## 1.8"));
+  const std::string starter = read_text(handout / "starter" / "variance.cpp");
+  CHECK(contains(starter, "TODO(1.7)"));
+  CHECK(!contains(starter, "TODO(1.8)"));
+}
+
+}  // namespace mc::tests::points
