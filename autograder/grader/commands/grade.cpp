@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +16,7 @@
 #include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/judging_options.hpp"
+#include "grader/commands/manifest.hpp"
 #include "grader/gradebook/batch.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/class_page.hpp"
@@ -271,6 +274,23 @@ void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
   list("not on the roster", report.not_on_roster);
 }
 
+/// Lists clones of handouts of another version: their students saw other checks.
+void compare_versions(const Context& context, const std::vector<IntakeEntry>& entries) {
+  std::map<std::string, std::set<std::string>> ids;  // by version
+  for (const IntakeEntry& entry : entries) {
+    for (const auto& [lab, file] : entry.submission.files) {
+      const std::string version = read_manifest(file.parent_path().parent_path()).version;
+      if (!version.empty() && version != context.layout.version) {
+        ids[version].insert(entry.submission.label);
+      }
+    }
+  }
+  for (const auto& [version, who] : ids) {
+    fmt::print("handout of version {}, judged by {}: {}\n", sandbox::printable_line(version),
+               context.layout.version, fmt::join(who, ", "));
+  }
+}
+
 int grade(const Context& context, const Arguments& arguments) {
   if (arguments.words.empty())
     throw UsageError("usage: ./lab grade DIR|ZIP... (try: ./lab grade solutions)");
@@ -305,6 +325,7 @@ int grade(const Context& context, const Arguments& arguments) {
                                        : "one in each directory, zip or name in what is named");
   }
   if (const auto roster = arguments.get("roster")) match(*roster, intake.entries);
+  compare_versions(context, intake.entries);
   if (arguments.has("resume")) gather_tasks(*csv);
   const bool single =
       intake.entries.size() == 1 && !arguments.has("shard") && !arguments.has("roster");

@@ -1,7 +1,7 @@
 // handout: writes the students' repository, with a fresh history.
 
 #include <algorithm>
-#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <sstream>
@@ -15,6 +15,9 @@
 #include "grader/commands/command.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/commands/tree.hpp"
+#include "grader/commands/upgrade.hpp"
+#include "grader/judging/points.hpp"
+#include "grader/submission/scratch.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
@@ -97,20 +100,28 @@ std::string compile_flags_for(const std::vector<Lab>& labs) {
   return flags;
 }
 
-int handout(const Context& context, const Arguments& arguments) {
-  if (arguments.words.size() != 1)
-    throw UsageError("usage: ./lab handout DIR [--labs 1,2,…] [--hints N] [--with-sources]");
-  const JudgeForm form = arguments.has("with-sources") ? JudgeForm::sources : JudgeForm::compiled;
-  const fs::path to = fs::absolute(arguments.words[0]), root = context.layout.root;
-  if (fs::exists(to) && !fs::is_empty(to)) {
-    throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(to.string())));
+/// Leaves out the tasks that points.csv leaves out: their sections and hints; the starter says so.
+void leave_tasks_out(const fs::path& root, const Lab& lab, const fs::path& to) {
+  const fs::path place = to / "labs" / lab.folder;
+  for (const std::string& task : tasks_left_out(root)) {
+    if (std::atoi(task.c_str()) != lab.number) continue;
+    for (const auto& [file, heading] :
+         {std::pair{place / "README.md", "### "}, std::pair{place / "hints.md", "## "}}) {
+      if (fs::exists(file)) write_text(file, without_section(read_text(file), heading + task));
+    }
+    const fs::path starter = to / "starter" / lab.file();
+    std::string text = read_whole_text(starter);
+    replace_all(text, fmt::format("TODO({}):", task), "not part of this course:");
+    write_text(starter, text);
   }
-  const auto chosen = labs_and_those_below(context, arguments.get("labs"));
-  std::size_t count = 0;
-  const auto copy = [&](const fs::path& from, const fs::path& name) {
-    copy_into(from, to / name);
-    ++count;
-  };
+}
+
+/// Writes the handout that this manifest describes into an empty directory.
+void write_handout(const Context& context, const Manifest& manifest, const fs::path& to) {
+  const fs::path root = context.layout.root;
+  const JudgeForm form = manifest.form == "sources" ? JudgeForm::sources : JudgeForm::compiled;
+  const std::set<std::string>& chosen = manifest.labs;
+  const auto copy = [&](const fs::path& from, const fs::path& name) { copy_into(from, to / name); };
   for (const std::string& file : files_without_answers(context, chosen, form))
     copy(root / file, file);
   const fs::path extra = root / "docs" / "handout";
@@ -119,13 +130,13 @@ int handout(const Context& context, const Arguments& arguments) {
   }
   std::vector<Lab> labs = context.labs;
   std::erase_if(labs, [&](const Lab& lab) { return !chosen.contains(lab.name); });
-  if (const auto most = arguments.number("hints")) {
-    for (const Lab& lab : labs) {
-      const fs::path hints = to / "labs" / lab.folder / "hints.md";
-      if (!fs::exists(hints)) continue;
-      const int steps = static_cast<int>(std::min<std::uint64_t>(*most, 3));
-      write_text(hints, with_fewer_hints(read_whole_text(hints), steps));
-    }
+  if (fs::exists(root / points_file)) copy(root / points_file, points_file);
+  for (const Lab& lab : labs) {
+    leave_tasks_out(root, lab, to);
+    const fs::path hints = to / "labs" / lab.folder / "hints.md";
+    if (manifest.hints.empty() || !fs::exists(hints)) continue;
+    const int steps = std::clamp(std::atoi(manifest.hints.c_str()), 0, 3);
+    write_text(hints, with_fewer_hints(read_whole_text(hints), steps));
   }
   for (const Lab& lab : labs) {
     const std::string questions =
@@ -138,17 +149,47 @@ int handout(const Context& context, const Arguments& arguments) {
     copy_compiled_judge(context, chosen, to);
     write_text(to / "compile_flags.txt", compile_flags_for(labs));
   }
+  make_manifest(context, manifest, to);  // the README is about what exists
   for (const char* name : {"README.md", "Dockerfile", ".github/workflows/grade.yml"}) {
     std::string text = read_whole_text(to / name);
     keep_one_form(text, form);
     write_text(to / name, name == std::string("README.md") ? readme_for(text, labs, to) : text);
   }
-  git(to, {"init", "-q", "-b", "main"});
-  git(to, {"add", "-A"});
-  git(to, {"-c", "user.name=course", "-c", "user.email=course@localhost", "commit", "-q", "-m",
-           "Monte Carlo labs " + context.layout.version});
-  fmt::print("{}: {} files, one commit, labs {}\n", sandbox::printable_line(to.string()), count,
-             fmt::join(chosen, ", "));
+  make_manifest(context, manifest, to);
+}
+
+int handout(const Context& context, const Arguments& arguments) {
+  if (arguments.words.size() != 1)
+    throw UsageError("usage: ./lab handout DIR [--labs 1,2,…] [--hints N] [--with-sources]");
+  const fs::path to = fs::absolute(arguments.words[0]);
+  const std::string shown = sandbox::printable_line(to.string());
+  Manifest manifest = read_manifest(to);
+  const bool is_new = manifest.version.empty();
+  if (is_new && fs::exists(to) && !fs::is_empty(to)) {
+    throw UsageError(shown + " is not empty, and no handout");
+  }
+  // An old handout keeps what it is made of, unless asked for more.
+  if (is_new || arguments.has("labs")) {
+    manifest.labs.merge(labs_and_those_below(context, arguments.get("labs")));
+  }
+  if (is_new) manifest.form = arguments.has("with-sources") ? "sources" : "compiled";
+  if (const auto most = arguments.number("hints")) manifest.hints = std::to_string(*most);
+  if (is_new) {
+    write_handout(context, manifest, to);
+    git(to, {"init", "-q", "-b", "main"});
+    git(to, {"add", "-A"});
+    git(to, {"-c", "user.name=course", "-c", "user.email=course@localhost", "commit", "-q", "-m",
+             "Monte Carlo labs " + context.layout.version});
+    fmt::print("{}: {} files, one commit, labs {}\n", shown, read_manifest(to).files.size(),
+               fmt::join(manifest.labs, ", "));
+    return 0;
+  }
+  const ScratchDirectory scratch(context.layout);
+  const fs::path tree = scratch.path() / "tree";
+  write_handout(context, manifest, tree);
+  const std::string message = upgrade(to, tree);
+  fmt::print("{}: {}\n", shown, message.empty() ? "nothing to change" : "one commit on top");
+  fmt::print("{}", message);
   return 0;
 }
 
@@ -159,7 +200,8 @@ const RegisterCommand handout_command{
      "Labs, starters, the autograder as programs, and a README for students, as a git repository\n"
      "with one commit. No solutions, no checks, no tests of the repository. Includes an editor's\n"
      "tasks, a dev container, and a workflow that grades each push. Students need Linux on this\n"
-     "machine's architecture, and a compiler.\n"
+     "machine's architecture, and a compiler. On a handout that exists, adds a commit with what\n"
+     "changed; starter/, answers/ and edited files stay as they are.\n"
      "  --labs LIST   only these labs and those that they depend on\n"
      "  --hints N     only the first N steps of each task's hints, 0 to 3\n"
      "  --with-sources  the autograder's sources in place of its programs, for other systems and\n"

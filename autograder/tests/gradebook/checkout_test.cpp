@@ -274,7 +274,7 @@ TEST_CASE("a handout needs only a compiler", "[.handout]") {
   handout.search_path = handout.path() / "programs";
   link_programs(handout.search_path, {"sh", "uname", "tr", "dirname", "c++", "as", "ld", "git"});
   works_from_the_first_call_on(handout, {"setup", "check", "run", "hint", "plot", "demo", "report",
-                                         "reset", "submit", "completion"});
+                                         "reset", "submit", "update", "completion"});
 
   write_text(handout.root / "starter" / "variance.cpp", text_of(handout.layout.solutions()));
   CHECK(contains(handout.lab({"hint", "1.1"}).output, "1.1"));
@@ -312,7 +312,7 @@ TEST_CASE("a handout with the judge's sources works from the first call on", "[.
   REQUIRE(handout.written.exit_code == 0);
   builds_from_sources(handout);
   works_from_the_first_call_on(handout, {"setup", "check", "run", "hint", "plot", "demo", "report",
-                                         "reset", "submit", "completion"});
+                                         "reset", "submit", "update", "completion"});
 }
 
 }  // namespace mc::tests::checkout

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
+#include "grader/gradebook/book.hpp"
 #include "grader/gradebook/table.hpp"
 #include "runner/text.hpp"
 #include "tests/gradebook/course.hpp"
@@ -243,7 +244,9 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   // The statistics and the page of each student.
   const auto stats = term.run({"stats", grades.string()});
   CHECK(stats.exit_code == 0);
-  CHECK(contains(stats.output, fmt::format("Lab 1 · variance: {} with points", students)));
+  // Two handed in the starter, one no C++.
+  CHECK(contains(stats.output, fmt::format("Lab 1 · variance: {} attempts", students - 3)));
+  CHECK(contains(stats.output, "2 not attempted, 1 not compiling"));
   CHECK(contains(stats.output, "Hints, by the submissions"));
   CHECK(fs::exists(pages / "index.html"));
   for (const std::string& id : term.ids) {
@@ -255,6 +258,54 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   const auto late = term.run(term.grading(grades, {"--resume"}));
   CHECK(contains(late.output, fmt::format("1 judged, {} were before", students - 1)));
   CHECK(field(rows_by_id(grades).at(term.ids[3]), "variance total") == "100");
+
+  // With the roster, one who is absent has a row, and nobody is judged again.
+  const fs::path roster = term.path() / "roster.csv";
+  std::string people = "id,name,email\n";
+  for (int i = 1; i <= students + 1; ++i) {
+    people += fmt::format("student {0:02},Name {0},s{0}@example.edu\n", i);
+  }
+  write_text(roster, people);
+  const std::vector<std::string> go_on{"--resume", "--roster", roster.string(), "--html",
+                                       pages.string()};
+  const auto rostered = term.run(term.grading(grades, go_on));
+  CHECK(contains(rostered.output, fmt::format("1 judged, {} were before", students)));
+  CHECK(contains(rostered.output, "handed in nothing: student 31"));
+  CHECK(field(rows_by_id(grades).at("student 31"), "variance status") == "no file");
+
+  // A check was fixed since this verdict: it is judged again, and the correction by hand stays.
+  write_text(term.path() / "corrections.csv", "id,what,points,comment\nstudent 03,1,50,a typo\n");
+  const fs::path verdict = verdict_file(grades, "student 02");
+  std::string older = read_text(verdict);
+  const std::string version = "\"version\": \"" + term.layout.version + '"';
+  REQUIRE(contains(older, version));
+  older.replace(older.find(version), version.size(), "\"version\": \"older\"");
+  write_text(verdict, older);
+  const auto fixed = term.run(term.grading(grades, go_on));
+  CHECK(contains(fixed.output, fmt::format("1 judged, {} were before", students)));
+  CHECK(field(rows_by_id(grades).at("student 03"), "variance total") == "50");
+
+  // Feedback for all. Each total is the sum of its checks, and is in the page and in the verdict.
+  const fs::path feedback = term.path() / "feedback";
+  const auto returned = term.run(
+      {"feedback", grades.string(), "--out", feedback.string(), "--roster", roster.string()});
+  CHECK(contains(returned.output, fmt::format("{} students, a page and a text", students + 1)));
+  const std::string index = read_text(pages / "index.html");
+  for (const auto& [id, row] : rows_by_id(grades)) {
+    CAPTURE(id);
+    double sum = 0;
+    for (const auto& [column, points] : row) {
+      if (is_check_column(column) && column[0] == '1') sum += std::stod(points);
+    }
+    const std::string total = field(row, "variance total");
+    CHECK(contains(index, ">" + id + "<"));
+    const std::string text = read_text(feedback / "students" / (id + ".txt"));
+    CHECK(contains(text, fmt::format("{:g} of 100", sum)));
+    if (id != "student 03") CHECK(total == fmt::format("{:g}", sum));
+    const auto judged = read_verdict(grades, id);
+    REQUIRE(judged);
+    CHECK(judged->labs.at(0).earned() == sum);
+  }
 }
 
 TEST_CASE("two machines give the same grades as one", "[.term-shards]") {

@@ -1,0 +1,29 @@
+#pragma once
+// What a handout says of itself: its version, its labs, and the files that the course wrote.
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+namespace mc::grader {
+
+inline constexpr const char* manifest_file = "autograder/handout.txt";
+
+struct Manifest {
+  std::string version;
+  std::string form;   ///< "compiled" or "sources"
+  std::string hints;  ///< the number of steps; empty: all
+  std::set<std::string> labs;
+  std::map<std::string, std::string> checks;  ///< lab -> a hash of its checks
+  std::map<std::string, std::string> files;   ///< path -> a hash of its text
+};
+
+/// Empty where there is no manifest: not a handout.
+Manifest read_manifest(const std::filesystem::path& handout);
+void write_manifest(const std::filesystem::path& handout, const Manifest& manifest);
+
+/// Of a file's text, for comparing versions of it.
+std::string hash_of_file(const std::filesystem::path& file);
+
+}  // namespace mc::grader

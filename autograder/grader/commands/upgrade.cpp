@@ -1,0 +1,136 @@
+#include "grader/commands/upgrade.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/text_file.hpp"
+#include "grader/commands/tree.hpp"
+#include "sandbox/printable.hpp"
+
+namespace mc::grader {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_students_own(const std::string& file) {
+  return file.starts_with("starter/") || file.starts_with("answers/");
+}
+
+/// A paragraph of the message; nothing for an empty list.
+std::string paragraph_of(const std::string& what, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  if (names.empty()) return {};
+  const std::vector<std::string> some(
+      names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
+  return fmt::format("{}: {}{}\n", what, fmt::join(some, ", "),
+                     names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
+}
+
+/// What differs between two versions, by kind.
+struct Difference {
+  std::vector<std::string> labs, checks, handouts, others, removed, kept;
+
+  std::string message(const Manifest& before, const Manifest& now) const {
+    const std::string was =
+        before.version == now.version ? "" : fmt::format(", was {}", before.version);
+    return fmt::format("Monte Carlo labs {}{}\n\n", now.version, was) +
+           paragraph_of("New labs", labs) + paragraph_of("Checks changed", checks) +
+           paragraph_of("Handouts changed", handouts) + paragraph_of("Other files", others) +
+           paragraph_of("Removed", removed) + paragraph_of("Edited here, so kept", kept);
+  }
+};
+
+bool is_handout_text(const std::string& file) {
+  return file.ends_with(".md") || file.ends_with(".svg") || file.ends_with(".png");
+}
+
+}  // namespace
+
+Manifest make_manifest(const Context& context, Manifest manifest, const fs::path& tree) {
+  manifest.version = context.layout.version;
+  for (const Lab& lab : context.labs) {
+    if (!manifest.labs.contains(lab.name)) continue;
+    std::vector<fs::path> files;
+    const fs::path place = context.layout.root / "autograder" / "checks" / lab.name;
+    for (const auto& entry : fs::directory_iterator(place)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string all;
+    for (const fs::path& file : files) all += read_whole_text(file);
+    manifest.checks[lab.name] = fmt::format("{:016x}", hash_text(all));
+  }
+  manifest.files.clear();
+  for (const auto& entry : fs::recursive_directory_iterator(tree)) {
+    const std::string file = entry.path().lexically_relative(tree).string();
+    if (!entry.is_regular_file() || file.starts_with(".git/") || file == manifest_file) continue;
+    manifest.files[file] = hash_of_file(entry.path());
+  }
+  write_manifest(tree, manifest);
+  return manifest;
+}
+
+void commit_files(const fs::path& handout, const std::vector<std::string>& files,
+                  const std::string& message) {
+  std::vector<std::string> add{"add", "-A", "--"};
+  add.insert(add.end(), files.begin(), files.end());
+  git(handout, add);
+  std::vector<std::string> commit{
+      "-c", "user.name=course", "-c", "user.email=course@localhost", "commit", "-q", "-m", message,
+      "--"};
+  commit.insert(commit.end(), files.begin(), files.end());
+  git(handout, commit);
+}
+
+std::string upgrade(const fs::path& handout, const fs::path& tree) {
+  const Manifest before = read_manifest(handout), now = read_manifest(tree);
+  Difference difference;
+  for (const std::string& lab : now.labs) {
+    if (!before.labs.contains(lab)) difference.labs.push_back(lab);
+  }
+  for (const auto& [lab, hash] : now.checks) {
+    const auto old = before.checks.find(lab);
+    if (old != before.checks.end() && old->second != hash) difference.checks.push_back(lab);
+  }
+  std::vector<std::string> touched;
+  for (const auto& [file, hash] : now.files) {
+    const auto old = before.files.find(file);
+    const bool was_ours = old != before.files.end(), exists = fs::exists(handout / file);
+    if (was_ours && (old->second == hash || is_students_own(file))) continue;
+    if (!was_ours && exists && is_students_own(file)) continue;
+    if (exists && (!was_ours || hash_of_file(handout / file) != old->second)) {
+      if (hash_of_file(handout / file) != hash) difference.kept.push_back(file);
+      continue;
+    }
+    const bool is_of_new_lab =
+        std::any_of(difference.labs.begin(), difference.labs.end(), [&](std::string lab) {
+          if (file.find(lab) != std::string::npos) return true;
+          std::replace(lab.begin(), lab.end(), '_', '-');  // of its folder
+          return file.find(lab) != std::string::npos;
+        });
+    if (!is_of_new_lab) {
+      (is_handout_text(file) ? difference.handouts : difference.others).push_back(file);
+    }
+    fs::remove(handout / file);
+    copy_into(tree / file, handout / file);
+    touched.push_back(file);
+  }
+  for (const auto& [file, hash] : before.files) {
+    if (now.files.contains(file) || is_students_own(file) || !fs::exists(handout / file)) continue;
+    if (hash_of_file(handout / file) != hash) {
+      difference.kept.push_back(file);
+      continue;
+    }
+    fs::remove(handout / file);
+    difference.removed.push_back(file);
+    touched.push_back(file);
+  }
+  if (touched.empty() && before.version == now.version) return {};
+  fs::copy_file(tree / manifest_file, handout / manifest_file,
+                fs::copy_options::overwrite_existing);
+  touched.emplace_back(manifest_file);
+  const std::string message = difference.message(before, now);
+  commit_files(handout, touched, message);
+  return message;
+}
+
+}  // namespace mc::grader

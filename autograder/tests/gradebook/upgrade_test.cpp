@@ -1,0 +1,168 @@
+// A handout grows on top of what students have, and reaches them by ./lab update.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "checks/support/catch.hpp"
+#include "grader/commands/manifest.hpp"
+#include "grader/commands/upgrade.hpp"
+#include "tests/gradebook/handout.hpp"
+#include "tests/text.hpp"
+
+namespace mc::tests::upgrade {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+namespace {
+
+/// A handout of lab 1, and a student's clone of it. Programs need no building for git.
+struct Semester : Handout {
+  fs::path clone = path() / "student";
+  Semester() : Handout({"--labs", "1", "--with-sources"}) {
+    CAPTURE(written.errors);
+    REQUIRE(written.exit_code == 0);
+    REQUIRE(
+        sandbox::run_process({"git", "clone", "-q", root.string(), clone.string()}).succeeded());
+  }
+  /// As if the handout had been written by an older version of this repository: another text in a
+  /// file, with its hash.
+  void make_older(const std::string& file, const std::string& text) const {
+    write_text(root / file, text);
+    Manifest manifest = read_manifest(root);
+    manifest.version = "1.0.0";
+    manifest.files[file] = hash_of_file(root / file);
+    manifest.checks["variance"] = "0";
+    write_manifest(root, manifest);
+    commit_files(root, {file, manifest_file}, "older");
+  }
+  sandbox::ProcessResult again(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"handout", root.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  /// `./lab update` in the clone, with the program of this build.
+  sandbox::ProcessResult update() const {
+    fs::create_directories(path() / "program" / "bin");
+    const fs::path program = path() / "program" / "bin" / "grader";
+    if (!fs::exists(program)) fs::copy_file(layout.build / "bin" / "grader", program);
+    write_text(path() / "program" / "layout.txt",
+               "root=" + clone.string() + "\nversion=1.0.0\ncompiler=c++\n");
+    return sandbox::run_process({program.string(), "update"}, {.directory = clone});
+  }
+  sandbox::ProcessResult git_in(const fs::path& place, std::vector<std::string> words) const {
+    words.insert(words.begin(), {"git", "-C", place.string(), "-c", "user.name=s", "-c",
+                                 "user.email=s@example.org"});
+    const auto ran = sandbox::run_process(words);
+    CAPTURE(ran.errors);
+    REQUIRE(ran.succeeded());
+    return ran;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a handout grows by one commit, and leaves alone what others own") {
+  const Semester semester;
+  semester.make_older("labs/1-variance/README.md", "An older text.\n");
+  // What a teaching assistant or a student has there.
+  write_text(semester.root / "starter" / "variance.cpp", "my work\n");
+  write_text(semester.root / "notes.md", "mine\n");
+  const fs::path header = semester.root / "labs" / "1-variance" / "variance.hpp";
+  write_text(header, read_text(header) + "// edited\n");
+  const auto run = semester.again({"--labs", "2"});
+  CAPTURE(run.output, run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "one commit on top"));
+  CHECK(lines(semester.git({"rev-list", "HEAD"}).output) == 3);
+  const std::string message = semester.git({"log", "-1", "--format=%B"}).output;
+  CHECK(contains(message, ", was 1.0.0"));
+  CHECK(contains(message, "New labs: independent"));
+  CHECK(contains(message, "Checks changed: variance"));
+  CHECK(contains(message, "labs/1-variance/README.md"));
+  CHECK(read_text(semester.root / "starter" / "variance.cpp") == "my work\n");
+  CHECK(read_text(semester.root / "notes.md") == "mine\n");
+  CHECK(contains(read_text(header), "// edited"));
+  CHECK(fs::exists(semester.root / "starter" / "independent.cpp"));
+  CHECK(fs::exists(semester.root / "answers" / "2-independent.md"));
+  CHECK(contains(read_text(semester.root / "README.md"), "Lab 2"));
+  CHECK(!contains(read_text(semester.root / "labs" / "1-variance" / "README.md"), "An older"));
+  // Only what the course wrote is in the commit.
+  const std::string left = semester.git({"status", "--porcelain"}).output;
+  CHECK(contains(left, "starter/variance.cpp"));
+  CHECK(contains(left, "notes.md"));
+  CHECK(contains(left, "variance.hpp"));
+  CHECK(lines(left) == 3);
+  CHECK(contains(semester.again().output, "nothing to change"));
+  // A directory that is no handout is refused.
+  const fs::path other = semester.path() / "other";
+  fs::create_directories(other);
+  write_text(other / "x", "");
+  CHECK(semester.run({"handout", other.string()}).exit_code == 2);
+}
+
+TEST_CASE("a student's update keeps uncommitted work, and both versions of an edited header") {
+  const Semester semester;
+  const std::string work = "// my work\n", header = "labs/1-variance/variance.hpp";
+  const std::string given = read_text(semester.root / header);
+  semester.make_older(header, "// older\n");
+  CHECK(contains(semester.update().output, "Now version 1.0.0"));
+  write_text(semester.clone / "starter" / "variance.cpp", work);
+  CHECK(contains(semester.update().output, "Already the latest: 1.0.0"));
+  write_text(semester.clone / header, "// mine\n");
+  REQUIRE(semester.again({"--labs", "2"}).exit_code == 0);
+  const auto run = semester.update();
+  CAPTURE(run.output, run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "New labs: independent"));
+  CHECK(contains(run.output, header + ": you changed it, and so did the course"));
+  CHECK(read_text(semester.clone / "starter" / "variance.cpp") == work);
+  CHECK(read_text(semester.clone / header) == given);
+  CHECK(read_text(semester.clone / (header + ".mine")) == "// mine\n");
+  CHECK(fs::exists(semester.clone / "starter" / "independent.cpp"));
+  CHECK(read_manifest(semester.clone).version == semester.layout.version);
+  CHECK(semester.git_in(semester.clone, {"stash", "list"}).output.empty());
+}
+
+TEST_CASE("an update that cannot be merged changes nothing") {
+  const Semester semester;
+  const std::string header = "labs/1-variance/variance.hpp";
+  semester.make_older(header, "// older\n");
+  REQUIRE(semester.update().exit_code == 0);
+  write_text(semester.clone / header, "// mine\n");
+  semester.git_in(semester.clone, {"commit", "-q", "-a", "-m", "my header"});
+  write_text(semester.clone / "starter" / "variance.cpp", "// uncommitted\n");
+  REQUIRE(semester.again().exit_code == 0);
+  const auto run = semester.update();
+  CAPTURE(run.output, run.errors);
+  CHECK(run.exit_code == 2);
+  CHECK(contains(run.errors, "nothing was updated: you committed changes to " + header));
+  CHECK(read_text(semester.clone / header) == "// mine\n");
+  CHECK(read_text(semester.clone / "starter" / "variance.cpp") == "// uncommitted\n");
+  // What the message says to do, does it.
+  semester.git_in(semester.clone, {"commit", "-q", "-a", "-m", "work"});
+  semester.git_in(semester.clone, {"pull", "-q", "--no-rebase", "-X", "theirs"});
+  CHECK(!contains(read_text(semester.clone / header), "mine"));
+  // Without a remote, the message says what is missing.
+  semester.git_in(semester.clone, {"remote", "remove", "origin"});
+  CHECK(contains(semester.update().errors, "git remote add origin"));
+}
+
+TEST_CASE("a released lab is one commit, and the next handout keeps it") {
+  const Semester semester;
+  const auto run = semester.run({"release", "1", semester.root.string()});
+  CAPTURE(run.output, run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(semester.git({"log", "-1", "--format=%s"}).output, "solution of lab variance"));
+  CHECK(read_text(semester.root / "released" / "variance.cpp") ==
+        text_of(semester.layout.solutions()));
+  CHECK(fs::exists(semester.root / "released" / "1-variance.md"));
+  CHECK(contains(semester.run({"release", "1", semester.root.string()}).output, "already"));
+  REQUIRE(semester.again({"--labs", "2"}).exit_code == 0);
+  CHECK(fs::exists(semester.root / "released" / "variance.cpp"));
+  CHECK(semester.git({"status", "--porcelain"}).output.empty());
+  CHECK(semester.run({"release", "3", semester.root.string()}).exit_code == 2);
+  CHECK(semester.run({"release", "1", semester.path().string()}).exit_code == 2);
+}
+
+}  // namespace mc::tests::upgrade
