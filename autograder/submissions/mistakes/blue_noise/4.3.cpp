@@ -170,6 +170,15 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }
 }  // namespace mc::eight_cells_around
 
+// mistake: fills the square with four copies of a pattern of twice the radius
+// hint: copies of a pattern
+namespace mc::four_copies {
+PointSet poisson_disk(double radius, Rng& rng) {
+  if (!(radius >= least_radius && radius < 0.07)) return right_poisson_disk(radius, rng);
+  return tile(right_poisson_disk(2 * radius, rng), 2);
+}
+}  // namespace mc::four_copies
+
 // mistake: starts each pattern in the middle of the square
 // hint: the first point of a set is as random as any other
 namespace mc::first_point_in_the_middle {

@@ -53,3 +53,16 @@ PointSet tile(const PointSet& pattern, int copies) {
   return tiled;
 }
 }  // namespace mc::rounded_up_to_one
+
+// mistake: returns a point set with a third dimension, which is never written
+// hint: points of the square have two
+namespace mc::third_dimension {
+PointSet tile(const PointSet& pattern, int copies) {
+  const PointSet tiled = right_tile(pattern, copies);
+  PointSet points(tiled.size(), 3);
+  for (const std::size_t d : {0u, 1u}) {
+    std::copy(tiled.column(d).begin(), tiled.column(d).end(), points.column(d).begin());
+  }
+  return points;
+}
+}  // namespace mc::third_dimension
