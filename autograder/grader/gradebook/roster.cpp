@@ -147,12 +147,16 @@ class Keys {
     }
     return nullptr;
   }
-  /// All members of a group that are on the roster.
-  std::vector<const Person*> find_all(const std::string& id) const {
+  /// All members of a group that are on the roster; the others go into `unknown`.
+  std::vector<const Person*> find_all(const std::string& id,
+                                      std::vector<std::string>& unknown) const {
     std::vector<const Person*> all;
     for (std::size_t begin = 0; begin < id.size();) {
       const auto end = std::min(id.find(" & ", begin), id.size());
-      if (const Person* const one = find(id.substr(begin, end - begin))) all.push_back(one);
+      const std::string part = id.substr(begin, end - begin);
+      const Person* const one = find(part);
+      if (one == nullptr) unknown.push_back(part);
+      if (one != nullptr) all.push_back(one);
       begin = end + 3;
     }
     return all;
@@ -233,8 +237,7 @@ RosterReport match_roster(const Roster& roster, std::vector<IntakeEntry>& entrie
   std::set<std::string> present;
   for (const IntakeEntry& entry : entries) {
     const std::string& id = entry.submission.label;
-    const auto found = people.find_all(id);
-    if (found.empty()) report.not_on_roster.push_back(id);
+    const auto found = people.find_all(id, report.not_on_roster);
     if (found.empty()) matched.push_back(entry);
     for (const Person* const person : found) {
       if (present.insert(person->id).second) {

@@ -80,6 +80,8 @@ TEST_CASE("submissions of every platform find their person, and none is dropped"
         "a7,b8,c9,zoe_4999 | zoe_4999 | c9");
   CHECK(matched(canvas, {handed_in("Anna Ash (ANNA@x.edu) & Cy (cy@x.edu)"), handed_in("lab-1-bob"),
                          handed_in("a7")}) == "a7,a7 (2),b8,c9 | a7 (another one of a7) | ");
+  CHECK(matched(canvas, {handed_in("Anna Ash (anna@x.edu) & Di (di@x.edu)")}) ==
+        "a7,b8,c9 | Di (di@x.edu) | b8,c9");
   // Two people of one name: the name alone does not say which.
   const Roster twins = read_roster(place.write("t.csv", "id,name\n1,Al Bo\n2,Al Bo\n"));
   CHECK(matched(twins, {handed_in("Al Bo")}) == "1,2,Al Bo | Al Bo | 1,2");
