@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +12,8 @@
 #include "bench/bench.hpp"
 #include "checks/support/catch.hpp"
 #include "grader/base/text_file.hpp"
+#include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "measurements/support/error_sums.hpp"
 #include "measurements/support/integrands.hpp"
 
@@ -159,6 +164,30 @@ TEST_CASE("the integrands of bench, plots and demo have the stated mean and vari
     CHECK(std::abs(mean - one.mean) < 5e-5);
     if (std::isnan(one.variance)) continue;
     CHECK(squares / n - mean * mean == Approx(one.variance).epsilon(1e-3));
+  }
+}
+
+/// The table of labs/common/draw.gp: "jittered = 3; set style line 3 lc rgb "#0072B2" lw 2 pt 6 …".
+TEST_CASE("no two methods share a color and a mark in plots") {
+  const Layout layout = read_layout();
+  std::istringstream script(read_text(layout.labs() / "common" / "draw.gp"));
+  std::set<std::string> numbers, looks;
+  const std::regex row(
+      "([a-z_]+) = ([0-9]+); +set style line +([0-9]+) lc rgb (\"#[0-9A-F]+\").* pt ([0-9]+) .*");
+  std::smatch found;
+  for (std::string line; std::getline(script, line);) {
+    if (!std::regex_match(line, found, row)) continue;
+    CAPTURE(line);
+    CHECK(found[2] == found[3]);
+    CHECK(numbers.insert(found[2]).second);
+    CHECK(looks.insert(found[4].str() + found[5].str()).second);
+  }
+  CHECK(numbers.size() > 15);
+  // A plot takes styles by name.
+  for (const Lab& lab : find_labs(layout)) {
+    CAPTURE(lab.name);
+    const std::string plots = read_text(layout.labs() / lab.folder / "plots.gp");
+    CHECK_FALSE(std::regex_search(plots, std::regex(" ls [0-9]")));
   }
 }
 
