@@ -23,7 +23,8 @@ do for [s=1:count] {
   set label 1 "N^{−1/2}" at 30,0.014 right tc rgb "#666666"
   set label 2 "N^{−1/4}" at 2.5e4,0.115 left tc rgb "#666666"
   plot 0.14/sqrt(x) ls theory notitle, 0.95/x**0.25 ls theory notitle, \
-       for [i=1:5] data[s]."/error.tsv" using "N":"integrand_".i with linespoints ls other+i title of[i]
+       for [i=1:5] data[s]."/error.tsv" using "N":"integrand_".i with linespoints ls other+i notitle, \
+       for [i=1:5] keyentry with linespoints ls other+i title of[i]
   unset key
   unset ylabel
 }
@@ -48,7 +49,8 @@ do for [s=1:count] {
   set title panel(s) noenhanced
   set label 1 "0.95" at 2,1.02 left tc rgb "#666666"
   plot 0.95 ls theory notitle, data[s]."/coverage.tsv" using "N":"exact" with lines lt 1 lw 1 lc rgb "#000000" title "Student's t", \
-       for [i in "6 3 4 5"] data[s]."/coverage.tsv" using "N":"integrand_".i with points ls other+i ps 1.2 title of[int(i)]
+       for [i in "6 3 4 5"] data[s]."/coverage.tsv" using "N":"integrand_".i with points ls other+i ps 1.2 notitle, \
+       for [i in "6 3 4 5"] keyentry with points ls other+i ps 1.2 title of[int(i)]
   unset key
   unset ylabel
 }

@@ -95,7 +95,8 @@ set key at screen 0.5,0.01 center bottom horizontal maxcols 2 Left reverse sampl
 do for [s=1:count] {
   set title panel(s) noenhanced
   plot for [i=1:4] data[s]."/within-".of[i].".tsv" using "N":"exact" with lines ls other+i notitle, \
-       for [i=1:4] data[s]."/within-".of[i].".tsv" using "N":"measured" with points ls other+i title what[i]
+       for [i=1:4] data[s]."/within-".of[i].".tsv" using "N":"measured" with points ls other+i notitle, \
+       for [i=1:4] keyentry with points ls other+i title what[i]
   unset key
   unset ylabel
 }
@@ -117,7 +118,8 @@ how(m) = m eq "jittered" ? ", row by row" : m eq "padded" ? " (shuffled)" : ""
 do for [s=1:count] {
   set title panel(s) noenhanced
   plot for [m in "independent jittered padded"] data[s]."/early.tsv" using "N":m \
-    with linespoints ls value(m) title is(m).how(m)
+    with linespoints ls value(m) notitle, \
+    for [m in "independent jittered padded"] keyentry with linespoints ls value(m) title is(m).how(m)
   unset key
   unset ylabel
 }

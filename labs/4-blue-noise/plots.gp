@@ -55,7 +55,8 @@ set ylabel "power (independent points: 1)"
 set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 3 width 1
 do for [s=1:count] {
   set title panel(s) noenhanced
-  plot for [m in ways(s)] data[s]."/radial.tsv" using "frequency":m with linespoints ls value(m) pi 4 title is(m)
+  plot for [m in ways(s)] data[s]."/radial.tsv" using "frequency":m with linespoints ls value(m) pi 4 notitle, \
+       for [m in ways(s)] keyentry with linespoints ls value(m) title is(m)
   unset key
   unset ylabel
 }
@@ -82,7 +83,8 @@ do for [s=1:count] {
     plot 0.3*x**-0.5 with lines ls theory title "N^{-1/2}", \
          (f == 2 ? 0.4*x**-0.75 : NaN) with lines ls theory+2 title "N^{-3/4} (edge)", \
          0.5/x with lines ls theory+1 title "N^{-1}", \
-         for [m in "independent jittered best_candidate poisson_disk"] file using "N":m with linespoints ls value(m) title is(m)
+         for [m in "independent jittered best_candidate poisson_disk"] file using "N":m with linespoints ls value(m) notitle, \
+         for [m in "independent jittered best_candidate poisson_disk"] keyentry with linespoints ls value(m) title is(m)
   }
 }
 unset multiplot

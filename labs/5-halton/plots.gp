@@ -47,7 +47,8 @@ do for [s=1:count] {
   plot 0.85/sqrt(x) with lines ls theory title "N^{-1/2}", \
        0.16*log(x)**2/x with lines ls theory+2 title "(log N)^2 / N", \
        0.65*log(x)/x with lines ls theory+1 title "log N / N", \
-       for [m in ways(s)] data[s]."/discrepancy.tsv" using "N":m with linespoints ls value(m) title is(m)
+       for [m in ways(s)] data[s]."/discrepancy.tsv" using "N":m with linespoints ls value(m) notitle, \
+       for [m in ways(s)] keyentry with linespoints ls value(m) title is(m)
   unset key
   unset ylabel
 }
@@ -72,7 +73,8 @@ do for [s=1:count] {
     if (i == 5) { set key at graph 1.25, 0.9 left top Left reverse samplen 3 } else { unset key }
     plot 0.5*x**-0.5 with lines ls theory title "N^{-1/2}", \
          0.5*x**-rate[i] with lines ls theory+1 title "N^{-3/2}; across an edge N^{-3/4}", \
-         for [m in ways(s)] data[s]."/convergence-".of[i].".tsv" using "N":m with linespoints ls value(m) ps 0.8 title is(m)
+         for [m in ways(s)] data[s]."/convergence-".of[i].".tsv" using "N":m with linespoints ls value(m) ps 0.8 notitle, \
+         for [m in ways(s)] keyentry with linespoints ls value(m) ps 0.8 title is(m)
   }
   set multiplot next
 }
@@ -95,7 +97,8 @@ do for [s=1:count] {
     set ylabel (i == 1 ? "RMSE, points of base 2 on the line" : "")
     set yrange [(i == 1 ? 1e-7 : 5e-3):(i == 1 ? 1 : 2)]
     plot for [m in "independent rotated scrambled_halton scrambled_sobol"] data[s]."/randomised-".waves[i].".tsv" using "N":m \
-      with linespoints ls value(m) title is(m).(m eq "scrambled_halton" ? " (base 2: a digital shift)" : m eq "scrambled_sobol" ? " (nested)" : "")
+      with linespoints ls value(m) notitle, \
+      for [m in "independent rotated scrambled_halton scrambled_sobol"] keyentry with linespoints ls value(m) title is(m).(m eq "scrambled_halton" ? " (base 2: a digital shift)" : m eq "scrambled_sobol" ? " (nested)" : "")
     unset key
   }
 }
@@ -118,7 +121,8 @@ do for [s=1:count] {
   set title panel(s) noenhanced
   file = data[s]."/tails.tsv"
   plot 3 with lines ls theory title "normal errors", \
-       file using "N":"scrambled_sobol":"standard_error" with yerrorlines ls scrambled_sobol dt 1 title "5.8 base 2, scrambled", \
+       file using "N":"scrambled_sobol":"standard_error" with yerrorlines ls scrambled_sobol dt 1 notitle, \
+       keyentry with linespoints ls scrambled_sobol dt 1 title "5.8 base 2, scrambled", \
        file using "N":"hashed":"its" with yerrorlines ls hashed dt 1 title hashed_is
   unset key
   unset ylabel
@@ -140,7 +144,7 @@ do for [s=1:count] {
   set title "How often a 95 % interval holds the truth".who(s) noenhanced
   set ylabel "fraction of 400 intervals"
   set yrange [0.6:1.02]
-  set key right bottom Left reverse samplen 3 opaque
+  set key right bottom vertical maxrows 5 Left reverse samplen 3 opaque
   plot 0.95 with lines ls theory notitle, \
        for [i=1:3] file using "R":"t_".integrand[i] with points ls other+i ps 1.2 title "Student's t, ".held[i], \
        file using "R":"z_smooth" with points pt 5 ps 0.8 lc rgb "#888888" title "z of 2.5, ".held[1], \
@@ -175,7 +179,8 @@ do for [s=1:count] {
   set title panel(s) noenhanced
   plot data[s]."/early.tsv" using "N":"independent" with lines ls independent title independent_is, \
        data[s]."/early.tsv" using "N":"padded" with lines ls padded title "3.4 jittered, shuffled", \
-       data[s]."/early.tsv" using "N":"scrambled_sobol" with linespoints ls scrambled_sobol title scrambled_sobol_is
+       data[s]."/early.tsv" using "N":"scrambled_sobol" with linespoints ls scrambled_sobol notitle, \
+       keyentry with linespoints ls scrambled_sobol title scrambled_sobol_is
   unset key
   unset ylabel
 }

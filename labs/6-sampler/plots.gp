@@ -35,7 +35,8 @@ do for [against=1:2] {
       file = data[s]."/error-".scenes[i].".tsv"
       if (i == 1 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 2 Left reverse samplen 3 width 2 } else { unset key }
       set label 1 (against == 1 ? rates[i] : "") at graph 0.95, graph 0.93 right textcolor rgb "#777777"
-      plot for [k=1:5] file using (column(against == 1 ? "N" : ways[k]."_us")):(column(ways[k])) with linespoints ls value(ways[k]) title is(ways[k]), \
+      plot for [k=1:5] file using (column(against == 1 ? "N" : ways[k]."_us")):(column(ways[k])) with linespoints ls value(ways[k]) notitle, \
+           for [k=1:5] keyentry with linespoints ls value(ways[k]) title is(ways[k]), \
            (against == 1 ? 0.4*x**-0.5 : NaN) with lines ls theory title (against == 1 ? "N^{-1/2}" : ""), \
            (against == 1 ? 0.4*x**-rate[i] : NaN) with lines ls theory+1 notitle
     }
@@ -67,8 +68,10 @@ do for [s=1:count] {
     set yrange [(i == 1 ? 2e-5 : 1e-3):3e-2]
     if (i == 1 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 1 Left reverse samplen 3 width 1 } else { unset key }
     file = data[s]."/next2.tsv"
-    plot file using "k":sprintf("scrambled_sobol_%d", i) with linespoints ls scrambled_sobol title "6.3, blocks of eight", \
-         file using "k":sprintf("sobol_%d", i) with linespoints ls sobol title "one sequence, scrambled", \
+    plot file using "k":sprintf("scrambled_sobol_%d", i) with linespoints ls scrambled_sobol notitle, \
+         keyentry with linespoints ls scrambled_sobol title "6.3, blocks of eight", \
+         file using "k":sprintf("sobol_%d", i) with linespoints ls sobol notitle, \
+         keyentry with linespoints ls sobol title "one sequence, scrambled", \
          file using "k":sprintf("independent_%d", i) with lines ls independent title "independent"
   }
   unset logscale y
@@ -130,7 +133,8 @@ do for [s=1:count] {
   set key right top Left reverse samplen 3
   set offsets 0, 0, graph 0.5, 0  # for the key
   file = data[s]."/speed-dims.tsv"
-  plot for [k in "1 2 4 5"] file using "dims":ways[k+0]."_2" with linespoints ls value(ways[k+0]) title is(ways[k+0]), \
+  plot 0 with lines ls theory notitle, \
+       for [k in "1 2 4 5"] file using "dims":ways[k+0]."_2" with linespoints ls value(ways[k+0]) title is(ways[k+0]), \
        for [k in "1 2 4 5"] file using "dims":ways[k+0]."_1" with lines ls value(ways[k+0]) lw 1 notitle
   unset offsets
 }
