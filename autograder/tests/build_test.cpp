@@ -1,13 +1,16 @@
 // How a submission is compiled, and the student's message if it does not compile.
+#include <filesystem>
 #include <thread>
 
 #include "checks/support/catch.hpp"
 #include "grader/submission/build.hpp"
+#include "grader/submission/include_policy.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
 
 namespace mc::tests::build {
 
+namespace fs = std::filesystem;
 using namespace grader;
 
 namespace {
@@ -96,6 +99,30 @@ TEST_CASE("files outside the labs and the system's headers are not read") {
   CHECK(contains(
       labs.failure("asm(\".incbin \\\"/etc/passwd\\\"\");\n" + text_of(labs.layout.starter())),
       "reads /etc/passwd"));
+}
+
+// As Debian 13 has /usr/include/…/asm/types.h.
+TEST_CASE("a system header may be a link to a file elsewhere") {
+  const Scratch place;
+  const fs::path root = fs::canonical(place.path());
+  for (const char* name : {"include", "elsewhere", "unit"}) fs::create_directories(root / name);
+  place.write("elsewhere/types.h", "");
+  place.write("elsewhere/secret.h", "");
+  fs::create_symlink(root / "elsewhere" / "types.h", root / "include" / "types.h");
+  fs::create_symlink(root / "elsewhere", root / "include" / "more");
+  place.write("c++", "#!/bin/sh\necho '#include <...> search starts here:' >&2\necho ' " +
+                         (root / "include").string() + "' >&2\necho 'End of search list.' >&2\n");
+  fs::permissions(root / "c++", fs::perms(0755));
+  Layout layout = read_layout();
+  layout.compiler = (root / "c++").string();
+  const auto is_forbidden = [&](const std::string& name) {
+    return forbidden(layout, false, root / "unit", {root / name}).has_value();
+  };
+  CHECK_FALSE(is_forbidden("include/types.h"));
+  CHECK(is_forbidden("elsewhere/types.h"));
+  CHECK(is_forbidden("include/more/secret.h"));
+  CHECK(is_forbidden("include/more/../secret.h"));
+  CHECK(is_forbidden("include/../elsewhere/secret.h"));
 }
 
 TEST_CASE("two concurrent builds do not interfere") {

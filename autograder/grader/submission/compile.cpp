@@ -116,7 +116,8 @@ std::vector<std::string> command_for(const Unit& unit, const std::vector<std::st
     command.insert(command.end(),
                    {"-fno-integrated-as", "-ferror-limit=3", "-fno-caret-diagnostics"});
   } else {
-    command.insert(command.end(), {"-fmax-errors=3", "-fno-diagnostics-show-caret"});
+    command.insert(command.end(), {"-fmax-errors=3", "-fno-diagnostics-show-caret",
+                                   "-fno-canonical-system-headers"});
   }
   return command;
 }

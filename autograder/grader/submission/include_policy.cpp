@@ -91,17 +91,22 @@ bool may_embed(std::string text) {
 
 std::optional<fs::path> forbidden(const Layout& layout, bool trusted, const fs::path& directory,
                                   const std::vector<fs::path>& files) {
-  std::vector<fs::path> allowed = system_directories(layout);
+  const std::vector<fs::path> system = system_directories(layout);
+  std::vector<fs::path> allowed = system;
   allowed.push_back(fs::canonical(layout.labs()));
   allowed.push_back(fs::canonical(directory));
   allowed.push_back(fs::weakly_canonical(layout.build / "precompiled"));
   if (trusted) allowed.push_back(fs::canonical(layout.root));
+  const auto is_below_one = [](const fs::path& path, const std::vector<fs::path>& places) {
+    return std::any_of(places.begin(), places.end(),
+                       [&](auto& place) { return is_below(path, place); });
+  };
   for (const fs::path& file : files) {
-    const fs::path real = fs::weakly_canonical(file.is_absolute() ? file : directory / file);
-    if (std::none_of(allowed.begin(), allowed.end(),
-                     [&](auto& place) { return is_below(real, place); })) {
-      return file;
-    }
+    const fs::path path = file.is_absolute() ? file : directory / file;
+    if (is_below_one(fs::weakly_canonical(path), allowed)) continue;
+    // A system header may itself be a link to elsewhere: Debian 13 has the kernel's in /usr/lib.
+    if (is_below_one(fs::weakly_canonical(path.parent_path()) / path.filename(), system)) continue;
+    return file;
   }
   return {};
 }
