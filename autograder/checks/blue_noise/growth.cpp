@@ -7,7 +7,7 @@
 // estimate for points: 60 tries each, which stop at the first of 12,000 points that is too near):
 //
 //   one of 2,000,000 best candidates      28      35      512     4,900
-//   one of 12,000 points of a pattern  1,400   8,000   36,864   240,000
+//   one of 12,000 points of a pattern  1,400   9,000   36,864   240,000
 
 #include <algorithm>
 #include <ctime>
