@@ -277,9 +277,9 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   write_text(term.path() / "corrections.csv", "id,what,points,comment\nstudent 03,1,50,a typo\n");
   const fs::path verdict = verdict_file(grades, "student 02");
   std::string older = read_text(verdict);
-  const std::string version = "\"version\": \"" + term.layout.version + '"';
+  const std::string version = "\"version\": \"";
   REQUIRE(contains(older, version));
-  older.replace(older.find(version), version.size(), "\"version\": \"older\"");
+  older.insert(older.find(version) + version.size(), "older than ");
   write_text(verdict, older);
   const auto fixed = term.run(term.grading(grades, go_on));
   CHECK(contains(fixed.output, fmt::format("1 judged, {} were before", students)));
