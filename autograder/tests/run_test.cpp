@@ -47,7 +47,7 @@ TEST_CASE("a shell completes commands, labs, tasks, experiments and options", "[
   CHECK(completed("check 1.", 2).starts_with("1.1 1.2 "));
   CHECK(completed("hint ''", 2).starts_with("1.1 1.2 "));
   CHECK(completed("run halton random", 3) == "random_shift\n");
-  CHECK(completed("check 1 --w", 3) == "--watch\n");
+  CHECK(completed("check 1 --wa", 3) == "--watch\n");
   CHECK(lab({"completion", "fish"}).exit_code == 2);
 }
 

@@ -19,9 +19,10 @@ TEST_CASE("Gradescope's zip has the required files at its top, the version, and 
     const auto permissions = fs::status(plain.source / script).permissions();
     CHECK((permissions & fs::perms::owner_exec) != fs::perms::none);
   }
-  CHECK(read_text(plain.source / "VERSION.txt") == plain.layout.version + '\n');
-  for (const char* place : {"solutions", "autograder/submissions", "autograder/tests", ".git",
-                            "build", "labs/2-independent"}) {
+  CHECK(contains(read_text(plain.source / "autograder" / "bin" / "layout.txt"),
+                 "\nversion=" + plain.layout.version + '\n'));
+  for (const char* place : {"solutions", "autograder/submissions", "autograder/tests",
+                            "autograder/checks", ".git", "build", "labs/2-independent"}) {
     CHECK_FALSE(fs::exists(plain.source / place));
   }
   const std::string script = read_text(plain.source / "run_autograder");
@@ -41,10 +42,11 @@ TEST_CASE("a lab's zip has the labs that it depends on") {
   CHECK(run.exit_code == 0);
   const auto listed = sandbox::run_process({"cmake", "-E", "tar", "tf", zip.string()});
   for (const char* file :
-       {"labs/3-stratification/stratification.hpp", "autograder/checks/sampler/"}) {
+       {"labs/3-stratification/stratification.hpp", "/checks_sampler", "/checks_variance"}) {
     CHECK(contains(listed.output, file));
   }
   CHECK_FALSE(contains(listed.output, "solutions/"));
+  CHECK_FALSE(contains(listed.output, "autograder/checks/"));
   CHECK(course.run({"gradescope", "--out", zip.string()}).exit_code == 2);
   CHECK(course.run({"gradescope", "1"}).exit_code == 2);
   CHECK(course.run({"gradescope", "1", "--out", "/no/such/place/a.zip"}).exit_code == 2);
