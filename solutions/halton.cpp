@@ -64,7 +64,7 @@ auto step_of(double size, double others) {
 }
 
 /// The steps of a column that begins `skip` places after the beginning of a block. `digits` are
-/// those of a block, mirrored. `others`, one for each block, may stand in the column's end: they
+/// those of a block, mirrored. `others`, one for each block, may be at the column's end: they
 /// are read before they are overwritten.
 void step(std::span<double> column, std::size_t skip, std::span<const double> digits,
           std::span<const double> others) {

@@ -1,5 +1,5 @@
-// Lab 2 · independent sampling: the reference solution. The definition of the speed task stands
-// above its faster way, whose reason stands with it.
+// Lab 2 · independent sampling: the reference solution. The speed task has its definition first,
+// then a faster version with the reason why it is faster.
 
 #include "independent.hpp"
 

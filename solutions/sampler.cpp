@@ -1,4 +1,4 @@
-// Lab 6 · the sampler: the reference solution. It stands on the point sets of labs 3 to 5, which
+// Lab 6 · the sampler: the reference solution. It uses the point sets of labs 3 to 5, which
 // fill columns; what is left to do is to make a column when a scene first asks for it, and to walk
 // along the samples.
 
@@ -199,7 +199,7 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 // vectorised loops of labs 2 to 5. After that a number costs its virtual call, one comparison and
 // two loads, by data(), since an index of a vector may be checked each time: `ready_` says how many
 // uses there are columns for, and that it is none where there is no sample, so that both questions
-// are one. What happens rarely stands in functions of its own, or the compiler would have next()
+// are one. What happens rarely is in functions of its own, or the compiler would have next()
 // save registers for it in every call. Columns keep their memory from one integration to the next:
 // a picture has one for each pixel.
 

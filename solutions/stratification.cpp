@@ -1,5 +1,5 @@
-// Lab 3 · stratification: the reference solution. The definitions of speed tasks stand above their
-// faster ways, whose reasons stand with them.
+// Lab 3 · stratification: the reference solution. Speed tasks have their definitions
+// first, then a faster version with the reason why it is faster.
 
 #include "stratification.hpp"
 

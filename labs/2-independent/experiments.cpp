@@ -10,7 +10,7 @@
 namespace mc::experiments {
 namespace {
 
-/// What stands in a span that is to be filled.
+/// The initial content of a span that is to be filled.
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
 template <class Make>

@@ -1,6 +1,6 @@
 #pragma once
 // What lab 3 measures of a submission. Where an experiment makes several sets of points, they are
-// made in turn with one generator, and stand one after the other in what it returns. Whatever is to
+// made in turn with one generator, and returned one after the other. Whatever is to
 // be written holds NaN before.
 
 #include <cstdint>

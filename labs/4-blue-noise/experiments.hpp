@@ -1,6 +1,6 @@
 #pragma once
 // What lab 4 measures of a submission. Where an experiment makes several sets of points, they are
-// made in turn with one generator, and stand one after the other in what it returns.
+// made in turn with one generator, and returned one after the other.
 
 #include <cstdint>
 #include <vector>

@@ -97,7 +97,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed);
 /// 5.9  As 5.2, with the digit at each position of the radical inverse mapped by a random
 /// permutation: an independent permutation for each position, also for the infinitely many trailing
 /// zeros (down to 2^-53). A function of base, index and all 64 bits of the seed alone, to the last
-/// bit: not of where an index stands in its column, nor of the column's length. In base 2 this is a
+/// bit: not of the place of an index in its column, nor of the column's length. In base 2 this is a
 /// digital shift.
 /// throws:   if base < 2 or base > 2^16; if the last index is above 2^64 - 1.
 /// source:   Owen 2017, "A randomized Halton algorithm in R".

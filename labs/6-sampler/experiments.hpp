@@ -93,7 +93,7 @@ std::vector<unsigned> uses_of_picture(std::string picture);
 double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
               std::uint64_t rounds, std::uint64_t seed);
 
-/// For timing: integrate() of a scene as it stands in its file, with one sampler; round r with the
+/// For timing: integrate() of a scene as written in its file, with one sampler; round r with the
 /// seed `seed` + r. The last integral.
 double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
                     std::uint64_t rounds, std::uint64_t seed);

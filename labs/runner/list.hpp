@@ -1,5 +1,5 @@
 #pragma once
-// The experiments of a lab, for whoever wants to run one by hand.
+// The experiments of a lab, for running them by hand.
 
 #include <cstddef>
 #include <string>

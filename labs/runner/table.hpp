@@ -77,7 +77,7 @@ Block block_of(const std::string& name, const std::vector<T>& values) {
   return block;
 }
 
-/// Fields that follow each other and are as long as each other stand side by side.
+/// Fields that follow each other and have equal length are printed side by side.
 template <wire::Listed T>
 std::vector<Block> blocks_of(const T& value) {
   std::vector<Block> blocks;
@@ -110,7 +110,7 @@ std::vector<Block> blocks_of(const T& value) {
   return blocks;
 }
 
-/// A result, for whoever called an experiment by hand; a list without a name has the experiment's.
+/// A result, as printed for an experiment that is run by hand; a list without a name has the experiment's.
 template <class T>
 std::string printed(const T& value, std::string_view name, const Layout& layout,
                     const Given& given) {

@@ -40,7 +40,7 @@ Uniforms by_candidates(const std::string& call, const Nearness& all, const Count
 /// What 4.2 promises: ceil(c i) + 1.
 Count promised(double c);
 
-/// These points were chosen so; `otherwise` is said where they were not.
+/// These points were chosen in this way; `otherwise` is the hint if they were not.
 Randomness best_of_candidates(const std::string& otherwise);
 
 /// Which well-known mistake explains points 1, 2, … of these sets, point by point, if one does and

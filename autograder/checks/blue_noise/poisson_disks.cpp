@@ -1,6 +1,6 @@
 // 4.3
 //
-// Where the bounds of "blue" stand between right and wrong, in standard deviations of the judged
+// Where the bounds of "blue" lie between right and wrong, in standard deviations of the judged
 // mean (200 patterns of each kind measured; the reference keeps going until nothing fits):
 //
 //                             reference      Bridson, gaps filled   lattice   bound
@@ -66,7 +66,7 @@ CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7
 
 CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
   Rng rng = check_rng();
-  // Means over so many patterns that their errors are small beside the distance of right and wrong
+  // Means over so many patterns that their errors are small against the distance of right and wrong
   // from 0.3 %. Bridson's algorithm with 30 tries leaves 0.9 to 1.1 % between radius 0.61 and 0.65,
   // in one pattern +- 1.8 % at most: 200 of them are 5 sigma or more above. Of smaller radii it
   // leaves too little to be judged: 0.17 % at 0.3 (up to 2.6 % in one pattern of 4,000), 0.12 %

@@ -17,7 +17,7 @@ inline const char* const never_written =
 struct Inverses {
   unsigned base = 2;
   std::vector<std::uint64_t> indices = {};
-  std::string otherwise = {};  ///< said where no mistake explains the values
+  std::string otherwise = {};  ///< the hint if no mistake explains the values
   double tolerance = inverse_tolerance;
   bool separate_calls = false;
 };

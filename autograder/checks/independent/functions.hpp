@@ -39,7 +39,7 @@ inline std::size_t dims_of(const Function& g) {
   return g.g == product || g.g == peak ? 2 : g.g == five ? 5 : 1;
 }
 
-/// g with a scale and an offset that nobody knows beforehand.
+/// g with a scale and an offset that are not known beforehand.
 inline Function fresh(unsigned g, Rng& rng, double parameter = 0) {
   return {g, parameter, uniform(rng, 0.5, 4), uniform(rng, -3, 3)};
 }
@@ -60,7 +60,7 @@ struct Numbers {
   std::string words;  ///< "the points of 2.2"
   std::size_t dims;
   std::function<Uniforms(std::uint64_t n, std::uint64_t seed, std::uint64_t calls)> ask;
-  std::string same = {};  ///< said where two numbers of a sample are one
+  std::string same = {};  ///< the hint if two numbers of a sample are equal
 };
 
 /// The numbers of one call are random, to `bits` bits; and those of another seed are others.

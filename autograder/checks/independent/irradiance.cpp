@@ -123,7 +123,7 @@ CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1
         {"the area estimate of a light " + placed.where + " has its exact variance", alpha},
         {{}, "n independent points, uniform on the light, x and y from a number each"});
   }
-  // One sample is one value, and tells how far from the receiver its point is.
+  // One sample is one value, and shows how far from the receiver its point is.
   const RectLight light = aside(rng).light;
   const auto ones = by_area(light, 1, rng(), 20000);
   Uniforms shares{ones.call + ", parts of the light within the distances of its points", 1, {}, 20};

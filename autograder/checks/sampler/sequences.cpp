@@ -12,7 +12,7 @@ namespace {
 
 const std::array<std::string, 2> sequences{"sobol", "halton"};
 
-/// These decisions are random and independent. `likely` is said whatever the numbers show.
+/// These decisions are random and independent. `likely` is the hint, whatever the numbers show.
 void check_decisions(const Uniforms& decisions, const std::string& words,
                      const std::string& likely) {
   auto failure = dependence_in(decisions, {.words = words, .alpha = alpha, .otherwise = ""});

@@ -45,7 +45,7 @@ struct Uniforms {
 struct Randomness {
   std::string words;          ///< "the points of 3.1 are uniform in their strata": names the null
   double alpha = 1e-8;        ///< of the whole battery
-  std::string otherwise;      ///< said where the numbers themselves do not show what is wrong
+  std::string otherwise;      ///< the hint if the numbers themselves do not show what is wrong
   std::string repeated = {};  ///< where numbers come again
   std::string same = {};      ///< where one position is a function of another
   /// What the program should have done, where the numbers are not its own but computed from what it

@@ -34,7 +34,7 @@ class Family {
         size_(std::max<std::size_t>(size, 1)),
         chosen_(fresh_index(size_)) {}
 
-  /// `describe` says what was measured; asked where the test fails.
+  /// `describe` says what was measured; called if the test fails.
   template <class Describe>
   void add(double p, bool is_continuous, Describe describe) {
     if (count_++ == chosen_ && is_continuous) {

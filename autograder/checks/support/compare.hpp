@@ -26,7 +26,7 @@ struct Comparison {
   std::vector<double> tolerance = {0};
   std::string because = {};  ///< where the tolerance comes from, or why the values are exact
   std::vector<Curve> suspects = {};
-  std::string otherwise = {};  ///< said where no suspect explains the values
+  std::string otherwise = {};  ///< the hint if no suspect explains the values
   /// Names value i: "mean({1, 2})"; by default the call with [i] behind it.
   std::function<std::string(std::size_t)> name = {};
   /// The values are results of calls of their own: then suspects about lists (a last value that is

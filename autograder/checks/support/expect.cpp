@@ -10,7 +10,7 @@ namespace {
 
 /// The measured value counts as a suspect's from nine digits on: few enough for additions in
 /// another order, too many for chance. One that would have met the expectation is no suspect; and
-/// where two mistakes give this very value, nobody knows which it was.
+/// where two mistakes give this very value, it is unknown which it was.
 template <class Meets>
 std::string hint_for(double got, const Hints& hints, Meets meets) {
   const Suspect* found = nullptr;

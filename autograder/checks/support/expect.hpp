@@ -31,7 +31,7 @@ double digits(double got, double exact);
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Hints& hints);
 
-/// The same with hints that take long to find: asked for where the check fails.
+/// The same with hints that take long to find: computed only if the check fails.
 template <std::invocable Find>
 void expect_within(const std::string& what, double got, double exact, double tolerance,
                    const std::string& because, const Find& find) {

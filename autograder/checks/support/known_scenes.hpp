@@ -169,7 +169,7 @@ inline std::vector<double> fresh_parameters(std::string_view name, Rng& rng) {
   return named(known_scenes, name).fresh(rng);
 }
 
-/// A scene as it is told to people: "stripes with top = 0.05, bottom = 0.1, …".
+/// A scene as reports show it: "stripes with top = 0.05, bottom = 0.1, …".
 inline std::string described(std::string_view name, std::span<const double> parameters) {
   std::string words;
   auto value = parameters.begin();

@@ -95,7 +95,7 @@ const PastCall* call_in(const std::string& report) {
   return is_ambiguous ? nullptr : found;
 }
 
-/// A failure of the machine is no verdict on the program: it is said, and ends the check.
+/// A failure of the machine is no verdict on the program: it is reported, and ends the check.
 sandbox::Outcome run_or_tell(std::string_view request, const sandbox::Limits& limits) {
   const Judged& program = judged();
   try {
@@ -106,7 +106,7 @@ sandbox::Outcome run_or_tell(std::string_view request, const sandbox::Limits& li
   }
 }
 
-/// What the library's assertion said before it ended the program, if one did.
+/// The message of the library's assertion that ended the program, if one did.
 std::string assertion_in(const std::string& printed) {
   const auto at = printed.find("Assertion '");
   if (at == std::string::npos) return {};
@@ -125,7 +125,7 @@ std::string assertion_in(const std::string& printed) {
   return fmt::format("the standard library found {} broken", what);
 }
 
-/// A program that brought no answer: how it ended, where that is known, and what usually does that.
+/// The report for a program that gave no answer: how it ended, if known, and the usual cause.
 std::string story_of_end(const Call& call) {
   const sandbox::Outcome& outcome = call.outcome;
   std::string because = assertion_in(outcome.printed), likely;

@@ -38,7 +38,7 @@
   ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::outcome( \
       #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
 /// A measurement that may be missing: empty where the task is not written, or fails. Of a plot, the
-/// reason is written beside its data (measurements/support/plot_data.hpp).
+/// reason is written next to its data (measurements/support/plot_data.hpp).
 #define TRY_MEASURE(experiment, ...) TRY_MEASURE_WITH({}, experiment __VA_OPT__(, ) __VA_ARGS__)
 #define TRY_MEASURE_WITH(limits, experiment, ...)                               \
   ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value_if_any( \
@@ -110,8 +110,8 @@ struct Call {
 /// The generator of this check in this run: seeded by the run's seed and the check's name.
 Rng check_rng();
 
-/// Asks the program; ends the check where there is none, or where it may not be asked any more.
-/// `typed` gives the arguments as one types them by hand, a line each: asked where the check fails,
+/// Calls the program; ends the check if there is none, or if its budget is used up.
+/// `typed` returns the arguments as one types them by hand, one per line: called if the check fails,
 /// for a million numbers in decimal take longer than measuring them.
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits);
@@ -119,16 +119,16 @@ Call ask(std::string_view experiment, std::string call, std::function<std::strin
 /// Asks the program without keeping the call: what a report repeats by hand is the call before.
 Call ask_again(std::string call, std::string request);
 
-/// Hears of a call without a value where one may be missing; set by what draws plots.
+/// Called with each call that gave no value, if values may be missing; set by what draws plots.
 extern void (*on_missing)(std::string_view experiment, const Call& call);
 
-/// Ends the check unless the call brought a value.
+/// Ends the check unless the call returned a value.
 void require_value(const Call& call);
 
-/// Tells whoever runs this check (the grader).
+/// Sends a record to the grader.
 void record(protocol::RecordKind kind, const std::string& text);
 
-/// A value as it stands in a call: as its lab spells it, lists as {1, 2, 4, …}, with their length
+/// A value as shown in a call: as its lab spells it, lists as {1, 2, 4, …}, with their length
 /// when cut; structs as {count = 3, mean = 0.5}.
 template <class T>
 std::string shown(const T& value) {
@@ -177,7 +177,7 @@ std::string shown_call(std::string_view experiment, const Arguments&... argument
   }
 }
 
-/// The value that the call brought; ends the check where there is none.
+/// The value that the call returned; ends the check if there is none.
 template <class Result>
 Measured<Result> result_of(const Call& call) {
   require_value(call);

@@ -1,4 +1,4 @@
-// What a process of checks tells the grader: records, and with them how each test case ended.
+// What a process of checks sends to the grader: records, among them how each test case ended.
 
 #include <cstdio>
 #include <cstdlib>
@@ -47,7 +47,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// Of a FAIL: its text. Of a REQUIRE or CHECK: what was asked and what it came to.
+/// Of a FAIL: its text. Of a REQUIRE or CHECK: the expression and its values.
 std::string message_of(const Catch::AssertionResult& result) {
   const std::string message = trimmed(std::string(result.getMessage()));
   if (!result.hasExpression()) return message.empty() ? "failed" : message;

@@ -86,7 +86,7 @@ struct Pattern {
 };
 
 /// The cell of each point of a set; ends the check where a cell does not have exactly one point.
-/// `elsewhere` is said where the points do not show what is wrong.
+/// `elsewhere` is the hint if the points do not show what is wrong.
 std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::size_t set,
                                                  const Pattern& pattern,
                                                  const std::string& elsewhere);

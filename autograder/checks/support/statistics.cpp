@@ -12,7 +12,7 @@
 namespace mc::checks {
 namespace {
 
-/// One outcome of a test, ready to be judged and told.
+/// One outcome of a test, ready to be judged and reported.
 struct Outcome {
   double measured = 0;                 ///< the statistic, in the unit of the story
   double expected = 0;                 ///< its value under the null

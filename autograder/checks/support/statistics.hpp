@@ -30,7 +30,7 @@ struct Null {
 
 /// Independent replicates: results of the same estimator from seeds of their own.
 struct Replicates {
-  std::string call;                ///< what was asked: "estimates({7, 8, …}, 64)"
+  std::string call;                ///< the call: "estimates({7, 8, …}, 64)"
   std::span<const double> values;  ///< one a seed
   double n = 1;                    ///< samples behind each of them
 };

@@ -15,7 +15,7 @@
 namespace mc::checks {
 namespace {
 
-/// Moments of a list in which each value stands so many times.
+/// Moments of a list in which each value occurs so many times.
 ExactMoments exact_of_counts(std::span<const std::pair<double, double>> values_and_counts) {
   Exact count, sum, m2;
   for (const auto& [value, times] : values_and_counts) {

@@ -1,5 +1,5 @@
 #pragma once
-// What well-known mistakes give for a list, and what to say to whoever made one. All of it is
+// What well-known mistakes give for a list, and the hint for each. All of it is
 // computed in double, as a submission would.
 
 #include <vector>

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The step that was asked for; or the one after the last that was shown.
+/// The requested step, or the one after the last that was shown.
 std::size_t step_for(const fs::path& shown, const std::vector<std::string>& words,
                      std::size_t steps) {
   std::size_t step = 0;

@@ -104,7 +104,7 @@ std::string full_report(const LabVerdict& lab, const CheckResult& result,
   return all;
 }
 
-/// The same without the contents of long lists: a call may be long, its result stands at the end.
+/// The same without the contents of long lists: a call may be long; its result comes at the end.
 std::string with_short_lists(std::string_view line) {
   constexpr std::size_t longest = 24;
   std::string all;

@@ -196,7 +196,7 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
         "header of a lab or of the standard library.",
         name, shown(unit, *file));
   }
-  // The assembler quotes what an .include brings in, and does not list it.
+  // The assembler quotes files that .include reads, and does not list them.
   if (compiled.errors.find("Assembler messages:") != std::string::npos) {
     return fmt::format("The assembler does not understand an asm in {}.", name);
   }

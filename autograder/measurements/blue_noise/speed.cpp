@@ -1,4 +1,4 @@
-// 4.7 beside the reference, for the report.
+// 4.7 next to the reference, for the report.
 
 #include "checks/support/catch.hpp"
 #include "measurements/blue_noise/methods.hpp"

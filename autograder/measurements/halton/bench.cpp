@@ -21,7 +21,7 @@ TEST_CASE("bench time", "[.bench-time]") {
 }
 TEST_CASE("bench growth", "[.bench-growth]") {
   for (const Method& one : benched()) bench_growth_of_dims(one.name, one);
-  // Columns of one axis, which nobody cuts into blocks.
+  // Columns of one axis, which are not cut into blocks.
   for (const auto& [name, task, of] : {std::tuple{"5.2 radical inverses, base 3", 2u, 3u},
                                        {"5.5 Sobol', dimension 1", 5u, 1u},
                                        {"5.8 the same, scrambled", 8u, 1u},
@@ -32,7 +32,7 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   }
 }
 
-/// Randomized, since an RMSE is shown beside an error. As in lab 6: base 2 by 5.8, whose errors
+/// Randomized, since an RMSE is shown next to an error. As in lab 6: base 2 by 5.8, whose errors
 /// fall faster than those of 5.9, base 3 by 5.9.
 TEST_CASE("demo", "[.demo]") {
   Method halton = method(methods, "scrambled_halton");

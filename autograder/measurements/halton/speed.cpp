@@ -1,4 +1,4 @@
-// Lab 5: how fast the speed tasks are, shown beside a verdict.
+// Lab 5: how fast the speed tasks are, shown below a verdict.
 
 #include "checks/support/catch.hpp"
 #include "measurements/halton/methods.hpp"

@@ -86,7 +86,7 @@ ErrorSums exp_errors(const Sets& sets, std::size_t dims, std::size_t n, std::siz
   return errors;
 }
 
-/// What the choice of a block costs and brings (6.3).
+/// Costs and gains of the choice of a block (6.3).
 TEST_CASE("bench table of blocks", "[.bench-table]") {
   const std::vector<unsigned> in_order{0, 1, 2, 3, 4, 5, 6, 7}, chosen{0, 1, 4, 6, 16, 20, 15, 21};
   for (const auto& dimensions : {in_order, chosen}) {

@@ -96,7 +96,7 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
 }
 
 /// Rows: of a scene, the fractions of its variance by order, 1 to 5, and what is within its uses.
-/// They are the scene's own, whoever's sampler it asks.
+/// They depend on the scene alone, not on the sampler.
 TEST_CASE("plot the variance by order", "[.plot]") {
   auto file = plot_file("anova.tsv");
   Rng rng(7);

@@ -1,4 +1,4 @@
-// Lab 6: what a number costs, shown beside a verdict.
+// Lab 6: what a number costs, shown below a verdict.
 
 #include "checks/support/catch.hpp"
 #include "measurements/sampler/methods.hpp"

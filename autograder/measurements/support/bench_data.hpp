@@ -48,7 +48,7 @@ void bench_growth_of_dims(const std::string& what, const Method& method);
 /// A cell of the table with this title, which ./lab bench prints as soon as there is a row of it.
 struct Cell {
   std::string title, row, column;
-  std::uint64_t n = 0;  ///< samples: columns stand in this order, then in that of their first row
+  std::uint64_t n = 0;  ///< samples: columns are in this order, then in that of their first row
   double value = 0, error = std::numeric_limits<double>::quiet_NaN();
 };
 void bench_table(const Cell& cell);

@@ -11,7 +11,7 @@
 
 namespace mc::measurements {
 
-/// Appends to the file that ./lab bench reads, and tells it at once.
+/// Appends to the file that ./lab bench reads, and flushes it.
 void bench_row(const protocol::Row& row);
 
 /// CPU time of so many rounds; nothing where the task is not written.

@@ -1,5 +1,5 @@
 #pragma once
-// Ambient occlusion beside a wall: how much of the sky, weighted by the cosine, is seen. Two
+// Ambient occlusion next to a wall: how much of the sky, weighted by the cosine, is seen. Two
 // dimensions: a direction.
 
 #include "6-sampler/sampler.hpp"

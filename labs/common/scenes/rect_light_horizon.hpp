@@ -1,5 +1,5 @@
 #pragma once
-// The irradiance from a light that stands upright and reaches below the receiver's horizon. Two
+// The irradiance from a vertical light and reaches below the receiver's horizon. Two
 // dimensions: where on the light.
 
 #include <algorithm>
