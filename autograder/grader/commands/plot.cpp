@@ -8,6 +8,7 @@
 #include "grader/base/errors.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/pictures/plots.hpp"
+#include "grader/reports/progress_line.hpp"
 
 namespace mc::grader {
 namespace {
@@ -25,7 +26,10 @@ int plot(const Context& context, const Arguments& arguments) {
     folder = submissions[0].label;
     std::replace(folder.begin(), folder.end(), '/', '_');
   }
-  const Plots plots = draw_plots(context.layout, lab, submissions, folder);
+  const Plots plots = [&] {
+    const ProgressLine line("measuring and drawing " + lab.name);
+    return draw_plots(context.layout, lab, submissions, folder);
+  }();
   for (const std::string& remark : plots.remarks) fmt::print("{}\n", remark);
   for (const fs::path& picture : plots.pictures) fmt::print("{}\n", picture.string());
   return plots.pictures.empty() ? 1 : 0;

@@ -111,7 +111,7 @@ std::string check_row(const CheckResult& result, const LabVerdict& lab, std::uin
     if (!result.by_hand.empty()) report += "\nby hand   " + result.by_hand;
     what += "<pre>" + html_escaped(report) + "</pre>";
   } else if (!result.report.empty() && result.status != Status::not_written &&
-             lab.no_program.empty()) {
+             result.status != Status::waiting && lab.no_program.empty()) {
     what += "<pre>" + html_escaped(result.report) + "</pre>";
   }
   if (!result.printed.empty()) {
