@@ -64,7 +64,7 @@ package_of() {  # thing manager
     archive:apt) echo libarchive-dev ;;
     archive:dnf) echo libarchive-devel ;;
     seccomp:apt) echo libseccomp-dev ;;
-    seccomp:dnf) echo libseccomp-devel ;;
+    seccomp:dnf) echo libseccomp-devel libseccomp-static ;;
     gnuplot:apt) echo gnuplot-nox ;;
     *) echo "$1" ;;
   esac

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # Gradescope, building its image (Ubuntu 22.04): what ./lab gradescope packed is in
-# /autograder/source. The autograder is compiled; submissions need a compiler.
+# /autograder/source. The autograder is usually compiled; submissions need a compiler.
 set -euo pipefail
 cd "${AUTOGRADER_ROOT:-/autograder}/source"  # elsewhere in tests
-if ! command -v c++ >/dev/null; then
+if ! [ -d autograder/bin ]; then  # packed where the judge could not be linked statically
+  CI=true ./lab setup
+elif ! command -v c++ >/dev/null; then
   apt-get update
   DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++
 fi

@@ -117,6 +117,11 @@ Layout read_layout() {
     with_points();
     return layout;
   }
+  // Gradescope's package with sources.
+  if (std::ifstream taken(layout.root / "VERSION.txt"); std::getline(taken, line)) {
+    layout.version = line;
+    return layout;
+  }
   const auto commit = sandbox::run_process(
       {"git", "-C", layout.root.string(), "describe", "--always", "--dirty", "--exclude=*"});
   if (commit.succeeded()) {

@@ -35,10 +35,16 @@ void lay_out(const Context& context, const Arguments& arguments, const std::stri
              const fs::path& to) {
   const fs::path root = context.layout.root, place = root / "autograder" / "gradescope";
   const auto chosen = labs_and_those_below(context, labs);
-  for (const std::string& file : files_without_answers(context, chosen, JudgeForm::compiled)) {
+  const JudgeForm form =
+      has_compiled_judge(context.layout) ? JudgeForm::compiled : JudgeForm::sources;
+  for (const std::string& file : files_without_answers(context, chosen, form)) {
     copy_into(root / file, to / file);
   }
-  copy_compiled_judge(context, chosen, to);
+  if (form == JudgeForm::compiled) {
+    copy_compiled_judge(context, chosen, to);
+  } else {  // setup.sh compiles it; there is no git history to give its version
+    write_text(to / "VERSION.txt", context.layout.version + '\n');
+  }
   if (fs::exists(root / points_file)) copy_into(root / points_file, to / points_file);
   if (arguments.has("leaderboard")) {  // only the leaderboard compares with the solutions
     for (const std::string& lab : chosen) {

@@ -133,6 +133,10 @@ std::vector<std::string> files_without_answers(const Context& context,
   return files;
 }
 
+bool has_compiled_judge(const Layout& layout) {
+  return fs::exists(layout.build / "handout" / "grader");
+}
+
 void copy_compiled_judge(const Context& context, const std::set<std::string>& labs,
                          const fs::path& to) {
   const Layout& layout = context.layout;
@@ -140,7 +144,7 @@ void copy_compiled_judge(const Context& context, const std::set<std::string>& la
   utsname system{};
   uname(&system);
   const fs::path bin = all / fmt::format("linux-{}", system.machine);
-  if (!fs::exists(programs / "grader")) {
+  if (!has_compiled_judge(layout)) {
     throw MachineError(
         "the judge cannot be compiled for a handout: this needs Linux, GCC and a static libseccomp "
         "(Debian's libseccomp-dev has it); use --with-sources");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/commands/tree.hpp"
 #include "tests/gradebook/course.hpp"
 
 namespace mc::tests {
@@ -20,6 +21,7 @@ struct Handout : Course {
     if (!where.empty()) root = where;
     std::vector<std::string> words{"handout", root.string()};
     words.insert(words.end(), more.begin(), more.end());
+    if (!grader::has_compiled_judge(layout)) words.emplace_back("--with-sources");
     written = run(words);
   }
   sandbox::ProcessResult git(std::vector<std::string> words) const {
