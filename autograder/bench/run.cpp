@@ -4,9 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <mutex>
 
@@ -14,6 +12,7 @@
 
 #include "bench/bench.hpp"
 #include "bench/calibrate.hpp"
+#include "bench/interrupt.hpp"
 #include "bench/plots.hpp"
 #include "grader/base/errors.hpp"
 #include "grader/base/side_by_side.hpp"
@@ -32,25 +31,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::atomic<bool> stop{false};
-
-/// During its lifetime, an interrupt ends the measuring but not the writing; a second one ends all.
-class StopOnInterrupt {
- public:
-  StopOnInterrupt() {
-    struct sigaction action {};
-    action.sa_handler = [](int) { stop = true; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, &before_);
-    sigaction(SIGTERM, &action, nullptr);
-  }
-  ~StopOnInterrupt() { sigaction(SIGINT, &before_, nullptr); }
-  StopOnInterrupt(const StopOnInterrupt&) = delete;
-
- private:
-  struct sigaction before_ {};
-};
 
 /// A lab's program of a submission, to be measured.
 struct Contender {
@@ -126,7 +106,7 @@ class BenchRun {
   /// Everything measurable in one lab; adds a remark for contenders that cannot be measured.
   void enter(const Lab& lab, const std::vector<Submission>& submissions) {
     for (const Submission& submission : submissions) {
-      if (stop || !submission.files.contains(lab.name)) continue;
+      if (is_interrupted || !submission.files.contains(lab.name)) continue;
       BuildResult built = build_program(context_.layout, lab, submission);
       if (built.program) {
         entrants_.push_back({lab, submission.label, std::move(*built.program)});
@@ -170,8 +150,9 @@ class BenchRun {
   std::vector<Ratio> ratios(const std::string& program) {
     std::vector<Ratio> all;
     const fs::path path = context_.layout.build / "bin" / program;
-    if (!fs::exists(path) || stop) return all;
-    const auto result = sandbox::run_process({path.string()}, {.wall_seconds = 120, .stop = &stop});
+    if (!fs::exists(path) || is_interrupted) return all;
+    const auto result =
+        sandbox::run_process({path.string()}, {.wall_seconds = 120, .stop = &is_interrupted});
     for (const std::string_view line : text::split(result.output, '\n')) {
       const auto parts = text::split(line, '\t');
       if (parts.size() != 6) continue;
@@ -224,15 +205,15 @@ class BenchRun {
   static std::string tag_of(const std::string& kind) { return fmt::format("[.bench-{}]", kind); }
 
   void run(const Job& one, double workers = 1) {
-    if (stop) return;
+    if (is_interrupted) return;
     progress_.begin(name_of(one));
     const auto start = Clock::now();
     run_hidden_cases(context_.layout, one.entrant->lab, CaseKind::measurements,
                      one.entrant->program, tag_of(one.kind),
                      {.environment = {{protocol::rows_variable, one.rows.string()}},
                       .wall_seconds = 300,
-                      .stop = &stop});
-    if (stop) return;
+                      .stop = &is_interrupted});
+    if (is_interrupted) return;
     progress_.end(name_of(one), std::chrono::duration<double>(Clock::now() - start).count(),
                   workers);
   }
@@ -355,7 +336,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
     fmt::print("\n{}", bench_tables(bench));
     return 0;
   }
-  bench.whole = bench.whole && !stop;
+  bench.whole = bench.whole && !is_interrupted;
   bench.peers = peers_of(context.layout, context.labs);
   bench.seconds = std::chrono::duration<double>(Clock::now() - start).count();
 
@@ -365,8 +346,8 @@ int run_bench(const Context& context, const Arguments& arguments) {
   for (const std::string& remark : plots.remarks) fmt::print("{}\n", remark);
   fmt::print("\n{}\n", bench_summary(bench));
   fmt::print("{:.0f} s{}; {} (and .json), {} pictures next to it\n", bench.seconds,
-             stop ? ", interrupted: results are partial" : "", (place / "results.csv").string(),
-             plots.pictures.size());
+             is_interrupted ? ", interrupted: results are partial" : "",
+             (place / "results.csv").string(), plots.pictures.size());
   if (const auto page = arguments.get("page")) {
     const fs::path file = fs::absolute(*page);
     const fs::path pictures = file.parent_path() / file.stem();

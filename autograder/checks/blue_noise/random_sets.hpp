@@ -73,8 +73,8 @@ Spectrum mean_spectrum(const SampleSets& sets, double n);
 /// a sum of many terms that hardly depend on each other, so its power is exponential
 /// (E{P^2} / E{P}^2 = 2.00 measured at the peak, for four ways of making the points), with a mean
 /// of 1.9 at most: more is too regular. Their mean over sets is chi-squared with two degrees of
-/// freedom per set; the limit is passed by one of 10,000 frequencies once in 10^9 runs. A lattice of
-/// n points has n at some frequency, wherever it is shifted.
+/// freedom per set; one of 10,000 frequencies exceeds the limit once in 10^9 runs. A lattice of n
+/// points has n at some frequency, wherever it is shifted.
 void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_t sets);
 
 }  // namespace mc::checks

@@ -102,9 +102,9 @@ CHECK_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
   }
 }
 
-/// Samples have columns: all numbers of an integration are different, and of every kind but
-/// independent the first next() has one number in each stratum. (Where blue noise has numbers twice,
-/// 6.7 looks, and where a sequence that is not randomized has, 6.3.)
+/// Samples have columns: all numbers of an integration are different, and the first next() of every
+/// kind but independent has one number in each stratum. (6.7 looks for equal numbers of blue noise,
+/// 6.3 for those of a sequence that is not randomized.)
 void check_columns(const std::string& kind, const SampleSets& got) {
   std::multiset<double> all;
   for (std::size_t c = 0; c < got.dims; ++c) {

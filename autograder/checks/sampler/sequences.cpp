@@ -129,7 +129,7 @@ CHECK_CASE("6.3 each seed and each dimension is randomised anew", "[6.3][points:
         is_plain = is_plain && got.column(set, 0)[0] == 0;
       }
       if (is_plain) {
-        failure->likely = "a sequence as it is has the origin for its first point: scramble it";
+        failure->likely = "an unscrambled sequence begins at the origin: scramble it";
       }
       fail(*failure);
     }

@@ -29,7 +29,8 @@ std::size_t rank_of(std::span<const std::size_t> order);
 
 /// They are independent, and all n! equally likely: the numbers that decide them are uniform, read
 /// from either end, and from n = 20 on none comes again (of R permutations that are drawn from M
-/// only, R^2 / 2M do: this sees M up to R^2 / 40). Only the latter where `only_repeats`. `claim.repeated` is the hint if one comes again.
+/// only, R^2 / 2M do: this sees M up to R^2 / 40). Only the latter where `only_repeats`.
+/// `claim.repeated` is the hint if one comes again.
 void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
                                 bool only_repeats = false);
 

@@ -46,9 +46,8 @@
 
 namespace mc::checks {
 
-/// What a call returned. A number or a struct of numbers is `value`: what a check expects of it, NaN
-/// does not meet. Lists are untrusted in length and content: they are validated first
-/// (validation.hpp).
+/// What a call returned. A number or a struct of numbers is `value`; NaN meets no expectation. Lists
+/// are untrusted in length and content: they are validated first (validation.hpp).
 template <class T>
 struct Measured {
   T value;
@@ -111,12 +110,12 @@ struct Call {
 Rng check_rng();
 
 /// Calls the program; ends the check if there is none, or if its budget is used up.
-/// `typed` returns the arguments as one types them by hand, one per line: called if the check fails,
-/// for a million numbers in decimal take longer than measuring them.
+/// `typed` returns the arguments as one types them by hand, one per line. It is called only if the
+/// check fails: a million numbers in decimal take longer than measuring them.
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits);
 
-/// Asks the program without keeping the call: what a report repeats by hand is the call before.
+/// Calls the program without keeping the call: the command by hand repeats the call before.
 Call ask_again(std::string call, std::string request);
 
 /// Called with each call that gave no value, if values may be missing; set by what draws plots.

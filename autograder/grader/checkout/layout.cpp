@@ -63,7 +63,7 @@ fs::path writable_build_directory(const fs::path& root) {
   return place / "monte-carlo-labs" / fmt::format("{:016x}", hash_text(root.string()));
 }
 
-/// The layout of a handout whose judge came compiled.
+/// The layout of a handout with a compiled judge.
 void find_surroundings(Layout& layout) {
   layout.root = layout.bin.parent_path().parent_path().parent_path();
   layout.build = writable_build_directory(layout.root);

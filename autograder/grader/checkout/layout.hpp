@@ -1,6 +1,6 @@
 #pragma once
-// Paths and compiler settings: as CMake found them when it configured, or, in a handout whose judge
-// came compiled, as they are found at each start.
+// Paths and compiler settings: found by CMake when it configures, or, in a handout with a compiled
+// judge, at each start.
 
 #include <filesystem>
 #include <map>
@@ -11,7 +11,7 @@ namespace mc::grader {
 
 struct Layout {
   std::filesystem::path root;      ///< the checkout
-  std::filesystem::path build;     ///< where everything that is built goes: CMake's build directory
+  std::filesystem::path build;     ///< CMake's build directory, or a handout's
   std::filesystem::path bin;       ///< the judge's programs
   bool judge_is_compiled = false;  ///< is this a handout without the judge's sources?
   std::string compiler;            ///< full path of the C++ compiler; empty if a handout finds none

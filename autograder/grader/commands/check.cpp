@@ -97,8 +97,8 @@ int check(const Context& context, const Arguments& arguments) {
   std::fflush(stdout);  // into a pipe, too: the next step takes a while
   // Neither a grade nor a file that could pass for one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
-  if (judged.no_program.empty() && !watched &&
-      judged.on_reference.empty()) {  // with --watch, the next verdict comes first
+  // With --watch, the next verdict comes first; the reference's files are not the student's speed.
+  if (judged.no_program.empty() && !watched && judged.on_reference.empty()) {
     {
       const ProgressLine line("timing " + lab.name);
       add_speed(context, submission, judged);

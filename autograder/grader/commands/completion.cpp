@@ -1,15 +1,15 @@
 // completion: a script that completes commands, labs, tasks, experiments and options on TAB.
 
 #include <filesystem>
-#include <map>
-#include <set>
 #include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
+#include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
+#include "grader/checkout/experiments.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/list.hpp"
 #include "runner/text.hpp"
@@ -30,18 +30,6 @@ Words tasks_of(const Layout& layout, const Lab& lab) {
   return tasks;
 }
 
-/// The experiments of a lab: those that its experiments.cpp lists.
-Words experiments_of(const Layout& layout, const Lab& lab) {
-  const std::string start = "MC_EXPERIMENT(";
-  const std::string text = read_text(layout.labs() / lab.folder / "experiments.cpp");
-  Words names;
-  for (auto at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
-    const auto from = at + start.size();
-    names.push_back(text.substr(from, text.find(',', from) - from));
-  }
-  return names;
-}
-
 std::string script(const Context& context) {
   Words commands, labs, tasks;
   std::string options, experiments;
@@ -60,8 +48,10 @@ std::string script(const Context& context) {
   for (const Lab& lab : context.labs) {
     labs.push_back(lab.name);
     for (std::string& task : tasks_of(context.layout, lab)) tasks.push_back(std::move(task));
+    Words names;
+    for (const Experiment& one : experiments_of(context.layout, lab)) names.push_back(one.name);
     experiments += fmt::format("      {}|{}|{}) words='{}' ;;\n", lab.number, lab.name, lab.folder,
-                               fmt::join(experiments_of(context.layout, lab), " "));
+                               fmt::join(names, " "));
   }
   std::string all =
       R"sh(# Put this into ~/.bashrc or ~/.zshrc:  eval "$(./lab completion bash)"  (or zsh)
@@ -76,8 +66,8 @@ _monte_carlo_labs() {
     case $command in
       check) words='@LABS@ @TASKS@' ;;
       hint) words='@TASKS@' ;;
-      grade|handout|merge|stats|export|demo|setup|test|bench) ;;
-      *) words='@LABS@' ;;
+      run|plot|report|reset|submit|release|gradescope) words='@LABS@' ;;
+      completion) words='bash zsh' ;;
     esac
   elif [[ $COMP_CWORD == 3 && $command == run ]]; then
     case ${COMP_WORDS[2]} in
@@ -87,16 +77,11 @@ _monte_carlo_labs() {
 }
 complete -o default -F _monte_carlo_labs ./lab lab
 )sh";
-  const auto fill = [&](const std::string& name, const std::string& text) {
-    for (auto at = all.find(name); at != std::string::npos; at = all.find(name, at + text.size())) {
-      all.replace(at, name.size(), text);
-    }
-  };
-  fill("@OPTIONS@", options);
-  fill("@EXPERIMENTS@", experiments);
-  fill("@COMMANDS@", fmt::format("{}", fmt::join(commands, " ")));
-  fill("@LABS@", fmt::format("{}", fmt::join(labs, " ")));
-  fill("@TASKS@", fmt::format("{}", fmt::join(tasks, " ")));
+  replace_all(all, "@OPTIONS@", options);
+  replace_all(all, "@EXPERIMENTS@", experiments);
+  replace_all(all, "@COMMANDS@", fmt::format("{}", fmt::join(commands, " ")));
+  replace_all(all, "@LABS@", fmt::format("{}", fmt::join(labs, " ")));
+  replace_all(all, "@TASKS@", fmt::format("{}", fmt::join(tasks, " ")));
   return all;
 }
 

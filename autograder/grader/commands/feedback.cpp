@@ -72,7 +72,7 @@ std::optional<fs::path> upload_name(const Verdict& verdict, const Person* person
   if (at != std::string::npos) {
     return fs::path("moodle") / (name.substr(0, at) + plugin + "feedback.html");
   }
-  if (name.empty()) {  // handed in nothing: Moodle's worksheet still knows the number
+  if (name.empty()) {  // no submission: Moodle's worksheet still knows the number
     const bool is_moodle = person != nullptr && !field(person->row, "Identifier").empty();
     if (!is_moodle || person->number.empty()) return {};
     return fs::path("moodle") /

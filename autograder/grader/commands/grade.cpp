@@ -265,12 +265,12 @@ void check_slurm(const Arguments& arguments) {
 void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
   const Roster roster = read_roster(file);
   const RosterReport report = match_roster(roster, entries);
-  fmt::print("roster: {} students, {} handed in nothing\n", roster.people.size(),
+  fmt::print("roster: {} students, {} without a submission\n", roster.people.size(),
              report.without_submission.size());
   const auto list = [](const char* what, const std::vector<std::string>& ids) {
     if (!ids.empty()) fmt::print("{}: {}\n", what, fmt::join(ids, ", "));
   };
-  list("handed in nothing", report.without_submission);
+  list("without a submission", report.without_submission);
   list("not on the roster", report.not_on_roster);
 }
 

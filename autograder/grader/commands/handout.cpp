@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
+#include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/checkout/hints.hpp"
 #include "grader/commands/command.hpp"
@@ -24,13 +25,6 @@ namespace mc::grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Replaces each `from` by `to`.
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
 
 /// Does a line mention a command for something that is not part of the handout?
 bool names_what_is_absent(const std::string& line, const fs::path& handed_out) {
@@ -89,11 +83,11 @@ std::string answers_template(const Lab& lab, const std::string& readme) {
   if (at == std::string::npos) return {};
   const auto from = at + heading.size(), to = readme.find("\n## ", from);
   return fmt::format(
-      "# {}: answers\n\nWrite below each question; `./lab submit {}` takes this file along.\n{}\n",
+      "# {}: answers\n\nWrite below each question; `./lab submit {}` includes this file.\n{}\n",
       lab.title(), lab.name, readme.substr(from, to == std::string::npos ? to : to - from));
 }
 
-/// For clangd: CMake is not there to write compile_commands.json.
+/// For clangd: a handout without CMake has no compile_commands.json.
 std::string compile_flags_for(const std::vector<Lab>& labs) {
   std::string flags = "-std=c++20\n-Ilabs\n-Ilabs/common\n";
   for (const Lab& lab : labs) flags += fmt::format("-Ilabs/{}\n", lab.folder);
@@ -168,7 +162,7 @@ int handout(const Context& context, const Arguments& arguments) {
   if (is_new && fs::exists(to) && !fs::is_empty(to)) {
     throw UsageError(shown + " is not empty, and no handout");
   }
-  // An old handout keeps what it is made of, unless asked for more.
+  // An existing handout keeps its labs, form and hints, unless the options change them.
   if (is_new || arguments.has("labs")) {
     manifest.labs.merge(labs_and_those_below(context, arguments.get("labs")));
   }
@@ -177,9 +171,7 @@ int handout(const Context& context, const Arguments& arguments) {
   if (is_new) {
     write_handout(context, manifest, to);
     git(to, {"init", "-q", "-b", "main"});
-    git(to, {"add", "-A"});
-    git(to, {"-c", "user.name=course", "-c", "user.email=course@localhost", "commit", "-q", "-m",
-             "Monte Carlo labs " + context.layout.version});
+    commit_files(to, {"."}, "Monte Carlo labs " + context.layout.version);
     fmt::print("{}: {} files, one commit, labs {}\n", shown, read_manifest(to).files.size(),
                fmt::join(manifest.labs, ", "));
     return 0;
@@ -201,7 +193,7 @@ const RegisterCommand handout_command{
      "with one commit. No solutions, no checks, no tests of the repository. Includes an editor's\n"
      "tasks, a dev container, and a workflow that grades each push. Students need Linux on this\n"
      "machine's architecture, and a compiler. On a handout that exists, adds a commit with what\n"
-     "changed; starter/, answers/ and edited files stay as they are.\n"
+     "changed; starter/, answers/ and edited files are never changed.\n"
      "  --labs LIST   only these labs and those that they depend on\n"
      "  --hints N     only the first N steps of each task's hints, 0 to 3\n"
      "  --with-sources  the autograder's sources in place of its programs, for other systems and\n"

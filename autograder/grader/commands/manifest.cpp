@@ -1,19 +1,30 @@
 #include "grader/commands/manifest.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "grader/base/text_file.hpp"
 
 namespace mc::grader {
+namespace {
+
+/// Does this name a file below the handout? Files of a manifest may be removed.
+bool is_below(const std::filesystem::path& name) {
+  return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
+}
+
+}  // namespace
 
 Manifest read_manifest(const std::filesystem::path& handout) {
   Manifest manifest;
   constexpr std::uintmax_t longest = std::uintmax_t{1} << 20;
   const auto place = handout / manifest_file;  // a submission may have anything there
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(place)) ||
-      std::filesystem::file_size(place) > longest) {
+  std::error_code unreadable;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(place, unreadable)) ||
+      std::filesystem::file_size(place, unreadable) > longest || unreadable) {
     return manifest;
   }
   std::ifstream file(place);
@@ -28,7 +39,7 @@ Manifest read_manifest(const std::filesystem::path& handout) {
     if (blank == std::string::npos) continue;
     const std::string hash = line.substr(at + 1, blank - at - 1), name = line.substr(blank + 1);
     if (key == "checks") manifest.checks[name] = hash;
-    if (key == "file") manifest.files[name] = hash;
+    if (key == "file" && is_below(name)) manifest.files[name] = hash;
   }
   return manifest;
 }

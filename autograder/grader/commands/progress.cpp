@@ -1,6 +1,7 @@
 #include "grader/commands/progress.hpp"
 
 #include <sstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -43,6 +44,8 @@ std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVer
     write_text(file, fmt::format("{} {}\n", result.check.task, count + 1));
     return {count + 1, result.check.task};
   }
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
   return {0, {}};
 }
 

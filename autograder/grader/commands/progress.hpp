@@ -16,8 +16,9 @@ struct Progress {
 };
 
 void remember(const Layout& layout, const LabVerdict& verdict);
-/// How many checks in a row, with this one, the first task that fails has failed; and the task. 0
-/// where none fails.
+
+/// The first task that fails, and how many verdicts in a row it has been that, this one included; 0
+/// if no task fails.
 std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVerdict& verdict);
 
 std::optional<Progress> recall(const Layout& layout, const Lab& lab);

@@ -1,4 +1,5 @@
-// setup: the entry script has already done the work when this runs. A handout's has no work to do.
+// setup: in a checkout, the entry script has done the work before this runs. A handout compiles what
+// all submissions of a lab share.
 
 #include <fmt/format.h>
 
@@ -15,7 +16,8 @@ int setup(const Context& context, const Arguments& arguments) {
   if (context.layout.judge_is_compiled) {
     for (const Lab& lab : context.labs) shared_objects(context.layout, lab);
     if (!sandbox::run_process({"gnuplot", "--version"}).succeeded()) {
-      fmt::print("gnuplot is missing: no plots (sudo apt install gnuplot-nox)\n");
+      fmt::print("Ready, but without plots: install gnuplot (sudo apt install gnuplot-nox).\n");
+      return 0;
     }
   }
   fmt::print("Everything is here and built.\n");

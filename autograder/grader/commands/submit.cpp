@@ -20,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "compiles; 84 of 100 points", or why it earns nothing.
+/// "It compiles. The last check: 84 of 100 points.", or why it earns nothing.
 std::string state_of(const Context& context, const Lab& lab) {
   const Intake intake = take_in_one(context, context.layout.starter());
   const BuildResult built = build_program(context.layout, lab, intake.entries[0].submission);
-  if (!built.program) return built.failure + "\nAs it is, it earns 0 points.";
+  if (!built.program) return built.failure + "\nIn this state it earns 0 points.";
   const auto progress = recall(context.layout, lab);
   if (!progress) return fmt::format("It compiles. It was never checked: ./lab check {}", lab.name);
   return fmt::format(

@@ -26,7 +26,7 @@ class Clone {
   explicit Clone(fs::path root) : root_(std::move(root)) {}
 
   sandbox::ProcessResult run(std::vector<std::string> words) const {
-    // A rebase commits, and not every student has told git a name.
+    // A rebase commits, and not every student has configured a name in git.
     words.insert(words.begin(), {"git", "-C", root_.string(), "-c", "user.useConfigOnly=false"});
     return sandbox::run_process(words);
   }

@@ -43,7 +43,11 @@ std::vector<PointsLine> lines_of_points(const std::filesystem::path& root) {
     } catch (const std::invalid_argument&) {
       one.points = NAN;
     }
-    if (!std::isfinite(one.points) || one.points < 0) {
+    const auto dot = one.what.find('.');
+    const bool is_task = dot != std::string::npos && dot > 0 && dot + 1 < one.what.size() &&
+                         one.what.find_first_not_of("0123456789") == dot &&
+                         one.what[dot + 1] >= '0' && one.what[dot + 1] <= '9';
+    if (!is_task || !std::isfinite(one.points) || one.points < 0) {
       refuse_line(number, "a line is a task or a check, a comma, and its points");
     }
     lines.push_back(std::move(one));

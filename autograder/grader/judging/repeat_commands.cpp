@@ -6,7 +6,7 @@
 
 #include "grader/base/shell.hpp"
 #include "grader/base/text_file.hpp"
-#include "runner/text.hpp"
+#include "grader/checkout/experiments.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
@@ -16,21 +16,13 @@ bool is_own(const JudgeOptions& options) {
   return options.submission.empty() || options.submission == "starter";
 }
 
-/// The parameters' names of an experiment, as experiments.cpp lists them.
+/// The names of an experiment's parameters.
 std::vector<std::string> parameters_of(const Layout& layout, const Lab& lab,
-                                       const std::string& experiment) {
-  const std::string text = read_text(layout.labs() / lab.folder / "experiments.cpp");
-  const std::string start = "MC_EXPERIMENT(" + experiment + ",";
-  const auto at = text.find(start);
-  std::vector<std::string> names;
-  if (at == std::string::npos) return names;
-  const auto open = text.find('"', at), close = text.find('"', open + 1);
-  if (close == std::string::npos) return names;
-  const std::string words = text.substr(open + 1, close - open - 1);  // outlives its parts
-  for (const auto name : text::split(words, ' ')) {
-    if (!name.empty()) names.emplace_back(name);
+                                       const std::string& name) {
+  for (const Experiment& one : experiments_of(layout, lab)) {
+    if (one.name == name) return one.parameters;
   }
-  return names;
+  return {};
 }
 
 /// The argument itself, or a file that holds it.

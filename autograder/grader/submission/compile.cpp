@@ -16,6 +16,7 @@
 #include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
+#include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/submission/cache.hpp"
 #include "grader/submission/diagnostics.hpp"
@@ -168,12 +169,6 @@ sandbox::ProcessResult run_confined(const Layout& layout, const std::vector<std:
   return sandbox::run_process(command, options);
 }
 
-void remove_all_of(std::string& text, const std::string& words) {
-  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
-    text.erase(at, words.size());
-  }
-}
-
 /// Does the compiler report a position in the file?
 bool blames(const std::string& errors, const std::string& name) {
   return errors.starts_with(name + ':') || errors.find('\n' + name + ':') != std::string::npos;
@@ -185,8 +180,8 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
   const std::string name = unit.lab.file();
   auto [opened, messages] = parse_compiler_output(compiled.errors);
   for (const fs::path& place : {directory, unit.layout.build, unit.layout.root}) {
-    remove_all_of(messages,
-                  place.string() + '/');  // students need not see where the checkout is
+    // Students need not see where the checkout is.
+    replace_all(messages, place.string() + '/', "");
   }
   // Messages must not show files that are off limits. The text itself may add lines to the list:
   // they hide its own messages and do no other harm.

@@ -1,5 +1,5 @@
 #pragma once
-// Who handed in a submission, and when, as far as a learning platform or a roster says.
+// Who submitted, and when, according to a learning platform or a roster.
 
 #include <string>
 

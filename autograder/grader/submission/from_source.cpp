@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <vector>
@@ -27,6 +25,7 @@ namespace {
 
 struct Source {
   fs::path file, object;
+  std::vector<std::string> flags = {};  ///< for this file alone
 };
 
 /// "starter", or a whole path, as one name.
@@ -75,6 +74,7 @@ std::vector<std::string> command_for(const Layout& layout, const std::vector<std
 /// failure.
 std::string compile_source(std::vector<std::string> command, const Source& source,
                            std::atomic<bool>& something_new) {
+  command.insert(command.end(), source.flags.begin(), source.flags.end());
   command.insert(command.end(), {"-c", source.file.string()});
   const std::string key = fmt::format("{}", fmt::join(command, " "));
   const fs::path known = sibling(source.object, ".key");
@@ -93,11 +93,11 @@ std::string compile_source(std::vector<std::string> command, const Source& sourc
 
 /// Compiles the files side by side. Returns the first failure's messages.
 std::string compile_sources(const std::vector<Source>& sources,
-                            const std::function<std::vector<std::string>(const Source&)>& command,
+                            const std::vector<std::string>& command,
                             std::atomic<bool>& something_new) {
   std::vector<std::string> failures(sources.size());
   run_side_by_side(sources.size(), cores(), [&](std::size_t i) {
-    failures[i] = compile_source(command(sources[i]), sources[i], something_new);
+    failures[i] = compile_source(command, sources[i], something_new);
   });
   for (const std::string& failure : failures) {
     if (!failure.empty()) return failure;
@@ -116,13 +116,15 @@ std::vector<Source> shared_sources(const Layout& layout, const Lab& lab, const f
   return sources;
 }
 
-/// Throws MachineError if programs cannot be linked as they are judged.
-void require_libraries(const Layout& layout) {
-  const fs::path place = layout.build / "objects";
-  write_text(place / "empty.cpp",
-             "#include <vector>\nint main() { return std::vector<int>{}.size(); }\n");
-  std::vector<std::string> command{layout.compiler, (place / "empty.cpp").string(), "-o",
-                                   (place / "empty").string()};
+/// Throws MachineError if this compiler cannot link programs as the judge does. Links one, once.
+void require_static_libraries(const Layout& layout) {
+  const fs::path place = layout.build / "objects",
+                 program = place / fmt::format("empty-{:016x}", hash_text(layout.compiler)),
+                 source = place / "empty.cpp";
+  if (fs::exists(program)) return;
+  fs::create_directories(place);
+  write_text(source, "#include <vector>\nint main() { return std::vector<int>{}.empty(); }\n");
+  std::vector<std::string> command{layout.compiler, source.string(), "-o", program.string()};
   command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());
   if (sandbox::run_process(command).succeeded()) return;
   throw MachineError(
@@ -148,27 +150,20 @@ ProgramByHand build_by_hand(const Layout& layout, const Lab& lab, const Submissi
   const fs::path place = layout.build / kind.name;
   const fs::path own = place / lab.name / name_of(layout, submission.path);
   std::vector<Source> sources = shared_sources(layout, lab, place);
-  const std::size_t shared = sources.size();
+  // The judge includes these headers, too.
+  const std::vector<std::string> standard_headers{
+      "-include", (layout.labs() / "runner" / "standard_headers.hpp").string()};
   std::vector<std::string> names = lab.depends_on;
   names.push_back(lab.name);
   for (const std::string& name : names) {
     const auto file = submission.files.find(name);
     if (file == submission.files.end()) return {{}, fmt::format("There is no {}.cpp.\n", name)};
-    sources.push_back({file->second, own / (name + ".o")});
+    sources.push_back({file->second, own / (name + ".o"), standard_headers});
   }
 
-  const auto plain = command_for(layout, kind.compile_flags);
-  auto with_headers = plain;  // the judge includes these headers, too
-  with_headers.insert(with_headers.end(),
-                      {"-include", (layout.labs() / "runner" / "standard_headers.hpp").string()});
   std::atomic<bool> something_new = false;
-  const std::string failure = compile_sources(
-      sources,
-      [&](const Source& source) {
-        return &source - sources.data() < static_cast<std::ptrdiff_t>(shared) ? plain
-                                                                              : with_headers;
-      },
-      something_new);
+  const std::string failure =
+      compile_sources(sources, command_for(layout, kind.compile_flags), something_new);
   if (!failure.empty()) return {{}, failure};
 
   const fs::path program = own / lab.name;
@@ -195,20 +190,17 @@ std::vector<fs::path> shared_objects(const Layout& layout, const Lab& lab) {
   const std::lock_guard lock(one_at_a_time);
   static std::map<std::string, std::vector<fs::path>> done;
   if (const auto found = done.find(lab.name); found != done.end()) return found->second;
-  const fs::path place = layout.build / "objects";
-  const std::vector<Source> sources = shared_sources(layout, lab, place);
+  const auto command = command_for(layout, {});
+  require_static_libraries(layout);
+  std::vector<Source> sources = shared_sources(layout, lab, layout.build / "objects");
+  for (Source& source : sources) source.flags = {"-O1"};
+  sources[0].flags = {"-O3"};  // the experiments: nothing else computes for long
   std::atomic<bool> something_new = false;
-  const std::string failure = compile_sources(
-      sources,
-      [&](const Source& source) {  // only experiments can be slow
-        return command_for(layout, {&source == sources.data() ? "-O3" : "-O1"});
-      },
-      something_new);
+  const std::string failure = compile_sources(sources, command, something_new);
   if (!failure.empty()) {
     throw MachineError(fmt::format("lab {} does not compile here (C++20 is needed):\n{}",
                                    lab.number, sandbox::shortened(failure, 2000)));
   }
-  if (something_new) require_libraries(layout);
   std::vector<fs::path> objects;
   for (const Source& source : sources) objects.push_back(source.object);
   return done[lab.name] = objects;

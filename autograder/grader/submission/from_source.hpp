@@ -32,7 +32,7 @@ ProgramByHand build_by_hand(const Layout& layout, const Lab& lab, const Submissi
                             const BuildKind& kind);
 
 /// The objects of the runner and of the lab's experiments, which are linked to a submission's:
-/// CMake's; where the judge came compiled, they are compiled here when first needed. Throws
+/// CMake's; with a compiled judge, they are compiled here when first needed. Throws
 /// MachineError if the compiler fails.
 std::vector<std::filesystem::path> shared_objects(const Layout& layout, const Lab& lab);
 

@@ -120,7 +120,7 @@ TEST_CASE("plot error against time", "[.plot]") {
              integrand("smooth 2D"), 4096, 32);
 }
 
-/// The first n of 1,024 points that somebody stops early, as lab 3 draws it: independent and
+/// The first n of 1,024 points, as lab 3 draws it: independent and
 /// shuffled jittered points exactly, scrambled Sobol' points as the RMSE of 200 sets. Powers of
 /// two, and three sizes between them.
 TEST_CASE("plot the first points of a sequence", "[.plot]") {

@@ -293,6 +293,10 @@ TEST_CASE("a handout needs only a compiler", "[.handout]") {
     CHECK(contains(report, "./lab hint 1.1 shows a step") == (times == 3));
   }
   write_text(file, text_of(handout.layout.solutions()));
+  CHECK(handout.lab({"check", "1.1"}).exit_code == 0);
+  write_text(file, wrong);  // the count starts over
+  CHECK_FALSE(contains(handout.lab({"check", "1.1"}).output, "./lab hint 1.1 shows a step"));
+  write_text(file, text_of(handout.layout.solutions()));
   editor_commands_work(handout);
   CHECK(handout.lab({"report", "variance"}).exit_code == 0);
   CHECK(contains(handout.lab({"plot", "variance"}).output, "gnuplot is not installed"));

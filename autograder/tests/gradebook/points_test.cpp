@@ -44,7 +44,8 @@ TEST_CASE("points.csv sets tasks and checks, with any total, and leaves out thos
   CHECK(points_with("1.1,0\n") == "1.2 c=5 ");
   CHECK(points_with("1.1,0\n1.1 a,4\n") == "1.1 a=4 1.2 c=5 ");
   CHECK(points_with("2.1,3\n5.1 x,0\n") == "1.1 a=3 1.1 b=1 1.2 c=5 ");  // other labs'
-  for (const char* wrong : {"1.9,4\n", "1.1\n", "1.1,-1\n", "1.1,many\n", "1.1,nan\n"}) {
+  for (const char* wrong : {"1.9,4\n", "1.1\n", "1.1,-1\n", "1.1,many\n", "1.1,nan\n", "mean,4\n",
+                            "task 1.1,4\n", "1,4\n", "1.,4\n"}) {
     CHECK_THROWS_AS(points_with(wrong), UsageError);
   }
 }

@@ -106,7 +106,7 @@ TEST_CASE("a graded roster has a row for everyone") {
   const auto run = course.grade({"--csv", csv, "--roster", roster.string(), "--seed", "1"});
   CAPTURE(run.output, run.errors);
   CHECK(run.exit_code == 0);
-  CHECK(contains(run.output, "handed in nothing: bob"));
+  CHECK(contains(run.output, "without a submission: bob"));
   CHECK(contains(run.output, "not on the roster: zoe"));
   const Table table = read_table(csv);
   REQUIRE(table.rows.size() == 3);

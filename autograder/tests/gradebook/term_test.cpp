@@ -259,7 +259,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   CHECK(contains(late.output, fmt::format("1 judged, {} were before", students - 1)));
   CHECK(field(rows_by_id(grades).at(term.ids[3]), "variance total") == "100");
 
-  // With the roster, one who is absent has a row, and nobody is judged again.
+  // With the roster, an absent student has a row, and no submission is judged again.
   const fs::path roster = term.path() / "roster.csv";
   std::string people = "id,name,email\n";
   for (int i = 1; i <= students + 1; ++i) {
@@ -270,7 +270,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
                                        pages.string()};
   const auto rostered = term.run(term.grading(grades, go_on));
   CHECK(contains(rostered.output, fmt::format("1 judged, {} were before", students)));
-  CHECK(contains(rostered.output, "handed in nothing: student 31"));
+  CHECK(contains(rostered.output, "without a submission: student 31"));
   CHECK(field(rows_by_id(grades).at("student 31"), "variance status") == "no file");
 
   // A check was fixed since this verdict: it is judged again, and the correction by hand stays.

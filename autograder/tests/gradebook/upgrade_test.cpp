@@ -165,4 +165,17 @@ TEST_CASE("a released lab is one commit, and the next handout keeps it") {
   CHECK(semester.run({"release", "1", semester.path().string()}).exit_code == 2);
 }
 
+// A submission or a handout may have any text there; listed files may be removed by an upgrade.
+TEST_CASE("a manifest names files below its handout only") {
+  const Scratch place;
+  fs::create_directories(place.path() / "autograder");
+  place.write(manifest_file,
+              "version=1\nfile=a labs/x\nfile=b ../x\nfile=c /etc/x\nfile=d labs/../../x\n");
+  const Manifest manifest = read_manifest(place.path());
+  CHECK(manifest.version == "1");
+  CHECK(manifest.files == std::map<std::string, std::string>{{"labs/x", "a"}});
+  const std::string longer_than_a_path_may_be(10000, 'x');
+  CHECK(read_manifest(place.path() / longer_than_a_path_may_be).version.empty());
+}
+
 }  // namespace mc::tests::upgrade

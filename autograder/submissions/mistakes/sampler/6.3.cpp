@@ -109,7 +109,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::dimensions_counted_apart
 
 // mistake: does not permute the digits of the Halton sequence
-// hint: a sequence as it is has the origin for its first point
+// hint: an unscrambled sequence begins at the origin
 namespace mc::halton_as_it_is {
 void plain(const Use& use, std::size_t place, std::span<double> x, std::uint64_t) {
   in_order(use, x, [&](std::span<double> all) { radical_inverses(primes(block)[place], 0, all); });
@@ -286,7 +286,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::one_scramble_for_both_axes
 
 // mistake: does not scramble the Sobol' sequence
-// hint: a sequence as it is has the origin for its first point
+// hint: an unscrambled sequence begins at the origin
 namespace mc::sobol_as_it_is {
 void plain(const Use& use, std::size_t place, std::span<double> x, std::uint64_t) {
   in_order(use, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
