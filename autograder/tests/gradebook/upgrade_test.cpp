@@ -1,5 +1,6 @@
 // A handout grows on top of what students have, and reaches them by ./lab update.
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
