@@ -218,7 +218,7 @@ void sequences(unsigned dims, bool has_wishes) {
 
 int main() {
   using namespace mc::ratios;
-  moments_of("moments, in cache", 5, block);
+  moments_of("moments, in cache", 8, block);
   moments_of("moments, out of cache", 1.8, std::size_t{1} << 23);  // 64 MB
   uniforms_of(10);
   jittered("stratified_2d, 64 points", 0, 8);
