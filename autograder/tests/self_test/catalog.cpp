@@ -39,6 +39,16 @@ std::map<std::string, std::string> functions(const std::vector<fs::path>& object
   return mangled;
 }
 
+/// The name of the mistake or attack that begins with this line of a catalog; empty if none does.
+std::string section_begun_by(const std::string& line, const fs::path& catalog) {
+  const std::string attack = "//// ", mistake = "namespace mc::";
+  if (catalog.parent_path().parent_path().filename() == "attacks") {
+    return line.starts_with(attack) ? line.substr(attack.size()) : "";
+  }
+  if (!line.starts_with(mistake) || !line.ends_with(" {")) return {};
+  return line.substr(mistake.size(), line.size() - mistake.size() - 2);
+}
+
 }  // namespace
 
 bool is_catalog(const fs::path& file) {
@@ -50,9 +60,8 @@ std::vector<Subject> subjects_in(const fs::path& file) {
   std::vector<Subject> subjects;
   std::ifstream text(file);
   for (std::string line; std::getline(text, line);) {
-    const std::string start = "namespace mc::";
-    if (!line.starts_with(start) || !line.ends_with(" {")) continue;
-    subjects.push_back({file, line.substr(start.size(), line.size() - start.size() - 2)});
+    const std::string name = section_begun_by(line, file);
+    if (!name.empty()) subjects.push_back({file, name});
   }
   return subjects;
 }
@@ -61,8 +70,15 @@ std::vector<std::string> said(const Subject& subject, const std::string& key) {
   const std::string start = "// " + key + ": ";
   const bool names_checks = key == "caught by" || key == "fails";
   std::vector<std::string> values;
+  bool is_inside = subject.section.empty();
   std::ifstream file(subject.file);
   for (std::string line; std::getline(file, line);) {
+    const std::string section = section_begun_by(line, subject.file);
+    if (line.starts_with("////")) {  // the comments of an attack follow its name
+      is_inside = section == subject.section;
+      values.clear();
+      continue;
+    }
     if (line.starts_with(start)) {
       const std::string value = line.substr(start.size());
       if (names_checks) {
@@ -74,10 +90,25 @@ std::vector<std::string> said(const Subject& subject, const std::string& key) {
       }
     }
     if (line.starts_with("//")) continue;
-    if (subject.mistake.empty() || line == "namespace mc::" + subject.mistake + " {") return values;
+    if (is_inside || section == subject.section) return values;  // those of a mistake precede it
     values.clear();
   }
-  throw grader::UsageError(subject.file.string() + " has no mistake " + subject.mistake);
+  throw grader::UsageError(subject.file.string() + " has no section " + subject.section);
+}
+
+std::string attack_in(const Subject& subject, const std::string& starter) {
+  std::string attack;
+  bool is_inside = false;
+  std::ifstream file(subject.file);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("////"))
+      is_inside = section_begun_by(line, subject.file) == subject.section;
+    if (is_inside) attack += line + '\n';
+  }
+  if (attack.find("attack()") == std::string::npos) return attack;
+  const std::string todo = "throw todo(\"1.1\")";
+  std::string rest = starter;
+  return attack + rest.replace(rest.find(todo), todo.size(), "return attack()");
 }
 
 CatalogLock::CatalogLock(const fs::path& slot) {
@@ -96,14 +127,14 @@ std::vector<Definition> definitions_of(const grader::Layout& layout, const grade
   bool differs = false;
   for (const auto& [name, symbol] : functions(callers, "--undefined-only")) {
     const std::string function = name.substr(std::string_view("mc::").size());
-    const auto mistaken = defined.find("mc::" + subject.mistake + "::" + function);
+    const auto mistaken = defined.find("mc::" + subject.section + "::" + function);
     const auto right = defined.find("mc::right_" + function);
     const bool is_mistaken = mistaken != defined.end();
     if (!is_mistaken && right == defined.end()) continue;
     differs = differs || is_mistaken;
     definitions.push_back({symbol, (is_mistaken ? mistaken : right)->second, is_mistaken});
   }
-  if (!differs) throw grader::UsageError(subject.mistake + " replaces no function of the lab");
+  if (!differs) throw grader::UsageError(subject.section + " replaces no function of the lab");
   return definitions;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Catalogs: files of mistakes that are compiled once. Each mistake is a namespace with the
-// functions that differ from the solution's; the linker puts them in place.
+// functions that differ from the solution's; the linker puts them in place. A catalog of attacks is
+// not compiled as a whole: each section, with the starter's functions, is a file of its own.
 
 #include <filesystem>
 #include <string>
@@ -12,20 +13,24 @@
 
 namespace mc::self_test {
 
-/// A submission of the repository: a file, or one mistake of a catalog.
+/// A submission of the repository: a file, or one mistake or attack of a catalog.
 struct Subject {
   std::filesystem::path file;
-  std::string mistake = {};  ///< its namespace; empty for a whole file
+  std::string section = {};  ///< the mistake's namespace, the attack's name; empty for a whole file
 };
 
-/// A file of mistakes that is named for a task, `mistakes/halton/5.1.cpp`, is a catalog.
+/// A file that is named for a task, `mistakes/halton/5.1.cpp`, is a catalog.
 bool is_catalog(const std::filesystem::path& file);
 
-/// The mistakes of a catalog; of any other file, the file itself.
+/// The mistakes or attacks of a catalog; of any other file, the file itself.
 std::vector<Subject> subjects_in(const std::filesystem::path& file);
 
-/// The values of "// key: value" in the comment that a file begins with, or that is above a mistake
-/// of a catalog. Names of checks are separated by commas.
+/// The text of an attack of a catalog, and below it, if it defines attack(), the starter, whose
+/// first task calls that.
+std::string attack_in(const Subject& subject, const std::string& starter);
+
+/// The values of "// key: value" in the comment that a file or an attack begins with, or that is
+/// above a mistake. Names of checks are separated by commas.
 std::vector<std::string> said(const Subject& subject, const std::string& key);
 
 /// One process at a time: the first compiles a catalog, the others wait for it.

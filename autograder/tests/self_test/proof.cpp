@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "grader/base/text_file.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
@@ -45,7 +46,7 @@ std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definitio
 
 /// A mistake of a catalog: compiles the catalog if that is not done yet, and links it.
 void build_mistake(Proof& proof, const Subject& subject) {
-  proof.submission.label = "mistakes/" + proof.lab.name + '/' + subject.mistake;
+  proof.submission.label = "mistakes/" + proof.lab.name + '/' + subject.section;
   const Unit unit{proof.layout, proof.lab, subject.file, true};
   const CatalogLock lock(slot_of(unit));
   const Object catalog = compile(unit);
@@ -95,15 +96,24 @@ Proof proof_of(const Subject& subject) {
     }
     proof.submission = *peer;
   } else {
-    const bool is_strange = kind == "starter" || kind == "attacks";
+    const bool is_untrusted = kind == "starter" || kind == "attacks";
+    fs::path only = file;
+    if (kind == "attacks" && !subject.section.empty()) {
+      only = proof.layout.build / "attacks" / subject.section / proof.lab.file();
+      fs::create_directories(only.parent_path());
+      write_text(only, attack_in(subject, read_text(proof.layout.starter() / proof.lab.file())));
+    }
     proof.submission =
-        single_file_submission(proof.layout, proof.labs, proof.lab, file, !is_strange);
+        single_file_submission(proof.layout, proof.labs, proof.lab, only, !is_untrusted);
   }
   // The cost of plain answers is measured as on any x86-64.
   if (kind == "alternatives") setenv("MC_BASELINE", "1", 1);
   precompile_headers(proof.layout);
   proof.submission.label = fs::relative(file, proof.layout.root).string();
-  if (!subject.mistake.empty()) {
+  if (kind == "attacks" && !subject.section.empty()) {
+    proof.submission.label = "attacks/" + proof.lab.name + '/' + subject.section;
+  }
+  if (kind == "mistakes" && !subject.section.empty()) {
     build_mistake(proof, subject);
   } else {
     proof.built = build_program(proof.layout, proof.lab, proof.submission);

@@ -51,7 +51,7 @@ void SeedLog::keep(const std::vector<protocol::PValue>& p_values) const {
 }
 
 ProofCache::ProofCache(const Proof& proof, const Subject& subject) {
-  std::string all = subject.mistake;
+  std::string all = subject.section;
   for (const fs::path& path :
        {fs::path(proof.built.program->path), proof.layout.checks(proof.lab.name), subject.file,
         proof.layout.build / "bin" / "self_test"}) {

@@ -1,5 +1,5 @@
 // attack: throws std::invalid_argument whatever is asked, and names every argument: refusals are right
-// says: these arguments are in order
+// says: these arguments are valid
 
 #include <stdexcept>
 

@@ -1,0 +1,460 @@
+// What is read, run or made while it is compiled and linked. Sections: CONTRIBUTING.md, "Add a submission".
+
+//// assembler_include
+// attack: has the assembler quote /etc/passwd in its errors
+// says: The assembler does not understand
+// never says: /nologin
+
+asm(".include \"/etc/passwd\"");
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// compiler_options
+// attack: gives the compiler options of its own
+// says: mean({
+
+#pragma GCC optimize("-fplugin=/etc/passwd", "-fprofile-use=/etc/passwd", "-fdump-tree-all=/tmp/x")
+#include <vector>
+#pragma GCC poison exit list
+
+namespace mc {
+namespace {
+double attack() {
+  return 1;
+}
+}  // namespace
+}  // namespace mc
+
+//// endless_constexpr
+// attack: a compile-time loop without an end
+// says: does not compile
+
+constexpr int endless() {
+  for (int i = 0;; i ^= 1) {
+  }
+}
+constexpr int never = endless();
+
+namespace mc {
+namespace {
+double attack() {
+  return never;
+}
+}  // namespace
+}  // namespace mc
+
+//// endless_template
+// attack: a template without an end
+// says: depth
+
+template <int n>
+struct Down {
+  static constexpr int value = Down<n + 1>::value;
+};
+
+namespace mc {
+namespace {
+double attack() {
+  return Down<0>::value;
+}
+}  // namespace
+}  // namespace mc
+
+//// incbin_passwd
+// attack: takes a file in as data, behind the preprocessor's back
+// says: variance.cpp reads /etc/passwd.
+// never says: root:
+
+#include <stdexcept>
+
+asm(".data\nstolen: .incbin \"/etc/passwd\"\n.byte 0\n.text");
+extern const char stolen[];
+
+namespace mc {
+namespace {
+double attack() {
+  throw std::runtime_error(stolen);
+}
+}  // namespace
+}  // namespace mc
+
+//// incbin_solution
+// attack: takes the solution in as data
+// says: variance.cpp reads
+// says: /solutions/variance.cpp
+
+#include <stdexcept>
+
+asm(".data\nstolen: .incbin \"common/../../solutions/variance.cpp\"\n.byte 0\n.text");
+extern const char stolen[];
+
+namespace mc {
+namespace {
+double attack() {
+  throw std::runtime_error(stolen);
+}
+}  // namespace
+}  // namespace mc
+
+//// include_detour
+// attack: leaves a directory of the system by ..
+// says: etc/passwd
+// says: which is no header of a lab
+// never says: root:
+
+#include <linux/../../../etc/passwd>
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// include_guess
+// attack: looks for the solution by __has_include, in case it is somewhere else
+// says: solutions/variance.cpp
+// says: It may include its lab
+
+#if __has_include("../solutions/variance.cpp")
+#include "../solutions/variance.cpp"
+#elif __has_include("common/../../solutions/variance.cpp")
+#include "common/../../solutions/variance.cpp"
+#else
+#include "/autograder/source/solutions/variance.cpp"
+#endif
+
+//// include_in_call
+// attack: makes a file the argument of a macro, which turns it into a message
+// says: /etc/passwd
+// never says: root:
+
+#define TEXT(...) #__VA_ARGS__
+#define SAY(text) _Pragma(TEXT(GCC error text))
+#define SHOW(...) SAY(TEXT(__VA_ARGS__))
+#define QUOTE(...) SHOW(__VA_ARGS__)
+QUOTE(
+#include "/etc/passwd"
+)
+
+//// include_macro
+// attack: includes the solution by a name that macros put together
+// says: solutions/variance.cpp
+// says: It may include its lab
+
+#define SOLUTION "common/../../solutions/variance.cpp"
+#define CHOSEN(name) name
+#include CHOSEN(SOLUTION)
+
+//// include_passwd
+// attack: has the compiler quote /etc/passwd in its errors
+// says: its compilation names /etc/passwd
+// never says: root:
+
+#include "/etc/passwd"
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// include_proc
+// attack: reads a file by a name that means something else to every process
+// says: variance.cpp reads /proc/self/
+// never says: PATH=
+
+#include "/proc/self/environ"
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// include_relative
+// attack: includes the solution, by a path from where the compiler runs
+// says: ../../../solutions/variance.cpp
+
+#include "../../../solutions/variance.cpp"
+
+//// include_solution
+// attack: includes the solution, by a path from a directory of headers
+// says: variance.cpp reads
+// says: It may include its lab
+
+#include "common/../../solutions/variance.cpp"
+
+//// include_unlisted
+// attack: includes the solution only where a precompiled header stands before the first line
+// says: variance.cpp reads
+// says: /solutions/variance.cpp
+
+// A run of the compiler that only lists what is included has no such header, and would list
+// nothing.
+#ifdef _GLIBCXX_VECTOR
+#include "common/../../solutions/variance.cpp"
+#else
+#include "common/../../solutions/variance.cpp"  // no precompiled header: the plain way
+#endif
+
+//// include_zero
+// attack: includes a file without an end
+// says: variance.cpp
+// never says: internal error
+
+#include "/dev/zero"
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// interpreter
+// attack: names another program as its loader: the kernel opens that one by itself
+// says: names a loader of its own
+
+asm(".section .interp, \"a\"\n.asciz \"/bin/true\"\n.previous");
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// large_array
+// attack: three gigabytes of initialised data
+// says: The compiler crashed on variance.cpp
+
+char block[3000000000] = {1};
+
+namespace mc {
+namespace {
+double attack() {
+  return block[7];
+}
+}  // namespace
+}  // namespace mc
+
+//// large_template
+// attack: a template with more arguments than fit in memory
+// says: memory
+
+#include <utility>
+
+template <std::size_t... i>
+constexpr double last(std::index_sequence<i...>) {
+  return (0. + ... + i);
+}
+
+namespace mc {
+namespace {
+double attack() {
+  return last(std::make_index_sequence<200000000>());
+}
+}  // namespace
+}  // namespace mc
+
+//// large_thread_local
+// attack: a gigabyte of zeros for each thread
+// says: The global variables of variance.cpp take
+
+thread_local char block[1u << 30];
+
+namespace mc {
+namespace {
+double attack() {
+  return block[7] = 1;
+}
+}  // namespace
+}  // namespace mc
+
+//// large_zeros
+// attack: a gigabyte of global zeros
+// says: The global variables of variance.cpp take
+
+char block[1u << 30];
+
+namespace mc {
+namespace {
+double attack() {
+  return block[7] = 1;
+}
+}  // namespace
+}  // namespace mc
+
+//// line_directive
+// attack: has the compiler quote a file that it never read, as the place of an error
+// says: does not compile
+// never says: reference solution
+
+#line 1 "../../../solutions/variance.cpp"
+int 1a;
+
+//// link_time
+// attack: looks like link-time optimisation, for which a linker starts a compiler of its own
+// says: mean({
+// never says: linker
+
+asm(".section .gnu.lto_.symtab.1, \"e\"\n.zero 64\n"
+    ".section .gnu.lto_.opts, \"e\"\n.asciz \"'-fplugin=/etc/passwd'\"\n"
+    ".section .gnu.lto_main.1, \"e\"\n.zero 64\n.previous");
+
+namespace mc {
+namespace {
+double attack() {
+  return 1;
+}
+}  // namespace
+}  // namespace mc
+
+//// linker_words
+// attack: speaks to the linker: a library to add, words to print, a stack to execute
+// says: mean({
+
+asm(".section .deplibs, \"MS\", @progbits, 1\n.asciz \"../../../solutions\"\n"
+    ".section .gnu.warning.write\n.asciz \"the lab is passed\"\n"
+    ".section .note.GNU-stack, \"x\"\n.previous");
+
+namespace mc {
+namespace {
+double attack() {
+  return 1;
+}
+}  // namespace
+}  // namespace mc
+
+//// own_experiments
+// attack: brings experiments of its own
+// says: `mc::runner::experiments()` is defined twice
+
+#include "runner/experiment.hpp"
+std::span<const mc::runner::Experiment> mc::runner::experiments() {
+  return {};
+}
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// own_library
+// attack: brings a write of its own, in place of the C library's
+// says: called exit(0) instead of returning
+
+#include <unistd.h>
+
+extern "C" ssize_t write(int, const void*, size_t size) {
+  return static_cast<ssize_t>(size);
+}
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// own_main
+// attack: brings a main of its own
+// says: defines `main`; the labs bring their own
+
+int main() {}
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// own_resolver
+// attack: a resolver that the loader calls before anything else
+// says: made a system call
+
+#include <signal.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+extern "C" int early() {
+  return 0;
+}
+extern "C" void* resolve() {
+  syscall(SYS_kill, -1, SIGKILL);
+  return reinterpret_cast<void*>(&early);
+}
+extern "C" int late() __attribute__((ifunc("resolve")));
+
+namespace mc {
+namespace {
+double attack() {
+  return late();
+}
+}  // namespace
+}  // namespace mc
+
+//// own_start
+// attack: brings a start of its own
+// says: `_start` is defined twice
+// says: `__libc_start_main` is defined twice
+
+extern "C" void _start() {}
+extern "C" int __libc_start_main() {
+  return 0;
+}
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// table_of_experiments
+// attack: makes the table of experiments writable and puts one of its own into it
+// says: ) = 1.5
+
+#include <sys/mman.h>
+
+#include "runner/experiment.hpp"
+
+std::string forged(mc::wire::Reader&) {
+  return std::string("\0\0\0\0\0\0\xf8\x3f", 8);
+}
+const bool done = [] {
+  const auto all = mc::runner::experiments();
+  const auto page = reinterpret_cast<std::uintptr_t>(all.data()) & ~std::uintptr_t{4095};
+  mprotect(reinterpret_cast<void*>(page), 8192, PROT_READ | PROT_WRITE);
+  const_cast<mc::runner::Experiment&>(all[0]).from_wire = forged;
+  return true;
+}();
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc

@@ -1,0 +1,162 @@
+// What it sends, prints or throws instead of an answer. Sections: CONTRIBUTING.md, "Add a submission".
+
+//// forged_result
+// attack: writes a result of its own and leaves; it is a number like any other
+// says: ) = 1.5
+
+#include <unistd.h>
+
+#include "runner/wire.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  wire::Writer result;
+  result.put(1.5);
+  const wire::Header header{wire::magic, wire::Status::value, 0, result.bytes.size()};
+  write(3, &header, sizeof header);
+  write(3, result.bytes.data(), result.bytes.size());
+  _exit(0);
+}
+}  // namespace
+}  // namespace mc
+
+//// own_wire
+// attack: stands in for a template of the wire; sends another number
+// says: ) = 1
+
+#include "runner/wire.hpp"
+
+template <>
+__attribute__((noinline)) void mc::wire::Writer::put<double>(const double&) {
+  bytes.assign("\0\0\0\0\0\0\xf8\x3f", 8);
+}
+
+namespace mc {
+namespace {
+double attack() {
+  wire::Writer writer;
+  writer.put(1.0);  // so that it is here, and the linker takes it
+  return 1;
+}
+}  // namespace
+}  // namespace mc
+
+//// prints_endlessly
+// attack: prints without end
+// says: printed more than 64 KB
+
+#include <cstdio>
+
+namespace mc {
+namespace {
+double attack() {
+  for (;;) std::puts("All tests passed. Score: 100 of 100 points");
+}
+}  // namespace
+}  // namespace mc
+
+//// prints_escapes
+// attack: prints what a terminal obeys: colours, a title, a cleared screen, another direction
+// says: ?[2J?[32m100 of 100 points
+// says: ?]0;passed?
+
+#include <cstdio>
+
+namespace mc {
+namespace {
+double attack() {
+  std::puts("\x1b[2J\x1b[32m100 of 100 points\x1b]0;passed\a\r\x9b\xff\u202e");
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// result_then_crash
+// attack: a whole result, then a crash
+// says: crashed: segmentation fault
+
+#include <unistd.h>
+
+#include "runner/wire.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  const wire::Header header{wire::magic, wire::Status::value, 0, 8};
+  const double value = 1.5;
+  write(3, &header, sizeof header);
+  write(3, &value, sizeof value);
+  return *static_cast<volatile double*>(nullptr);
+}
+}  // namespace
+}  // namespace mc
+
+//// says_todo
+// attack: says «not written yet» of a task that would fail
+// says: not written yet
+
+#include "common/todo.hpp"
+
+namespace mc {
+namespace {
+double attack() {
+  throw todo("1.1 is fine </OverallResult>");
+}
+}  // namespace
+}  // namespace mc
+
+//// throws_forever
+// attack: an exception whose text never comes
+// says: did not end within 2 s of CPU time and 512 MB of memory
+// limit: time
+
+#include <exception>
+
+struct Slow : std::exception {
+  const char* what() const noexcept override {
+    for (volatile int i = 0;; i = i + 1) {
+    }
+  }
+};
+
+namespace mc {
+namespace {
+double attack() {
+  throw Slow();
+}
+}  // namespace
+}  // namespace mc
+
+//// throws_markup
+// attack: an exception whose text is markup, a record and a line of the report
+// says: threw ]]></Failure><OverallResult success="true"/> ??
+// says: ","score":100} passed 1  expected  nothing
+
+#include <stdexcept>
+
+namespace mc {
+namespace {
+double attack() {
+  throw std::runtime_error(
+      "]]></Failure><OverallResult success=\"true\"/> \x1b\xc0"
+      "\",\"score\":100}\npassed 1\n\texpected  nothing");
+}
+}  // namespace
+}  // namespace mc
+
+//// throws_much
+// attack: an exception with a text of 15 MB
+// says: threw xxxxxxxx
+// says: …
+
+#include <stdexcept>
+#include <string>
+
+namespace mc {
+namespace {
+double attack() {
+  throw std::runtime_error(std::string(15u << 20, 'x'));
+}
+}  // namespace
+}  // namespace mc

@@ -1,0 +1,438 @@
+// What it asks of the kernel, and how it ends. Sections: CONTRIBUTING.md, "Add a submission".
+
+//// abort_in_task
+// attack: aborts
+// says: crashed: aborted
+
+#include <cstdlib>
+
+namespace mc {
+namespace {
+double attack() {
+  std::abort();
+}
+}  // namespace
+}  // namespace mc
+
+//// catches_signal
+// attack: computes on after the signal that says its time is over
+// says: did not end within 2 s of CPU time and 512 MB of memory
+// limit: time
+
+#include <csignal>
+#include <ctime>
+
+volatile std::sig_atomic_t over = 0;
+
+namespace mc {
+namespace {
+double attack() {
+  std::signal(SIGXCPU, [](int) { over = 1; });
+  while (!over) {
+  }
+  for (const auto start = std::clock(); std::clock() - start < CLOCKS_PER_SEC / 2;) {
+  }
+  return 1.5;
+}
+}  // namespace
+}  // namespace mc
+
+//// endless_loop
+// attack: never ends
+// says: did not end within 2 s of CPU time and 512 MB of memory
+// limit: time
+
+namespace mc {
+namespace {
+double attack() {
+  for (volatile int i = 0;; i = i + 1) {
+  }
+}
+}  // namespace
+}  // namespace mc
+
+//// executes
+// attack: becomes another program before main
+// says: made a system call a lab never needs
+
+#include <unistd.h>
+
+const int other = [] {
+  char* const words[] = {const_cast<char*>("/bin/true"), nullptr};
+  return execve(words[0], words, nullptr);
+}();
+
+namespace mc {
+namespace {
+double attack() {
+  return other;
+}
+}  // namespace
+}  // namespace mc
+
+//// executes_again
+// attack: starts itself again by the descriptor that it was started from
+// says: made a system call a lab never needs
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+const long again = [] {
+  char* const words[] = {const_cast<char*>("submission"), nullptr};
+  return syscall(SYS_execveat, 4, "", words, words + 1, 0x1000);
+}();
+
+namespace mc {
+namespace {
+double attack() {
+  return static_cast<double>(again);
+}
+}  // namespace
+}  // namespace mc
+
+//// exit_in_constructor
+// attack: ends with success before main
+// says: called exit(0) instead of returning
+
+#include <cstdlib>
+
+const int early = (std::exit(0), 0);
+
+namespace mc {
+namespace {
+double attack() {
+  return 0;
+}
+}  // namespace
+}  // namespace mc
+
+//// exit_in_task
+// attack: ends with success inside a task
+// says: called exit(0) instead of returning
+
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  _exit(0);
+}
+}  // namespace
+}  // namespace mc
+
+//// fork_bomb
+// attack: doubles itself without end
+// says: made a system call a lab never needs
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  for (;;) syscall(SYS_clone, 17, 0, 0, 0, 0);
+}
+}  // namespace
+}  // namespace mc
+
+//// io_uring
+// attack: has the kernel open files on its behalf
+// says: made a system call a lab never needs
+
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  char parameters[120] = {};
+  return static_cast<double>(syscall(425, 8, parameters));
+}
+}  // namespace
+}  // namespace mc
+
+//// kills_all
+// attack: kills everything it may
+// says: made a system call a lab never needs
+
+#include <signal.h>
+
+namespace mc {
+namespace {
+double attack() {
+  return kill(-1, SIGKILL);
+}
+}  // namespace
+}  // namespace mc
+
+//// kills_parent
+// attack: kills its parent
+// says: made a system call a lab never needs
+
+#include <signal.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  return kill(static_cast<pid_t>(syscall(SYS_getppid)), SIGKILL);
+}
+}  // namespace
+}  // namespace mc
+
+//// kills_thread
+// attack: kills by tgkill, which abort needs: with another signal, and another process
+// says: made a system call a lab never needs
+
+#include <signal.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  const auto self = static_cast<int>(syscall(SYS_getpid));
+  return static_cast<double>(syscall(SYS_tgkill, self - 1, self - 1, SIGABRT));
+}
+}  // namespace
+}  // namespace mc
+
+//// limits_parent
+// attack: takes its parent's CPU time away
+// says: made a system call a lab never needs
+
+#include <sys/resource.h>
+
+namespace mc {
+namespace {
+double attack() {
+  const rlimit none{0, 0};
+  return prlimit(1, RLIMIT_CPU, &none, nullptr);
+}
+}  // namespace
+}  // namespace mc
+
+//// memory_bomb
+// attack: takes all memory
+// says: did not end within 2 s of CPU time and 512 MB of memory
+// limit: memory
+
+namespace mc {
+namespace {
+double attack() {
+  for (;;) {
+    volatile char* const block = new char[1 << 20];
+    for (int i = 0; i < 1 << 20; i += 4096) block[i] = 1;
+  }
+}
+}  // namespace
+}  // namespace mc
+
+//// opens_memory
+// attack: opens its own memory, and its parent's
+// says: made a system call a lab never needs
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <string>
+
+namespace mc {
+namespace {
+double attack() {
+  return open(("/proc/" + std::to_string(getppid()) + "/mem").c_str(), O_RDWR);
+}
+}  // namespace
+}  // namespace mc
+
+//// opens_solution
+// attack: opens the solution while it runs
+// says: made a system call a lab never needs
+
+#include <fstream>
+
+namespace mc {
+namespace {
+double attack() {
+  std::ifstream solution("/autograder/source/solutions/variance.cpp");
+  return solution.get();
+}
+}  // namespace
+}  // namespace mc
+
+//// other_abi
+// attack: calls the kernel as a 32-bit program does, where 5 means open and not fstat
+// says: mean(
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+#ifdef __x86_64__
+  long result = 5;
+  asm volatile("int $0x80" : "+a"(result) : "b"("/etc/passwd"), "c"(0) : "memory");
+  return static_cast<double>(result);
+#else
+  return static_cast<double>(syscall(SYS_openat, -100, "/etc/passwd", 0));
+#endif
+}
+}  // namespace
+}  // namespace mc
+
+//// other_descriptors
+// attack: reads whatever else its parent may have left open
+// says: made a system call a lab never needs
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  double answer = 0;
+  for (int descriptor = 4; descriptor < 1000; ++descriptor) {
+    syscall(SYS_pread64, descriptor, &answer, sizeof answer, 0);
+  }
+  return answer;
+}
+}  // namespace
+}  // namespace mc
+
+//// own_filter
+// attack: puts a filter of its own over the jail's
+// says: made a system call a lab never needs
+
+#include <sys/prctl.h>
+
+namespace mc {
+namespace {
+double attack() {
+  return prctl(PR_SET_SECCOMP, 2, nullptr);
+}
+}  // namespace
+}  // namespace mc
+
+//// own_limits
+// attack: gives itself more CPU time
+// says: made a system call a lab never needs
+
+#include <sys/resource.h>
+
+namespace mc {
+namespace {
+double attack() {
+  const rlimit more{RLIM_INFINITY, RLIM_INFINITY};
+  return setrlimit(RLIMIT_CPU, &more);
+}
+}  // namespace
+}  // namespace mc
+
+//// reads_memory
+// attack: looks for the answer above itself on the stack
+// says: crashed: segmentation fault
+
+namespace mc {
+namespace {
+double attack() {
+  volatile double local = 0;
+  for (const volatile double* at = &local;; ++at) local = *at;
+}
+}  // namespace
+}  // namespace mc
+
+//// reads_request
+// attack: reads its request a second time
+// says: ) = 0
+
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  double answer = 0;
+  while (read(0, &answer, sizeof answer) > 0) {
+  }
+  return answer;
+}
+}  // namespace
+}  // namespace mc
+
+//// sleeps
+// attack: waits without using CPU time
+// says: made a system call a lab never needs
+
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  return sleep(1000);
+}
+}  // namespace
+}  // namespace mc
+
+//// stack_overflow
+// attack: recursion without an end
+// says: crashed: segmentation fault
+
+int down(volatile int* above) {
+  volatile int here[1000] = {*above};
+  return down(here) + here[1];
+}
+
+namespace mc {
+namespace {
+double attack() {
+  int start = 1;
+  return down(&start);
+}
+}  // namespace
+}  // namespace mc
+
+//// thread
+// attack: computes in a second thread
+// says: made a system call a lab never needs
+
+#include <thread>
+
+namespace mc {
+namespace {
+double attack() {
+  double answer = 0;
+  std::thread([&] { answer = 1; }).join();
+  return answer;
+}
+}  // namespace
+}  // namespace mc
+
+//// traces_parent
+// attack: traces its parent
+// says: made a system call a lab never needs
+
+#include <sys/ptrace.h>
+
+namespace mc {
+namespace {
+double attack() {
+  return static_cast<double>(ptrace(PTRACE_ATTACH, 1, nullptr, nullptr));
+}
+}  // namespace
+}  // namespace mc
+
+//// waits_on_futex
+// attack: waits for a wake that never comes, by the call that call_once needs
+// says: made a system call a lab never needs
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mc {
+namespace {
+double attack() {
+  int word = 0;
+  return static_cast<double>(syscall(SYS_futex, &word, 0, 0, nullptr));
+}
+}  // namespace
+}  // namespace mc
