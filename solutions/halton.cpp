@@ -268,8 +268,10 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // differ by 2^k times an odd number. z -> m z + s with a random odd m makes it *any* odd number, a
 // random s moves the pair anywhere, as nested scrambling does: every variance, made of pairs, is
 // Owen's. The fixed steps z -> z ^ z c, c even, break up the lattice that three words would lie on
-// (Vegdahl 2021; the handout has the kurtosis). Vector registers multiply 32 bits at a time: a hash
-// of these flips the 21 behind, which Sobol' points do not have.
+// (Vegdahl 2021; the handout has the kurtosis). Four words are not quite independent: of the flips
+// of the fourth bit, the product of four signs has the mean -1/4 in the worst case, not 0. That is
+// in no variance, only in fourth powers of errors of few points. Vector registers multiply 32 bits
+// at a time: a hash of these flips the 21 behind, which Sobol' points do not have.
 
 static constexpr std::uint32_t mirrored(std::uint32_t word) {
   word = (word >> 1 & 0x55555555u) | (word & 0x55555555u) << 1;
@@ -383,6 +385,22 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     }
   }
   fill(column, first, size, pairs, zeros);
+}
+
+// 5.10 -------------------------------------------------------------------------------------------
+void lattice(PointSet& points, std::uint64_t seed) {
+  if (points.dims() > lattice_vector.size()) throw std::invalid_argument("points: 16 dimensions");
+  const std::uint64_t n = points.size();
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    const auto x = points.column(d);
+    for (std::uint64_t i = 0; i < n; ++i) x[i] = double(i * lattice_vector[d] % n) / double(n);
+  }
+  Rng rng(seed);
+  random_shift(points, rng);
+}
+
+void tent(std::span<double> column) {
+  for (double& x : column) x = std::min(below_one, 2 * std::min(x, 1 - x));  // of 1/2: not 1
 }
 
 }  // namespace mc

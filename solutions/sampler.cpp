@@ -170,6 +170,19 @@ void fill_halton(const Use& use, std::size_t place, std::span<double> x, std::ui
            [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }
 
+/// Sobol's dimension 0 is phi, with so few bits that its products with z are exact.
+void fill_lattice(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
+  in_order(use, x, [&](std::span<double> all) { sobol_points(0, all, use.tables); });
+  const auto z = double(lattice_vector[place]), shift = to_unit(Rng(seed)());
+  for (double& value : x) {
+    value *= z;
+    value -= double(int(value));  // exact; a shift added before would lose digits
+    value += shift;
+    if (value >= 1) value -= 1;
+    value = std::min(1 - 0x1p-53, 2 * std::min(value, 1 - value));
+  }
+}
+
 template <Randomized fill>
 void one_of(const Use& use, std::span<double> x, Rng& rng) {
   fill(use, use.dimension % block, x, rng());
@@ -191,7 +204,8 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
                           {"stratified", stratified1, stratified2},
                           {"blue_noise", stratified1, blue_noise2},
                           {"halton", one_of<fill_halton>, two_of<fill_halton>},
-                          {"sobol", one_of<fill_sobol>, two_of<fill_sobol>}};
+                          {"sobol", one_of<fill_sobol>, two_of<fill_sobol>},
+                          {"lattice", one_of<fill_lattice>, two_of<fill_lattice>}};
 
 // 6.4 ---------------------------------------------------------------------------------------------
 

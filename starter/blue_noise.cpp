@@ -6,32 +6,43 @@
 
 #include "blue_noise.hpp"
 
+#include <cmath>
+
 #include "common/todo.hpp"
 
 namespace mc {
 
-double toroidal_distance_squared(Point2 /*a*/, Point2 /*b*/) {
+/// An example of style, and no task: p, moved by (dx, dy) on the torus.
+[[maybe_unused]] static Point2 moved(Point2 p, double dx, double dy) {
+  const auto wrapped = [](double t) {
+    t -= std::floor(t);
+    return t < 1 ? t : 0;  // -1e-20 + 1 is 1 in double, and on the torus 1 is 0
+  };
+  return {wrapped(p.x + dx), wrapped(p.y + dy)};
+}
+
+double toroidal_distance_squared(Point2 a, Point2 b) {
   throw todo("4.1");  // TODO(4.1): along each axis, the shorter of the two paths
 }
 
-void best_candidate(std::span<double> /*x*/, std::span<double> /*y*/, double /*c*/, Rng& /*rng*/) {
+void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   throw todo("4.2");  // TODO(4.2): of ceil(c i) + 1 candidates, keep the farthest one
 }
 
-PointSet poisson_disk(double /*radius*/, Rng& /*rng*/) {
+PointSet poisson_disk(double radius, Rng& rng) {
   throw todo("4.3");  // TODO(4.3): no two closer than radius, nearly maximal
 }
 
-void periodogram(std::span<const double> /*x*/, std::span<const double> /*y*/, int /*kmax*/,
-                 std::span<double> /*power*/) {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
   throw todo("4.4");  // TODO(4.4): the squared absolute value of a sum of waves, over N
 }
 
-std::vector<double> radial_power(std::span<const double> /*power*/, int /*kmax*/) {
+std::vector<double> radial_power(std::span<const double> power, int kmax) {
   throw todo("4.5");  // TODO(4.5): the mean over each ring of frequencies; NaN for ring 0
 }
 
-PointSet tile(const PointSet& /*pattern*/, int /*copies*/) {
+PointSet tile(const PointSet& pattern, int copies) {
   throw todo("4.6");  // TODO(4.6): copies side by side; every coordinate below 1
 }
 

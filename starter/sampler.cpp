@@ -6,9 +6,29 @@
 
 #include "sampler.hpp"
 
+#include <stdexcept>
+
 #include "common/todo.hpp"
 
 namespace mc {
+
+/// An example of style, and no task: a sampler whose every coordinate is 1/2. Pictures by it have no
+/// noise, and are wrong.
+class [[maybe_unused]] Middle : public Sampler {
+ public:
+  void generate(std::size_t samples, std::uint64_t) override { left_ = samples; }
+  double next() override {
+    if (left_ == 0) throw std::out_of_range("next: there are no more samples");
+    return 0.5;
+  }
+  Point2 next2() override { return {next(), next()}; }
+  void advance() override {
+    if (left_ > 0) --left_;
+  }
+
+ private:
+  std::size_t left_ = 0;  ///< samples, this one included
+};
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   if (kind == "independent") throw todo("6.1");  // TODO(6.1): a class that derives from Sampler
@@ -21,13 +41,11 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // TODO(6.4): the contract adds no function: it holds for every kind.
 
-double integrate(const Scene& /*scene*/, Sampler& /*sampler*/, std::size_t /*samples*/,
-                 std::uint64_t /*seed*/) {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   throw todo("6.5");  // TODO(6.5): generate, and for each sample: evaluate, add up, advance
 }
 
-Image render(const PixelScene& /*scene*/, Sampler& /*sampler*/, std::size_t /*spp*/,
-             std::uint64_t /*seed*/) {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   throw todo("6.6");  // TODO(6.6): one integration per pixel, each with its own seed
 }
 

@@ -9,7 +9,7 @@
 
 #include "checks/support/battery.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/data.hpp"
+#include "checks/support/domain.hpp"
 #include "checks/support/inversions.hpp"
 
 namespace mc::checks {

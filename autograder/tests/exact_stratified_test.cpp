@@ -58,15 +58,3 @@ TEST_CASE("the first n of N shuffled strata") {
   CHECK(variance_of_first(strata_of(exponential, 2), 2) ==
         near(stratified_variance(strata_of(exponential, 2))));
 }
-
-TEST_CASE("exact moments of a corner without a bound") {
-  const CornerStrata whole = corner_strata(1), cells = corner_strata(8);
-  CHECK(mean_of(whole.strata) == near(-0.113705638880109381));
-  CHECK(stratified_variance(whole.strata) == near(0.289093972163597151));
-  CHECK(whole.kurtosis == near(7.46647904743641973));
-  CHECK(stratified_variance(cells.strata) == near(0.000153430847181178907));
-  CHECK(cells.kurtosis == near(3.9396431453942179));
-  // For any cut, its mean and the sum of both parts of its variance stay the same.
-  CHECK(mean_of(cells.strata) == near(mean_of(whole.strata)));
-  CHECK(independent_variance(cells.strata, 1) == near(whole.strata.variance[0]));
-}

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "checks/support/catch.hpp"
-#include "checks/support/known_scenes.hpp"
+#include "measurements/sampler/known_pictures.hpp"
 #include "sampler.hpp"
 
 using namespace mc;
@@ -270,7 +270,7 @@ void require_exact_pixels(At at) {
   for (double row = 0; row < height; ++row) {
     for (double column = 0; column < width; ++column) {
       const auto scene = at(width, height, column, row);
-      const double variance = second_moment(scene) - exact(scene) * exact(scene);
+      const double variance = moment(scene, 2) - exact(scene) * exact(scene);
       RecordingSampler sampler(static_cast<std::uint64_t>(column + width * row));
       double sum = 0;
       for (double i = 0; i < spp; ++i, sampler.advance()) sum += scene(sampler);

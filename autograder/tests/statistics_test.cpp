@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "checks/support/catch.hpp"
-#include "checks/support/data.hpp"
 #include "checks/support/distributions.hpp"
+#include "checks/support/domain.hpp"
 
 using namespace mc;
 using namespace mc::checks;

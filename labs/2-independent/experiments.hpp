@@ -43,7 +43,7 @@ struct ImportanceTraces {
 };
 MC_FIELDS(ImportanceTraces, estimates, u, points, values, densities)
 
-/// Confidence intervals, and the values of g behind them all.
+/// Confidence intervals, and the values of g that they were computed from.
 struct IntervalTraces {
   std::vector<Interval> intervals;
   std::vector<double> values;

@@ -271,7 +271,7 @@ ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t d
 std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n,
                            std::uint64_t seed) {
   // The floor is the unit square, the light another of the same size 1.2 above it; between them a
-  // ball. A point of the light is hidden where the way to it passes the ball's centre within r.
+  // ball. A point of the light is hidden where the way to it passes the ball's center within r.
   constexpr double height = 1.2, ball[] = {0.5, 0.5, 0.35}, r = 0.22;
   Rng rng(seed);
   PointSet points(n, 2);

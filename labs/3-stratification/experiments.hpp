@@ -66,7 +66,7 @@ Points multi_jittered_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid
 std::vector<double> stratified_1d_constant(std::uint64_t n, std::uint64_t word);
 Points stratified_2d_upper_bits(Grid grid, std::uint64_t word);
 
-/// 3.4: x, shuffled `times` times, each time from x as it is given.
+/// 3.4: x, shuffled `times` times, each time from the given order.
 std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed);
 
 /// 3.4, 3.5, 3.6: `sets` sets of n points, each of them column by column.
@@ -93,8 +93,8 @@ struct Replicated {
 };
 MC_FIELDS(Replicated, value, standard_error, n, generated, evaluated, misshapen, repeated)
 
-/// Estimates, one after the other, and the points behind them all, set by set, each column by
-/// column: as many as are due, cut or filled up with zeros.
+/// Estimates, one after the other, and the points that they were computed from, set by set, each
+/// column by column: as many as expected, cut or filled up with zeros.
 struct ReplicatedTraces {
   std::vector<Replicated> estimates;
   std::vector<double> points;

@@ -5,12 +5,19 @@
 #include <limits>
 #include <stdexcept>
 
+#include "common/todo.hpp"
 #include "runner/experiment.hpp"
+
+// Null in a program whose submission has no 5.10, as one that was written before there was one.
+namespace mc {
+[[gnu::weak]] void lattice(PointSet&, std::uint64_t);
+[[gnu::weak]] void tent(std::span<double>);
+}  // namespace mc
 
 namespace mc::experiments {
 namespace {
 
-/// What nobody has written yet: so it shows where the last values were forgotten.
+/// Marks values that were not written: it shows where the last ones were forgotten.
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
 PointSet unwritten_points(std::uint64_t n, std::uint64_t dims) {
@@ -28,9 +35,24 @@ std::vector<double> columns_of(const PointSet& points) {
   return all;
 }
 
+void make_lattice(PointSet& points, std::uint64_t seed) {
+  if (mc::lattice == nullptr) throw todo("5.10");
+  mc::lattice(points, seed);
+}
+
+void fold(std::span<double> column) {
+  if (mc::tent == nullptr) throw todo("5.10");
+  mc::tent(column);
+}
+
 /// Points first, first + 1, … of repeat_points().
 void make_points(unsigned task, PointSet& points, std::uint64_t first, std::uint64_t seed) {
   if (task == 3) return mc::halton(points, first);
+  if (task == 10) {
+    make_lattice(points, seed);
+    for (std::size_t d = 0; d < points.dims(); ++d) fold(points.column(d));
+    return;
+  }
   const auto bases = task == 9 ? mc::primes(points.dims()) : std::vector<unsigned>{};
   for (std::size_t d = points.dims(); d-- > 0;) {
     const auto column = points.column(d);
@@ -139,6 +161,22 @@ std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_
   return values;
 }
 
+std::vector<double> lattice(std::uint64_t n, std::uint64_t dims, std::vector<std::uint64_t> seeds) {
+  std::vector<double> all;
+  for (const std::uint64_t seed : seeds) {
+    PointSet points = unwritten_points(n, dims);
+    make_lattice(points, seed);
+    const auto one = columns_of(points);
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  return all;
+}
+
+std::vector<double> tent(std::vector<double> x) {
+  fold(x);
+  return x;
+}
+
 double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds,
               std::uint64_t seed) {
   const unsigned of = base_or_dimension;
@@ -170,8 +208,8 @@ double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::u
 }
 
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
-  if (task != 3 && task != 5 && task != 8 && task != 9)
-    throw std::out_of_range("task: 3, 5, 8 or 9");
+  if (task != 3 && task != 5 && task != 8 && task != 9 && task != 10)
+    throw std::out_of_range("task: 3, 5, 8, 9 or 10");
   if (dims == 0 || dims > 4096) throw std::out_of_range("dims: 1 to 4096");
   const std::uint64_t block =
       std::min<std::uint64_t>(n, std::max<std::uint64_t>(1024, std::bit_floor(4096 / dims)));
@@ -215,6 +253,9 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(scrambled_one_by_one, "base indices seeds",
                     "5.9  scrambled radical inverses of indices, each in a column of its own",
                     {.columns = "x", .sets = "seeds", .beside = "indices"}),
+      MC_EXPERIMENT(lattice, "n dims seeds", "5.10  n points of a lattice, shifted by each seed",
+                    {.dims = "dims", .sets = "seeds", .index = "index"}),
+      MC_EXPERIMENT(tent, "x", "5.10  the column x, folded", {.columns = "folded", .beside = "x"}),
       MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed",
                     "a column of task 5.task, rounds times; the last x (timing)"),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",

@@ -47,6 +47,12 @@ std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t firs
 std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_t> indices,
                                          std::vector<std::uint64_t> seeds);
 
+/// 5.10: n points of `dims` dimensions by each of `seeds`: as many sets, one after the other.
+std::vector<double> lattice(std::uint64_t n, std::uint64_t dims, std::vector<std::uint64_t> seeds);
+
+/// 5.10: the column x, folded.
+std::vector<double> tent(std::vector<double> x);
+
 /// For timing: a column of n values, `rounds` times, by task 5.`task`: 1 and 2 radical inverses, 9
 /// scrambled ones, in that base; 5 Sobol', 8 Sobol' scrambled, in that dimension. Round r has the
 /// seed s = `seed` + r, by which it scrambles; it begins at index 4096 (s mod 4096), below 2^24, so
@@ -55,9 +61,9 @@ double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::u
               std::uint64_t seed);
 
 /// For timing: n points of `dims` dimensions, `rounds` times, by task 5.`task`: 3 Halton points, 5
-/// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled. They are made in blocks of
+/// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled, 10 a lattice, folded. They are made in blocks of
 /// 32 KB, but of 1,024 points at least, over and over in the same place; and from the last
-/// dimension to the first, which suits whoever makes whole points. The last coordinate of all.
+/// dimension to the first, which suits code that makes whole points. Returns the last coordinate.
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds);
 
 }  // namespace mc::experiments

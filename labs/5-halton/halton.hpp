@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "common/joe_kuo.hpp"
+#include "common/lattice_vector.hpp"
 #include "common/points.hpp"
 #include "common/rng.hpp"
 
@@ -103,5 +104,21 @@ void owen_scramble(std::span<double> column, std::uint64_t seed);
 /// source:   Owen 2017, "A randomized Halton algorithm in R".
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed);
+
+/// 5.10  A rank-1 lattice of N points, shifted at random: coordinate d of point i is i z_d / N + s_d
+/// modulo 1, with z = lattice_vector. The shift s is uniform in the unit cube, a function of all 64
+/// bits of `seed`. Within 4 * 2^-53, modulo 1, for every N. A stretch task: shown and judged,
+/// without points.
+/// requires: at least one point and one dimension.
+/// throws:   if `points` has more dimensions than lattice_vector.
+/// source:   Korobov 1959, "The approximate computation of multiple integrals"; Cranley, Patterson
+///           1976 (the shift).
+void lattice(PointSet& points, std::uint64_t seed);
+
+/// 5.10  The tent transform: x becomes 1 - |2x - 1|, within 2^-52, below 1. Folds [0, 1) in the
+/// middle, so that smooth integrands become periodic.
+/// requires: values in [0, 1).
+/// source:   Hickernell 2002, "Obtaining O(N^(-2+eps)) convergence for lattice quadrature rules".
+void tent(std::span<double> column);
 
 }  // namespace mc

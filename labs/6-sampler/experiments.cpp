@@ -42,7 +42,7 @@ class RecordingSampler final : public Sampler {
   /// A scene was evaluated.
   void evaluated() { ++record.evaluations; }
 
-  /// The record of so many integrations, with the lists as long as is due.
+  /// The record of so many integrations, with lists of the expected lengths.
   Recorded of(std::size_t integrations, std::size_t positions) && {
     record.samples.resize(integrations);
     record.seeds.resize(integrations);
@@ -305,7 +305,9 @@ std::vector<mc::runner::Choice> mc::runner::choices() {
     scenes.push_back(std::string(scene) + ": " + std::string(parameters));
   }
   for (const auto& picture : experiments::pictures) pictures.emplace_back(picture.name);
-  return {{"kind", "is one of", {"independent", "stratified", "blue_noise", "halton", "sobol"}},
+  return {{"kind",
+           "is one of",
+           {"independent", "stratified", "blue_noise", "halton", "sobol", "lattice"}},
           {"picture", "is one of", pictures},
           {"scene", "is one of these; --parameters are theirs, in this order, or \"\"", scenes}};
 }

@@ -57,8 +57,8 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
                               double a, double b, std::uint64_t samples,
                               std::vector<std::uint64_t> seeds);
 
-/// What integrate() and render() did with a sampler of ours. The lists are as long as is due,
-/// cut or filled up with zeros; how long they would be is counted.
+/// What integrate() and render() did with a sampler of ours. The lists have the expected lengths,
+/// cut or filled up with zeros; their true lengths are counted.
 struct Recorded {
   std::vector<double> values;            ///< what came back: a number, or pixels
   std::vector<std::uint64_t> samples;    ///< of each generate()

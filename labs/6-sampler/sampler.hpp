@@ -92,13 +92,19 @@ class Sampler {
 /// every block have 2^k points in a row, beginning at a multiple of 2^k: a block may be stopped
 /// early. Where N is no power of 2, points up to the next one take part.
 ///
+/// 6.3  "lattice" is optional, a stretch without points: a sampler without it refuses it as any
+/// other kind that it does not know. The same blocks of lattices (5.10): dimension d of point i is
+/// phi(i) z_d + s_d modulo 1, folded by the tent transform, with the radical inverse phi in base 2,
+/// z = lattice_vector, d from 0 to 7 in four pairs, and a random shift s_d. The first 2^k points
+/// are a lattice, in another order.
+///
 /// 6.7  "blue_noise": the first next2() is a blue-noise pattern of exactly N points, as blue as
 /// best_candidate with c = 1. Everything else is as in "stratified".
 ///
 /// 6.8  The speed task adds no function: a number should cost little more than the call that asks
 /// for it, also with few samples, and a sample dimension that is never asked for uses no memory.
 ///
-/// throws:   for any other kind, with a message that lists the five.
+/// throws:   for any other kind, with a message that lists those that there are.
 /// source:   Pharr, Jakob, Humphreys 2023, "Physically based rendering", section 8.3 (interface);
 ///           Kollig, Keller 2002, "Efficient multidimensional sampling" (padding with scrambled
 ///           sets); Burley 2020, "Practical hash-based Owen scrambling" (nested shuffles).

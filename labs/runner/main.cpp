@@ -111,7 +111,7 @@ std::string answer_all(mc::wire::Reader& from) {
   _exit(0);  // what the submission registered to run at exit is not part of the measurement
 }
 
-/// The file that "@file" names, its line ends as commas; any other text as it is.
+/// The file that "@file" names, its line ends as commas; any other text unchanged.
 std::string contents_of(const std::string& argument) {
   if (!argument.starts_with('@')) return argument;
   std::FILE* const file = std::fopen(argument.c_str() + 1, "r");

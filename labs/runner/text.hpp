@@ -43,7 +43,7 @@ void parse(std::string_view text, T& value) {
       fields(value));
 }
 
-/// A value as it is typed: what parse() reads back. Lists of lists are not typed.
+/// A value in the form in which it is typed: what parse() reads back. Lists of lists are not typed.
 template <class T>
 std::string as_typed(const T& value);
 template <class T>

@@ -110,7 +110,7 @@ class Reader {
       if (size > left_.size() / sizeof(T)) throw malformed("too short");
       values.resize(size);
       take(values.data(), size * sizeof(T));
-    } else {  // one by one: memory for what is there, not for what is claimed
+    } else {  // one by one: memory for the values received, not for the claimed number
       for (std::uint64_t i = 0; i < size; ++i) get(values.emplace_back());
     }
   }

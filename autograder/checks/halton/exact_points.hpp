@@ -1,12 +1,8 @@
 #pragma once
-// Radical inverses, primes and Sobol' points by their definitions, to judge by.
+// Radical inverses, primes and Sobol' points by their definitions, to judge by; and what well-known
+// mistakes give in place of radical inverses.
 
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
-#include "checks/support/exact.hpp"
+#include "checks/support/checks.hpp"
 #include "checks/support/sobol_exact.hpp"
 
 namespace mc::checks {
@@ -16,11 +12,18 @@ inline constexpr double half_ulp = 0x1p-53;  // half a unit in the last place of
 inline constexpr double inverse_tolerance = 4.5 * half_ulp;
 inline constexpr std::uint64_t last_index = std::numeric_limits<std::uint64_t>::max();
 
-/// Indices first, first + 1, …
-inline std::vector<std::uint64_t> indices_from(std::uint64_t first, std::size_t n) {
-  std::vector<std::uint64_t> indices(n);
-  for (std::uint64_t& index : indices) index = first++;
-  return indices;
+/// Modulo 1.
+inline double wrapped(double x) {
+  return x - std::floor(x);
+}
+
+/// A shift of `what` is uniform, and independent for each axis; `repeated` is the hint if it comes
+/// again.
+inline Randomness uniform_shift(const std::string& what, const std::string& repeated) {
+  return {.words = "the shift of " + what + " is uniform in the unit cube",
+          .otherwise = "a uniform number in [0, 1) for each axis",
+          .repeated = repeated,
+          .same = "one shift for every axis moves points along the diagonal"};
 }
 
 /// The radical inverse, right to 100 bits: from the first digit of the index to the last.
@@ -39,17 +42,15 @@ inline double inverse(unsigned base, std::uint64_t index) {
 }
 
 /// Of first, first + 1, …
-inline std::vector<double> inverses(unsigned base, std::uint64_t first, std::size_t n) {
-  std::vector<double> x(n);
-  for (double& value : x) value = inverse(base, first++);
-  return x;
+inline Values inverses(unsigned base, std::uint64_t first, std::size_t n) {
+  return each(domain::in_a_row(first, n), [=](std::uint64_t i) { return inverse(base, i); });
 }
 
 /// i/N: the first axis of Hammersley points.
-inline std::vector<double> steps(std::size_t n) {
-  std::vector<double> x(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = static_cast<double>(i) / static_cast<double>(n);
-  return x;
+inline Values steps(std::size_t n) {
+  const auto size = static_cast<double>(n);
+  return each(domain::in_a_row(0, n),
+              [=](std::uint64_t i) { return static_cast<double>(i) / size; });
 }
 
 inline std::vector<unsigned> sieved_primes(unsigned limit) {
@@ -67,11 +68,114 @@ inline double sobol_value(std::span<const std::uint32_t> v, std::uint64_t index)
   return sobol_word(v, index) * 0x1p-32;
 }
 
-inline std::vector<double> sobol_points(unsigned dimension, std::uint64_t first, std::size_t n) {
+inline Values sobol_points(unsigned dimension, std::uint64_t first, std::size_t n) {
   const auto v = sobol_directions(dimension);
-  std::vector<double> x(n);
-  for (double& value : x) value = sobol_value(v, first++);
-  return x;
+  return each(domain::in_a_row(first, n), [&](std::uint64_t i) { return sobol_value(v, i); });
+}
+
+inline const std::string past_the_end = "the last index is 2^64 - 1: no index comes after it";
+inline const char* const never_written =
+    "this value was never written, or only added to: columns are filled with NaN before the call";
+
+/// The radical inverses that a call should give, and of a column its first index.
+struct Inverses {
+  unsigned base = 2;
+  std::vector<std::uint64_t> indices = {};
+  std::string otherwise = {};  ///< the hint if no mistake explains the values
+  double tolerance = inverse_tolerance;
+  bool separate_calls = false;
+};
+
+/// The digits of an index, from the last on, put together as a whole number over base^digits.
+template <class Number, class Append>
+double put_together(unsigned base, std::uint64_t index, Append append) {
+  Number number = 0;
+  double size = 1;
+  for (; index > 0; index /= base, size *= base) {
+    number = append(number, static_cast<Number>(index % base), static_cast<Number>(size));
+  }
+  return static_cast<double>(number) / size;
+}
+
+/// What well-known mistakes give, of those that agree with the last value at least.
+inline std::vector<Curve> inverse_suspects(std::span<const double> got, const Inverses& expected) {
+  const auto& indices = expected.indices;
+  const unsigned base = expected.base;
+  std::vector<Curve> all{{std::vector<double>(got.size(), std::nan("")), never_written}};
+  const auto suspect = [&](auto f, const std::string& hint) {
+    if (!(std::abs(f(indices.back()) - got.back()) <= 1e-7)) return;
+    all.push_back({each(indices, f), hint});
+  };
+  const auto other_index = [&](auto change, const std::string& hint) {
+    suspect([=](std::uint64_t i) { return inverse(base, change(i)); }, hint);
+  };
+  using Word = std::uint32_t;
+  suspect(
+      [=](std::uint64_t i) {
+        return put_together<double>(base, i,
+                                    [](double a, double d, double s) { return a + d * s; });
+      },
+      "the digits are not mirrored: the last digit of the index comes first after the point");
+  suspect(
+      [=](std::uint64_t i) {
+        return put_together<Word>(base, i, [=](Word a, Word d, Word) { return a * base + d; });
+      },
+      "the mirrored digits do not fit in 32 bits: 64 are not enough for every index");
+  other_index([](std::uint64_t i) { return i + 1; }, "this begins one index too late");
+  other_index([](std::uint64_t i) { return i - 1; }, "this begins one index too early");
+  other_index([](std::uint64_t i) { return i & 0xffffffffu; },
+              "an index has 64 bits, of which 32 were kept");
+  if (expected.separate_calls) return all;
+  // Columns from elsewhere on (0, the beginning of a block, 32 bits of `first`), or in other bases.
+  std::vector<std::uint64_t> firsts{0};
+  for (std::uint64_t block = base; block <= indices[0]; block *= base) {
+    firsts.push_back(indices[0] - indices[0] % block);
+    if (block > last_index / base) break;
+  }
+  firsts.erase(std::unique(firsts.begin(), firsts.end()), firsts.end());
+  for (const std::uint64_t first : firsts) {
+    other_index([shift = indices[0] - first](std::uint64_t i) { return i - shift; },
+                fmt::format("these are the radical inverses from index {} on, not from {}", first,
+                            indices[0]));
+  }
+  other_index([=](std::uint64_t i) { return (indices[0] & 0xffffffffu) + (i - indices[0]); },
+              "an index has 64 bits, of which 32 were kept");
+  for (unsigned other = 2; other < 300; ++other) {
+    suspect([=](std::uint64_t i) { return inverse(other, i); },
+            fmt::format("these are in base {}, not in base {}", other, base));
+  }
+  return all;
+}
+
+/// Every value is the radical inverse of its index. Where that it stays below 1 has a check of its
+/// own, 1 counts as the number before it.
+inline void expect_inverses(const MeasuredValues& measured, const Inverses& expected) {
+  std::vector<double> got(measured.values.begin(), measured.values.end());
+  std::replace(got.begin(), got.end(), 1.0, 1 - half_ulp);
+  Comparison comparison{
+      each(expected.indices, [&](std::uint64_t i) { return inverse(expected.base, i); }),
+      {expected.tolerance},
+      fmt::format("the exact fraction, {} * 2^-53 at most away from it; Horner's rule keeps the "
+                  "error to 2 * 2^-53",
+                  expected.tolerance / half_ulp)};
+  comparison.separate_calls = expected.separate_calls;
+  comparison.name = [&](std::size_t k) {
+    return fmt::format("{}: value {}, of index {} in base {},", measured.call, k,
+                       expected.indices[k], expected.base);
+  };
+  const MeasuredValues held{measured.call, got};
+  if (!difference(held, comparison)) return pass();
+  bool are_floats = true;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    are_floats = are_floats && static_cast<float>(got[i]) == got[i] &&
+                 std::abs(got[i] - comparison.exact[i]) < 1e-6;
+  }
+  comparison.suspects = inverse_suspects(got, expected);
+  comparison.otherwise = std::any_of(got.begin(), got.end(), [](double x) { return std::isnan(x); })
+                             ? never_written
+                         : are_floats ? "this is a float: it has 24 bits, not 53"
+                                      : expected.otherwise;
+  expect_each(held, comparison);
 }
 
 }  // namespace mc::checks

@@ -1,13 +1,8 @@
 // 5.8: which bits of a value are flipped, what decides about it, and the errors of scrambled nets.
 
-#include <fmt/format.h>
-
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/compare.hpp"
 #include "checks/support/expect_all_seeds.hpp"
-#include "checks/support/sample_sets.hpp"
 
 namespace mc::checks {
 namespace {
@@ -30,7 +25,7 @@ SampleSets scrambled(const Values& x, const std::vector<std::uint64_t>& seeds) {
   return sets_from_columns(MEASURE(owen_scramble, x, seeds), x.size(), 1, seeds.size());
 }
 
-std::string flips_hint(const Uniforms& of_zero, const std::string& otherwise) {
+std::string flips_hint(const Uniforms& of_zero) {
   const auto all_are = [&](auto is) {
     return std::all_of(of_zero.values.begin(), of_zero.values.end(), is);
   };
@@ -41,7 +36,7 @@ std::string flips_hint(const Uniforms& of_zero, const std::string& otherwise) {
   if (all_are([](double u) { return u * 0x1p32 == std::floor(u * 0x1p32); })) {
     return "53 bits of a value are scrambled, not 32";
   }
-  return otherwise;
+  return {};
 }
 
 CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][points:2][main]") {
@@ -71,13 +66,12 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
   // What is not scrambled at all shares everything.
   const SampleSets of_zero = scrambled({0}, domain::seeds(rng, 400));
   const Uniforms zeros{of_zero.call, 1, {of_zero.values().begin(), of_zero.values().end()}};
-  auto failure = dependence_in(
-      zeros, {.words = "a scrambled value is uniform", .alpha = one_alpha, .otherwise = ""}, true);
-  if (!failure) return pass();
-  failure->likely =
-      flips_hint(zeros, failure->likely.empty() ? "each bit of 53 is flipped with probability 1/2"
-                                                : failure->likely);
-  fail(*failure);
+  expect_independent_uniforms(zeros,
+                              {.words = "a scrambled value is uniform",
+                               .alpha = one_alpha,
+                               .otherwise = "each bit of 53 is flipped with probability 1/2",
+                               .explain = [&] { return flips_hint(zeros); }},
+                              true);
 }
 
 CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:4]") {
@@ -86,36 +80,36 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
   const std::string nested =
       "nested uniform scrambling in base 2: the flip of a bit is a random "
       "decision of its own for each string of bits before it";
-  const std::string independent = "flips behind different strings are independent";
-  // Two values that differ in bit k: what flips the bits behind it in one and in the other. Each
+  const std::string independent = "flips after different strings are independent";
+  // Two values that differ in bit k: what flips the bits after it in one and in the other. Each
   // pair by itself: four values are nearly independent, and no more is promised.
   const Values pairs = pairs_that_share(rng);
-  const SampleSets got = scrambled(pairs, domain::seeds_in_a_row(rng() >> 1, count));
+  const SampleSets got = scrambled(pairs, domain::in_a_row(rng() >> 1, count));
   for (std::size_t k = 0; k < 52; ++k) {
     const double a = pairs[2 * k], b = pairs[2 * k + 1];
-    const std::uint64_t behind = (std::uint64_t{1} << (52 - k)) - 1;
+    const std::uint64_t after = (std::uint64_t{1} << (52 - k)) - 1;
     Uniforms apart{fmt::format("{}: the flips of {:.17g} after bit {} XOR those of {:.17g}",
                                got.call, a, k, b)};
     bool is_shift = true;
     for (std::size_t set = 0; set < count; ++set) {
       const View column = got.column(set, 0);
       const std::uint64_t both =
-          (bits_of(column[2 * k]) ^ bits_of(a) ^ bits_of(column[2 * k + 1]) ^ bits_of(b)) & behind;
+          (bits_of(column[2 * k]) ^ bits_of(a) ^ bits_of(column[2 * k + 1]) ^ bits_of(b)) & after;
       is_shift = is_shift && both == 0;
       apart.values.push_back(value_of(both << (k + 1) | (rng() >> (63 - k))));
     }
-    auto failure =
-        dependence_in(apart, {.words = independent, .alpha = one_alpha / 52, .otherwise = nested});
-    if (!failure) continue;
-    failure->likely = is_shift ? "every bit is flipped alike for all strings before it: that is a "
-                                 "digital shift, one flip per level; draw one for each string of "
-                                 "bits before"
-                               : nested;
-    fail(*failure);
+    expect_independent_uniforms(
+        apart, {.words = independent, .alpha = one_alpha / 52, .otherwise = "", .explain = [&] {
+                  return is_shift
+                             ? "every bit is flipped alike for all strings before it: that is a "
+                               "digital shift, one flip per level; draw one for each string of "
+                               "bits before"
+                             : nested;
+                }});
   }
   // The first 32 points: all flips that they decide.
   const Values points = sobol_points(0, 0, 32);
-  const SampleSets all = scrambled(points, domain::seeds_in_a_row(rng() >> 1, count));
+  const SampleSets all = scrambled(points, domain::in_a_row(rng() >> 1, count));
   Uniforms decided{all.call, 32};
   decided.name = [](std::size_t i) {
     return fmt::format("the flips that value {} shows first", i);
@@ -146,7 +140,7 @@ CHECK_CASE("5.8 a value is scrambled alike in any column", "[5.8][points:1][edge
         {.exact = {all.rbegin(), all.rend()},
          .because = "a function of value and seed alone: the same values, in the reverse "
                     "order and after some others",
-         .otherwise = "where a value stands in its column must not matter"});
+         .otherwise = "the place of a value in its column must not matter"});
     const std::size_t skip = rng() % n, size = 1 + (rng() % (n - skip) >> rng() % 8);
     const View some = View(x).subspan(skip, size), exact = all.subspan(skip, size);
     const SampleSets part = scrambled({some.begin(), some.end()}, {seed});

@@ -1,13 +1,8 @@
 // 5.1 and 5.2: radical inverses of single indices and of columns, against the exact fractions in
 // 106 bits. Nothing here is left to chance, so nothing has an alpha.
 
-#include <numeric>
-
 #include "5-halton/experiments.hpp"
-#include "checks/halton/expect_inverses.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/refusals.hpp"
+#include "checks/halton/exact_points.hpp"
 
 namespace mc::checks {
 namespace {
@@ -95,7 +90,6 @@ CHECK_CASE("5.1 the radical inverse is below 1", "[5.1][points:2][edge]") {
 }
 
 const std::string no_digits = "there are no digits below base 2";
-const std::string past_the_end = "the last index is 2^64 - 1: no index comes after it";
 
 CHECK_CASE("5.1 a base below 2 is refused", "[5.1][points:1][edge]") {
   const std::vector<InvalidCall> calls{
@@ -112,7 +106,7 @@ void check_column(unsigned base, std::uint64_t first, std::uint64_t count,
                   const std::string& otherwise) {
   const auto got = MEASURE(radical_inverses, base, first, count);
   expect_inverses({got.call, got.exactly(count, any_number)},
-                  {base, indices_from(first, count), otherwise});
+                  {base, domain::in_a_row(first, count), otherwise});
 }
 
 CHECK_CASE("5.2 a column has the radical inverses of 0 1 2 and so on",

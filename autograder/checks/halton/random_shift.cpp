@@ -1,23 +1,10 @@
 // 5.7: random shifts (Cranley-Patterson rotations).
 
-#include <algorithm>
-
-#include <fmt/format.h>
-
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/data.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/expect.hpp"
-#include "checks/support/sample_sets.hpp"
 
 namespace mc::checks {
 namespace {
-
-double wrapped(double x) {
-  return x - std::floor(x);
-}
 
 /// Sums and differences below 2 are rounded by 2^-53 at most: two of them for each of two points,
 /// and five more when they are compared. Twice that.
@@ -54,26 +41,21 @@ Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, st
   return shifts;
 }
 
-const Randomness uniform_shift{
-    .words = "the shift is uniform in the unit cube, drawn for each call",
-    .otherwise = "a uniform number in [0, 1) for each axis",
-    .repeated =
-        "the shift is the same each time: draw it from the "
-        "generator that is passed in",
-    .same = "one shift for every axis moves points along the diagonal"};
+const Randomness shift_is_random = uniform_shift(
+    "each call", "the shift is the same each time: draw it from the generator that is passed in");
 
 CHECK_CASE("5.7 one shift moves all points and wraps around", "[5.7][points:3][main]") {
   Rng rng = check_rng();
   const Values points = uniform_values(rng, 50 * 3, 0, 1);
   // Points that do not move, or always by the same vector, pass for shifted ones otherwise.
-  expect_independent_uniforms(shifts_of(points, 3, 100, rng()), uniform_shift, true);
+  expect_independent_uniforms(shifts_of(points, 3, 100, rng()), shift_is_random, true);
 }
 
 CHECK_CASE("5.7 the shift is uniform and of its own for each axis", "[5.7][points:3]") {
   Rng rng = check_rng();
   for (const std::size_t dims : {3u, 17u}) {
     const Values origin(2 * dims);  // from there, all bits of the shift are seen
-    expect_independent_uniforms(shifts_of(origin, dims, 3000, rng()), uniform_shift);
+    expect_independent_uniforms(shifts_of(origin, dims, 3000, rng()), shift_is_random);
   }
 }
 

@@ -1,25 +1,21 @@
 // 5.3 to 5.5: primes, Halton, Hammersley and Sobol' points.
 
-#include <fmt/format.h>
-
 #include "5-halton/experiments.hpp"
-#include "checks/halton/expect_inverses.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/refusals.hpp"
+#include "checks/halton/exact_points.hpp"
 
 namespace mc::checks {
 namespace {
 
-/// Columns from `from_axis` on: the radical inverses in one prime an axis.
+/// Columns from `from_axis` on: the radical inverses in one prime per axis.
 template <class Points>
 void check_axes(const Points& got, std::uint64_t n, std::uint64_t dims, std::uint64_t first,
                 std::size_t from_axis) {
   static const auto primes = sieved_primes(2000);
   const std::span<const double> columns = got.exactly(n * dims, any_number);
   for (std::size_t d = from_axis; d < dims; ++d) {
-    expect_inverses({fmt::format("{}, coordinate {}", got.call, d), columns.subspan(d * n, n)},
-                    {primes[d - from_axis], indices_from(first, n), "one prime an axis, in order"});
+    expect_inverses(
+        {fmt::format("{}, coordinate {}", got.call, d), columns.subspan(d * n, n)},
+        {primes[d - from_axis], domain::in_a_row(first, n), "one prime per axis, in order"});
   }
 }
 
@@ -48,7 +44,7 @@ CHECK_CASE("5.3 the first primes", "[5.3][points:2]") {
   }
 }
 
-CHECK_CASE("5.3 Halton points have one prime an axis", "[5.3][points:3][needs:5.2][main]") {
+CHECK_CASE("5.3 Halton points have one prime per axis", "[5.3][points:3][needs:5.2][main]") {
   Rng rng = check_rng();
   for (const std::uint64_t dims : {2u, 3u, 12u, 40u, 1u}) {
     for (const std::uint64_t first : {std::uint64_t{0}, 1 + rng() % 1000}) {
@@ -73,11 +69,10 @@ CHECK_CASE("5.3 many axes and late points", "[5.3][points:2][needs:5.2]") {
 }
 
 CHECK_CASE("5.3 points past the last index are refused", "[5.3][points:1][edge]") {
-  const std::string because = "the last index is 2^64 - 1: no index comes after it";
   const std::string range = "first|points|point|index|indices";
   const std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(halton, 3, 2, last_index - 1), range, because},
-      {MEASURE_OUTCOME(halton, 2, 1, last_index), range, because}};
+      {MEASURE_OUTCOME(halton, 3, 2, last_index - 1), range, past_the_end},
+      {MEASURE_OUTCOME(halton, 2, 1, last_index), range, past_the_end}};
   expect_refused(calls);
   expect_argument_named(calls);
 }
@@ -88,9 +83,8 @@ void check_hammersley(std::uint64_t n, std::uint64_t dims) {
   const auto measured = MEASURE(hammersley, n, dims);
   const std::span<const double> got = measured.exactly(n * dims, any_number);
   const auto over = [&](double offset, double size) {
-    std::vector<double> x(n);
-    for (std::size_t i = 0; i < n; ++i) x[i] = (static_cast<double>(i) + offset) / size;
-    return x;
+    return each(domain::in_a_row(0, n),
+                [=](std::uint64_t i) { return (static_cast<double>(i) + offset) / size; });
   };
   const auto size = static_cast<double>(n);
   expect_each(
@@ -144,7 +138,7 @@ std::string direction_hint(std::uint64_t first_wrong, unsigned dimension) {
 void check_sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
   const auto measured = MEASURE(sobol, dimension, first, count);
   const std::span<const double> got = measured.exactly(count, any_number);
-  const std::vector<std::uint64_t> indices = indices_from(first, count);
+  const std::vector<std::uint64_t> indices = domain::in_a_row(first, count);
   Comparison comparison{sobol_points(dimension, first, count),
                         {0},
                         "the XOR of the direction numbers of those bits that are set in the index"};
@@ -157,7 +151,7 @@ void check_sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
     if (by > 0) std::rotate(v.begin(), v.begin() + 1, v.end());
     if (by < 0) std::rotate(v.rbegin(), v.rbegin() + 1, v.rend());
     comparison.suspects.push_back(
-        {values_of(indices, [&](std::uint64_t i) { return sobol_value(v, index(i)); }), hint});
+        {each(indices, [&](std::uint64_t i) { return sobol_value(v, index(i)); }), hint});
   };
   const auto same = [](std::uint64_t i) { return i; };
   const std::string shifted = "bit k of the index, from 0, selects m_(k+1) 2^-(k+1)";

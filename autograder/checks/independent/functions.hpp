@@ -1,21 +1,9 @@
 #pragma once
 // The integrands and densities of experiments.hpp, as the checks of lab 2 know them; and the
-// random numbers behind what a submission does.
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
+// random numbers that a submission uses.
 
 #include "2-independent/experiments.hpp"
-#include "checks/support/battery.hpp"
-#include "checks/support/compare.hpp"
-#include "checks/support/data.hpp"
-#include "checks/support/inversions.hpp"
-#include "checks/support/measure.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 

@@ -1,13 +1,7 @@
 // Task 2.4: importance sampling. As in 2.2, each estimate is judged by what it saw: the points that
 // the density made of each u, and g and the density there.
 
-#include <algorithm>
-#include <cmath>
-
 #include "checks/independent/traces.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/refusals.hpp"
 
 namespace mc::checks {
 namespace {
@@ -46,7 +40,7 @@ Weighed weighed(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng)
       fmt::format("{} evaluated g {} times and says n = {}", measured.call, one.evaluations, one.n),
       fmt::format("{} and {}", usable, n), "n is what the caller pays for",
       one.evaluations < usable
-          ? "a density may be tiny, or huge, and still count: evaluate g at each sample"
+          ? "a density may be tiny or huge and still count: evaluate g at each sample"
           : "every sample counts, also one of weight 0");
   return {{measured.call, {one.value, one.standard_error, one.n}, weights, {}}, seen};
 }
@@ -84,7 +78,7 @@ std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, con
        "this is g at u over p at x: g, too, is evaluated at x"},
       {of([&](auto i) { return g_at(u[i]) / density.pdf(u[i]); }),
        "this is g / p at u: both are evaluated at x = p.sample(u)"},
-      {0, "every weight was taken for 0: a density may be tiny, or huge, and still count"}};
+      {0, "every weight was taken for 0: a density may be tiny or huge and still count"}};
   for (const double most : {1.0, 10.0, 100.0, 1000.0}) {
     suspects.push_back(
         {of([&](auto i) { return std::clamp(w[i], -most, most); }),
@@ -102,19 +96,19 @@ struct Case {
 
 /// The estimates are the means of their weights, and so are their standard errors.
 void judge_weighed(const std::vector<Case>& cases, Rng& rng) {
-  TracedMeans means;
-  TracedErrors errors;
+  Results means;
+  Results errors;
   for (const auto& [g, p, n] : cases) {
     const Weighed seen = weighed(g, p, n, rng);
-    means.add(seen.weights, [=, g = g, p = p] { return weighed_suspects(seen, g, p); });
-    errors.add(seen.weights, [=]() -> std::vector<Suspect> {
+    add_mean(means, seen.weights, [=, g = g, p = p] { return weighed_suspects(seen, g, p); });
+    add_error(errors, seen.weights, [=]() -> std::vector<Suspect> {
       const auto of_g = exact_moments(seen.seen.values);
       return {{std::sqrt(of_g.variance / of_g.count),
                "this is the standard error of g's values: the estimate is a mean of g / p"}};
     });
   }
-  means.expect();
-  errors.expect();
+  expect_means(means);
+  expect_errors(errors);
 }
 
 Numbers u_of(const Sampling& p, Rng& rng) {

@@ -1,15 +1,6 @@
-// Task 2.5: confidence intervals, and how often they hold the truth.
-
-#include <algorithm>
-#include <cmath>
+// 2.5, 2.6: confidence intervals, and how often they hold the truth; how many samples to take.
 
 #include "checks/independent/functions.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/distributions.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/exact.hpp"
-#include "checks/support/refusals.hpp"
-#include "checks/support/statistics.hpp"
 #include "common/normal_quantile.hpp"
 
 namespace mc::checks {
@@ -37,18 +28,19 @@ CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]"
                  const std::string both =
                      "what the interval leaves out lies on both sides: take the quantile of "
                      "(1 + level) / 2";
-                 return {{value + sign * one_sided, both},
-                         {value - sign * one_sided, both},
-                         {value + sign * error, "one standard error covers 68 %, always"},
-                         {value + sign * 1.96 * error, "1.96 is for 95 % alone"},
-                         {value + sign * 2 * error, "2 is for 95.45 % alone"},
-                         {value + sign * normal_quantile(0.975) * error, "1.96 is for 95 % alone"},
-                         {value + sign * reach / root,
-                          "standard_error belongs to the mean: it knows n already"},
-                         {value + sign * reach * root,
-                          "standard_error is that of the mean, not of one value"},
-                         {value - sign * reach, "low and high are the wrong way round"},
-                         {sign * reach, "the interval is around the value, not around 0"}};
+                 return {
+                     {value + sign * one_sided, both},
+                     {value - sign * one_sided, both},
+                     {value + sign * error, "one standard error covers 68 %, always"},
+                     {value + sign * 1.96 * error, "1.96 is for 95 % alone"},
+                     {value + sign * 2 * error, "2 is for 95.45 % alone"},
+                     {value + sign * normal_quantile(0.975) * error, "1.96 is for 95 % alone"},
+                     {value + sign * reach / root,
+                      "standard_error is that of the mean, which is already divided by sqrt(n)"},
+                     {value + sign * reach * root,
+                      "standard_error is that of the mean, not of one value"},
+                     {value - sign * reach, "low and high are the wrong way round"},
+                     {sign * reach, "the interval is around the value, not around 0"}};
                });
     }
   }
@@ -117,7 +109,7 @@ CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:6][needs
     for (std::size_t i = 0; i < replicates; ++i) {
       const Interval& one = seen.intervals[i];
       covering += one.low <= truth && truth <= one.high ? 1 : 0;
-      // Each interval is that of the values behind it: nine digits of it, and where it is short and
+      // Each interval is that of its values: nine digits of it, and where it is short and
       // near 0, what is left of values of size 1.
       const auto moments = exact_moments(std::span(seen.values).subspan(i * n, n));
       const auto mean = static_cast<double>(moments.mean);
@@ -137,6 +129,120 @@ CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:6][needs
     ends.expect("an interval comes from the values of one estimate",
                 "value ± normal_quantile((1 + level) / 2) standard errors");
   }
+}
+
+struct Plan {
+  Estimate pilot;
+  double target;
+};
+
+void judge_plans(const std::vector<Plan>& plans) {
+  Results samples;
+  for (const auto& [pilot, target] : plans) {
+    const auto got = MEASURE(samples_for, pilot, target);
+    const Exact ratio = Exact(pilot.standard_error) / Exact(target);
+    const double n = static_cast<double>(pilot.n), plain = static_cast<double>(ratio);
+    const double exact = static_cast<double>(ratio * ratio * Exact(n)), slack = 8 * eps * exact;
+    // The quotient may have gathered 8 roundings. One too many is accepted, but never one too few.
+    const bool is_huge = slack > 0.01;
+    const double fewest = is_huge ? exact : std::max(1.0, std::ceil(exact - slack));
+    const auto value = static_cast<double>(got.value);
+    const bool is_one_more = value == fewest + 1;
+    samples.add(got.call, is_one_more ? fewest : value, fewest, slack + is_huge,
+                [=]() -> std::vector<Suspect> {
+                  const std::string up = "this many do not quite do it: round up";
+                  return {{std::floor(exact), up},
+                          {std::round(exact), up},
+                          {std::ceil(n * plain),
+                           "half the error costs four times the samples: square the ratio"},
+                          {std::ceil(plain * plain),
+                           "the pilot's standard error is that of n samples: times n"},
+                          {std::ceil(exact) - n, "all of them are asked for, not how many more"},
+                          {std::ceil(n / plain / plain),
+                           "the ratio is upside down: a smaller target costs more"},
+                          {std::ceil(n * n * plain * plain),
+                           "s is standard_error · sqrt(n), not standard_error · n"}};
+                });
+  }
+  samples.expect("the error falls as 1 / sqrt(n)", "n (standard error / target)^2, rounded up");
+}
+
+CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]") {
+  Rng rng = check_rng();
+  std::vector<Plan> plans;
+  for (int i = 0; i < 10; ++i) {
+    const Estimate pilot{uniform(rng, -9, 9), uniform(rng, 0.01, 1), 1000 + rng() % 100000};
+    plans.push_back({pilot, pilot.standard_error / uniform(rng, 2, 5)});
+  }
+  // (3/2)^2 n, n = 4k + 1: a quarter more than a whole number, which rounding to the nearest loses.
+  const double target = uniform(rng, 0.01, 1);
+  plans.push_back({{uniform(rng, -9, 9), 1.5 * target, 4 * (250 + rng() % 10000) + 1}, target});
+  plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
+  judge_plans(plans);
+  plans = {{{1, 0.1, 1000}, 0.7},                   // fewer than the pilot had
+           {{1, 0.5, 5}, 1},                        // 1.25, so two
+           {{1, 0.5, 1}, 0.25},                     // the smallest pilot
+           {{1, 0.5, 4}, 1},                        // one
+           {{1, 0.5, 1000000}, 1e-4},               // 2.5e13
+           {{-5, 3e170, 17}, 1e169},                // squares that overflow, one by one
+           {{-5, 3e-170, 17}, 1e-170},              // and that are 0
+           {{1, 0.5, std::uint64_t{1} << 62}, 1}};  // most pilots have fewer
+  for (int i = 0; i < 5; ++i) {
+    plans.push_back({{1, uniform(rng, 0.5, 50), rng() >> 24}, uniform(rng, 0.5, 1)});
+  }
+  judge_plans(plans);
+}
+
+CHECK_CASE("2.6 at least one sample and at most 64 bits", "[2.6][points:1][edge]") {
+  judge_plans({{{1, 1, 1000}, 1e-8}});  // 1e19 fits into 64 bits, but not with a sign
+  for (const auto& [error, target] : {std::pair{1e-9, 1.0}, {0.0, 0.1}, {1.0, domain::infinity}}) {
+    const auto got = MEASURE(samples_for, {1, error, 100}, target);
+    expect_that(got.value == 1, fmt::format("{} = {}", got.call, got.value), "1",
+                "the target is met already, but without a sample there is no estimate",
+                "return at least 1");
+  }
+}
+
+std::vector<InvalidCall> invalid_plans() {
+  std::vector<InvalidCall> calls;
+  for (const double target : {-0.1, 0.0, nan, -domain::infinity}) {
+    calls.push_back({MEASURE_OUTCOME(samples_for, {1, 0.5, 100}, target), "target|target_error",
+                     "a target is positive"});
+  }
+  calls.push_back({MEASURE_OUTCOME(samples_for, {1, nan, 1}, 0.1), "pilot",
+                   "a pilot of one sample has no standard error"});
+  calls.push_back({MEASURE_OUTCOME(samples_for, {0, 0.5, 0}, 0.1), "pilot",
+                   "a pilot without samples has no standard error"});
+  for (const double error : {1e3, 1.5e4, domain::infinity}) {  // 2e19, and more
+    const std::uint64_t n = error == 1e3 ? 20 : 1'000'000;
+    calls.push_back({MEASURE_OUTCOME(samples_for, {1, error, n}, 1e-6),
+                     "target|target_error|pilot|samples",
+                     "the number of samples does not fit into 64 bits"});
+  }
+  return calls;
+}
+
+CHECK_CASE("2.6 unusable pilots and targets are refused", "[2.6][points:1][edge]") {
+  expect_refused(invalid_plans());
+}
+
+CHECK_CASE("2.6 every refusal of this lab names its argument", "[2.6][points:1][edge]") {
+  std::vector<InvalidCall> calls = invalid_plans();
+  const Function g{exponential, 0, 1, 0};
+  const std::string because = "the function has more than one argument";
+  for (const auto& [call, argument] :
+       {std::pair{MEASURE_OUTCOME(estimates, g, 0, 1, 1), "n"},
+        {MEASURE_OUTCOME(sample_exponential, {0.5}, -1.0), "rate"},
+        {MEASURE_OUTCOME(pdf_exponential, {0.5}, -1.0), "rate"},
+        {MEASURE_OUTCOME(sample_power, {0.5}, -2.0), "a"},
+        {MEASURE_OUTCOME(pdf_power, {0.5}, -2.0), "a"},
+        {MEASURE_OUTCOME(importance_estimates, g, {by_uniform, 0}, 0, 1, 1), "n"},
+        {MEASURE_OUTCOME(confidence_interval, {1, 0.1, 100}, 1.5), "level"},
+        {MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "n"},
+        {MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "n"}}) {
+    calls.push_back({call, argument, because});
+  }
+  expect_argument_named(calls);
 }
 
 }  // namespace

@@ -1,14 +1,9 @@
 #pragma once
 // The lights that 2.7 is judged under, and what is known of them in closed form.
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-
-#include "checks/support/data.hpp"
-#include "checks/support/population.hpp"
+#include "checks/support/checks.hpp"
 #include "checks/support/rect_light_exact.hpp"
+#include "checks/support/statistics.hpp"
 
 namespace mc::checks {
 
@@ -24,29 +19,29 @@ inline Placed above(Rng& rng) {
   return {light, "above"};
 }
 
+/// A light whose lower corner and sides lie in these intervals, at such a height.
+inline RectLight light_in(Interval x, Interval y, Interval side, Interval height, Rng& rng) {
+  RectLight light;
+  light.x0 = uniform(rng, x.low, x.high);
+  light.x1 = light.x0 + uniform(rng, side.low, side.high);
+  light.y0 = uniform(rng, y.low, y.high);
+  light.y1 = light.y0 + uniform(rng, side.low, side.high);
+  light.height = uniform(rng, height.low, height.high);
+  light.radiance = uniform(rng, 0.5, 5);
+  return light;
+}
+
 /// Somewhere else, with a corner near the receiver's normal; not so near that a few points carry
 /// everything.
 inline Placed aside(Rng& rng) {
-  RectLight light;
-  light.x0 = uniform(rng, 0.1, 0.5);
-  light.x1 = light.x0 + uniform(rng, 0.5, 2);
-  light.y1 = uniform(rng, -0.5, -0.1);
-  light.y0 = light.y1 - uniform(rng, 0.5, 2);
-  light.height = uniform(rng, 0.7, 2);
-  light.radiance = uniform(rng, 0.5, 5);
+  RectLight light = light_in({0.1, 0.5}, {0.1, 0.5}, {0.5, 2}, {0.7, 2}, rng);
+  light.y0 = -std::exchange(light.y1, -light.y0);
   return {light, "aside"};
 }
 
 /// Low and far away: seen, and seeing, at two to three degrees.
 inline Placed grazing(Rng& rng) {
-  RectLight light;
-  light.x0 = uniform(rng, 4, 5);
-  light.x1 = light.x0 + uniform(rng, 1, 2);
-  light.y0 = uniform(rng, -1, 0);
-  light.y1 = light.y0 + uniform(rng, 1, 2);
-  light.height = uniform(rng, 0.2, 0.25);
-  light.radiance = uniform(rng, 0.5, 5);
-  return {light, "at a grazing angle"};
+  return {light_in({4, 5}, {-1, 0}, {1, 2}, {0.2, 0.25}, rng), "at a grazing angle"};
 }
 
 /// Everything that is lower than 11 to 18 degrees on one side. The plane x >= k h gives a share of
@@ -57,11 +52,11 @@ inline Placed half_sky_aside(Rng& rng) {
   return {light, "at a grazing angle"};
 }
 
-/// In one of the four quadrants.
-inline Placed in_quadrant(unsigned quadrant, Rng& rng) {
-  RectLight light = aside(rng).light;
-  if (quadrant % 2 == 1) light.x0 = std::exchange(light.x1, -light.x0) * -1;
-  if (quadrant / 2 == 1) light.y0 = std::exchange(light.y1, -light.y0) * -1;
+/// A quarter of the sky.
+inline Placed quarter_sky(unsigned quadrant, Rng& rng) {
+  RectLight light{0, 1e15, 0, 1e15, uniform(rng, 0.5, 2), uniform(rng, 0.5, 5)};
+  if (quadrant % 2 == 1) light.x0 = -std::exchange(light.x1, 0);
+  if (quadrant / 2 == 1) light.y0 = -std::exchange(light.y1, 0);
   return {light, "in quadrant " + std::to_string(quadrant)};
 }
 

@@ -1,10 +1,5 @@
 #include "checks/independent/traces.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 namespace mc::checks {
 namespace {
 
@@ -17,8 +12,9 @@ ByLab1 lab_1_of(const Values& values) {
 }
 
 std::string blame(const std::string& function, const std::string& task) {
-  return fmt::format("it is lab 1's: this is what {} gives of these values; mend {} first",
-                     function, task);
+  return fmt::format(
+      "the cause is in lab 1: this is what {} gives for these values; correct {} first", function,
+      task);
 }
 
 /// Those of a task first.
@@ -90,7 +86,7 @@ Traced traced(const Function& g, std::uint64_t n, Rng& rng) {
   }
   if (seen == nullptr && measured.if_exactly({1, 0, 0}, any_number) != nullptr) {
     expect_that(false, measured.call + " never evaluated g", fmt::format("{} evaluations", n),
-                "an estimate rests on values of g", "evaluate g once a sample");
+                "an estimate rests on values of g", "evaluate g once per sample");
   }
   if (seen == nullptr) {
     seen = &measured.list_by_list({{1, any_number}, {n * dims, any_number}, {n, any_number}});
@@ -100,37 +96,36 @@ Traced traced(const Function& g, std::uint64_t n, Rng& rng) {
   return {measured.call, seen->estimates[0], seen->values, seen->points};
 }
 
-void TracedMeans::add(const Traced& seen, Results::FindSuspects suspects) {
+void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects) {
   double sizes = 0;
   for (const double one : seen.values) sizes += std::abs(one);
-  means_.add(seen.call + ".value", seen.estimate.value,
-             static_cast<double>(exact_mean(seen.values)), 10 * eps * sizes,
-             [=] { return joined(suspects, mean_suspects(seen.values)); });
+  means.add(seen.call + ".value", seen.estimate.value, static_cast<double>(exact_mean(seen.values)),
+            10 * eps * sizes, [=] { return joined(suspects, mean_suspects(seen.values)); });
 }
 
-void TracedMeans::expect() {
-  means_.expect(
+void expect_means(Results& means) {
+  means.expect(
       "n additions lose at most n eps of the sum of sizes, in any order; one digit less is enough",
       "the mean of the very values that g gave; NaN comes of 0/0, or of a variable that nothing "
       "was written to");
 }
 
-void TracedErrors::add(const Traced& seen, Results::FindSuspects suspects) {
+void add_error(Results& errors, const Traced& seen, Results::FindSuspects suspects) {
   if (seen.values.size() < 2) {
-    return errors_.add(seen.call + ".standard_error", seen.estimate.standard_error, nan, 0);
+    return errors.add(seen.call + ".standard_error", seen.estimate.standard_error, nan, 0);
   }
   const auto exact = exact_moments(seen.values);
   const double n = exact.count, mean = static_cast<double>(exact.mean);
   // A one-pass variance loses (n + kappa) eps of s^2 (lab 1); one digit less is enough.
   const double kappa = std::sqrt(1 + mean * mean / exact.variance);
-  errors_.add_digits(seen.call + ".standard_error", seen.estimate.standard_error,
-                     std::sqrt(exact.variance / n),
-                     std::min(16.0, -std::log10((n + kappa) * eps)) - 1,
-                     [=] { return joined(suspects, error_suspects(seen.values)); });
+  errors.add_digits(seen.call + ".standard_error", seen.estimate.standard_error,
+                    std::sqrt(exact.variance / n),
+                    std::min(16.0, -std::log10((n + kappa) * eps)) - 1,
+                    [=] { return joined(suspects, error_suspects(seen.values)); });
 }
 
-void TracedErrors::expect() {
-  errors_.expect(
+void expect_errors(Results& errors) {
+  errors.expect(
       "s / sqrt(n) of the values that were seen; lab 1's variances keep so many digits",
       "the square root of (sample variance / n); are the values far from 0 a problem (lab 1)? A "
       "variance below 0 has no root: E{X^2} - E{X}^2 may be that");

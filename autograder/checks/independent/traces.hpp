@@ -3,11 +3,7 @@
 // say, to the last digits, what it must come to. So nothing but evaluating g at random points gives
 // the right answer: that the estimate is unbiased, and has the variance sigma^2 / n, follows.
 
-#include <span>
-#include <string>
-
 #include "checks/independent/functions.hpp"
-#include "checks/support/exact.hpp"
 
 namespace mc::checks {
 
@@ -24,24 +20,12 @@ Traced traced(const Function& g, std::uint64_t n, Rng& rng);
 
 /// Estimates are the means of their values, but for what n additions lose: `suspects` are those of
 /// one task alone.
-class TracedMeans {
- public:
-  void add(const Traced& seen, Results::FindSuspects suspects = {});
-  void expect();
-
- private:
-  Results means_;
-};
+void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects = {});
+void expect_means(Results& means);
 
 /// Standard errors are s / sqrt(n) of the values, with the digits that a one-pass variance keeps;
 /// NaN for one value.
-class TracedErrors {
- public:
-  void add(const Traced& seen, Results::FindSuspects suspects = {});
-  void expect();
-
- private:
-  Results errors_;
-};
+void add_error(Results& errors, const Traced& seen, Results::FindSuspects suspects = {});
+void expect_errors(Results& errors);
 
 }  // namespace mc::checks

@@ -1,9 +1,6 @@
 // 6.7: blue noise where it is seen, in the first next2().
 
-#include <cmath>
-
 #include "checks/sampler/samplers.hpp"
-#include "checks/support/catch.hpp"
 #include "checks/support/discs.hpp"
 #include "checks/support/spectrum.hpp"
 

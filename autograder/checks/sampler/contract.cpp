@@ -1,18 +1,132 @@
-// 6.4: what holds for every kind of sampler: the answers to any calls are those of a new sampler.
+// 6.4 and 6.8: what holds for every kind of sampler. The answers to any calls are those of a new
+// sampler; many samples work, and unused dimensions cost nothing.
 
-#include "checks/sampler/contract.hpp"
-
-#include <algorithm>
 #include <set>
 
-#include "checks/support/catch.hpp"
+#include "checks/sampler/samplers.hpp"
 #include "checks/support/expect_all_seeds.hpp"
-#include "checks/support/refusals.hpp"
 
 namespace mc::checks {
+
+using experiments::Answer;
+using experiments::Step;
+
+enum Called : unsigned { generate_call, next_call, next2_call, advance_call };
+
+inline const Step next{next_call}, next2{next2_call}, advance{advance_call};
+inline Step generate(std::uint64_t samples, std::uint64_t seed) {
+  return {generate_call, samples, seed};
+}
+
+/// One generate() and, for every sample, its list of uses.
+inline std::vector<Step> walk(std::size_t samples, std::uint64_t seed,
+                              const std::vector<Uses>& uses) {
+  std::vector<Step> steps{generate(samples, seed)};
+  for (const Uses& of_sample : uses) {
+    for (const unsigned use : of_sample) steps.push_back({use, 0, 0});
+    steps.push_back({advance_call, 0, 0});
+  }
+  return steps;
+}
+
+/// The calls of one sampler.
+struct Calls {
+  std::string kind, which;  ///< "sobol", ", the other of two"
+  std::vector<Step> steps;
+
+  /// "sobol: generate(2, 7); next()": up to step i, without most of many.
+  std::string until(std::size_t i) const {
+    constexpr std::size_t most = 24;
+    std::string words = kind + which + ": ";
+    for (std::size_t k = 0; k <= i; ++k) {
+      if (i >= most && k == most / 2) {
+        words += fmt::format("… {} more …; ", i + 1 - most);
+        k += i + 1 - most;
+      }
+      words += experiments::spelled(steps[k]) + (k < i ? "; " : "");
+    }
+    return words;
+  }
+};
+
+/// The calls of one integration, or those before the first: what each asks for.
+struct Integration {
+  struct Number {
+    std::size_t sample, coordinate;
+  };
+  Uses uses = {};                                   ///< in the order in which they come first
+  std::vector<std::optional<Number>> numbers = {};  ///< of each call; none where there is none
+
+  Integration(std::span<const Step> calls, std::uint64_t samples) {
+    std::array<std::vector<std::size_t>, 3> coordinates;  // of the k-th next() and next2()
+    std::array<std::size_t, 3> count{};                   // those that this sample has asked for
+    std::size_t sample = 0, dims = 0;
+    for (const auto& [call, of_generate, seed] : calls) {
+      if (call == advance_call) ++sample, count = {};
+      auto& number = numbers.emplace_back();
+      if ((call != next_call && call != next2_call) || sample >= samples) continue;
+      if (count[call] == coordinates[call].size()) {
+        coordinates[call].push_back(dims);
+        uses.push_back(call);
+        dims += call;
+      }
+      number = {sample, coordinates[call][count[call]++]};
+    }
+  }
+};
+
+/// The answers are what 6.4 says: next() and next2() throw std::out_of_range where there is no
+/// sample, and else have the numbers of a new sampler, whose samples all ask for all the sample
+/// dimensions, in the order in which these calls do first.
+inline void expect_answers(const Calls& calls, std::span<const Answer> answers,
+                           const Claim& claim) {
+  const std::vector<Step>& steps = calls.steps;
+  const auto fail_at = [&](std::size_t i, const std::string& gave, const std::string& expected) {
+    expect_that(false, calls.until(i) + ' ' + gave, expected, claim.because, claim.likely);
+  };
+  for (std::size_t first = 0, end = 0; first < steps.size(); first = end) {
+    for (++end; end < steps.size() && steps[end].call != generate_call;) ++end;
+    const auto [_, samples, seed] = steps[first];
+    const Integration all(std::span<const Step>(steps).subspan(first, end - first), samples);
+    std::optional<SampleSets> columns;
+    if (!all.uses.empty()) columns = columns_of(calls.kind, samples, {seed}, all.uses);
+    for (std::size_t i = first; i < end; ++i) {
+      const auto& [thrown, x, y] = answers[i];
+      const auto& number = all.numbers[i - first];
+      const unsigned call = steps[i].call;
+      const bool must_throw = !number && (call == next_call || call == next2_call);
+      if (thrown != (must_throw ? 1 : 0)) {
+        constexpr const char* words[] = {"threw nothing", "threw std::out_of_range",
+                                         "threw std::invalid_argument", "threw another exception"};
+        fail_at(i, words[std::min(thrown, 3u)],
+                must_throw ? "std::out_of_range: there is no sample" : "no exception");
+      }
+      if (!number) continue;
+      const double expected_x = columns->column(0, number->coordinate)[number->sample];
+      const double expected_y =
+          call == next2_call ? columns->column(0, number->coordinate + 1)[number->sample] : y;
+      if (x == expected_x && y == expected_y) continue;
+      const auto words = [&](double a, double b) {
+        return call == next_call ? fmt::format("{:.17g}", a)
+                                 : fmt::format("({:.17g}, {:.17g})", a, b);
+      };
+      fail_at(i, "gave " + words(x, y),
+              fmt::format("{} for this sample dimension of sample {}, as in {}",
+                          words(expected_x, expected_y), number->sample, columns->call));
+    }
+  }
+  pass();
+}
+
+inline void expect_contract(const std::string& kind, const std::vector<Step>& steps,
+                            const Claim& claim) {
+  expect_answers({kind, "", steps}, MEASURE(play, kind, steps).exactly(steps.size(), any_number),
+                 claim);
+}
+
 namespace {
 
-CHECK_CASE("6.4 there are numbers for N samples and no others", "[6.4][edge][points:4]") {
+CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:4]") {
   Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     expect_contract(kind, {next,    next2,          advance, next,    generate(2, fresh_seed(rng)),
@@ -29,19 +143,14 @@ std::vector<InvalidCall> impossible() {
     for (const std::uint64_t samples : {std::uint64_t{0}, std::uint64_t{most_samples} + 1,
                                         std::uint64_t{1} << 32, ~std::uint64_t{0}}) {
       calls.push_back({MEASURE_OUTCOME(columns, kind, samples, {1}, {}), "samples",
-                       "there must be samples, and memory for a column of them"});
+                       "a sampler needs at least one sample, and memory for a column of them"});
     }
   }
   return calls;
 }
 
-CHECK_CASE("6.4 no samples and too many are refused", "[6.4][edge][points:0.5]") {
-  expect_refused(impossible());
-}
-
-CHECK_CASE("6.4 a refusal names the argument", "[6.4][edge][points:0.5]") {
-  expect_argument_named(impossible());
-}
+REFUSAL_CASES("6.4", "0 samples and too many are refused", "0.5", "a refusal names the argument",
+              "0.5", impossible())
 
 /// Any calls, of integrations with up to `most` samples.
 std::vector<Step> any_calls(std::size_t count, std::size_t most, Rng& rng) {
@@ -110,7 +219,7 @@ void check_columns(const std::string& kind, const SampleSets& got) {
   for (std::size_t c = 0; c < got.dims; ++c) {
     const View x = got.column(0, c);
     const bool is_blue = kind == "blue_noise" && (c == 1 || c == 2);  // next(), next2()
-    if (!is_blue && !is_sequence(kind)) all.insert(x.begin(), x.end());
+    if (!is_blue && kind != "halton" && kind != "sobol") all.insert(x.begin(), x.end());
   }
   const std::size_t different = std::set(all.begin(), all.end()).size();
   expect_that(different == all.size(), fmt::format("{}: {} different numbers", got.call, different),
@@ -144,7 +253,7 @@ CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][main][poi
     expect_contract(
         kind, walk(n, seed, fewer),
         {"sample i's value in a sample dimension does not depend on what other samples ask for",
-         "a sample that ends early must not hand its numbers to the next one"});
+         "a sample that ends early must not pass its numbers on to the next one"});
     // The other way round, uses are first asked for in the same order, but by later samples.
     for (std::size_t i = 0; i < n; ++i) {
       growing.push_back(all);
@@ -167,7 +276,8 @@ CHECK_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
     }
     expect_contract(
         kind, walk(mixed.size(), fresh_seed(rng), mixed),
-        {"the k-th next() of a sample is the same sample dimension, wherever next2() stands",
+        {"the k-th next() of a sample is the same sample dimension, wherever the calls of next2() "
+         "are",
          "count the calls of next() and those of next2() in counters of their own, and set both "
          "to 0 in advance()"});
   }
@@ -181,12 +291,8 @@ CHECK_CASE("6.4 neighbouring seeds have nothing in common",
                      [&](const Seeds& seeds) { return MEASURE(columns, kind, 1, seeds, {1}); });
     // Nor have other sample dimensions of other seeds: numbers that come again show where sums
     // meet, or that a bit of the seed does nothing there.
-    Seeds by_bit;
-    for (int i = 0; i < 20; ++i) {
-      const Seeds more = domain::seeds_by_bit(rng);
-      by_bit.insert(by_bit.end(), more.begin(), more.end());
-    }
-    for (const Seeds& seeds : {neighbours(fresh_seed(rng), 1500), by_bit}) {
+    for (const Seeds& seeds :
+         {domain::in_a_row(fresh_seed(rng), 1500), domain::seeds_by_bit(rng, 20)}) {
       const SampleSets got = columns_of(kind, 3, seeds, repeated(3, {1, 2}));
       for (const std::size_t i : {0u, 2u}) {
         expect_independent_uniforms(
@@ -200,6 +306,29 @@ CHECK_CASE("6.4 neighbouring seeds have nothing in common",
                          "number: their sum, say, is the same for (s, k + 1) and for (s + 1, k)"});
       }
     }
+  }
+}
+
+TEST_CASE("6.8 many samples are right too",
+          "[6.8][main][points:2][needs:6.2][needs:6.3][needs:3]") {
+  Rng rng = check_rng();
+  const std::size_t n = std::size_t{1} << 17;
+  for (const std::string kind : {"stratified", "sobol"}) {
+    const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, {1, 2, 1});
+    for (std::size_t c = 0; c < got.dims; ++c) {
+      expect_one_in_each_cell(got, 0, line_of(n, c),
+                              "every sample dimension is stratified, for any number of samples");
+    }
+  }
+}
+
+TEST_CASE("6.8 an unused sample dimension costs no memory", "[6.8][edge][points:2]") {
+  // A column of so many samples is 1 GB, more than a program may have.
+  for (const std::string kind : {"independent", "stratified", "halton", "sobol"}) {
+    expect_contract(
+        kind, {generate(most_samples, 1), advance, advance, generate(4, 1), next, next2},
+        {"none of 2^27 samples was asked for, and then there are 4",
+         "columns are made when they are asked for, of as many numbers as there are samples"});
   }
 }
 

@@ -8,20 +8,8 @@
 // hold with room to spare for whatever is right; each has the chance of failing a right answer next
 // to it, and all of those together come to less than 2e-7.
 
-#include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-
 #include "6-sampler/experiments.hpp"
-#include "checks/support/battery.hpp"
-#include "checks/support/data.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/expect.hpp"
-#include "checks/support/sample_sets.hpp"
-#include "checks/support/strata.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 
@@ -31,19 +19,6 @@ using Seeds = std::vector<std::uint64_t>;
 inline constexpr double alpha = 1e-8;
 inline const std::array<std::string, 5> sampler_kinds{"independent", "stratified", "blue_noise",
                                                       "halton", "sobol"};
-
-inline bool is_sequence(const std::string& kind) {
-  return kind == "halton" || kind == "sobol";
-}
-
-inline std::uint64_t fresh_seed(Rng& rng) {
-  return rng() >> 32;  // short enough to be typed again
-}
-
-/// first, first + 1, …
-inline Seeds neighbours(std::uint64_t first, std::size_t count) {
-  return domain::seeds_in_a_row(first, count);
-}
 
 inline Uses repeated(std::size_t times, const Uses& some) {
   Uses uses;
@@ -57,7 +32,7 @@ inline SampleSets columns_of(const std::string& kind, std::size_t n, const Seeds
   std::size_t dims = 0;
   for (const unsigned use : uses) dims += use;
   const auto got = MEASURE(columns, kind, n, seeds, uses);
-  return {got.call, n, dims, got.exactly(seeds.size() * n * dims, unit)};
+  return {got.call, seeds.size(), n, dims, got.exactly(seeds.size() * n * dims, unit)};
 }
 
 /// The coordinates of one sample, a replicate for each seed.
@@ -77,16 +52,12 @@ struct Claim {
   std::string because, likely;
 };
 
-inline Pattern line_of(std::size_t n, std::size_t c) {
-  return {{c}, {n}};
-}
-
 /// Coordinates c and c + 1 of all sets have one point in each cell of strata(N), and one in each of
 /// N strata of either axis.
 inline void expect_multi_jittered(const SampleSets& sets, std::size_t c) {
   const Grid grid = squarest(sets.n);
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    expect_one_in_each_cell(sets, set, {{c, c + 1}, {grid.nx, grid.ny}},
+    expect_one_in_each_cell(sets, set, plane_of(grid, c),
                             "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
     for (const std::size_t axis : {c, c + 1}) {
       expect_one_in_each_cell(sets, set, line_of(sets.n, axis),

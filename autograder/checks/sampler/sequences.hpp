@@ -1,15 +1,11 @@
 #pragma once
 // Which dimensions of the Halton and the Sobol' sequence a sampler's columns are, whatever
-// scrambles them: exactly, by how many leading digits any two of their points share.
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <numeric>
-#include <optional>
+// scrambles them: exactly, by how many leading digits any two of their points share. And of
+// lattices, by how far apart they are.
 
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/sobol_exact.hpp"
+#include "common/lattice_vector.hpp"
 
 namespace mc::checks {
 
@@ -53,12 +49,13 @@ inline double digits_of(double x, unsigned base, double power) {
   return std::floor(x * power + (base == 2 ? 0 : power * 0x1p-49));
 }
 
-/// A dimension of one of the two sequences.
+/// A dimension of one of the two sequences, or of lattices.
 class Dimension {
  public:
   Dimension(const std::string& kind, unsigned number)
-      : base(kind == "sobol" ? 2 : first_primes[number]),
-        directions_(sobol_directions(kind == "sobol" ? number : 0)) {}
+      : base(kind == "halton" ? first_primes[number] : 2),
+        directions_(sobol_directions(kind == "sobol" ? number : 0)),
+        z_(kind == "lattice" ? lattice_vector[number] : 0) {}
   static Dimension at(const std::string& kind, std::size_t place) {
     return {kind, kind == "sobol" ? sobol_block[place] : static_cast<unsigned>(place)};
   }
@@ -80,6 +77,7 @@ class Dimension {
   /// two points share, and nothing else.
   bool may_be(double a, double b, std::size_t i, std::size_t j) const {
     if (i == j) return false;
+    if (z_ > 0) return may_be_folded(a, b, (value(i) - value(j)) * static_cast<double>(z_));
     double power = base;
     for (unsigned k = shared(i, j); k > 0; --k, power *= base) {
       if (digits_of(a, base, power) != digits_of(b, base, power)) return false;
@@ -90,7 +88,17 @@ class Dimension {
   double value(std::size_t i) const { return sobol_word(directions_, i) * 0x1p-32; }
 
  private:
+  /// May a and b be points of a lattice that are `apart` modulo 1, folded? Each has two origins. To
+  /// 2^-40, which is far above all rounding, and far below what chance brings together.
+  static bool may_be_folded(double a, double b, double apart) {
+    const auto fits = [=](double from, double to) {
+      return std::abs(std::remainder(from - to - apart, 1.0)) < 0x1p-40;
+    };
+    return fits(a / 2, b / 2) || fits(-a / 2, b / 2) || fits(a / 2, -b / 2) || fits(-a / 2, -b / 2);
+  }
+
   std::array<std::uint32_t, 32> directions_;
+  std::uint64_t z_;
 };
 
 /// Columns, and the dimensions that they should be.

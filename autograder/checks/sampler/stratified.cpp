@@ -1,14 +1,65 @@
-// 6.2: every sample dimension stratified, in an order of its own.
+// 6.1, 6.2: independent numbers; sample dimensions that are stratified, each in its own order.
 
-#include <algorithm>
 #include <tuple>
 
 #include "checks/sampler/samplers.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/inversions.hpp"
 
 namespace mc::checks {
 namespace {
+
+const Randomness fresh{
+    .words = "all numbers of all samples are uniform and independent",
+    .alpha = alpha,
+    .otherwise = "uniforms of lab 2, fresh ones for every coordinate of every sample",
+    .repeated = "the same numbers come again for another sample dimension or another sample",
+    .same = "the same numbers come again for another sample dimension"};
+
+CHECK_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][needs:2]") {
+  Rng rng = check_rng();
+  for (const std::size_t n : {4096u, 1000u, 131073u}) {
+    const Uses uses = n > 10000 ? Uses{1, 2} : repeated(17, {1, 2});
+    const SampleSets got = columns_of("independent", n, {fresh_seed(rng)}, uses);
+    Uniforms samples{got.call, got.dims};
+    samples.name = [](std::size_t c) { return fmt::format("coordinate {}", c); };
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t c = 0; c < got.dims; ++c) samples.values.push_back(got.column(0, c)[i]);
+    }
+    expect_independent_uniforms(samples, fresh);
+  }
+}
+
+CHECK_CASE("6.1 numbers of different seeds are independent", "[6.1][points:4][needs:2]") {
+  Rng rng = check_rng();
+  for (const std::size_t n : {1u, 100u}) {
+    const SampleSets got =
+        columns_of("independent", n, domain::seeds(rng, 2000), {1, 2, 1, 2, 2, 1});
+    expect_independent_uniforms(sample_of(got, n - 1), fresh);
+  }
+}
+
+std::vector<InvalidCall> unknown_kinds() {
+  std::vector<InvalidCall> calls;
+  for (const std::string kind : {"random", "", "Sobol", "sobol ", "sobo", "blue noise"}) {
+    calls.push_back(
+        {MEASURE_OUTCOME(columns, kind, 2, {1}, {1}), "kind", "there is no such kind of sampler"});
+  }
+  return calls;
+}
+
+CHECK_CASE("6.1 unknown kinds are refused", "[6.1][edge][points:1]") {
+  expect_refused(unknown_kinds());
+}
+
+CHECK_CASE("6.1 the refusal names all kinds", "[6.1][edge][points:1]") {
+  expect_argument_named(unknown_kinds());
+  const Call refused = MEASURE_OUTCOME(columns, "random", 2, {1}, {1});
+  for (const std::string& known : sampler_kinds) {
+    expect_that(refused.outcome.bytes.find(known) != std::string::npos,
+                fmt::format("{}: threw \"{}\"", refused.text, refused.outcome.bytes),
+                fmt::format("a text that also names the kind {}", known),
+                "a list of the kinds helps a user who mistypes one", "");
+  }
+}
 
 // Of 40,009 numbers kept as floats 16 leave their stratum, on average; of 10,007 but one does.
 std::vector<std::uint64_t> sizes(Rng& rng) {
@@ -94,15 +145,12 @@ CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][poin
         choices.values.insert(choices.values.end(), more.begin(), more.end());
       }
     }
-    auto failure = dependence_in(
+    expect_independent_uniforms(
         choices, {.words = "each sample dimension is in an independent random permutation",
                   .alpha = alpha,
-                  .otherwise = ""});
-    if (!failure) continue;
-    failure->likely = hint_for_orders(orders);
-    fail(*failure);
+                  .otherwise = "",
+                  .explain = [&] { return hint_for_orders(orders); }});
   }
-  pass();
 }
 
 CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]") {
@@ -126,19 +174,11 @@ CHECK_CASE("6.2 points are uniform in their cells", "[6.2][points:1][needs:3]") 
   for (const std::size_t n : {4u, 9u, 12u}) {
     const Grid grid = squarest(n);
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, 2000), {2});
+    const std::vector<Pattern> plane{plane_of(grid)};
+    const Uniforms places = jitters_of(got, plane, "");
     for (std::size_t cell = 0; cell < n; ++cell) {  // they may share permutations
-      Uniforms places{got.call, 2};
-      places.bits = bits_of_jitter(grid.nx);
-      places.name = [](std::size_t axis) { return axis == 0 ? "x" : "y"; };
-      for (std::size_t set = 0; set < got.size(); ++set) {
-        const auto cells = expect_one_in_each_cell(got, set, {{0, 1}, {grid.nx, grid.ny}}, "");
-        const auto i =
-            static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
-        places.values.push_back(jitter_of(got.column(set, 0)[i], grid.nx));
-        places.values.push_back(jitter_of(got.column(set, 1)[i], grid.ny));
-      }
       expect_independent_uniforms(
-          places,
+          some_of(places, {cell, n + cell}),
           {.words = "each point of next2() is uniform in its cell",
            .alpha = alpha / 10,
            .otherwise = "random permutations, independent of each other, give the strata of "

@@ -1,11 +1,7 @@
 // 3.5 and 3.6: a grid over all dimensions at once, and every axis stratified by itself.
 
-#include <array>
-#include <numeric>
-
-#include "checks/stratification/levels.hpp"
+#include "checks/stratification/common.hpp"
 #include "checks/stratification/orders.hpp"
-#include "checks/support/catch.hpp"
 
 namespace mc::checks {
 namespace {
@@ -82,15 +78,15 @@ std::vector<InvalidCall> wrong_powers() {
           {made(16, 3, 2), name, "2^3 is not 16"},
           {made(2, 1, 1), name, "1^1 is not 2"},
           {made(1, 2, 3), name, "3^2 is not 1"},
-          {made(0, 2, 0), name, "an axis has strata"},
-          {made(4, 2, 0), name, "an axis has strata"},
+          {made(0, 2, 0), name, "an axis has at least one stratum"},
+          {made(4, 2, 0), name, "an axis has at least one stratum"},
           {made(4, 2, (std::uint64_t{1} << 63) + 2), name,
            "per_axis^2 = 2^126 + 2^65 + 4, which is 4 in 64 bits only", divide},
           {made(16, 40, 65536), name, "65536^40 is 0 in 64 bits", divide}};
 }
 
-REFUSAL_CASES("3.5", "sizes that are no power are refused", "0.5", "the refusals name the argument",
-              "0.5", wrong_powers())
+REFUSAL_CASES("3.5", "sizes that are not a power of per_axis are refused", "0.5",
+              "the refusals name the argument", "0.5", wrong_powers())
 
 // 3.6 ---------------------------------------------------------------------------------------------
 

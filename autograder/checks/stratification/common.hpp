@@ -1,17 +1,11 @@
 #pragma once
-// What several tasks of lab 3 share: the claims about jitter, grids, and calls that are refused.
-
-#include <vector>
-
-#include <fmt/format.h>
+// What several tasks of lab 3 share: claims about jitter, grids, calls that are refused; and
+// errors of estimates over stratified points, compared with their exact variances. The integrands
+// are defined here, where the submission cannot see them: it sends points.
 
 #include "3-stratification/experiments.hpp"
-#include "checks/support/data.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/refusals.hpp"
-#include "checks/support/sample_sets.hpp"
-#include "checks/support/strata.hpp"
-#include "common/points.hpp"
+#include "checks/support/checks.hpp"
+#include "checks/support/exact_stratified.hpp"
 
 namespace mc::checks {
 
@@ -20,11 +14,6 @@ using Sets = SampleSets;
 /// Of every random test of lab 3. There are 100 of them at most, so that a right answer fails once
 /// in two million runs.
 constexpr double alpha = 5e-9;
-
-/// Short enough to be typed again.
-inline std::uint64_t fresh_seed(Rng& rng) {
-  return rng() >> 32;
-}
 
 /// Jitters of task `task` are independent and uniform.
 inline Randomness random_jitters(const std::string& task) {
@@ -36,14 +25,6 @@ inline Randomness random_jitters(const std::string& task) {
               "same ones, or streams that run side by side are copies of each other: draw one "
               "for every coordinate, all from the generator that is passed in",
           .same = "the same random number moves both: draw one for every coordinate"};
-}
-
-/// A grid that columns 0 and 1 fill, and n strata of one column.
-inline Pattern plane_of(Grid grid) {
-  return {{0, 1}, {grid.nx, grid.ny}};
-}
-inline Pattern line_of(std::size_t n, std::size_t d = 0) {
-  return {{d}, {n}};
 }
 
 using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
@@ -63,12 +44,74 @@ inline std::vector<InvalidCall> wrong_grids(IntoGrid into) {
           {into(0, 0, {0, 5}), grid, "a grid has cells"},
           {into(0, 0, {5, 0}), grid, "a grid has cells"},
           {into(0, 0, {0, 0}), grid, "a grid has cells"},
-          {into(0, 0, {1, 1}), grid, "no points do not fill a cell"},
+          {into(0, 0, {1, 1}), grid, "zero points do not fill a cell"},
           {into(6, 6, {0, 6}), grid, "a grid has cells"},
           {into(6, 6, {6, 0}), grid, "a grid has cells"},
           {into(4, 4, {(std::uint64_t{1} << 62) + 1, 4}), grid, "nx * ny = 2^64 + 4, not 4", wraps},
           {into(4, 4, {4, (std::uint64_t{1} << 62) + 1}), grid, "nx * ny = 2^64 + 4, not 4", wraps},
           {into(0, 0, {half, half}), grid, "nx * ny = 2^64, not 0", wraps}};
+}
+
+/// A function of a point, and what a right answer's estimates of it are like at some n.
+struct Level {
+  std::string words;  ///< "exp(x)"
+  std::function<double(View)> f;
+  double mean, variance;
+  double kurtosis = 3;
+  double independent = 0;  ///< variance of the mean of as many independent points
+  std::string because = "one point in each stratum leaves the variance within the strata";
+};
+
+inline constexpr auto exponential = [](double x) { return std::exp(x); };
+inline constexpr auto centred_exponential = [](double x) { return std::exp(x - 0.5); };
+inline constexpr auto gaussian = [](double x) { return std::exp(-x * x); };
+inline constexpr auto centred = [](double x) { return x - 0.5; };
+
+/// h(x) + h(y) + …, and h(x) h(y) ….
+inline auto sum_over_axes(double (*h)(double)) {
+  return [h](View x) {
+    return std::accumulate(x.begin(), x.end(), 0.0,
+                           [&](double all, double one) { return all + h(one); });
+  };
+}
+inline auto product_over_axes(double (*h)(double)) {
+  return [h](View x) {
+    return std::accumulate(x.begin(), x.end(), 1.0,
+                           [&](double all, double one) { return all * h(one); });
+  };
+}
+
+/// Of one point in each stratum.
+inline Level level_of(std::string words, std::function<double(View)> f, const WithinStrata& strata,
+                      double kurtosis = 3) {
+  return {std::move(words), std::move(f),
+          mean_of(strata),  stratified_variance(strata),
+          kurtosis,         independent_variance(strata, strata.size())};
+}
+
+/// The mean squared error of estimates over the first `used` points of each set (0: all of them)
+/// is the exact variance.
+inline void expect_level(const Sets& sets, const Level& level, std::size_t used = 0) {
+  if (used == 0) used = sets.n;
+  Values estimates, point(sets.dims);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    std::vector<View> columns;
+    for (std::size_t d = 0; d < sets.dims; ++d) columns.push_back(sets.column(set, d));
+    double sum = 0;
+    for (std::size_t k = 0; k < used; ++k) {
+      for (std::size_t d = 0; d < sets.dims; ++d) point[d] = columns[d][k];
+      sum += level.f(point);
+    }
+    estimates.push_back(sum / static_cast<double>(used));
+  }
+  expect_variance(
+      {fmt::format("{}, estimates of {}", sets.call, level.words), estimates,
+       static_cast<double>(used)},
+      level.mean, level.variance, level.kurtosis,
+      {fmt::format("the error of {} over {} points: {}", level.words, used, level.because), alpha},
+      {{{level.independent / level.variance,
+         "that is the variance of independent points: nothing is stratified here"}},
+       "is each point uniform in its stratum, and independent of the others?"});
 }
 
 }  // namespace mc::checks

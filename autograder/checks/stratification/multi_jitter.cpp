@@ -1,8 +1,6 @@
 // 3.7: strata of the plane and of both axes at once.
 
-#include "checks/stratification/levels.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/inversions.hpp"
+#include "checks/stratification/common.hpp"
 
 namespace mc::checks {
 namespace {
@@ -31,54 +29,29 @@ CHECK_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][poin
                {{line_of(64, 0), line_of(64, 1)}});
 }
 
-/// Which of the ny strata of x, and of the nx strata of y, of its cell each point lies in.
-struct Parts {
-  Uniforms numbers;                     ///< cell by cell: x, then y
-  bool x_stays = true, y_stays = true;  ///< where the canonical arrangement is
-};
-Parts parts_of(const Sets& sets, Grid grid, Rng& rng) {
-  Parts parts{{sets.call, 2 * sets.n}};
-  parts.numbers.values.resize(sets.size() * 2 * sets.n);
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    const auto cells = expect_one_in_each_cell(sets, set, plane_of(grid), fine_strata);
-    for (std::size_t k = 0; k < sets.n; ++k) {
-      const auto part = [&](std::size_t d, std::size_t across, std::size_t along) {
-        const double jitter = jitter_of(sets.column(set, d)[k], across);
-        return static_cast<std::size_t>(jitter * static_cast<double>(along));
-      };
-      const std::size_t x = part(0, grid.nx, grid.ny), y = part(1, grid.ny, grid.nx);
-      const std::size_t at = (set * sets.n + cells[k]) * 2;
-      parts.numbers.values[at] = fill_cell(x, grid.ny, rng);
-      parts.numbers.values[at + 1] = fill_cell(y, grid.nx, rng);
-      parts.x_stays = parts.x_stays && x == cells[k] / grid.nx;
-      parts.y_stays = parts.y_stays && y == cells[k] % grid.nx;
-    }
+/// Whether all points of these sets lie where the canonical arrangement has them, along one axis:
+/// in which of the ny strata of x, or of the nx strata of y, of its cell.
+bool is_canonical(const Uniforms& jitters, Grid grid, bool along_x) {
+  const std::size_t n = grid.nx * grid.ny;
+  bool stays = true;
+  for (std::size_t i = 0; i < jitters.values.size(); ++i) {
+    const std::size_t cell = i % n;
+    if ((i % (2 * n) < n) != along_x) continue;
+    const auto parts = static_cast<double>(along_x ? grid.ny : grid.nx);
+    const auto part = static_cast<std::size_t>(jitters.values[i] * parts);
+    stays = stays && part == (along_x ? cell / grid.nx : cell % grid.nx);
   }
-  parts.numbers.name = [nx = grid.nx](std::size_t position) {
-    const std::size_t cell = position / 2;
-    return fmt::format("the place of {} within cell ({}, {})", position % 2 == 0 ? "x" : "y",
-                       cell % nx, cell / nx);
-  };
-  return parts;
-}
-
-/// One cell of all sets.
-Uniforms of_cell(const Uniforms& all, std::size_t cell) {
-  Uniforms one{all.call, 2};
-  for (std::size_t set = 0; set < all.replicates(); ++set) {
-    for (const std::size_t at : {2 * cell, 2 * cell + 1}) {
-      one.values.push_back(all.values[set * all.positions + at]);
-    }
-  }
-  one.name = [name = all.name, cell](std::size_t position) { return name(2 * cell + position); };
-  return one;
+  return stays;
 }
 
 CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
   Rng rng = check_rng();
   for (const Grid grid : {Grid{4, 3}, Grid{3, 3}, Grid{2, 2}, Grid{1, 5}, Grid{16, 9}}) {
     const std::size_t n = grid.nx * grid.ny, sets = n > 100 ? 1000 : 8000;
-    const auto [numbers, x_stays, y_stays] = parts_of(multi_jittered(grid, sets, rng), grid, rng);
+    const std::vector<Pattern> plane{plane_of(grid)};
+    const Uniforms places = jitters_of(multi_jittered(grid, sets, rng), plane, fine_strata);
+    const bool x_stays = is_canonical(places, grid, true);
+    const bool y_stays = is_canonical(places, grid, false);
     const Randomness claim{
         .words =
             fmt::format("a point of {} x {} cells lies anywhere in its cell", grid.nx, grid.ny),
@@ -93,17 +66,14 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
             : x_stays ? "y is shuffled and x is not: permute at random which cell of a column "
                         "takes which stratum of x"
                       : "random permutations, all of them equally likely, give the strata of x to "
-                        "the cells of each column, and the strata of y to the cells of each row"};
+                        "the cells of each column, and the strata of y to the cells of each row",
+        .expected = "a uniform point of the cell"};
     // Points of a set may share permutations: each cell is judged by itself.
     for (std::size_t k = 0; k < std::min<std::size_t>(n, 9); ++k) {
-      auto failure = dependence_in(of_cell(numbers, n <= 9 ? k : rng() % n), claim);
-      if (!failure) continue;
-      failure->expected = "any of the places, all equally likely";
-      failure->likely = claim.otherwise;
-      fail(*failure);
+      const std::size_t cell = n <= 9 ? k : rng() % n;
+      expect_independent_uniforms(some_of(places, {cell, n + cell}), claim);
     }
   }
-  pass();
 }
 
 CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
@@ -123,12 +93,10 @@ CHECK_CASE("3.7 a sum is estimated as in one dimension", "[3.7][points:1]") {
   expect_level(multi_jittered({8, 8}, 1000, rng), sum);
 }
 
-Call into_multi(std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
-  return MEASURE_OUTCOME(multi_jittered_into, size_x, size_y, grid);
-}
-
-REFUSAL_CASES("3.7", "what is no grid of these points is refused", "0.5",
-              "the refusals name the argument", "0.5", wrong_grids(into_multi))
+REFUSAL_CASES("3.7", "grids of another size are refused", "0.5", "the refusals name the argument",
+              "0.5", wrong_grids([](std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
+                return MEASURE_OUTCOME(multi_jittered_into, size_x, size_y, grid);
+              }))
 
 }  // namespace
 }  // namespace mc::checks

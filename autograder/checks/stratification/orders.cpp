@@ -1,12 +1,6 @@
-#include "checks/stratification/orders.hpp"
-
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numeric>
 
-#include "checks/support/inversions.hpp"
-#include "checks/support/statistics.hpp"
+#include "checks/stratification/orders.hpp"
 
 namespace mc::checks {
 namespace {
@@ -44,16 +38,6 @@ void fail_at_fixed_value(const Permutations& orders) {
 }
 
 }  // namespace
-
-std::size_t rank_of(std::span<const std::size_t> order) {
-  std::size_t rank = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto smaller = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i), order.end(),
-                                       [&](std::size_t other) { return other < order[i]; });
-    rank = rank * (order.size() - i) + static_cast<std::size_t>(smaller);
-  }
-  return rank;
-}
 
 void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
                                 bool only_repeats) {

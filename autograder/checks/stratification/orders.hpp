@@ -1,10 +1,6 @@
 #pragma once
 // Random permutations: all equally likely, none again, and independent of each other.
 
-#include <span>
-#include <string>
-#include <vector>
-
 #include "checks/stratification/common.hpp"
 
 namespace mc::checks {
@@ -23,9 +19,6 @@ struct Permutations {
   }
   void add(const Order& order) { values.insert(values.end(), order.begin(), order.end()); }
 };
-
-/// The number, below n!, of a permutation (Lehmer's code).
-std::size_t rank_of(std::span<const std::size_t> order);
 
 /// They are independent, and all n! equally likely: the numbers that decide them are uniform, read
 /// from either end, and from n = 20 on none comes again (of R permutations that are drawn from M

@@ -1,13 +1,7 @@
 // 3.4: random permutations, and patterns put next to each other in them.
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-
-#include "checks/stratification/levels.hpp"
+#include "checks/stratification/common.hpp"
 #include "checks/stratification/orders.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/distributions.hpp"
 
 namespace mc::checks {
 namespace {
@@ -44,64 +38,12 @@ Permutations shuffled(std::size_t n, std::size_t times, std::uint64_t seed) {
   return orders;
 }
 
-/// How likely each of the 120 orders of five values is where every value changes places with any of
-/// the five: of 5^5 equally likely ways.
-Values orders_of_swaps_with_any(bool backwards) {
-  Values chances(120);
-  for (std::size_t way = 0; way < 3125; ++way) {
-    std::array<std::size_t, 5> order{0, 1, 2, 3, 4};
-    for (std::size_t k = 0, left = way; k < 5; ++k, left /= 5) {
-      std::swap(order[backwards ? 4 - k : k], order[left % 5]);
-    }
-    chances[rank_of(order)] += 1.0 / 3125;
-  }
-  return chances;
-}
-
-/// What is wrong with a shuffle whose orders of five values are not equally likely, if it is a
-/// well-known mistake.
-std::string shuffle_hint(const Permutations& orders) {
-  constexpr std::size_t n = 5;
-  std::vector<std::uint64_t> counts(120);
-  bool only_cycles = true;
-  std::array<bool, n> stays{true, true, true, true, true};
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    const auto order = orders[i];
-    ++counts[rank_of(order)];
-    std::size_t length = 1;
-    for (std::size_t at = order[0]; at != 0; at = order[at]) ++length;
-    only_cycles = only_cycles && length == n;
-    for (std::size_t k = 0; k < n; ++k) stays[k] = stays[k] && order[k] == k;
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    if (stays[k]) return fmt::format("value {} of 0 … 4 never moves: all five take part", k);
-  }
-  if (only_cycles) {
-    return "no value ever stays in its place: let it change places with itself too (j from i, not "
-           "from i + 1)";
-  }
-  for (const bool backwards : {false, true}) {
-    const Values chances = orders_of_swaps_with_any(backwards);
-    double chi_squared = 0;
-    for (std::size_t i = 0; i < chances.size(); ++i) {
-      const double expected = chances[i] * static_cast<double>(orders.size());
-      const double off = static_cast<double>(counts[i]) - expected;
-      chi_squared += off * off / expected;
-    }
-    if (chi_squared_tails(chi_squared, 119).upper > alpha) {
-      return "each value changes places with any of the n, which favors some permutations: with "
-             "itself or one of those not placed yet (j from i to n-1)";
-    }
-  }
-  return fair;
-}
-
 CHECK_CASE("3.4 every permutation is equally likely", "[3.4][main][points:3]") {
   Rng rng = check_rng();
   const Permutations few = shuffled(5, 12000, fresh_seed(rng));
   expect_random_permutations(few,
                              random_orders("the 120 permutations of five values are equally likely",
-                                           shuffle_hint(few), always_same),
+                                           shuffle_hint(few.values, 5, fair), always_same),
                              rng);
   for (const std::size_t n : {37u, 6u}) {
     expect_random_permutations(
@@ -112,15 +54,15 @@ CHECK_CASE("3.4 every permutation is equally likely", "[3.4][main][points:3]") {
   }
 }
 
-CHECK_CASE("3.4 so are those of many values", "[3.4][points:3]") {
+CHECK_CASE("3.4 permutations of many values are equally likely", "[3.4][points:3]") {
   Rng rng = check_rng();
   for (const std::size_t n : {std::size_t{100000}, std::size_t{65537}, 129 + rng() % 3000}) {
     const std::size_t times = n > 10000 ? 3 : 2000000 / n;
     const Permutations orders = shuffled(n, times, fresh_seed(rng));
     const Randomness claim = random_orders(
         fmt::format("a permutation of {} values may be any of {}!", n, n),
-        "each value may go anywhere: choosing among n values takes more bits than n has, of which "
-        "16 are too few here",
+        "each value may go anywhere with the same probability; random numbers of 16 bits are too "
+        "few to choose among so many values",
         times == 3 ? always_same
                    : "the shuffle has far too few permutations: a random number for each value "
                      "makes n! of them");
@@ -163,7 +105,7 @@ std::vector<Pattern> padded_patterns(std::size_t n, std::size_t dims) {
   const Grid grid = squarest(n);
   std::vector<Pattern> patterns;
   for (std::size_t d = 0; d + 1 < dims; d += 2) {
-    patterns.push_back({{d, d + 1}, {grid.nx, grid.ny}});
+    patterns.push_back(plane_of(grid, d));
   }
   if (dims % 2 == 1) patterns.push_back(line_of(n, dims - 1));
   return patterns;
@@ -207,7 +149,8 @@ CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.2
 CHECK_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.2][needs:3.3]") {
   Rng rng = check_rng();
   const std::string shuffled_too =
-      "shuffle the first pattern too: who stops early must not see only the first rows of the grid";
+      "shuffle the first pattern too: an estimate that stops early must not see only the first "
+      "rows of the grid";
   const Randomness claim = random_orders("the cells of a pattern of 3.4 come in random order",
                                          shuffled_too, shuffled_too);
   for (const auto& [n, dims, sets] :

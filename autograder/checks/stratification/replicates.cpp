@@ -1,12 +1,6 @@
 // 3.8: estimates of replicates, and their error bars.
 
-#include <array>
-#include <cmath>
-#include <numeric>
-
-#include "checks/stratification/levels.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/compare.hpp"
+#include "checks/stratification/common.hpp"
 
 namespace mc::checks {
 namespace {
@@ -131,9 +125,10 @@ CHECK_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:2]
                       "this divides by sqrt(n * replicates): divide by sqrt(replicates), the "
                       "number of means"},
                      {{exact * exact}, "this is the variance of the estimate: take its root"}},
-        .otherwise = is_far ? "E{X^2} - E{X}^2 cancels: let lab 1 tell the variance of the means"
-                            : "the replicates' means are independent of each other: lab 1 knows "
-                              "their variance"};
+        .otherwise = is_far
+                         ? "E{X^2} - E{X}^2 cancels: compute the variance of the means with lab 1"
+                         : "the replicates' means are independent of each other: compute "
+                           "their variance with lab 1"};
     if (dims == 1) {
       comparison.suspects.push_back(
           {{std::sqrt(spread(values) / (size * r - 1) / (size * r))},

@@ -10,7 +10,8 @@
 //   positions   each position by itself is uniform
 //   pairs       positions are independent, pair by pair: m u + n v is uniform modulo 1
 //   bits of pairs  two bits of a number, or of a pair of numbers, are equal half of the time
-//   lags        so are values a power of two apart, in this replicate and in the next ones
+//   lags        values a power of two apart, or half of all, are independent, in this replicate and
+//               in the next ones
 //   rows        the sum of a replicate has the variance of independent numbers
 //
 // Null distributions are exact, or err towards passing (Rayleigh's test, Bonferroni's inequality).
@@ -51,6 +52,8 @@ struct Randomness {
   /// What the program should have done, where the numbers are not its own but computed from what it
   /// did: then nothing that is visible in them is a hint.
   std::string expected = {};
+  /// Finds the hint, which takes long or needs more than the numbers; empty where it finds none.
+  std::function<std::string()> explain = {};
 };
 
 /// The numbers are uniform and independent; wants at least 200 numbers. `only_each` leaves out what

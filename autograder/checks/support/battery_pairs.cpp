@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "checks/support/battery_parts.hpp"
-#include "checks/support/data.hpp"
 #include "checks/support/distributions.hpp"
+#include "checks/support/domain.hpp"
 
 namespace mc::checks::battery {
 namespace {

@@ -56,7 +56,8 @@ class Family {
            protocol::text_of({claim_.words + ": " + part_,
                               std::min(1.0, least_ * static_cast<double>(size_)),
                               claim_.alpha / parts}));
-    const std::string fault = claim_.expected.empty() ? visible_fault(numbers_, claim_) : "";
+    std::string fault = claim_.explain ? claim_.explain() : "";
+    if (fault.empty() && claim_.expected.empty()) fault = visible_fault(numbers_, claim_);
     return Failure{
         numbers_.call + ": " + measured_,
         claim_.expected.empty() ? "independent random numbers, uniform in [0, 1)" : claim_.expected,

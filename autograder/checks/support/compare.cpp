@@ -34,13 +34,6 @@ class Agreement {
   std::span<const double> tolerance_;
 };
 
-template <class Function>
-std::vector<double> each(std::span<const double> values, Function f) {
-  std::vector<double> all(values.size());
-  std::transform(values.begin(), values.end(), all.begin(), f);
-  return all;
-}
-
 /// Where got = factor * exact for all values with one factor other than 1: the factor.
 std::optional<double> common_factor(std::span<const double> got, std::span<const double> exact) {
   std::optional<double> factor;
@@ -85,8 +78,8 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
       earlier(exact.begin(), exact.end() - 1);
   later.push_back(got[n - 1]);
   earlier.insert(earlier.begin(), got[0]);
-  all.push_back({later, "the values are shifted by one: value i + 1 stands at i"});
-  all.push_back({earlier, "the values are shifted by one: value i - 1 stands at i"});
+  all.push_back({later, "the values are shifted by one: value i + 1 is at index i"});
+  all.push_back({earlier, "the values are shifted by one: value i - 1 is at index i"});
   all.push_back({{exact.rbegin(), exact.rend()}, "the values are in reverse order"});
   std::vector<double> unwritten(exact.begin(), exact.end());
   unwritten[n - 1] = got[n - 1];
@@ -125,8 +118,8 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
   return comparison.otherwise;
 }
 
-}  // namespace
-
+/// Which of `count` values are wrong, in words: "all", "the last 3", "every 4th, from 2 on".
+/// `wrong` are their indices in rising order.
 std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
   const std::size_t n = wrong.size();
   if (n == count) return count == 1 ? "" : "all of them are wrong";
@@ -144,6 +137,15 @@ std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
     return fmt::format("{}{} are wrong: every {}th, from value {} on", n, of_all, step, wrong[0]);
   }
   return fmt::format("{}{} are wrong, the first is value {}", n, of_all, wrong[0]);
+}
+
+}  // namespace
+
+double digits(double got, double exact) {
+  if (got == exact) return 17;
+  if (!std::isfinite(got) || !std::isfinite(exact)) return -99;
+  const double error = std::abs(got - exact);
+  return std::min(17.0, -std::log10(exact == 0 ? error : error / std::abs(exact)));
 }
 
 std::optional<Failure> difference(const MeasuredValues& measured, const Comparison& comparison) {

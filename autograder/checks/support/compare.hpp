@@ -10,15 +10,29 @@
 #include <string>
 #include <vector>
 
-#include "checks/support/expect.hpp"
+#include "checks/support/validation.hpp"
 
 namespace mc::checks {
+
+/// A value that a well-known mistake would give, and what to say if that is what was measured.
+struct Suspect {
+  double value;
+  std::string hint;
+};
 
 /// What a well-known mistake gives for all inputs.
 struct Curve {
   std::vector<double> values;
   std::string hint;
 };
+
+/// `f` of each input.
+template <class Inputs, class Function>
+std::vector<double> each(const Inputs& inputs, Function f) {
+  std::vector<double> values;
+  for (const auto& input : inputs) values.push_back(f(input));
+  return values;
+}
 
 struct Comparison {
   std::vector<double> exact;  ///< NaN where the value is undefined and must be NaN
@@ -27,7 +41,7 @@ struct Comparison {
   std::string because = {};  ///< where the tolerance comes from, or why the values are exact
   std::vector<Curve> suspects = {};
   std::string otherwise = {};  ///< the hint if no suspect explains the values
-  /// Names value i: "mean({1, 2})"; by default the call with [i] behind it.
+  /// Names value i: "mean({1, 2})"; by default the call, then [i].
   std::function<std::string(std::size_t)> name = {};
   /// The values are results of calls of their own: then suspects about lists (a last value that is
   /// missing, values shifted by one, in reverse) make no sense.
@@ -71,11 +85,11 @@ class Results {
   Comparison comparison_ = {.exact = {}, .tolerance = {}, .separate_calls = true};
 };
 
+/// The digits of `exact` that `got` has: -log10 of the relative error (of the error, where `exact`
+/// is 0). 17 where they are equal, else -99 where one of them is not finite.
+double digits(double got, double exact);
+
 /// The same without ending a check: what it would say.
 std::optional<Failure> difference(const MeasuredValues& measured, const Comparison& comparison);
-
-/// Which of `count` values are wrong, in words: "all", "the last 3", "every 4th, from 2 on".
-/// `wrong` are their indices in rising order.
-std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count);
 
 }  // namespace mc::checks

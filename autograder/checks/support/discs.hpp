@@ -19,7 +19,7 @@ namespace mc::checks {
 inline double uncovered_area(std::span<const double> x, std::span<const double> y, double radius,
                              std::size_t rows, double start = 0.5, bool torus = true) {
   if (torus && radius >= std::sqrt(0.5)) return x.empty() ? 1 : 0;
-  // Kept between calls: thousands of small lists are dear to make.
+  // Kept between calls: allocating thousands of small lists is expensive.
   static std::vector<std::vector<std::pair<double, double>>> covered;
   covered.resize(std::max(covered.size(), rows));
   for (std::size_t row = 0; row < rows; ++row) covered[row].clear();
@@ -63,7 +63,7 @@ inline double short_way(double difference) {
 
 /// The least distance of any two points of [0,1)^2 on the torus; infinite below two points. Takes
 /// n log n, wherever they lie: a line sweeps over the square along x, and once more over its
-/// beginning; a set holds what lies within the least distance behind it, by y. No two of them are
+/// beginning; a set holds the points that it has just passed, by y. No two of them are
 /// closer than that, so a few lie within it of any y.
 inline double least_distance(std::span<const double> x, std::span<const double> y) {
   const std::size_t n = x.size();
@@ -74,16 +74,16 @@ inline double least_distance(std::span<const double> x, std::span<const double> 
   const auto place = [&](std::size_t step) {
     return x[by_x[step % n]] + static_cast<double>(step / n);
   };
-  std::set<std::pair<double, std::size_t>> behind;
+  std::set<std::pair<double, std::size_t>> passed;
   double least = 1;  // no two are farther apart than sqrt(1/2)
   std::size_t last = 0;
   for (std::size_t step = 0; step < 2 * n && place(step) <= 1 + least; ++step) {
     const std::size_t p = by_x[step % n];
     for (; place(step) - place(last) > least; ++last)
-      behind.erase({y[by_x[last % n]], by_x[last % n]});
+      passed.erase({y[by_x[last % n]], by_x[last % n]});
     for (const double turn : {-1.0, 0.0, 1.0}) {
-      auto near = behind.lower_bound({y[p] + turn - least, 0});
-      for (; near != behind.end() && near->first <= y[p] + turn + least; ++near) {
+      auto near = passed.lower_bound({y[p] + turn - least, 0});
+      for (; near != passed.end() && near->first <= y[p] + turn + least; ++near) {
         const std::size_t q = near->second;
         if (q == p) continue;
         const double dx = short_way(x[p] - x[q]), dy = short_way(y[p] - y[q]);
@@ -91,7 +91,7 @@ inline double least_distance(std::span<const double> x, std::span<const double> 
         if (least == 0) return 0;
       }
     }
-    behind.insert({y[p], p});
+    passed.insert({y[p], p});
   }
   return least;
 }

@@ -12,7 +12,7 @@
 namespace mc::checks {
 namespace {
 
-constexpr double tiny = 1e-300;  // stands in for a zero denominator, as Lentz has it
+constexpr double tiny = 1e-300;  // replaces a zero denominator, as in Lentz's method
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int most_terms =
     1000000;  // each series here needs a few times the root of its parameters

@@ -6,9 +6,35 @@
 
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "common/rng.hpp"
+
+namespace mc::checks {
+
+/// Uniform in [0, 1): 53 bits.
+inline double uniform(Rng& rng) {
+  return static_cast<double>(rng() >> 11) * 0x1p-53;
+}
+
+/// Uniform in [low, high).
+inline double uniform(Rng& rng, double low, double high) {
+  return low + (high - low) * uniform(rng);
+}
+
+inline std::vector<double> uniform_values(Rng& rng, std::size_t n, double low, double high) {
+  std::vector<double> x(n);
+  for (double& value : x) value = uniform(rng, low, high);
+  return x;
+}
+
+/// A seed that is short enough to be typed again.
+inline std::uint64_t fresh_seed(Rng& rng) {
+  return rng() >> 32;
+}
+
+}  // namespace mc::checks
 
 namespace mc::checks::domain {
 
@@ -45,10 +71,14 @@ inline std::vector<std::uint64_t> words(std::uint64_t last, Rng& rng) {
   return all;
 }
 
-/// A random seed, and the 64 that differ from it in one bit.
-inline std::vector<std::uint64_t> seeds_by_bit(Rng& rng) {
-  std::vector<std::uint64_t> all{rng()};
-  for (int bit = 0; bit < 64; ++bit) all.push_back(all[0] ^ std::uint64_t{1} << bit);
+/// A random seed, and the 64 that differ from it in one bit; `times` times.
+inline std::vector<std::uint64_t> seeds_by_bit(Rng& rng, std::size_t times = 1) {
+  std::vector<std::uint64_t> all;
+  for (std::size_t i = 0; i < times; ++i) {
+    const std::uint64_t seed = rng();
+    all.push_back(seed);
+    for (int bit = 0; bit < 64; ++bit) all.push_back(seed ^ std::uint64_t{1} << bit);
+  }
   return all;
 }
 
@@ -59,10 +89,10 @@ inline std::vector<std::uint64_t> seeds(Rng& rng, std::size_t count) {
   return all;
 }
 
-/// `count` seeds in a row: first, first + 1, …
-inline std::vector<std::uint64_t> seeds_in_a_row(std::uint64_t first, std::size_t count) {
+/// `count` seeds or indices in a row: first, first + 1, …
+inline std::vector<std::uint64_t> in_a_row(std::uint64_t first, std::size_t count) {
   std::vector<std::uint64_t> all(count);
-  for (auto& seed : all) seed = first++;
+  std::iota(all.begin(), all.end(), first);
   return all;
 }
 

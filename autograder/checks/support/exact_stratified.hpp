@@ -4,11 +4,12 @@
 // right answer's error is.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
+
+#include "checks/support/quadrature.hpp"
 
 namespace mc::checks {
 
@@ -38,34 +39,21 @@ inline double between(const WithinStrata& strata) {
   return sum;
 }
 
-/// Of h, smooth, over n equal parts of [0,1): Gauss and Legendre's rule of 8 points on each
-/// (Abramowitz, Stegun, table 25.4), exact for polynomials up to degree 15.
+/// Of h, smooth, over n equal parts of [0,1).
 template <class Function>
 WithinStrata strata_of(Function h, std::size_t n) {
-  constexpr std::array<double, 4> node{0.183434642495649805, 0.525532409916328986,
-                                       0.796666477413626740, 0.960289856497536232};
-  constexpr std::array<double, 4> weight{0.362683783378361983, 0.313706645877887287,
-                                         0.222381034453374471, 0.101228536290376259};
   WithinStrata strata;
-  const double half = 0.5 / static_cast<double>(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double centre = half * static_cast<double>(2 * i + 1);
-    double mean = 0, variance = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      mean += weight[k] / 2 * (h(centre - half * node[k]) + h(centre + half * node[k]));
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double low = h(centre - half * node[k]) - mean,
-                   high = h(centre + half * node[k]) - mean;
-      variance += weight[k] / 2 * (low * low + high * high);
-    }
+  const auto size = static_cast<double>(n);
+  for (double i = 0; i < size; ++i) {
+    const auto average = [&](auto f) { return size * integral(i / size, (i + 1) / size, 1, f); };
+    const double mean = average(h);
     strata.mean.push_back(mean);
-    strata.variance.push_back(variance);
+    strata.variance.push_back(average([&](double x) { return (h(x) - mean) * (h(x) - mean); }));
   }
   return strata;
 }
 
-/// Of f(x) g(y), and of f(x) + g(y), over the grid of f's strata and g's: a cell is a pair of them.
+/// Of f(x) g(y) over the grid of f's strata and g's: a cell is a pair of them.
 inline WithinStrata product_of(const WithinStrata& f, const WithinStrata& g) {
   WithinStrata cells;
   for (std::size_t i = 0; i < f.size(); ++i) {
@@ -74,16 +62,6 @@ inline WithinStrata product_of(const WithinStrata& f, const WithinStrata& g) {
       cells.mean.push_back(f.mean[i] * g.mean[j]);
       cells.variance.push_back(f.variance[i] * g.variance[j] + f.variance[i] * g_squared +
                                g.variance[j] * f_squared);
-    }
-  }
-  return cells;
-}
-inline WithinStrata sum_of(const WithinStrata& f, const WithinStrata& g) {
-  WithinStrata cells;
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    for (std::size_t j = 0; j < g.size(); ++j) {
-      cells.mean.push_back(f.mean[i] + g.mean[j]);
-      cells.variance.push_back(f.variance[i] + g.variance[j]);
     }
   }
   return cells;
@@ -127,59 +105,6 @@ inline double edge_kurtosis(const WithinStrata& strata) {
   double fourth = 0;
   for (const double variance : strata.variance) fourth += variance * (1 - 6 * variance);
   return 3 + fourth / (sum_of(strata.variance) * sum_of(strata.variance));
-}
-
-/// The integrals of 1, ln(x+y), … ln(x+y)^4 over [x, x + side) x [y, y + side): second differences
-/// of B_k, whose second derivative is ln(t)^k. With C_k the integral of t ln(t)^k, by parts,
-/// C_k = t^2/2 ln(t)^k - k/2 C_(k-1) and B_k = C_k - k B_(k-1).
-inline std::array<long double, 5> log_integrals(long double x, long double y, long double side) {
-  const auto second_antiderivatives = [](long double t) {
-    std::array<long double, 5> b{};
-    if (t <= 0) return b;
-    const long double log = std::log(t);
-    long double c = t * t / 2, power = 1;
-    b[0] = c;
-    for (std::size_t k = 1; k < b.size(); ++k) {
-      power *= log;
-      c = t * t / 2 * power - static_cast<long double>(k) / 2 * c;
-      b[k] = c - static_cast<long double>(k) * b[k - 1];
-    }
-    return b;
-  };
-  const auto low = second_antiderivatives(x + y), middle = second_antiderivatives(x + y + side),
-             high = second_antiderivatives(x + y + 2 * side);
-  std::array<long double, 5> integrals{};
-  for (std::size_t k = 0; k < integrals.size(); ++k) {
-    integrals[k] = high[k] - 2 * middle[k] + low[k];
-  }
-  return integrals;
-}
-
-/// Of ln(x + y), which has no bound at a corner of the square, over side x side cells; and the
-/// kurtosis of the mean of one point in each of them, to which cumulants add up.
-struct CornerStrata {
-  WithinStrata strata;
-  double kurtosis = 3;
-};
-inline CornerStrata corner_strata(std::size_t side) {
-  CornerStrata corner;
-  const long double width = 1 / static_cast<long double>(side);
-  long double variances = 0, fourths = 0;
-  for (std::size_t j = 0; j < side; ++j) {
-    for (std::size_t i = 0; i < side; ++i) {
-      std::array<long double, 5> moment = log_integrals(static_cast<long double>(i) * width,
-                                                        static_cast<long double>(j) * width, width);
-      for (long double& one : moment) one /= width * width;  // E{g^k}
-      const long double mean = moment[1], square = mean * mean, variance = moment[2] - square;
-      corner.strata.mean.push_back(static_cast<double>(mean));
-      corner.strata.variance.push_back(static_cast<double>(variance));
-      variances += variance;
-      fourths += moment[4] - 4 * mean * moment[3] + 6 * square * moment[2] - 3 * square * square -
-                 3 * variance * variance;
-    }
-  }
-  corner.kurtosis = static_cast<double>(3 + fourths / (variances * variances));
-  return corner;
 }
 
 /// Variance of the mean of n independent points.

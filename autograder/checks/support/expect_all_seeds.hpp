@@ -1,26 +1,43 @@
 #pragma once
 // What randomized constructions promise of their seeds.
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "checks/support/domain.hpp"
-#include "checks/support/expect.hpp"
 #include "checks/support/inversions.hpp"
+#include "checks/support/measure.hpp"
 
 namespace mc::checks {
 
 /// Labs have 40 such tests at most in a run.
 inline constexpr double one_alpha = 1e-8;
 
+/// The numbers of these seeds, of which `measure(seeds)` gives one each, for `most` seeds at a time:
+/// an answer may seed a large generator for every digit of every number.
+template <class Measurement>
+Uniforms numbers_of(std::span<const std::uint64_t> seeds, std::size_t most, Measurement measure) {
+  Uniforms all;
+  for (; !seeds.empty(); seeds = seeds.subspan(std::min(most, seeds.size()))) {
+    const auto part = seeds.first(std::min(most, seeds.size()));
+    const auto got = measure(std::vector<std::uint64_t>(part.begin(), part.end()));
+    const auto& values = got.exactly(part.size(), unit);
+    all.call = got.call;
+    all.values.insert(all.values.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
 /// `measure(seeds)` gives one number for each of them: where a construction has digits in `base`,
 /// of 0 scrambled. Seeds that follow each other, as those of axes and pixels do, and seeds that
 /// differ in one bit, give unrelated numbers.
 template <class Measurement>
 void expect_all_seeds(Rng& rng, double base, const std::string& level, Measurement measure) {
-  const auto row = measure(domain::seeds_in_a_row(rng() >> 1, 6400));
-  const auto& values = row.exactly(6400, unit);
+  const Uniforms row = numbers_of(domain::in_a_row(rng() >> 1, 6400), 2000, measure);
+  const auto& values = row.values;
   bool is_next_digit = true;
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
     const double apart = std::remainder(base * values[i] - values[i + 1], 1.0);
@@ -37,14 +54,9 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
   const Randomness in_a_row{.words = "neighboring seeds give independent numbers",
                             .alpha = one_alpha,
                             .otherwise = is_next_digit ? next_digit : otherwise};
-  expect_independent_uniforms({row.call, 1, values}, in_a_row);
-  std::vector<std::uint64_t> seeds;
-  for (int i = 0; i < 120; ++i) {
-    const auto more = domain::seeds_by_bit(rng);
-    seeds.insert(seeds.end(), more.begin(), more.end());
-  }
-  const auto by_bit = measure(seeds);
-  Uniforms numbers{by_bit.call, 65, by_bit.exactly(seeds.size(), unit)};
+  expect_independent_uniforms(row, in_a_row);
+  Uniforms numbers = numbers_of(domain::seeds_by_bit(rng, 120), 2000, measure);
+  numbers.positions = 65;
   numbers.name = [](std::size_t k) {
     return k == 0 ? std::string("the number of a seed")
                   : "that of the seed with bit " + std::to_string(k - 1) + " changed";
@@ -60,14 +72,7 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
 /// often than by chance: of numbers that depend on 32 bits of a hash, ten do.
 template <class Measurement>
 void expect_many_seeds(Rng& rng, Measurement measure) {
-  Uniforms numbers;
-  constexpr std::size_t count = 50'000;
-  for (int part = 0; part < 6; ++part) {
-    const auto got = measure(domain::seeds(rng, count));
-    const auto& values = got.exactly(count, unit);
-    numbers.call = got.call;
-    numbers.values.insert(numbers.values.end(), values.begin(), values.end());
-  }
+  const Uniforms numbers = numbers_of(domain::seeds(rng, 300'000), 50'000, measure);
   expect_independent_uniforms(
       numbers, {.words = "different seeds give independent numbers",
                 .alpha = one_alpha,

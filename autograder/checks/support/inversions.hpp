@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "checks/support/battery.hpp"
-#include "checks/support/data.hpp"
+#include "checks/support/domain.hpp"
 
 namespace mc::checks {
 
@@ -25,6 +25,18 @@ inline Uniforms side_by_side(const Uniforms& a, const Uniforms& b) {
     }
   }
   return both;
+}
+
+/// Some positions of them.
+inline Uniforms some_of(const Uniforms& all, const std::vector<std::size_t>& positions) {
+  Uniforms some{all.call, positions.size(), {}, all.bits};
+  for (std::size_t r = 0; r < all.replicates(); ++r) {
+    for (const std::size_t at : positions) {
+      some.values.push_back(all.values[r * all.positions + at]);
+    }
+  }
+  some.name = [name = all.name, positions](std::size_t i) { return name(positions[i]); };
+  return some;
 }
 
 /// How many bits of the jitter n x - i are left, of n strata: x has 53, and its product with n is

@@ -1,5 +1,5 @@
 #pragma once
-// The scenes and pictures by their names, as labs/6-sampler/experiments.hpp has them: what is known
+// The scenes by their names, as labs/6-sampler/experiments.hpp has them: what is known
 // of each, and fresh parameters.
 
 #include <fmt/format.h>
@@ -178,36 +178,6 @@ inline std::string described(std::string_view name, std::span<const double> para
     words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", field, *value++);
   }
   return fmt::format("{} with {}", name, words.empty() ? "its own parameters" : words);
-}
-
-/// A picture's pixels, exactly: each is a scene with other parameters.
-struct KnownPicture {
-  std::string_view name;
-  double (*pixel)(double width, double height, double column, double row);
-};
-template <auto at>
-constexpr KnownPicture picture_as(std::string_view name) {
-  return {name, [](double width, double height, double column, double row) {
-            return exact(at(width, height, column, row));
-          }};
-}
-inline constexpr std::array known_pictures{
-    picture_as<scenes::edge_picture>("edge"),
-    picture_as<scenes::penumbra_picture>("penumbra"),
-    picture_as<scenes::defocus_picture>("defocus"),
-    picture_as<scenes::motion_picture>("motion"),
-    picture_as<scenes::stripes_picture>("stripes"),
-};
-
-inline std::vector<double> exact_image(std::string_view picture, std::size_t width,
-                                       std::size_t height) {
-  const KnownPicture& known = named(known_pictures, picture);
-  std::vector<double> pixels;
-  for (std::size_t i = 0; i < width * height; ++i) {
-    pixels.push_back(known.pixel(static_cast<double>(width), static_cast<double>(height),
-                                 static_cast<double>(i % width), static_cast<double>(i / width)));
-  }
-  return pixels;
 }
 
 }  // namespace mc::checks

@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
-#include "checks/support/plain_numbers.hpp"
 #include "checks/support/replay.hpp"
+#include "checks/support/validation.hpp"
 #include "protocol/environment.hpp"
 #include "sandbox/printable.hpp"
 
@@ -126,7 +126,7 @@ std::string assertion_in(const std::string& printed) {
 }
 
 /// The report for a program that gave no answer: how it ended, if known, and the usual cause.
-std::string story_of_end(const Call& call) {
+std::string report_of_end(const Call& call) {
   const sandbox::Outcome& outcome = call.outcome;
   std::string because = assertion_in(outcome.printed), likely;
   switch (outcome.end) {
@@ -145,11 +145,11 @@ std::string story_of_end(const Call& call) {
     case sandbox::End::other:
       break;
   }
-  std::string story =
+  std::string report =
       fmt::format("measured  {} {}\nexpected  an answer", call.text, outcome.failure);
-  if (!because.empty()) story += "\nbecause   " + because;
-  if (!likely.empty()) story += "\nlikely    " + likely;
-  return story;
+  if (!because.empty()) report += "\nbecause   " + because;
+  if (!likely.empty()) report += "\nlikely    " + likely;
+  return report;
 }
 
 }  // namespace
@@ -164,11 +164,11 @@ Rng check_rng() {
   return Rng(hash);
 }
 
-void fail(const std::string& story) {
-  if (const PastCall* call = call_in(story)) {
+void fail(const std::string& report) {
+  if (const PastCall* call = call_in(report)) {
     record(RecordKind::call, call->experiment + call->typed());
   }
-  FAIL(without_empty_signs(story));
+  FAIL(without_empty_signs(report));
   std::abort();  // FAIL throws
 }
 
@@ -187,10 +187,10 @@ Call ask(std::string_view experiment, std::string call, std::function<std::strin
   past_calls.push_back({call, std::string(experiment), std::move(typed)});
   Call made{std::move(call), run_or_tell(request, limits)};
   keep_for_replay(made.text, request, made.outcome);
-  static double dearest = 0.02;  // what is less is not worth a word
-  if (made.outcome.cpu_seconds > dearest) {
-    dearest = made.outcome.cpu_seconds;
-    record(RecordKind::cost, fmt::format("{:.3f} {}", dearest, experiment));
+  static double highest = 0.02;  // lower costs are not reported
+  if (made.outcome.cpu_seconds > highest) {
+    highest = made.outcome.cpu_seconds;
+    record(RecordKind::cost, fmt::format("{:.3f} {}", highest, experiment));
   }
   if (!made.outcome.printed.empty()) record(RecordKind::printed, made.outcome.printed);
   return made;
@@ -202,7 +202,7 @@ Call ask_again(std::string call, std::string request) {
 
 void require_value(const Call& call) {
   const sandbox::Outcome& outcome = call.outcome;
-  if (!outcome.answered) fail(story_of_end(call));
+  if (!outcome.answered) fail(report_of_end(call));
   switch (outcome.status) {
     case wire::Status::value:
       return;
@@ -210,15 +210,12 @@ void require_value(const Call& call) {
       record(RecordKind::todo, outcome.bytes);
       fail(fmt::format("not written yet: {}", outcome.bytes));
     case wire::Status::invalid_argument:
-      fail(
-          fmt::format("measured  {} threw std::invalid_argument: {}\n"
-                      "expected  a value: these arguments are in order",
-                      call.text, outcome.bytes));
     case wire::Status::out_of_range:
-      fail(
-          fmt::format("measured  {} threw std::out_of_range: {}\n"
-                      "expected  a value: these arguments are in order",
-                      call.text, outcome.bytes));
+      fail(Failure{fmt::format("{} threw std::{}: {}", call.text,
+                               outcome.status == wire::Status::out_of_range ? "out_of_range"
+                                                                            : "invalid_argument",
+                               outcome.bytes),
+                   "a value: these arguments are valid"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
   }

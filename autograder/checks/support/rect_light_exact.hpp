@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "checks/support/quadrature.hpp"
 #include "common/rect_light.hpp"
 
 namespace mc::checks {
@@ -25,21 +26,17 @@ inline double area(const RectLight& light) {
   return (light.x1 - light.x0) * (light.y1 - light.y0);
 }
 
-/// The mean of f(x, y) over the light: Simpson's rule on 128 x 128 panels, which for what is smooth
-/// on the scale of its height leaves 1e-8.
+/// The integral of f(x, y) over the light, and its mean, for what is smooth on the scale of its
+/// height.
+template <class Function>
+double integral_over(const RectLight& light, Function f) {
+  return integral(light.x0, light.x1, light.height, [&](double x) {
+    return integral(light.y0, light.y1, light.height, [&](double y) { return f(x, y); });
+  });
+}
 template <class Function>
 double mean_over(const RectLight& light, Function f) {
-  constexpr int panels = 128;
-  const auto weight = [](int i) { return i == 0 || i == panels ? 1 : i % 2 == 1 ? 4 : 2; };
-  double sum = 0;
-  for (int i = 0; i <= panels; ++i) {
-    for (int j = 0; j <= panels; ++j) {
-      sum += weight(i) * weight(j) *
-             f(light.x0 + (light.x1 - light.x0) * i / panels,
-               light.y0 + (light.y1 - light.y0) * j / panels);
-    }
-  }
-  return sum / (9.0 * panels * panels);
+  return integral_over(light, f) / area(light);
 }
 
 }  // namespace mc::checks

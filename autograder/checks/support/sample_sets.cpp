@@ -64,7 +64,7 @@ SampleSets sets_from_xy(std::string call, View x, View y, std::span<const std::u
 
 SampleSets sets_from_columns(const Measured<Values>& got, std::size_t n, std::size_t dims,
                              std::size_t sets, std::size_t strata) {
-  SampleSets all(got.call, n, dims, got.exactly(n * dims * sets, any_number));
+  SampleSets all(got.call, sets, n, dims, got.exactly(n * dims * sets, any_number));
   for (std::size_t set = 0; set < sets; ++set) {
     for (std::size_t d = 0; d < dims; ++d) {
       const std::string name = dims == 1 ? "x" : fmt::format("column {}, x", d);
@@ -72,18 +72,6 @@ SampleSets sets_from_columns(const Measured<Values>& got, std::size_t n, std::si
     }
   }
   return all;
-}
-
-std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::size_t set,
-                                                 const Pattern& pattern,
-                                                 const std::string& elsewhere) {
-  std::vector<Axis> axes;
-  for (std::size_t i = 0; i < pattern.dims.size(); ++i) {
-    const std::size_t d = pattern.dims[i];
-    axes.push_back({sets.dims <= 2 ? (d == 0 ? "x" : "y") : fmt::format("coordinate {}", d),
-                    sets.column(set, d), pattern.strata[i]});
-  }
-  return expect_one_in_each_cell(sets.call, axes, elsewhere);
 }
 
 Uniforms jitters_of(const SampleSets& sets, std::span<const Pattern> patterns,

@@ -19,12 +19,6 @@ using View = std::span<const double>;
 /// `size()` sets of points of [0, 1)^dims: set after set, of each one column after the other.
 class SampleSets {
  public:
-  /// As many sets of `points` points as there are values for.
-  SampleSets(std::string from, std::size_t points, std::size_t axes, Values values)
-      : call(std::move(from)), n(points), dims(axes), values_(std::move(values)) {
-    const std::size_t sets = n * dims == 0 ? 0 : values_.size() / (n * dims);
-    while (size() < sets) first_.push_back(first_.back() + n);
-  }
   /// Sets of these sizes.
   SampleSets(std::string from, std::span<const std::uint64_t> sizes, std::size_t axes,
              Values values)
@@ -34,6 +28,11 @@ class SampleSets {
         values_(std::move(values)) {
     for (const std::uint64_t points : sizes) first_.push_back(first_.back() + points);
   }
+  /// So many sets of n points.
+  SampleSets(std::string from, std::size_t sets, std::size_t points, std::size_t axes,
+             Values values)
+      : SampleSets(std::move(from), std::vector<std::uint64_t>(sets, points), axes,
+                   std::move(values)) {}
 
   std::string call;
   std::size_t n, dims;  ///< n points in each set; in the first one, where sizes differ
@@ -84,6 +83,14 @@ struct Pattern {
   std::vector<std::size_t> dims;
   std::vector<std::size_t> strata;  ///< along each of these dimensions
 };
+
+/// A grid that columns d and d + 1 fill, and n strata of one column.
+inline Pattern plane_of(Grid grid, std::size_t d = 0) {
+  return {{d, d + 1}, {grid.nx, grid.ny}};
+}
+inline Pattern line_of(std::size_t n, std::size_t d = 0) {
+  return {{d}, {n}};
+}
 
 /// The cell of each point of a set; ends the check where a cell does not have exactly one point.
 /// `elsewhere` is the hint if the points do not show what is wrong.

@@ -16,9 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "checks/support/data.hpp"
-#include "checks/support/population.hpp"
+#include "checks/support/domain.hpp"
+#include "checks/support/quadrature.hpp"
 #include "checks/support/rect_light_exact.hpp"
+#include "checks/support/statistics.hpp"
 #include "common/scenes/ao_sphere.hpp"
 #include "common/scenes/ao_wall.hpp"
 #include "common/scenes/defocus_edge.hpp"
@@ -34,47 +35,6 @@
 #include "common/scenes/stripes.hpp"
 
 namespace mc::checks {
-
-// Quadrature --------------------------------------------------------------------------------------
-
-/// Nodes in (-1, 1) and weights of the Gauss-Legendre rule with 16 points: the roots of the
-/// Legendre polynomial by Newton's method, from Tricomi's approximation.
-struct GaussLegendre {
-  static constexpr int points = 16;
-  std::array<double, points> node{}, weight{};
-
-  GaussLegendre() {
-    for (int i = 0; i < points; ++i) {
-      double x = std::cos(std::numbers::pi * (i + 0.75) / (points + 0.5)), slope = 1;
-      for (int step = 0; step < 6; ++step) {
-        double p = x, before = 1;
-        for (int n = 2; n <= points; ++n) {
-          before = std::exchange(p, ((2 * n - 1) * x * p - (n - 1) * before) / n);
-        }
-        slope = points * (x * p - before) / (x * x - 1);
-        x -= p / slope;
-      }
-      node[static_cast<std::size_t>(i)] = x;
-      weight[static_cast<std::size_t>(i)] = 2 / ((1 - x * x) * slope * slope);
-    }
-  }
-};
-
-/// The integral of f from `low` to `high` in panels no wider than `panel`. Where f's nearest pole
-/// is as far away as a panel is wide, a panel's error is near (2 + sqrt(5))^-32 = 1e-20 of f.
-template <class F>
-double integral(double low, double high, double panel, F f) {
-  static const GaussLegendre rule;
-  if (!(low < high)) return 0;
-  const double panels = std::ceil((high - low) / panel), half = (high - low) / panels / 2;
-  double sum = 0;
-  for (double i = 0; i < panels; ++i) {
-    for (std::size_t k = 0; k < rule.node.size(); ++k) {
-      sum += rule.weight[k] * f(low + half * (2 * i + 1 + rule.node[k]));
-    }
-  }
-  return half * sum;
-}
 
 /// The mean of f(cos phi) over a circle: for what is periodic and smooth, the trapezoidal rule
 /// converges as fast as a Fourier series.
@@ -116,10 +76,8 @@ inline double disk_irradiance(double radius, double height, double offset) {
 /// The integral of r^-4k over a rectangle at `light.height`.
 inline double inverse_powers(const RectLight& light, int k) {
   const double h2 = light.height * light.height;
-  return integral(light.x0, light.x1, light.height, [&](double x) {
-    return integral(light.y0, light.y1, light.height,
-                    [&](double y) { return std::pow(x * x + y * y + h2, -2 * k); });
-  });
+  return integral_over(light,
+                       [&](double x, double y) { return std::pow(x * x + y * y + h2, -2 * k); });
 }
 /// The same over a disk.
 inline double inverse_powers(double radius, double height, double offset, int k) {
@@ -331,11 +289,6 @@ concept Indicator = std::same_as<S, scenes::WallOcclusion> ||
 template <Indicator S>
 double moment(const S& scene, int) {
   return exact(scene);
-}
-
-template <class S>
-double second_moment(const S& scene) {
-  return moment(scene, 2);
 }
 
 /// One sample of a scene.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -24,46 +23,42 @@ struct Spectrum {
 /// right to 10 k eps: for averages over sets, which have three digits.
 Spectrum spectrum_of(std::span<const double> x, std::span<const double> y, int kmax);
 
-/// The power that jittered points, one in each of side x side cells, have on average at k: 1 -
-/// sinc(kx / side)^2 sinc(ky / side)^2. A cell's mean wave has the size sinc sinc; what cells have
-/// in common cancels, each cell's own remainder does not.
-inline double jittered_power(int kx, int ky, int side) {
-  const auto sinc = [&](int k) {
-    const double turn = std::numbers::pi * k / side;
-    return k == 0 ? 1 : std::sin(turn) / turn;
-  };
-  return 1 - std::pow(sinc(kx) * sinc(ky), 2);
+/// Sums of the power over rings of k, and how many terms each has. `ring_of(kx, ky)` is the ring;
+/// none from `rings` on.
+struct Rings {
+  std::vector<double> sum, count;
+};
+template <class RingOf>
+Rings rings_of(const Spectrum& spectrum, std::size_t rings, RingOf ring_of) {
+  Rings all{std::vector<double>(rings), std::vector<double>(rings)};
+  for (int ky = -spectrum.kmax; ky <= spectrum.kmax; ++ky) {
+    for (int kx = -spectrum.kmax; kx <= spectrum.kmax; ++kx) {
+      const double ring = ring_of(kx, ky);
+      if (ring >= static_cast<double>(rings)) continue;
+      all.sum[static_cast<std::size_t>(ring)] += spectrum.at(kx, ky);
+      ++all.count[static_cast<std::size_t>(ring)];
+    }
+  }
+  return all;
 }
 
 /// The mean power over 0 < abs(k) <= sqrt(n)/2: the low band, where blue noise has little.
 inline double low_band(const Spectrum& spectrum, double n) {
-  double sum = 0, count = 0;
-  for (int ky = -spectrum.kmax; ky <= spectrum.kmax; ++ky) {
-    for (int kx = -spectrum.kmax; kx <= spectrum.kmax; ++kx) {
-      const int squared = kx * kx + ky * ky;
-      if (squared == 0 || 4 * squared > n) continue;
-      sum += spectrum.at(kx, ky);
-      ++count;
-    }
-  }
-  return sum / count;
+  const Rings one = rings_of(spectrum, 1, [=](int kx, int ky) {
+    const int squared = kx * kx + ky * ky;
+    return squared == 0 || 4 * squared > n ? 1 : 0;
+  });
+  return one.sum[0] / one.count[0];
 }
 
 /// The largest mean power over rings of width sqrt(n)/20, up to 2 sqrt(n).
 inline double peak(const Spectrum& spectrum, double n) {
-  const double width = std::sqrt(n) / 20;
-  std::vector<double> sum(40), count(40);
-  for (int ky = -spectrum.kmax; ky <= spectrum.kmax; ++ky) {
-    for (int kx = -spectrum.kmax; kx <= spectrum.kmax; ++kx) {
-      const auto ring = static_cast<std::size_t>(std::sqrt(kx * kx + ky * ky) / width);
-      if (ring >= sum.size() || (kx == 0 && ky == 0)) continue;
-      sum[ring] += spectrum.at(kx, ky);
-      ++count[ring];
-    }
-  }
+  const Rings all = rings_of(spectrum, 40, [=](int kx, int ky) {
+    return kx == 0 && ky == 0 ? 40 : std::hypot(kx, ky) / (std::sqrt(n) / 20);
+  });
   double most = 0;
-  for (std::size_t ring = 0; ring < sum.size(); ++ring) {
-    if (count[ring] > 0) most = std::max(most, sum[ring] / count[ring]);
+  for (std::size_t ring = 0; ring < 40; ++ring) {
+    if (all.count[ring] > 0) most = std::max(most, all.sum[ring] / all.count[ring]);
   }
   return most;
 }

@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
-#include "checks/support/data.hpp"
 #include "checks/support/distributions.hpp"
+#include "checks/support/domain.hpp"
 
 namespace mc::checks {
 namespace {
 
 /// One outcome of a test, ready to be judged and reported.
 struct Outcome {
-  double measured = 0;                 ///< the statistic, in the unit of the story
+  double measured = 0;                 ///< the statistic, in the unit of the report
   double expected = 0;                 ///< its value under the null
   std::function<Interval()> accepted;  ///< of the statistic; only a failure needs it
   double p = 0;                        ///< two-sided
@@ -61,48 +61,6 @@ std::string describe(const Replicates& estimates) {
                          : fmt::format("{}: {} values", estimates.call, estimates.values.size());
 }
 
-/// Ends the check where a replicate is no number at all.
-void require_numbers(const Replicates& estimates, const Hints& hints) {
-  const auto odd = std::find_if(estimates.values.begin(), estimates.values.end(),
-                                [](double value) { return !std::isfinite(value); });
-  if (odd == estimates.values.end() && !estimates.values.empty()) return;
-  expect_that(false,
-              odd == estimates.values.end() ? estimates.call + ": no values"
-                                            : fmt::format("{}: replicate {} is {}", estimates.call,
-                                                          odd - estimates.values.begin(), *odd),
-              "finite numbers", "", hints.otherwise);
-}
-
-double sum_of_squares(const Replicates& estimates, double exact) {
-  double sum = 0;
-  for (const double value : estimates.values) sum += (value - exact) * (value - exact);
-  return sum;
-}
-
-double degrees_of(const Replicates& estimates, double kurtosis) {
-  return 2 * static_cast<double>(estimates.values.size()) / (kurtosis - 1);
-}
-
-/// The least and the largest proportion of successes that an exact binomial test accepts: as
-/// central_interval(), on whole numbers.
-Interval accepted_proportions(std::uint64_t trials, double p, double alpha) {
-  const auto first = [&](auto holds) {  // the first count for which it holds, if any
-    std::uint64_t low = 0, high = trials + 1;
-    while (low < high) {
-      const std::uint64_t middle = low + (high - low) / 2;
-      if (holds(binomial_tails(middle, trials, p))) {
-        high = middle;
-      } else {
-        low = middle + 1;
-      }
-    }
-    return static_cast<double>(low);
-  };
-  const auto size = static_cast<double>(trials);
-  return {first([&](const Tails& at) { return at.lower >= alpha / 2; }) / size,
-          (first([&](const Tails& at) { return at.upper < alpha / 2; }) - 1) / size};
-}
-
 /// For spreading the p-values of discrete statistics: the same in each repetition of a check.
 double fresh_uniform() {
   static std::uint64_t calls = 0;
@@ -114,7 +72,6 @@ double fresh_uniform() {
 
 double expect_mean(const Replicates& estimates, double exact, double variance, const Null& null,
                    const Hints& hints) {
-  require_numbers(estimates, hints);
   const auto replicates = static_cast<double>(estimates.values.size());
   double mean = 0;  // of the errors: the sum of many values near 1e9 would be rounded
   for (const double value : estimates.values) mean += (value - exact) / replicates;
@@ -136,12 +93,13 @@ double expect_mean(const Replicates& estimates, double exact, double variance, c
 
 double expect_variance(const Replicates& estimates, double exact, double variance, double kurtosis,
                        const Null& null, const Hints& hints) {
-  require_numbers(estimates, hints);
-  const double degrees = degrees_of(estimates, kurtosis);
+  const auto count = static_cast<double>(estimates.values.size());
+  const double degrees = 2 * count / (kurtosis - 1);
   const auto tails = [&](double ratio) { return chi_squared_tails(ratio * degrees, degrees); };
   Outcome outcome;
-  outcome.measured =
-      sum_of_squares(estimates, exact) / (variance * static_cast<double>(estimates.values.size()));
+  for (const double value : estimates.values) {
+    outcome.measured += (value - exact) * (value - exact) / (variance * count);
+  }
   outcome.expected = 1;
   outcome.accepted = [&] { return central_interval(tails, null.alpha, 0, 1000); };
   outcome.p = outcome.recorded = tails(outcome.measured).two_sided();
@@ -159,7 +117,11 @@ double expect_proportion(const std::string& call, const std::string& event, std:
   Outcome outcome;
   outcome.measured = static_cast<double>(count) / size;
   outcome.expected = p;
-  outcome.accepted = [&] { return accepted_proportions(trials, p, null.alpha); };
+  outcome.accepted = [&] {
+    const auto of_whole = [&](double k) { return binomial_tails(std::uint64_t(k), trials, p); };
+    const Interval counts = central_interval(of_whole, null.alpha, 0, size + 1);
+    return Interval{std::floor(counts.low) / size, (std::floor(counts.high) - 1) / size};
+  };
   outcome.p = tails.two_sided();
   const double jump = std::max(0.0, tails.lower + tails.upper - 1), u = fresh_uniform();
   outcome.recorded = Tails{tails.lower - u * jump, tails.upper - (1 - u) * jump}.two_sided();

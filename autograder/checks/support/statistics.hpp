@@ -1,8 +1,7 @@
 #pragma once
 // What a check may expect of random numbers. Each test has a null hypothesis that holds for every
 // right answer, in whatever order it draws; an exact distribution under it; and an alpha, the
-// chance that a right answer fails. Each records its p-value, which under the null is uniform, and
-// tells its story when it fails: measured, expected, because, likely.
+// chance that a right answer fails. Each records its p-value, which under the null is uniform.
 //
 // One run of a lab must not fail a right answer more than once in a million: its alphas add up to
 // less than 1e-6, which self_test counts. The distributions are exact for Gaussian errors; a sample
@@ -18,7 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "checks/support/expect.hpp"
+#include "checks/support/compare.hpp"
+#include "checks/support/measure.hpp"
 
 namespace mc::checks {
 
@@ -28,11 +28,17 @@ struct Null {
   double alpha;       ///< chance of failing a right answer: 1e-8 and the like
 };
 
+/// Hints for a failure: that of the suspect which the measured value equals, else `otherwise`.
+struct Hints {
+  std::vector<Suspect> suspects;
+  std::string otherwise;
+};
+
 /// Independent replicates: results of the same estimator from seeds of their own.
 struct Replicates {
   std::string call;                ///< the call: "estimates({7, 8, …}, 64)"
-  std::span<const double> values;  ///< one a seed
-  double n = 1;                    ///< samples behind each of them
+  std::span<const double> values;  ///< one per seed
+  double n = 1;                    ///< samples of each of them
 };
 
 /// Their mean is `exact`: z, with the exact `variance` of one replicate.
@@ -60,5 +66,22 @@ struct Known {
 /// verdict is by the whole jump.)
 double expect_proportion(const std::string& call, const std::string& event, std::uint64_t count,
                          std::uint64_t trials, double p, const Null& null, const Hints& hints);
+
+/// Mean, variance, and kurtosis E{(X - mean)^4} / variance^2 (a Gaussian's is 3).
+struct Population {
+  double mean = 0, variance = 0, kurtosis = 3;
+};
+
+/// From the raw moments E{X}, E{X^2}, E{X^3}, E{X^4}.
+inline Population population(double m1, double m2, double m3, double m4) {
+  const double variance = m2 - m1 * m1;
+  const double fourth = m4 - 4 * m1 * m3 + 6 * m1 * m1 * m2 - 3 * m1 * m1 * m1 * m1;
+  return {m1, variance, fourth / (variance * variance)};
+}
+
+/// Of the mean of n independent values: the excess over a Gaussian's kurtosis falls as 1/n.
+inline Known mean_of(const Population& x, double n) {
+  return {x.mean, x.variance / n, 3 + (x.kurtosis - 3) / n};
+}
 
 }  // namespace mc::checks

@@ -10,6 +10,13 @@
 namespace mc::checks {
 namespace {
 
+/// The coordinates of points along one axis of a grid.
+struct Axis {
+  std::string name;  ///< "x"
+  View values;
+  std::size_t strata;
+};
+
 std::size_t cells_in(std::span<const Axis> axes) {
   std::size_t cells = 1;
   for (const Axis& axis : axes) cells *= axis.strata;
@@ -23,6 +30,23 @@ std::size_t cell_of(std::span<const Axis> axes, std::size_t k) {
     cell = cell * axes[d].strata + stratum_of(axes[d].values[k], axes[d].strata).value_or(0);
   }
   return cell;
+}
+
+/// The number of the cell of each point, strata of the first axis fastest; empty where some cell
+/// does not have exactly one point.
+std::vector<std::size_t> cells_of(std::span<const Axis> axes) {
+  const std::size_t n = axes[0].values.size();
+  std::vector<std::size_t> cells(n);
+  std::vector<bool> taken(cells_in(axes));
+  for (std::size_t k = 0; k < n; ++k) {
+    for (const Axis& axis : axes) {
+      if (!stratum_of(axis.values[k], axis.strata)) return {};
+    }
+    cells[k] = cell_of(axes, k);
+    if (taken[cells[k]]) return {};
+    taken[cells[k]] = true;
+  }
+  return cells;
 }
 
 /// "cell (1, 3)", "stratum 4 of x".
@@ -92,7 +116,7 @@ std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> po
     return "nx and ny have changed places: nx cells along x, ny along y";
   }
   if (dims == 2 && n >= 4 && each_axis([&](const Axis& axis) { return is_stratified(axis, n); })) {
-    return "each axis is stratified, the plane is left to chance: two 1D patterns are not a 2D "
+    return "each axis is stratified, the plane is not: two 1D patterns are not a 2D "
            "pattern, nor is one whose x and y were shuffled apart";
   }
   if (n >= 12 && each_axis([](const Axis& axis) {
@@ -107,31 +131,22 @@ std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> po
 
 }  // namespace
 
-std::vector<std::size_t> cells_of(std::span<const Axis> axes) {
-  const std::size_t n = axes[0].values.size();
-  std::vector<std::size_t> cells(n);
-  std::vector<bool> taken(cells_in(axes));
-  for (std::size_t k = 0; k < n; ++k) {
-    for (const Axis& axis : axes) {
-      if (!stratum_of(axis.values[k], axis.strata)) return {};
-    }
-    cells[k] = cell_of(axes, k);
-    if (taken[cells[k]]) return {};
-    taken[cells[k]] = true;
-  }
-  return cells;
-}
-
-std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
-                                                 std::span<const Axis> axes,
+std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::size_t set,
+                                                 const Pattern& pattern,
                                                  const std::string& elsewhere) {
+  std::vector<Axis> axes;
+  for (std::size_t i = 0; i < pattern.dims.size(); ++i) {
+    const std::size_t d = pattern.dims[i];
+    axes.push_back({sets.dims <= 2 ? (d == 0 ? "x" : "y") : fmt::format("coordinate {}", d),
+                    sets.column(set, d), pattern.strata[i]});
+  }
   const std::size_t n = axes[0].values.size();
   for (const Axis& axis : axes) {
     if (axis.values.size() != cells_in(axes)) {
-      fail(fmt::format("measured  {}: {} values of {} for {} cells", call, axis.values.size(),
+      fail(fmt::format("measured  {}: {} values of {} for {} cells", sets.call, axis.values.size(),
                        axis.name, cells_in(axes)));
     }
-    require_in_cube(call, axis.name, axis.values, axis.strata);
+    require_in_cube(sets.call, axis.name, axis.values, axis.strata);
   }
   auto cells = cells_of(axes);
   if (!cells.empty()) {
@@ -146,8 +161,9 @@ std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
   std::string names;
   for (const Axis& axis : axes) names += (names.empty() ? "" : ", ") + axis.name;
   fail(Failure{
-      fmt::format("{}: {} points with {} in {}", call, points[odd], names, name_of(axes, odd)),
-      "one point", because_cell, hint_for(axes, points, elsewhere)});
+      fmt::format("{}: {} points with {} in {}", sets.call, points[odd], names, name_of(axes, odd)),
+      "one point", "one point in each cell, in any order; edges are i / n in double division",
+      hint_for(axes, points, elsewhere)});
 }
 
 }  // namespace mc::checks

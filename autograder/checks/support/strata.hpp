@@ -1,12 +1,9 @@
 #pragma once
-// Strata of the line and cells of a grid over any number of axes, as the judge counts points in
-// them: with the edges that double division gives.
+// Strata of the line, with the edges that double division gives, and grids.
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "common/points.hpp"
 
@@ -30,25 +27,5 @@ inline Grid squarest(std::size_t n) {
   }
   return best;
 }
-
-/// The coordinates of points along one axis of a grid.
-struct Axis {
-  std::string name;  ///< "x"
-  std::span<const double> values;
-  std::size_t strata;
-};
-
-/// The number of the cell of each point, strata of the first axis fastest; empty where some cell
-/// does not have exactly one point.
-std::vector<std::size_t> cells_of(std::span<const Axis> axes);
-
-/// One point in each cell of the grid over these axes; the cells of the points. `elsewhere` is said
-/// where the points do not show what is wrong.
-std::vector<std::size_t> expect_one_in_each_cell(const std::string& call,
-                                                 std::span<const Axis> axes,
-                                                 const std::string& elsewhere);
-
-inline const std::string because_cell =
-    "one point in each cell, in any order; edges are i / n in double division";
 
 }  // namespace mc::checks

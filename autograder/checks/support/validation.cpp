@@ -1,5 +1,6 @@
 #include "checks/support/validation.hpp"
 
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -14,6 +15,17 @@ void fail(const Failure& failure) {
   if (!failure.because.empty()) report += "\nbecause   " + failure.because;
   if (!failure.likely.empty()) report += "\nlikely    " + failure.likely;
   fail(report);
+}
+
+void expect_that(bool holds, const std::string& measured, const std::string& expected,
+                 const std::string& because, const std::string& hint) {
+  if (!holds) fail(Failure{measured, expected, because, hint});
+  pass();
+}
+
+void expect_nan(const std::string& what, double got, const std::string& because) {
+  expect_that(std::isnan(got), fmt::format("{} = {}", what, got), "NaN", because,
+              "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
 }
 
 void refuse(const std::string& call, const Failure& failure) {
@@ -39,6 +51,26 @@ std::vector<std::string> names_of(std::string_view fields) {
   std::vector<std::string> names;
   for (const std::string_view name : text::split(fields, ',')) names.emplace_back(name);
   return names;
+}
+
+std::string without_empty_signs(std::string report) {
+  const auto has = [&](auto of_kind, std::size_t at) {
+    return at < report.size() && of_kind(static_cast<unsigned char>(report[at])) != 0;
+  };
+  for (const std::string_view sign : {"-nan", "-0"}) {
+    for (auto at = report.find(sign); at != std::string::npos; at = report.find(sign, at)) {
+      const auto end = at + sign.size();
+      const bool is_part = (at > 0 && (has(isalnum, at - 1) || report[at - 1] == '^')) ||
+                           has(isalnum, end) ||
+                           (end < report.size() && report[end] == '.' && has(isdigit, end + 1));
+      if (is_part) {
+        ++at;  // "1e-05", "-0.5"
+      } else {
+        report.erase(at, 1);
+      }
+    }
+  }
+  return report;
 }
 
 }  // namespace mc::checks

@@ -30,6 +30,13 @@ struct Failure {
 /// An expectation was met. Catch2 counts the first: it takes a check without any for an empty one.
 void pass();
 
+/// `holds` is true; `expected` says in words what that is.
+void expect_that(bool holds, const std::string& measured, const std::string& expected,
+                 const std::string& because, const std::string& hint);
+
+/// `got` is NaN, as in numpy and R for what is undefined.
+void expect_nan(const std::string& what, double got, const std::string& because);
+
 /// Where numbers must lie.
 struct Range {
   double low, high;  ///< both inside, unless `below_high`
@@ -47,7 +54,7 @@ constexpr Range up_to(double most) {
   return {0, most, false, false, "whole numbers in their range"};
 }
 
-/// What is expected of a list: so many values, each in its range.
+/// What is expected of a list: its length, and the range of its values.
 struct ListSpec {
   std::size_t count;
   Range range;
@@ -162,5 +169,9 @@ std::optional<Failure> failure_of(const T& value, std::span<const ListSpec> spec
     return found;
   }
 }
+
+/// A failure report without signs that carry no information: "-nan" and "-0" become "nan" and
+/// "0".
+std::string without_empty_signs(std::string report);
 
 }  // namespace mc::checks

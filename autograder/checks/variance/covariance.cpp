@@ -1,14 +1,8 @@
 // 1.6: the covariance.
 
-#include <cmath>
-#include <utility>
-
 #include "1-variance/experiments.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/compare.hpp"
-#include "checks/support/refusals.hpp"
 #include "data_sets.hpp"
-#include "floors.hpp"
+#include "list_results.hpp"
 
 namespace mc::checks {
 namespace {
@@ -95,7 +89,9 @@ CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]"
                                    {1e-9, 1e9},
                                    {1e-150, 1e150},
                                    {1e-100, 1e-100},
-                                   {-1e100, 1e-3}}) {
+                                   {-1e100, 1e-3},
+                                   {0, 1},
+                                   {1, 0}}) {
     pairs.push_back(tame_pairs(rng, 100, of_x, of_y));
   }
   judge_pairs(
@@ -104,7 +100,7 @@ CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]"
       "the larger variance is larger than the covariance");
 }
 
-CHECK_CASE("1.6 there is no covariance of one pair or of NaN", "[1.6][edge][points:1]") {
+CHECK_CASE("1.6 the covariance of one pair or of NaN is not finite", "[1.6][edge][points:1]") {
   Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, 1, 2)}, Values{}}) {
     const auto got = MEASURE(covariance, x, x);
@@ -127,8 +123,8 @@ std::vector<InvalidCall> lists_of_two_sizes() {
   return calls;
 }
 
-REFUSAL_CASES("1.6", "lists of two sizes are refused", "1", "the refusal names the argument", "1",
-              lists_of_two_sizes())
+REFUSAL_CASES("1.6", "lists of different sizes are refused", "1", "the refusal names the argument",
+              "1", lists_of_two_sizes())
 
 }  // namespace
 }  // namespace mc::checks

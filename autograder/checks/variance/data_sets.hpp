@@ -1,11 +1,8 @@
 #pragma once
-// What the variances are taken of. All of it is fresh in each run.
+// What the variances are taken of, fresh in each run, and what well-known mistakes give for it: all
+// of that is computed in double, as a submission would.
 
-#include <string>
-#include <vector>
-
-#include "checks/support/data.hpp"
-#include "checks/support/exact.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 
@@ -26,7 +23,8 @@ struct List {
 /// in [-1, 1), below 4 in [0.5, 2.5), below 7 in [1, 2).
 Values tame_values(Rng& rng, std::size_t n, double low, double high);
 
-/// Lists of them: first three that differ in one value, which shows what is kept between calls;
+/// Lists of them: first three that differ in one value, which shows what is kept between calls, and
+/// in one of them is 0;
 /// then one of every size of domain::sizes() from `least` up to 65,537.
 std::vector<List> tame_lists(Rng& rng, std::size_t least, double low, double high);
 
@@ -50,7 +48,7 @@ std::vector<List> lists_with_outliers(Rng& rng, int of_each);
 /// One outlier, sorted, a trend, alternating signs: a thousand values each.
 std::vector<List> short_hard_lists(Rng& rng);
 
-/// {c, 2c, 3c} with a variance of c^2, the largest and the smallest that a double holds.
+/// {c, 2c, 3c} with a variance of c^2, the largest and the smallest that a double holds; and zeros.
 std::vector<List> lists_of_any_scale(Rng& rng);
 
 /// Finite values whose variance, 1e600 and more, is no double; then values with a NaN or an
@@ -60,5 +58,17 @@ std::vector<Values> with_a_value_that_is_not_finite(Rng& rng);
 
 /// `got` is infinite or NaN.
 void expect_no_number(const std::string& call, double got, const Values& x);
+
+/// For a mean.
+std::vector<Suspect> mean_suspects(const List& list);
+
+/// For a sample variance: its scale, and other ways to it than the one that was asked for.
+std::vector<Suspect> variance_suspects(const List& list);
+
+/// The same for a sum of squared deviations, `divided` by something or by nothing.
+std::vector<Suspect> m2_suspects(const List& list);
+
+/// The corrected two-pass variance, not stopped at 0.
+double two_pass_here(const Values& x);
 
 }  // namespace mc::checks

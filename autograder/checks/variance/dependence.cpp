@@ -1,17 +1,8 @@
 // 1.7: dependence.
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 #include "1-variance/experiments.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/compare.hpp"
-#include "checks/support/domain.hpp"
-#include "checks/support/refusals.hpp"
 #include "data_sets.hpp"
-#include "floors.hpp"
+#include "list_results.hpp"
 
 namespace mc::checks {
 namespace {
@@ -147,8 +138,11 @@ CHECK_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][
   const double a = uniform(rng, 1, 5), b = uniform(rng, 5, 9);
   const auto covariance =
       MEASURE(covariance, {a, a, -a, -a, b, b, -b, -b}, {b, -b, b, -b, a, -a, a, -a});
-  expect_within(covariance.call, covariance.value, 0, 8 * eps * b * b,
-                "for each point (x, y) of the circle there is one at (x, -y)", {{}, "see 1.6"});
+  expect_each({covariance.call, std::span(&covariance.value, 1)},
+              {.exact = {0},
+               .tolerance = {8 * eps * b * b},
+               .because = "for each point (x, y) of the circle there is one at (x, -y)",
+               .otherwise = "see 1.6"});
   // The axes' points as a table over x, y in {-r, 0, r}, those on one axis with a weight of their
   // own. At the center p(x,y) = 0, while p(x) p(y) is the product of the fractions on the axes.
   const double v = uniform(rng, 1, 9), w = uniform(rng, 1, 9);

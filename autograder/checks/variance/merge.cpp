@@ -1,15 +1,5 @@
 // 1.5: merging.
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
-#include <fmt/format.h>
-
-#include "1-variance/experiments.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/domain.hpp"
-#include "exact_merge.hpp"
 #include "list_results.hpp"
 
 namespace mc::checks {

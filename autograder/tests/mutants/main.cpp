@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "common/rng.hpp"
+#include "grader/base/errors.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/submission/compile.hpp"
 #include "tests/mutants/mutate.hpp"
@@ -50,6 +51,19 @@ std::map<std::string, std::string> equivalents(const fs::path& path) {
   return all;
 }
 
+/// What `f` returns; a busy machine, where a compiler or a check runs out of time, is asked again.
+template <class Function>
+auto patiently(Function f) {
+  for (int attempt = 1; attempt < 5; ++attempt) {
+    try {
+      return f();
+    } catch (const MachineError&) {
+      continue;
+    }
+  }
+  return f();
+}
+
 class MutantBuilder {
  public:
   explicit MutantBuilder(const std::string& name) : lab_(find_lab(labs_, name)) {
@@ -64,7 +78,9 @@ class MutantBuilder {
   BuildResult build(const std::string& source) const {
     const fs::path file = directory_ / (lab_.name + ".cpp");
     std::ofstream(file, std::ios::binary) << source;
-    return build_program(layout_, lab_, single_file_submission(layout_, labs_, lab_, file, true));
+    return patiently([&] {
+      return build_program(layout_, lab_, single_file_submission(layout_, labs_, lab_, file, true));
+    });
   }
 
   /// The first check that fails; empty if all pass.
@@ -72,13 +88,15 @@ class MutantBuilder {
     JudgeOptions options;
     options.seed = seed;
     options.first = true;
-    for (const CheckResult& result : judge_lab(layout_, lab_, built, options).checks) {
-      if (result.status == Status::failed) return result.check.name;
-      if (result.status == Status::not_judged || result.status == Status::internal_error) {
-        throw std::runtime_error(result.check.name + ": " + result.report);
+    return patiently([&]() -> std::string {
+      for (const CheckResult& result : judge_lab(layout_, lab_, built, options).checks) {
+        if (result.status == Status::failed) return result.check.name;
+        if (result.status == Status::not_judged || result.status == Status::internal_error) {
+          throw MachineError(result.check.name + ": " + result.report);
+        }
       }
-    }
-    return {};
+      return {};
+    });
   }
 
  private:

@@ -108,7 +108,8 @@ void add_constants(const Token& token, std::vector<Mutation>& all) {
     if (whole > 0) {
       all.push_back({token.offset, token.text.size(), std::to_string(whole - 1) + suffix});
     }
-  } else if (token.text.find_first_of(".ep") != std::string_view::npos) {
+  } else if (token.text.find_first_of(token.text.starts_with("0x") ? "p" : ".e") !=
+             std::string_view::npos) {
     all.push_back({token.offset, token.text.size(), fmt::format("(1.5 * {})", token.text)});
   }
 }
@@ -139,7 +140,9 @@ void add_brackets(const std::vector<Token>& tokens, std::size_t i, std::vector<M
   }
   const bool is_pair = close == i + 4 && tokens[i + 2].text == "," &&
                        tokens[i + 1].kind != Kind::symbol && tokens[i + 3].kind != Kind::symbol;
-  if (is_pair && tokens[i - 1].kind == Kind::word) {
+  const bool is_symmetric =
+      before == "min" || before == "max" || before == "toroidal_distance_squared";
+  if (is_pair && tokens[i - 1].kind == Kind::word && !is_symmetric) {
     const std::size_t start = tokens[i].offset;
     all.push_back({start, tokens[close].offset + 1 - start,
                    fmt::format("({}, {})", tokens[i + 3].text, tokens[i + 1].text)});
@@ -169,8 +172,26 @@ void add_removals(const std::vector<Token>& tokens, std::size_t i, std::vector<M
                                       "std", "static", "constexpr", "namespace", "public"}) {
     if (first == word) return;
   }
+  if (end > i + 2 && tokens[i + 2].text == "reserve") return;
   const std::size_t start = tokens[i].offset;
   all.push_back({start, tokens[end].offset + 1 - start, ";"});
+}
+
+/// Whether the line around `offset` computes a hash. Any other hash would be as right.
+bool computes_a_hash(std::string_view source, std::size_t offset) {
+  const std::size_t start = source.rfind('\n', offset) + 1;
+  const std::string_view line = source.substr(start, source.find('\n', offset) - start);
+  return line.find("hash(") != line.npos || line.find("mix_bits(") != line.npos;
+}
+
+/// Whether the type at `i` is that of a cast or of a loop's counter. Measurements are too short to
+/// count beyond what a float or 32 bits hold exactly.
+bool only_counts(const std::vector<Token>& tokens, std::size_t i) {
+  if (tokens[i - 1].text == "::") i = i >= 2 ? i - 2 : 0;
+  const std::string_view before = i >= 1 ? tokens[i - 1].text : "";
+  const bool in_cast = before == "<" && i >= 2 && tokens[i - 2].text == "static_cast";
+  const bool is_counter = before == "(" && i >= 2 && tokens[i - 2].text == "for";
+  return in_cast || is_counter || tokens[i + 1].text == "(";
 }
 
 }  // namespace
@@ -181,6 +202,7 @@ std::vector<Mutation> mutations_of(std::string_view source) {
   for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
     const Token& token = tokens[i];
     if (token.depth < 2) continue;  // in a function in a namespace
+    if (computes_a_hash(source, token.offset)) continue;
     const auto replace = [&](std::string_view text) {
       all.push_back({token.offset, token.text.size(), std::string(text)});
     };
@@ -192,8 +214,10 @@ std::vector<Mutation> mutations_of(std::string_view source) {
     if (token.text == "++") replace("--");
     if (token.kind == Kind::number) add_constants(token, all);
     const bool follows_colons = tokens[i - 1].text == "::";
-    if (token.text == "double" && !follows_colons) replace("float");
-    if (follows_colons && token.text == "uint64_t") replace("uint32_t");
+    if (!only_counts(tokens, i)) {
+      if (token.text == "double" && !follows_colons) replace("float");
+      if (follows_colons && token.text == "uint64_t") replace("uint32_t");
+    }
     const bool starts = tokens[i - 1].text == ";" || tokens[i - 1].text == "{";
     if (starts && (token.text == "double" || token.text == "bool")) {
       all.push_back({token.offset, 0, "static "});

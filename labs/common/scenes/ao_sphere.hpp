@@ -9,7 +9,7 @@
 
 namespace mc::scenes {
 
-/// A sphere whose centre is at `distance` > radius and at the angle `tilt` from the normal, all of
+/// A sphere whose center is at `distance` > radius and at the angle `tilt` from the normal, all of
 /// it above the horizon.
 struct SphereOcclusion {
   double radius = 1, distance = 1.5, tilt = 0;

@@ -10,7 +10,7 @@ namespace mc::scenes {
 
 /// A thin lens of radius `aperture`, in focus at the distance `focus`. What lies at `depth` is
 /// blurred to a circle of confusion of radius aperture |depth - focus| / focus, in the plane of the
-/// object; white begins at -infinity and ends `offset` beyond the pixel's centre.
+/// object; white begins at -infinity and ends `offset` beyond the pixel's center.
 struct DefocusEdge {
   double aperture = 0.1, focus = 2, depth = 3, offset = 0.025;
 

@@ -24,7 +24,7 @@ struct HalfplanePenumbra {
   }
 };
 
-/// A floor: the light above it, and half of it in the shadow of a table. Each pixel is its centre.
+/// A floor: the light above it, and half of it in the shadow of a table. Each pixel is its center.
 inline HalfplanePenumbra penumbra_picture(double width, double height, double column, double row) {
   const double scale = 3 / width;
   const double y = scale * (row + 0.5 - height / 2);

@@ -1,5 +1,5 @@
 #pragma once
-// The irradiance from a ball of light. Two dimensions: which direction towards it.
+// The irradiance from a ball of light. Two dimensions: which direction toward it.
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 
 namespace mc::scenes {
 
-/// A sphere of radiance 1, its centre at `distance` > radius and at the angle `tilt` from the
+/// A sphere of radiance 1, its center at `distance` > radius and at the angle `tilt` from the
 /// receiver's normal, all of it above the horizon.
 struct SphereLight {
   double radius = 1, distance = 2.5, tilt = 0.6;

@@ -1,5 +1,5 @@
 #pragma once
-// Stripes across a plane that runs into depth, as a zebra crossing: towards the horizon a pixel has
+// Stripes across a plane that runs into depth, as a zebra crossing: toward the horizon a pixel has
 // many of them. One dimension: how far down in the pixel.
 
 #include <cmath>

@@ -2,6 +2,9 @@
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk
 #include "solutions/blue_noise.cpp"
+
+#include <algorithm>
+#include <cmath>
 #undef poisson_disk
 
 namespace mc {

@@ -4,6 +4,8 @@
 #define periodogram fast_periodogram  // also in `definition`
 #define radial_power right_radial_power
 #include "solutions/blue_noise.cpp"
+
+#include <limits>
 #undef periodogram
 #undef radial_power
 

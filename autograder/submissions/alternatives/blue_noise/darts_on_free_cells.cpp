@@ -3,6 +3,8 @@
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk
 #include "solutions/blue_noise.cpp"
+
+#include <algorithm>
 #undef poisson_disk
 
 namespace mc {

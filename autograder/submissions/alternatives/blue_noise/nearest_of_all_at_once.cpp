@@ -3,6 +3,9 @@
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate
 #include "solutions/blue_noise.cpp"
+
+#include <algorithm>
+#include <cmath>
 #undef best_candidate
 
 namespace mc {

@@ -4,6 +4,8 @@
 #define tile right_tile
 #define toroidal_distance_squared right_toroidal_distance_squared
 #include "solutions/blue_noise.cpp"
+
+#include <algorithm>
 #undef tile
 #undef toroidal_distance_squared
 

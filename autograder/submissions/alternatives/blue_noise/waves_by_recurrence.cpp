@@ -2,6 +2,8 @@
 #include "blue_noise.hpp"
 #define periodogram right_periodogram
 #include "solutions/blue_noise.cpp"
+
+#include <cmath>
 #undef periodogram
 
 namespace mc {

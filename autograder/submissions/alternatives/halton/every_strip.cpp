@@ -2,6 +2,7 @@
 // by floor
 #include "halton.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #define star_discrepancy right_star_discrepancy

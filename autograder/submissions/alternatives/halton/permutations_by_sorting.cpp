@@ -3,6 +3,8 @@
 
 #define radical_inverses_scrambled right_radical_inverses_scrambled
 #include "solutions/halton.cpp"
+
+#include <algorithm>
 #undef radical_inverses_scrambled
 
 namespace mc {

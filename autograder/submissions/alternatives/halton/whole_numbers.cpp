@@ -5,6 +5,8 @@
 #define primes right_primes
 #define sobol right_sobol
 #include "solutions/halton.cpp"
+
+#include <algorithm>
 #undef radical_inverse
 #undef primes
 #undef sobol

@@ -4,6 +4,9 @@
 #define estimate right_estimate
 #define irradiance_area right_irradiance_area
 #include "solutions/independent.cpp"
+
+#include <algorithm>
+#include <cmath>
 #undef estimate
 #undef irradiance_area
 

@@ -10,6 +10,8 @@
 #define samples_for right_samples_for
 #define irradiance_hemisphere right_irradiance_hemisphere
 #include "solutions/independent.cpp"
+
+#include <cmath>
 #undef to_unit
 #undef sample_exponential
 #undef sample_power

@@ -5,6 +5,8 @@
 #define estimate right_estimate
 #define estimate_importance right_estimate_importance
 #include "solutions/independent.cpp"
+
+#include <cmath>
 #undef estimate
 #undef estimate_importance
 

@@ -20,7 +20,8 @@ class EagerSampler final : public Sampler {
  public:
   explicit EagerSampler(const Kind& kind)
       : kind_(kind),
-        is_sequence_(kind.one == one_of<fill_halton> || kind.one == one_of<fill_sobol>) {}
+        is_sequence_(kind.one == one_of<fill_halton> || kind.one == one_of<fill_sobol> ||
+                     kind.one == one_of<fill_lattice>) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0 || samples > most_samples) throw std::invalid_argument("samples");

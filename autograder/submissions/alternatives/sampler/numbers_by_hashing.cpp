@@ -1,8 +1,10 @@
 // alternative: stateless: every number is computed when it is asked for, from the seed, the use and
 // the number of the sample; stratified points by a hashed permutation and correlated multi-jitter
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 

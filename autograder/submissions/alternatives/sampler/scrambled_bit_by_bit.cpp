@@ -2,6 +2,7 @@
 // whose points have each been moved once to where there is more room; a pixel's seed is a mix of
 // the picture's and of mixed coordinates
 
+#include <algorithm>
 #include <cmath>
 
 #include "sampler.hpp"

@@ -3,6 +3,9 @@
 #include "stratification.hpp"
 #define stratified_2d right_stratified_2d
 #include "solutions/stratification.cpp"
+
+#include <algorithm>
+#include <numeric>
 #undef stratified_2d
 
 namespace mc {

@@ -7,6 +7,8 @@
 #define covariance solution_covariance
 #define moments solution_moments
 #include "solutions/variance.cpp"
+
+#include <algorithm>
 #undef mean
 #undef variance_textbook
 #undef variance_two_pass

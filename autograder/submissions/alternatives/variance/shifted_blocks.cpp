@@ -4,6 +4,8 @@
 #include "variance.hpp"
 #define moments solution_moments
 #include "solutions/variance.cpp"
+
+#include <algorithm>
 #undef moments
 
 namespace mc {

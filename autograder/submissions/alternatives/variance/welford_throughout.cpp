@@ -6,6 +6,9 @@
 #define covariance solution_covariance
 #define moments solution_moments
 #include "solutions/variance.cpp"
+
+#include <algorithm>
+#include <cmath>
 #undef mean
 #undef variance_two_pass
 #undef covariance

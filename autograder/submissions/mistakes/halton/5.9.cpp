@@ -74,7 +74,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::eleven_digits
 
 // mistake: swaps each digit with any digit, which favors some permutations
-// hint: a biased shuffle
+// hint: each value changes places with any of the n
 namespace mc::naive_shuffle {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -88,7 +88,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::naive_shuffle
 
 // mistake: swaps each digit with a later one, never with itself (Sattolo's algorithm)
-// hint: no digit ever stays in place
+// hint: no value ever stays in its place
 namespace mc::no_digit_stays {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -140,7 +140,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::scrambled_first_of_32_bits
 
 // mistake: permutes only the digits of the index, not the zeros before its first digit
-// hint: the zeros behind the last digit are digits too
+// hint: the zeros after the last digit are digits too
 namespace mc::zeros_stay {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {

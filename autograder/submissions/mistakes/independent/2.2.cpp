@@ -173,7 +173,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::points_of_a_float
 
 // mistake: keeps its own generator from call to call, seeded by the first
-// hint: no generator of your own, no clock, nothing static
+// hint: a static or global variable keeps something between calls
 namespace mc::seeded_once {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   static Rng own(rng());

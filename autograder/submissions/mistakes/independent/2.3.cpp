@@ -82,3 +82,11 @@ double sample_exponential(double u, double rate) {
   return -std::log1p(-u) * rate;
 }
 }  // namespace mc::times_the_rate
+
+// mistake: treats an exponent near 0 as 0
+// hint: solve x^(a+1) = u for x
+namespace mc::small_exponent_is_zero {
+double sample_power(double u, double a) {
+  return std::abs(a) < 1e-3 ? u : right_sample_power(u, a);
+}
+}  // namespace mc::small_exponent_is_zero

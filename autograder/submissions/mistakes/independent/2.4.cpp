@@ -126,7 +126,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::self_normalised
 
 // mistake: treats a density below 1e-10 as 0
-// hint: a density may be tiny, or huge, and still count
+// hint: a density may be tiny or huge and still count
 namespace mc::small_density_is_none {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {

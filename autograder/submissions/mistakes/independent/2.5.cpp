@@ -16,7 +16,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc::always_two
 
 // mistake: divides the standard error of the mean by the square root of n again
-// hint: standard_error belongs to the mean: it knows n already
+// hint: standard_error is that of the mean, which is already divided by sqrt(n)
 namespace mc::knows_n_twice {
 Interval confidence_interval(const Estimate& estimate, double level) {
   if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");

@@ -87,6 +87,17 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }
 }  // namespace mc::half_the_sky
 
+// mistake: draws the azimuth in degrees, which has 57.3 turns
+// hint: radius sqrt(u), angle 2 pi v
+namespace mc::azimuth_in_degrees {
+Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
+  return from_directions(light, n, [&] {
+    const double u = to_unit(rng());
+    return std::pair(std::sqrt(u), 360 * to_unit(rng()));
+  });
+}
+}  // namespace mc::azimuth_in_degrees
+
 // mistake: omits the area of the light
 // hint: the area is missing
 namespace mc::no_area {

@@ -8,7 +8,7 @@
 #undef uniforms
 
 // mistake: adds each number to the previous contents of the span
-// hint: = in place of +=
+// hint: write = instead of +=
 namespace mc::adds_to_what_is_there {
 void uniforms(Rng& rng, std::span<double> out) {
   for (double& u : out) u += to_unit(rng());
@@ -140,7 +140,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::same_numbers_each_call
 
 // mistake: keeps its lanes from call to call, seeded by the first
-// hint: nothing static
+// hint: a static or global variable keeps something between calls
 namespace mc::seeded_by_the_first_call {
 void uniforms(Rng& rng, std::span<double> out) {
   static Rng own(rng());

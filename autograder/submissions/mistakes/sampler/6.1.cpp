@@ -51,3 +51,17 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return right_make_sampler(is_known ? kind : "independent");
 }
 }  // namespace mc::unknown_is_independent
+
+// mistake: mirrors the first half of the samples of a next() in the second half
+// hint: fresh ones for every coordinate of every sample
+namespace mc::antithetic_half {
+void mirrored(const Use& use, std::span<double> x, Rng& rng) {
+  independent1(use, x, rng);
+  const std::size_t half = x.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) x[half + i] = 1 - 0x1p-53 - x[i];
+}
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  return make_other_kind<mirrored, independent2>("independent", kind);
+}
+}  // namespace mc::antithetic_half

@@ -125,7 +125,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::memory_decides
 
 // mistake: accepts 0 samples
-// hint: there must be samples
+// hint: a sampler needs at least one sample
 namespace mc::no_samples_are_fine {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -243,7 +243,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::one_blue_pattern
 
 // mistake: draws all numbers from one generator, as random() does
-// hint: must not hand its numbers to the next one
+// hint: must not pass its numbers on to the next one
 namespace mc::one_stream {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -506,7 +506,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // mistake: resets the counter of next() in advance(), but not that of next2()
 // fails: 6.1, 6.2, 6.3, 6.7
-// hint: a sample that ends early must not hand its numbers
+// hint: a sample that ends early must not pass its numbers on
 // limit: time
 namespace mc::counter_goes_on {
 struct Wrong : ColumnSampler {

@@ -29,7 +29,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::copies_values
 
 // mistake: shuffles all patterns but the first, so the first n of N points lie in its first rows
-// hint: who stops early
+// hint: an estimate that stops early
 namespace mc::first_pattern_in_order {
 void stratified(PointSet& points, Rng& rng) {
   if (points.dims() < 2) return stratified_1d(points.column(0), rng);
@@ -43,7 +43,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::first_pattern_in_order
 
 // mistake: sorts by keys of 16 bits and leaves equal ones in their order
-// hint: of which 16 are too few here
+// hint: random numbers of 16 bits are too few
 namespace mc::keys_of_16_bits {
 void shuffle(std::span<double> x, Rng& rng) {
   std::vector<std::pair<std::uint64_t, double>> keyed;
@@ -101,7 +101,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::one_shuffle_for_all
 
 // mistake: shuffles with 16 random bits per choice, too few for 100,000 values
-// hint: of which 16 are too few here
+// hint: random numbers of 16 bits are too few
 namespace mc::shuffle_of_16_bits {
 void shuffle(std::span<double> x, Rng& rng) {
   for (std::size_t n = x.size(); n > 1; --n) std::swap(x[n - 1], x[(rng() & 0xffff) % n]);

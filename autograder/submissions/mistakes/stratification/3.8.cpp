@@ -123,7 +123,7 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::points_of_one_dimension
 
 // mistake: computes the spread of the means by E{X^2} - E{X}^2, which cancels
-// hint: let lab 1 tell the variance of the means
+// hint: compute the variance of the means with lab 1
 namespace mc::textbook_bar {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {

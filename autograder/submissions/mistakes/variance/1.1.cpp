@@ -77,3 +77,14 @@ double mean(std::span<const double> x) {
   return right_mean(numbers);
 }
 }  // namespace mc::mean_skips_nan
+
+// mistake: counts only values that are not 0
+// hint: divide by how many there are
+namespace mc::mean_skips_zeros {
+double mean(std::span<const double> x) {
+  std::vector<double> numbers;
+  std::copy_if(x.begin(), x.end(), std::back_inserter(numbers),
+               [](double value) { return value != 0; });
+  return right_mean(numbers);
+}
+}  // namespace mc::mean_skips_zeros

@@ -98,7 +98,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_merge_rounded_means
 
 // mistake: returns mean and m2 with a count of 0
-// hint: count is never set
+// hint: the count stays 0
 namespace mc::moments_never_count {
 Moments moments(std::span<const double> x) {
   const Moments all = right_moments(x);

@@ -23,9 +23,9 @@ double sum_of(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0);
 }
 
-double squares_around(double centre, std::span<const double> x) {
+double squares_around(double center, std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0, [=](double sum, double value) {
-    return sum + (value - centre) * (value - centre);
+    return sum + (value - center) * (value - center);
   });
 }
 
@@ -59,8 +59,8 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
-  const double centre = mean(x);
-  return {x.size(), centre, squares_around(centre, x)};
+  const double center = mean(x);
+  return {x.size(), center, squares_around(center, x)};
 }
 
 void add(Moments&, double) {

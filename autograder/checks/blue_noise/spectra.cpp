@@ -1,15 +1,8 @@
-// 4.4
+// 4.4, 4.5: periodograms and their means over rings.
 
 #include <complex>
-#include <functional>
-#include <numbers>
-
-#include <fmt/format.h>
 
 #include "checks/blue_noise/random_sets.hpp"
-#include "checks/support/catch.hpp"
-#include "checks/support/compare.hpp"
-#include "checks/support/refusals.hpp"
 
 namespace mc::checks {
 namespace {
@@ -142,7 +135,7 @@ Points grid_of(int columns, int rows, Rng& rng) {
 CHECK_CASE("4.4 points whose waves cancel or agree", "[4.4][points:7]") {
   Rng rng = check_rng();
   // Pairs at a distance of exactly 1/2, where all odd waves cancel; of next to nothing; and at the
-  // ends of the square, with waves short enough for every digit of a coordinate to tell, or so
+  // ends of the square, with waves short enough for every digit of a coordinate to matter, or so
   // short that an angle is some hundred turns. Points in one place: N at any k.
   const double x = uniform(rng, 0, 0.5), y = uniform(rng, 0, 0.5);
   const std::pair<Points, int> cases[] = {{{{x, x + 0.5}, {y, y}}, 7},
@@ -160,13 +153,9 @@ CHECK_CASE("4.4 points whose waves cancel or agree", "[4.4][points:7]") {
 }
 
 std::vector<InvalidCall> wrong_sizes() {
-  const std::string pairs = "each point has two coordinates, and there is at least one point";
-  std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(periodogram_into, 3, 4, 1, 9), "x|y|size", pairs},
-      {MEASURE_OUTCOME(periodogram_into, 4, 3, 1, 9), "x|y|size", pairs},
-      {MEASURE_OUTCOME(periodogram_into, 3, 0, 1, 9), "x|y|size", pairs},
-      {MEASURE_OUTCOME(periodogram_into, 0, 3, 1, 9), "x|y|size", pairs},
-      {MEASURE_OUTCOME(periodogram_into, 0, 0, 1, 9), "x|y|size|point", pairs}};
+  std::vector<InvalidCall> calls = without_points([](std::uint64_t x, std::uint64_t y) {
+    return MEASURE_OUTCOME(periodogram_into, x, y, 1, 9);
+  });
   for (const auto& [kmax, size] :
        {std::pair{0, 1u}, {-1, 1u}, {-3, 1u}, {-2, 9u}, {std::numeric_limits<int>::min(), 1u}}) {
     calls.push_back(
@@ -184,6 +173,89 @@ std::vector<InvalidCall> wrong_sizes() {
 
 REFUSAL_CASES("4.4", "misuse of periodogram is refused", "2", "a refusal names the argument", "1",
               wrong_sizes())
+
+/// The ring of (kx, ky), whose length is k; none beyond the last.
+using RingOf = std::function<double(int kx, int ky, double k)>;
+
+Rings sums_over(const Values& power, int kmax, const RingOf& ring_of) {
+  return rings_of(Spectrum{kmax, power}, static_cast<std::size_t>(kmax) + 1,
+                  [&](int kx, int ky) { return ring_of(kx, ky, std::hypot(kx, ky)); });
+}
+
+/// The means; NaN for ring 0.
+Values means_over(const Values& power, int kmax, const RingOf& ring_of) {
+  auto [sum, count] = sums_over(power, kmax, ring_of);
+  for (std::size_t r = 0; r < sum.size(); ++r) sum[r] = r == 0 ? nan : sum[r] / count[r];
+  return sum;
+}
+
+/// What well-known mistakes give.
+std::vector<Curve> wrong_means(const Values& power, int kmax, const RingOf& nearest) {
+  Values sum = sums_over(power, kmax, nearest).sum, by_length = sum;
+  for (std::size_t r = 1; r < sum.size(); ++r) {
+    by_length[r] /= 2 * std::numbers::pi * static_cast<double>(r);
+  }
+  sum[0] = by_length[0] = nan;
+  Values with_center = means_over(power, kmax, nearest), with_zero = with_center;
+  with_center[0] = power[power.size() / 2];
+  with_zero[0] = 0;
+  const auto means = [&](const RingOf& ring_of) { return means_over(power, kmax, ring_of); };
+  return {
+      {means([](int, int, double k) { return std::floor(k); }),
+       "abs(k) is cut here: round it to the nearest ring"},
+      {sum, "this is the sum over the ring: its mean is asked for"},
+      {by_length, "this is the sum over 2 pi r: divide by how many (kx, ky) there are in the ring"},
+      {means([=](int, int ky, double k) { return ky >= 0 ? std::round(k) : infinity; }),
+       "this is the mean over ky >= 0 alone"},
+      {means([=](int, int, double k) { return std::min<double>(std::round(k), kmax); }),
+       "the corners are in the last ring: they belong to none"},
+      {with_center, "the power at k = 0 is still in here: ring 0 has no meaning, so NaN"},
+      {with_zero, "ring 0 has no meaning, so NaN, not 0"}};
+}
+
+CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
+  Rng rng = check_rng();
+  for (const int kmax : {5, 2, 24, 3, 63, 129, 300, 1}) {
+    const auto side = static_cast<std::size_t>(2 * kmax + 1);
+    const Values power = uniform_values(rng, side * side, 0, 3);
+    // k + 1/2 is the root of no whole number: never halfway.
+    const RingOf nearest = [](int, int, double k) { return std::round(k); };
+    const Values count = sums_over(power, kmax, nearest).count;
+    Comparison rings{.exact = means_over(power, kmax, nearest),
+                     .tolerance = {},
+                     .because =
+                         "n additions of positive numbers lose n eps at most; the power at k = 0 "
+                         "is N for any points, so ring 0 is NaN",
+                     .otherwise =
+                         "the mean of all (kx, ky) whose sqrt(kx^2 + ky^2) rounds to this ring, of "
+                         "negative k too"};
+    for (std::size_t r = 0; r < count.size(); ++r) {
+      rings.tolerance.push_back((count[r] + 2) * eps * rings.exact[r]);
+    }
+    const auto measured = MEASURE(radial_power, power, kmax);
+    const MeasuredValues got{measured.call, measured.exactly(count.size(), any_number)};
+    if (difference(got, rings)) rings.suspects = wrong_means(power, kmax, nearest);
+    expect_each(got, rings);
+  }
+}
+
+std::vector<InvalidCall> wrong_rings() {
+  std::vector<InvalidCall> calls;
+  for (const int kmax : {0, -1, -2, std::numeric_limits<int>::min()}) {
+    calls.push_back(
+        {MEASURE_OUTCOME(radial_power, Values(1, 1.0), kmax), "kmax", "kmax is 1 at least"});
+  }
+  calls.push_back({MEASURE_OUTCOME(radial_power, Values(9, 1.0), -2), "kmax",
+                   "kmax is 1 at least; (2 kmax + 1)^2 is 9 all the same"});
+  for (const std::size_t size : {0u, 9u, 24u, 26u, 49u}) {
+    calls.push_back({MEASURE_OUTCOME(radial_power, Values(size, 1.0), 2), "power",
+                     "there are (2 kmax + 1)^2 = 25 values of k"});
+  }
+  return calls;
+}
+
+REFUSAL_CASES("4.5", "misuse of radial_power is refused", "2", "a refusal names the argument", "1",
+              wrong_rings())
 
 }  // namespace
 }  // namespace mc::checks
