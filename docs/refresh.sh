@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes again what documents show of real runs: the failure in README.md, the pictures of the labs,
-# the tables of handouts. (Figures in a handout's text are written by hand; ./lab test compares them
+# the tables of handouts. (Numbers in a handout's text are written by hand; ./lab test compares them
 # with what commands print.)
 # (docs/speed-against-error.md is written by ./lab bench --page, on an idle machine.) Run from
 # anywhere; look at what changed with git diff.
@@ -16,6 +16,17 @@ for folder in labs/[0-9]*-*; do
     target=$folder/pictures/${name#"$lab"-}
     if [ -f "$target" ]; then cp "$picture" "$target"; fi  # only those that a handout shows
   done
+done
+
+# Drawings that show no submission's output.
+mkdir -p "$build/drawings"
+awk -v points="$build/drawings/relaxed.tsv" -v power="$build/drawings/relaxed-power.tsv" \
+  -f docs/drawings/relaxed.awk
+gnuplot -e "draw = 'labs/common/draw.gp'; place = '$build/drawings'; data = place" \
+  docs/drawings/drawings.gp
+for picture in "$build"/drawings/*.svg; do
+  name=${picture##*/}
+  cp "$picture" labs/"${name%%-*}"-*/pictures/"${name#*-}"
 done
 
 # Lab 6 shows two pictures more, which ./lab render draws.
@@ -43,7 +54,7 @@ between() {
 { echo '```'; cat "$build/failure.txt"; echo '```'; } >"$build/fenced.txt"
 between README.md '<!-- output: failure -->' "$build/fenced.txt"
 
-# tables BEGINNING COMMAND...: those that the command prints whose titles begin so. (Times hang on
+# tables BEGINNING COMMAND...: those that the command prints whose titles begin so. (Times depend on
 # the machine: the bench's page has those.)
 tables() {
   beginning=$1
@@ -52,8 +63,13 @@ tables() {
     index($0, beginning) == 1 { rest = 2; $0 = $0 ":" } rest-- > 0' >"$build/tables.txt"
 }
 tables kurtosis ./lab bench halton autograder/submissions/mistakes/halton/pairs_only.cpp --tables
-between labs/5-halton/README.md '<!-- output of ./lab bench halton' "$build/tables.txt"
-for title in 'RMSE of' 'empty cells' 'first 256' 'mean squared error'; do
+between labs/5-halton/README.md '<!-- output of ./lab bench halton autograder' "$build/tables.txt"
+definitions=autograder/submissions/alternatives/stratification/plain_definitions.cpp
+tables kurtosis ./lab bench stratification "$definitions" --tables
+between docs/answers/3-stratification.md '<!-- output of ./lab bench stratification' "$build/tables.txt"
+tables 'RMSE of 1024' ./lab bench halton --tables
+between labs/5-halton/README.md '<!-- output of ./lab bench halton --tables' "$build/tables.txt"
+for title in 'RMSE of' 'RMSE in' 'empty cells' 'first 256' 'mean squared error'; do
   tables "$title" ./lab bench sampler --tables
   between labs/6-sampler/README.md "<!-- output of ./lab bench sampler --tables: $title" "$build/tables.txt"
 done

@@ -1,12 +1,12 @@
 # Draws lab 3. Called by ./lab plot with
-#   count      how many submissions stand side by side
-#   labels[i]  what they are called, data[i] the folder of their data
+#   count      how many submissions are drawn side by side
+#   labels[i]  their names, data[i] the folder of their data
 #   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
 
 # Patterns, over their strata ---------------------------------------------------------------------
-name = "patterns"; width = 1120; height = 310 * count
+name = "patterns"; width = 600 * count; height = 645
 load draw
-set multiplot layout count,4 margins 0.015, 0.985, 0.03, 1 - 36./height spacing 0.02, 40./height
+set multiplot layout 2,2*count margins 5./width, 1 - 5./width, 5./height, 1 - 32./height spacing 12./width, 38./height
 set size square
 set xrange [0:1]
 set yrange [0:1]
@@ -14,29 +14,34 @@ set format ""
 unset key
 array columns[4] = [1, 8, 64, 64]  # of a grid: independent points have no strata
 array rows[4] = [1, 8, 64, 64]
-do for [s=1:count] {
-  do for [i=1:4] {
-    m = word("independent jittered latin_hypercube multi_jittered", i)
-    set xtics 0,1./columns[i] scale 0
-    set ytics 0,1./rows[i] scale 0
-    set grid lt 1 lw 0.5 lc rgb (i > 2 ? "#DDDDDD" : "#888888")
-    unset arrow
-    if (m eq "multi_jittered") {
-      do for [k=1:7] {
-        set arrow from k/8.,0 to k/8.,1 nohead back lt 1 lw 1 lc rgb "#888888"
-        set arrow from 0,k/8. to 1,k/8. nohead back lt 1 lw 1 lc rgb "#888888"
-      }
+do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
+  m = word("independent jittered latin_hypercube multi_jittered", i)
+  set xtics 0,1./columns[i] scale 0
+  set ytics 0,1./rows[i] scale 0
+  set grid lt 1 lw 0.5 lc rgb (i > 2 ? soft : ink)
+  unset arrow
+  if (m eq "multi_jittered") {
+    do for [k=1:7] {
+      set arrow from k/8.,0 to k/8.,1 nohead back lt 1 lw 1 lc rgb ink
+      set arrow from 0,k/8. to 1,k/8. nohead back lt 1 lw 1 lc rgb ink
     }
-    set title is(m).who(s) noenhanced
-    plot data[s]."/patterns-".m.".tsv" using "x":"y" with points pt 7 ps 0.7 lc rgb "#0072B2"
   }
-}
+  set title is(m).who(s)
+  plot data[s]."/patterns-".m.".tsv" using "x":"y" with points pt 7 ps 0.7 lc rgb dot
+} } }
 unset multiplot
 
 # A picture ---------------------------------------------------------------------------------------
-name = "shadow"; width = 1080; height = 400 * count
+name = "shadow"; width = 600; height = 250 * count
 load draw
-set multiplot layout count,3 margins 0.01, 0.99, 0.02, 1 - 50./height spacing 0.015, 50./height
+array rmse[3 * count]  # read before there are ranges, which apply to stats
+do for [s=1:count] { do for [k=1:3] {
+  stats data[s]."/shadow-rmse.tsv" using k nooutput
+  rmse[3 * (s - 1) + k] = exists("STATS_min") ? STATS_min : NaN
+  undefine STATS_*
+} }
+set multiplot layout count,3 margins 3./width, 1 - 3./width, 26./height, 1 - 28./height spacing 6./width, 60./height
+set xlabel offset 0,0.3
 set size square
 set palette gray
 set cbrange [0:1]
@@ -48,8 +53,10 @@ unset key
 set autoscale xfix
 set autoscale yfix
 do for [s=1:count] {
-  do for [m in "independent jittered multi_jittered"] {
-    set title is(m).", 16 points a pixel".who(s) noenhanced
+  do for [k=1:3] {
+    m = word("independent jittered multi_jittered", k)
+    set title is(m).who(s)
+    set xlabel sprintf("RMSE %.3f", rmse[3 * (s - 1) + k])
     plot data[s]."/shadow-".m.".tsv" matrix with image
   }
 }
@@ -58,42 +65,45 @@ unset multiplot
 # Error against N ---------------------------------------------------------------------------------
 array of[4] = ["line", "plane", "edge", "four"]
 array what[4] = ["exp(x) on the line", "exp(-x² - y²) in the plane", "an edge across the plane", "exp(x + y + z + w)"]
-array rate[4] = ["N^{-1.5}", "N^{-1}", "N^{-0.75}", "N^{-0.75}"]
+array rate[4] = ["N^{-3/2}", "N^{-1}", "N^{-3/4}", "N^{-3/4}"]
 array ways[4] = ["stratified", "jittered latin_hypercube multi_jittered", "jittered latin_hypercube multi_jittered", "jittered_nd padded latin_hypercube"]
-name = "convergence"; width = 1120; height = 800 * count
+name = "convergence"; width = 620 * count; height = 900
 load draw
-set multiplot layout 2*count,2 margins 75./width, 1 - 15./width, 65./height, 1 - 45./height spacing 90./width, 110./height
+set termoption enhanced
+set multiplot layout 2,2*count margins 80./width, 1 - 15./width, 175./height, 1 - 32./height spacing 65./width, 100./height
 set logscale xy
 set xlabel "N"
-set ylabel "RMSE"
 set format "10^{%L}"
-set key left bottom Left reverse samplen 3 opaque
 set xrange [0.7:6000]
-do for [s=1:count] {
-  do for [i=1:4] {
-    set title what[i].who(s) noenhanced
-    file = data[s]."/convergence-".of[i].".tsv"
-    plot file using "N":"by_chance" with lines ls theory title "N^{-0.5}", \
-         file using "N":"by_strata" with lines ls theory+1 title rate[i], \
-         for [m in "independent ".ways[i]] file using "N":m with points ls value(m) title is(m)
-  }
-}
+all = "independent stratified jittered latin_hypercube multi_jittered padded jittered_nd"
+do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
+  set title what[i].who(s)
+  set ylabel (i % 2 == 1 && s == 1 ? "RMSE" : "")
+  set label 1 rate[i] at graph 0.04, graph 0.08 left tc rgb ink
+  file = data[s]."/convergence-".of[i].".tsv"
+  if (i == 4 && s == count) { set key at screen 0.5,0.005 center bottom vertical maxrows 5 Left reverse samplen 3 width 1 } else { unset key }
+  plot file using "N":"by_chance" with lines ls theory title "N^{-1/2}", \
+       file using "N":"by_strata" with lines ls theory+1 title "theory of strata", \
+       for [m in "independent ".ways[i]] file using "N":m with points ls value(m) notitle, \
+       for [m in all] keyentry with points ls value(m) title is(m)
+} } }
 unset multiplot
 
 # The variance within the strata ------------------------------------------------------------------
-name = "within"; width = 80 + 480 * count; height = 550
+name = "within"; width = 80 + 420 * count; height = 520
 load draw
-set multiplot layout 1,count title "What is left of the variance: the fraction within the strata" \
-  margins 80./width, 1 - 20./width, 0.28, 0.86 spacing 80./width, 0
+set termoption enhanced
+set multiplot layout 1,count margins 85./width, 1 - 25./width, 150./height, 1 - head(count)/height \
+  spacing 85./width, 0
 set logscale xy
 set format "10^{%L}"
 set xrange [0.7:6000]
 set yrange [3e-8:3]
-set xlabel "N strata (line: exact; points: N times the mean squared error)"
+set xlabel "N strata (lines exact, points measured)"
 set ylabel "variance within the strata / variance"
-set key at screen 0.5,0.01 center bottom horizontal maxcols 2 Left reverse samplen 3 width 1
+set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 2
 do for [s=1:count] {
-  set title panel(s) noenhanced
+  set title heading("What is left of the variance", s)
   plot for [i=1:4] data[s]."/within-".of[i].".tsv" using "N":"exact" with lines ls other+i notitle, \
        for [i=1:4] data[s]."/within-".of[i].".tsv" using "N":"measured" with points ls other+i notitle, \
        for [i=1:4] keyentry with points ls other+i title what[i]
@@ -103,20 +113,21 @@ do for [s=1:count] {
 unset multiplot
 
 # Stopping early ----------------------------------------------------------------------------------
-name = "early"; width = 80 + 480 * count; height = 500
+name = "early"; width = 80 + 420 * count; height = 460
 load draw
-set multiplot layout 1,count title "The first n of 1024 points, for exp(-x² - y²) in the plane" \
-  margins 80./width, 1 - 20./width, 0.28, 0.85 spacing 80./width, 0
+set termoption enhanced
+set multiplot layout 1,count margins 80./width, 1 - 25./width, 125./height, 1 - head(count)/height \
+  spacing 80./width, 0
 set logscale xy
 set format "10^{%L}"
 set xrange [0.8:1300]
 set yrange [1e-4:1]
 set xlabel "n"
 set ylabel "RMSE"
-set key at screen 0.5,0.01 center bottom horizontal maxcols 3 Left reverse samplen 4 width 1
+set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 4
 how(m) = m eq "jittered" ? ", row by row" : m eq "padded" ? " (shuffled)" : ""
 do for [s=1:count] {
-  set title panel(s) noenhanced
+  set title heading("The first n of 1024 points, exp(-x² - y²)", s)
   plot for [m in "independent jittered padded"] data[s]."/early.tsv" using "N":m \
     with linespoints ls value(m) notitle, \
     for [m in "independent jittered padded"] keyentry with linespoints ls value(m) title is(m).how(m)
@@ -127,25 +138,25 @@ unset multiplot
 
 # Error against time ------------------------------------------------------------------------------
 timed = "textbook independent jittered padded jittered_nd latin_hypercube multi_jittered"
-name = "speed"; width = 80 + 560 * count; height = 440
+name = "speed"; width = 80 + 460 * count; height = 420
 load draw
-set multiplot layout 1,count title "Error against time: 1024 points of the plane, for exp(-x² - y²)" \
-  margins 80./width, 1 - 20./width, 0.14, 0.83 spacing 80./width, 0
+set multiplot layout 1,count margins 80./width, 1 - 25./width, 60./height, 1 - head(count)/height \
+  spacing 80./width, 0
 set logscale xy
 set xrange [0.3:100]
 set yrange [1e-5:5e-2]
 set xtics (0.5, 1, 2, 5, 10, 20, 50, 100)
 set format y "10^{%L}"
 set xlabel "ns per point (less is better)"
-set ylabel "RMSE (less is better)"
+set ylabel "RMSE of exp(-x² - y²) (less is better)"
 unset key
 array above[7] = [1, 1, 1, -1, 1.7, 1, -1]  # names, where points lie close
 speed(s, m) = data[s]."/speed-".m.".tsv"
 do for [s=1:count] {
-  set title panel(s) noenhanced
+  set title heading("Error of 1024 points against their time", s)
   plot for [m in timed] speed(s, m) using "ns":"error" with points ls value(m) ps 1.6, \
        for [i=1:7] speed(s, word(timed, i)) using "ns":"error":(is(word(timed, i))) \
-         with labels offset 0,1.1*above[i] noenhanced
+         with labels tc rgb ink offset 0,1.1*above[i] noenhanced
   unset ylabel
 }
 unset multiplot
