@@ -95,8 +95,8 @@ std::vector<Line> lines_of(const std::vector<Curve>& curves) {
 
 std::string one_minute(const Bench& bench) {
   const auto curves = curves_of(bench);
-  Markdown table{{"sampler", "by", "ns a sample", "error", "smooth 2D to 10⁻³", "edge 2D to 10⁻³",
-                  "smooth 4D to 10⁻³", "efficiency"},
+  Markdown table{{"sampler", "by", "ns per sample", "error", "smooth 2D to $10^{-3}$",
+                  "edge 2D to $10^{-3}$", "smooth 4D to $10^{-3}$", "efficiency"},
                  2};
   for (const Line& line : lines_of(curves)) {
     const Curve::Point* const point = at_4096(line.plane);
@@ -134,8 +134,8 @@ std::string tables_of_times(const Bench& bench) {
   std::string all;
   for (const std::string& on : integrands) {
     double cost = 0;
-    Markdown table{{"sampler", "by", "ns a sample", "RMSE at 4096", "to 10⁻²", "10⁻³", "10⁻⁴",
-                    "10⁻⁵", "10⁻⁶", "efficiency"},
+    Markdown table{{"sampler", "by", "ns per sample", "RMSE at 4096", "to $10^{-2}$", "$10^{-3}$",
+                    "$10^{-4}$", "$10^{-5}$", "$10^{-6}$", "efficiency"},
                    2};
     for (const Curve& curve : curves) {
       const Curve::Point* const point = at_4096(&curve);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Launches a compiler for figures.sh: peak.sh FILE COMMAND...; adds its peak memory in KB to FILE.
+# Launches a compiler for limits.sh: peak.sh FILE COMMAND...; adds its peak memory in KB to FILE.
 file=$1
 shift
 exec python3 -c '

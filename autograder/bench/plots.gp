@@ -3,60 +3,83 @@
 
 array on[6] = ["smooth 1D", "smooth 2D", "smooth 4D", "kinks 2D", "edge 2D", "smooth 8D"]
 array formula[6] = ["exp(x)", "exp(x + y)", "exp(w + x + y + z)", "two kinks", "an edge: a quarter of a disk", "exp of a sum of eight"]
-array sigma[6] = [0.286, 0.419, 0.625, 0.534, 0.905, 1.0]
 array what[6] = ["independent", "jittered", "multi-jittered", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 array called[6] = ["independent", "jittered", "multi-jittered; Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
 array many[6] = ["independent", "jittered, padded", "Latin hypercube", "Poisson disk", "Halton, scrambled", "Sobol', scrambled"]
-# A library's line (peer[k] is its block, peerwhat[k] what it draws; both come from the bench) has
-# the color of the method that it is to be compared with.
+# The method that a library (peer[k] is its block, peerwhat[k] what it draws; both come from the bench)
+# is to be compared with.
 method(k) = sum [j=1:|what|] (what[j][1:4] eq peerwhat[k][1:4] ? j : 0)
-second(k) = sum [j=1:k] (peerwhat[j] eq peerwhat[k] ? 1 : 0)
 curves = data."/curves.tsv"
 is_many(i) = i == 3 || i == 6
 block(i, k) = "solutions|".(is_many(i) ? many[k] : what[k])."|".on[i]
 
 do for [axis in "samples time"] {
   column_of = axis eq "samples" ? 1 : 2
-  name = axis; width = 1180; height = 880
+  name = axis; width = 620; height = 1190
   load draw
+  set termoption enhanced
   array style[6] = [independent, jittered, multi_jittered, poisson_disk, scrambled_halton, scrambled_sobol]
-  set multiplot layout 2,3 margins 75./width, 1 - 15./width, 150./height, 1 - 36./height spacing 65./width, 90./height
+  set multiplot layout 3,2 margins 80./width, 1 - 15./width, 205./height, 1 - 34./height spacing 65./width, 85./height
   set logscale xy
   set format "10^{%L}"
   set yrange [1e-7:1]
   if (axis eq "samples") { set xrange [10:100000] } else { set xrange [0.05:10000] }
-  set xlabel (axis eq "samples" ? "samples" : "microseconds, integrand included")
+  set xlabel (axis eq "samples" ? "samples" : "µs, integrand included")
   do for [i=1:6] {
     set title formula[i]
-    set ylabel (i % 3 == 1 ? "RMSE, relative" : "")
-    if (i == 5) {
-      set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 4
-    } else {
-      unset key
-    }
+    set ylabel (i % 2 == 1 ? "RMSE, relative" : "")
+    if (i == 6) { set key at screen 0.3,0.01 left bottom vertical maxrows 6 Left reverse samplen 3 } else { unset key }
     if (axis eq "samples") {
-      plot for [k=1:6] curves index block(i, k) using column_of:3:4 with yerrorlines ls style[k] ps 0.8 title called[k]
+      plot for [k=1:6] curves index block(i, k) using column_of:3:4 with yerrorlines ls style[k] ps 0.8 notitle, \
+           for [k=1:6] keyentry with linespoints ls style[k] ps 0.8 title called[k]
     } else {
-      plot for [k=1:6] curves index block(i, k) using column_of:3 with linespoints ls style[k] ps 0.8 title called[k], \
-           for [k=1:|peer|] curves index peer[k]."|".on[i] using column_of:3 with lines ls style[method(k)] lw 2 dt 2+second(k) title peer[k][1:strstrt(peer[k], "|")-1].": ".peerwhat[k]
+      plot for [k=1:6] curves index block(i, k) using column_of:3 with linespoints ls style[k] ps 0.8 notitle, \
+           for [k=1:6] keyentry with linespoints ls style[k] ps 0.8 title called[k]
     }
   }
   unset multiplot
 }
 
+# Libraries, each next to the method of the course that it is to be compared with -----------------
+array compared[4] = [1, 2, 5, 6]  # independent, jittered, Halton, Sobol'
+name = "libraries"; width = 620; height = 860
+load draw
+set termoption enhanced
+set multiplot layout 2,2 margins 80./width, 1 - 15./width, 205./height, 1 - 34./height spacing 65./width, 85./height
+set logscale xy
+set format "10^{%L}"
+set xrange [0.05:10000]
+set yrange [1e-6:1]
+set xlabel "µs, integrand included"
+do for [j=1:4] {
+  m = compared[j]
+  set title called[m]
+  set ylabel (j % 2 == 1 ? "RMSE of exp(x + y)" : "")
+  if (j == 4) { set key at screen 0.5,0.01 center bottom vertical maxrows 5 Left reverse samplen 3 } else { unset key }
+  plot curves index block(2, m) using 2:3 with linespoints ls theory lw 2 dt 1 pt 7 ps 0.6 notitle, \
+       for [k=1:|peer|] curves index (method(k) == m ? peer[k]."|".on[2] : "none") using 2:3 with linespoints ls other+1+(k-1)%6 ps 0.8 notitle, \
+       keyentry with linespoints ls theory lw 2 dt 1 pt 7 ps 0.6 title "the solutions", \
+       for [k=1:|peer|] keyentry with linespoints ls other+1+(k-1)%6 ps 0.8 title peer[k][1:strstrt(peer[k], "|")-1].": ".peerwhat[k]
+}
+unset multiplot
+
 # Variance: time against digits -------------------------------------------------------------------
 # who[i], the submissions, comes from the bench.
-name = "variance"; width = 900; height = 560
+name = "variance"; width = 600; height = 560
 load draw
-set title "Variance of 4096 values from 1e9 to 1e9 + 1, in cache"
+set lmargin at screen 80./width
+set rmargin at screen 1 - 25./width
+set tmargin at screen 1 - 34./height
+set bmargin at screen 175./height
+set title "Variance of 4096 values from 10⁹ to 10⁹ + 1, in cache"
 set logscale x
-set xrange [0.1:50]
+set xrange [0.08:50]
 set yrange [-1.5:17.5]
 set ytics 0,2,16
 set xlabel "ns per value (less is better)"
-set ylabel "decimal digits that are right (more is better)"
-set key at graph 0.02,0.55 left Left reverse
-set label "1.2 textbook\n1.3 two passes\n1.4 Welford\n1.5 merged parts\n1.8 moments" at graph 0.03,0.3
+set ylabel "correct decimal digits (more is better)"
+set key at screen 0.05,0.01 left bottom vertical maxrows 5 Left reverse samplen 2
+set label "1.2 textbook\n1.3 two passes\n1.4 Welford\n1.5 merged parts\n1.8 moments" at screen 0.6,0.2 textcolor rgb ink
 set datafile separator "\t"
 plot for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2 with points ls other+i ps 1.8 title who[i], \
-     for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2:3 with labels offset 0,(i % 2 == 1 ? 1 : -1) notitle
+     for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2:3 with labels offset 0,(i % 2 == 1 ? 1 : -1) textcolor rgb ink notitle

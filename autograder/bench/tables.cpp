@@ -20,7 +20,7 @@ constexpr std::string_view prefix = "table ";
 constexpr double uncertain = 0.15;
 
 /// Two significant digits: "0.00012" is 1.2e-4.
-std::string figure(double value) {
+std::string digits_of(double value) {
   if (!(value > 0) || !std::isfinite(value)) return fmt::format("{}", value);
   const int power = static_cast<int>(std::floor(std::log10(value)));
   if (power >= -1) return fmt::format("{:.{}f}", value, std::max(0, 1 - power));
@@ -54,9 +54,9 @@ std::string bench_tables(const Bench& bench) {
     if (y == lines.size()) lines.push_back({row});
     for (auto& line : lines) line.resize(table->columns.size());
     std::string& shown = lines[y][x];
-    shown = figure(cell.value);
+    shown = digits_of(cell.value);
     if (cell.error > uncertain * cell.value) {
-      shown += " ± " + figure(cell.error);
+      shown += " ± " + digits_of(cell.error);
     } else if (!std::isnan(cell.error)) {
       table->largest = std::max(table->largest, cell.error / cell.value);
     }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* tag = "[.demo]";
 
-std::vector<Lab> labs_with_points(const Context& context) {
+std::vector<Lab> labs_in_demo(const Context& context) {
   std::vector<Lab> labs;
   for (const Lab& lab : context.labs) {
     if (!fs::exists(context.layout.measurements(lab.name))) continue;
@@ -48,9 +48,9 @@ void add_reasons(const Lab& lab, const fs::path& data, std::vector<std::string>&
   }
 }
 
-/// Measures the point sets of one lab; returns a JSON text for each, by file name.
+/// Measures one lab; `records` are JSON texts by file name.
 void measure(const Layout& layout, const Lab& lab, const Submission& submission,
-             const fs::path& data, std::map<std::string, std::string>& ways,
+             const fs::path& data, std::map<std::string, std::string>& records,
              std::vector<std::string>& remarks) {
   const BuildResult built = build_program(layout, lab, submission);
   if (!built.program) {
@@ -65,7 +65,7 @@ void measure(const Layout& layout, const Lab& lab, const Submission& submission,
   for (const auto& entry : fs::directory_iterator(data)) {
     if (entry.path().extension() != ".json") continue;
     std::string text = read_text(entry.path());
-    if (!text.empty()) ways[entry.path().filename().string()] = std::move(text);
+    if (!text.empty()) records[entry.path().filename().string()] = std::move(text);
   }
   add_reasons(lab, data, remarks);
 }
@@ -90,18 +90,21 @@ std::string list_of(const std::vector<std::string>& remarks) {
 Demo make_demo(const Context& context, const Submission& submission) {
   Demo demo;
   const ScratchDirectory scratch(context.layout);
-  std::map<std::string, std::string> ways;
-  for (const Lab& lab : labs_with_points(context)) {
+  std::map<std::string, std::string> records;
+  for (const Lab& lab : labs_in_demo(context)) {
     if (!submission.files.contains(lab.name)) {
       demo.remarks.push_back(fmt::format("lab {}: there is no {}", lab.number, lab.file()));
       continue;
     }
-    measure(context.layout, lab, submission, scratch.path() / lab.name, ways, demo.remarks);
+    measure(context.layout, lab, submission, scratch.path() / lab.name, records, demo.remarks);
   }
-  if (ways.empty()) return demo;
+  if (records.empty()) return demo;
   std::string data;
-  for (const auto& [name, text] : ways) data += (data.empty() ? "[" : ",\n") + text;
-  demo.page = read_whole_text(context.layout.root / "autograder/grader/pictures/demo.html");
+  for (const auto& [name, text] : records) data += (data.empty() ? "[" : ",\n") + text;
+  const fs::path pictures = context.layout.root / "autograder/grader/pictures";
+  demo.page = read_whole_text(pictures / "demo.html");
+  fill(demo.page, "SCRIPT",
+       read_whole_text(pictures / "demo.js") + read_whole_text(pictures / "demo_labs.js"));
   fill(demo.page, "REMARKS", list_of(demo.remarks));
   fill(demo.page, "SUBMISSION", html_escaped(sandbox::printable_line(submission.label)));
   fill(demo.page, "VERSION", html_escaped(context.layout.version));

@@ -1,5 +1,5 @@
 #pragma once
-// The lecture demo of convergence: points, an estimate and its error on one page.
+// The interactive page: what a slider teaches in each lab, with the points of a submission.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct Demo {
   std::vector<std::string> remarks;  ///< what could not be measured, and why
 };
 
-/// Measures the point sets of every lab that has a hidden case tagged [.demo].
+/// Measures every lab that has a hidden case tagged [.demo].
 Demo make_demo(const Context& context, const Submission& submission);
 
 }  // namespace mc::grader

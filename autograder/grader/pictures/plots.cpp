@@ -219,6 +219,9 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   std::vector<std::string> data;
   for (const Panel& panel : panels) data.push_back(panel.data.string());
   std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
+  if (sections.empty()) {
+    plots.remarks.push_back("plots.gp has no picture: each begins with a line \"# Title ---\"");
+  }
   for (Section& section : sections) look_at(section, panels, plots.remarks);
   // What the lab calls its methods, if it has any: the same for all submissions.
   const fs::path named = panels[0].data / "names.gp";

@@ -45,9 +45,9 @@ struct RenderJob {
                          {protocol::render_variable, protocol::text_of(protocol::RenderRequest{
                                                          row.picture, row.kind, spp, seconds})}},
          .wall_seconds = 300});
-    std::ifstream figures(data / (row.kind + ".txt"));
-    figures >> row.samples >> row.time;
-    if (!run.result.succeeded() || !figures) row.failure = reason_of(run);
+    std::ifstream result(data / (row.kind + ".txt"));
+    result >> row.samples >> row.time;
+    if (!run.result.succeeded() || !result) row.failure = reason_of(run);
     row.timed = row.failure.empty() && (seconds > 0 || row.kind == reference);
   }
 };
@@ -55,7 +55,7 @@ struct RenderJob {
 /// The title of a row's picture; "" if there is no picture.
 std::string title_of(const RenderResult& row, bool in_time) {
   if (!row.failure.empty() || (in_time && !row.timed)) return "";
-  const protocol::RenderFigures& drawn = in_time ? row.time : row.samples;
+  const protocol::RenderErrors& drawn = in_time ? row.time : row.samples;
   return fmt::format("{}, {} spp\nRMSE {:.3g}", row.kind, drawn.spp, drawn.rmse);
 }
 
@@ -133,10 +133,10 @@ Renders draw_renders(
   for (const std::string& picture : options.pictures) {
     sheets.push_back({.picture = picture,
                       .name = "samples",
-                      .headline = fmt::format("{}, {} samples a pixel", picture, options.spp)});
+                      .headline = fmt::format("{}, {} samples per pixel", picture, options.spp)});
     sheets.push_back({.picture = picture,
                       .name = "time",
-                      .headline = fmt::format("{}, in the time of {} {} samples a pixel", picture,
+                      .headline = fmt::format("{}, in the time of {} {} samples per pixel", picture,
                                               options.spp, options.reference)});
   }
   for (const Submission& submission : submissions) {

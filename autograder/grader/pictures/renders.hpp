@@ -32,10 +32,10 @@ struct RenderOptions {
 /// One picture by one kind of sampler of one submission.
 struct RenderResult {
   std::string submission, picture, kind;
-  std::string failure = {};              ///< why there is no picture, in one line
-  protocol::RenderFigures samples = {};  ///< with the requested number of samples
-  protocol::RenderFigures time = {};     ///< with as many as fit into the reference's time
-  bool timed = false;                    ///< is `time` valid?
+  std::string failure = {};             ///< why there is no picture, in one line
+  protocol::RenderErrors samples = {};  ///< with the requested number of samples
+  protocol::RenderErrors time = {};     ///< with as many as fit into the reference's time
+  bool timed = false;                   ///< is `time` valid?
 };
 
 struct Renders {

@@ -1,9 +1,8 @@
-// Lab 4 in the bench and in the demo: best candidates and Poisson disks.
+// Lab 4 in the bench: best candidates and Poisson disks.
 
 #include "checks/support/catch.hpp"
 #include "measurements/blue_noise/methods.hpp"
 #include "measurements/support/bench_data.hpp"
-#include "measurements/support/demo.hpp"
 
 namespace mc::measurements {
 namespace {
@@ -29,10 +28,6 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   };
   grow("best candidate", 2, 4096);
   grow("Poisson disk", 3, 65536);
-}
-
-TEST_CASE("demo", "[.demo]") {
-  write_demo(4, method(methods, "best_candidate"));
 }
 
 }  // namespace

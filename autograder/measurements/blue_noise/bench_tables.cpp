@@ -2,6 +2,7 @@
 // of mistakes: ten_candidates, bridson_alone.
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -46,6 +47,17 @@ void write_power(const std::string& row, const Mean& power) {
 }
 Mean exactly(double value) {
   return {1, value, value * value, value};
+}
+
+/// The power that jittered points, one in each of side x side cells, have on average at k: 1 -
+/// sinc(kx / side)^2 sinc(ky / side)^2. A cell's mean wave has the size sinc sinc; what cells have
+/// in common cancels, each cell's own remainder does not.
+double jittered_power(int kx, int ky, int side) {
+  const auto sinc = [&](int k) {
+    const double turn = std::numbers::pi * k / side;
+    return k == 0 ? 1 : std::sin(turn) / turn;
+  };
+  return 1 - std::pow(sinc(kx) * sinc(ky), 2);
 }
 
 double jittered_low_power(int side) {

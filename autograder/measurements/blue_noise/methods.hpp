@@ -1,7 +1,7 @@
 #pragma once
 // Lab 4's methods of making points.
 
-#include "checks/blue_noise/patterns.hpp"
+#include "checks/blue_noise/random_sets.hpp"
 #include "measurements/support/methods.hpp"
 
 namespace mc::measurements {

@@ -1,16 +1,16 @@
-// Lab 5 in the bench and in the demo: Halton and Sobol' points, shifted and scrambled.
+// Lab 5 in the bench: Halton and Sobol' points, shifted and scrambled.
 
 #include "checks/support/catch.hpp"
 #include "measurements/halton/methods.hpp"
 #include "measurements/support/bench_data.hpp"
-#include "measurements/support/demo.hpp"
 
 namespace mc::measurements {
 namespace {
 
 std::vector<Method> benched() {
   return {shifted(method(methods, "halton")), method(methods, "scrambled_halton"),
-          shifted(method(methods, "sobol")), method(methods, "scrambled_sobol")};
+          shifted(method(methods, "sobol")), method(methods, "scrambled_sobol"),
+          method(methods, "lattice")};
 }
 
 TEST_CASE("bench error", "[.bench-error]") {
@@ -30,24 +30,6 @@ TEST_CASE("bench growth", "[.bench-growth]") {
       return used_by(TRY_MEASURE_WITH(large, repeat, task, of, n, rounds, 1));
     });
   }
-}
-
-/// Randomized, since an RMSE is shown next to an error. As in lab 6: base 2 by 5.8, whose errors
-/// fall faster than those of 5.9, base 3 by 5.9.
-TEST_CASE("demo", "[.demo]") {
-  Method halton = method(methods, "scrambled_halton");
-  halton.is_sequence = true;
-  halton.points = [](Count n, Count, Count count, Count seed) {
-    const Sets base_2 = sets_of(TRY_MEASURE(radical_inverses, 2, 0, n), n, 1, 1);
-    if (base_2.empty()) return Sets{};
-    return sets_by_columns(n, 2, count, seed, [&](unsigned d, const Seeds& seeds) {
-      const auto column = base_2[0].column(0);
-      return d == 0 ? TRY_MEASURE(owen_scramble, {column.begin(), column.end()}, seeds)
-                    : TRY_MEASURE(radical_inverses_scrambled, 3, 0, n, seeds);
-    });
-  };
-  write_demo(5, halton);
-  write_demo(6, method(methods, "scrambled_sobol"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "checks/support/catch.hpp"
 #include "checks/support/exact_stratified.hpp"
+#include "measurements/halton/lattice_search.hpp"
 #include "measurements/halton/methods.hpp"
 #include "measurements/halton/tails.hpp"
 #include "measurements/support/bench_data.hpp"
@@ -98,6 +99,35 @@ TEST_CASE("bench table of errors of scrambled points", "[.bench-table]") {
   const double ratio = one.rmse() / all.rmse();
   bench_table({"error of exp(x + y) with 4096 Sobol' points", "plain over scrambled", "ratio", 0,
                ratio, ratio * all.standard_error() / all.rmse()});
+}
+
+/// What the handout says of the simplest rule (5.10), where there is one; and how its numbers were
+/// found.
+TEST_CASE("bench table of lattices", "[.bench-table]") {
+  const Method folded = method(methods, "lattice");
+  Method plain = folded;
+  plain.points = [](Count n, Count dims, Count count, Count seed) {
+    const auto points = lattice_points(n, dims, count, seed);
+    return points ? sets_of(*points, n, dims) : Sets{};
+  };
+  if (folded.points(2, 1, 1, 1).empty()) return;
+  for (const auto& [row, one] : {std::pair{"independent", method(methods, "independent")},
+                                 {"Sobol', scrambled", method(methods, "scrambled_sobol")},
+                                 {"lattice, shifted", plain},
+                                 {"lattice, shifted and folded", folded}}) {
+    for (const char* const on : {"smooth 2D", "smooth 4D", "smooth 8D", "kinks 2D", "edge 2D"}) {
+      bench_table("RMSE of 1024 points", row, on, 0, errors_of(one, integrand(on), 1024, 1000, 1));
+    }
+  }
+  LatticeSearch search;
+  for (std::size_t d = 0; d < lattice_vector.size(); ++d) {
+    const auto write = [&](const char* column, double value) {
+      bench_table({"lattice_vector, by the search", "z_" + std::to_string(d), column, 0, value});
+    };
+    write("found", static_cast<double>(search.next()));
+    write("e, N = 1024", std::sqrt(search.worst_case()[8]));
+    write("e, N = 65536", std::sqrt(search.worst_case().back()));
+  }
 }
 
 }  // namespace

@@ -41,6 +41,14 @@ inline Sets scrambled(const Sets& one, Count count, Count seed) {
                          });
 }
 
+/// Lattices, not folded: set after set.
+inline std::optional<std::vector<double>> lattice_points(Count n, Count dims, Count count,
+                                                         Count seed) {
+  const auto got = TRY_MEASURE(lattice, n, dims, domain::in_a_row(seed << 20, count));
+  const auto* const values = got ? got->if_exactly(n * dims * count, unit) : nullptr;
+  return values ? std::optional(*values) : std::nullopt;
+}
+
 inline std::vector<unsigned> first_dimensions(Count dims) {
   std::vector<unsigned> all(dims);
   std::iota(all.begin(), all.end(), 0u);
@@ -106,11 +114,16 @@ inline const std::vector<Method> methods = [] {
             });
           }),
       // Any points of the line, rotated: those of base 2.
-      way("rotated", 7, "Cranley-Patterson rotation", [](Count n, Count, Count count, Count seed) {
-        const auto got = TRY_MEASURE(radical_inverses, 2, 0, n);
-        const auto* const column = got ? got->if_exactly(n, unit) : nullptr;
-        if (column == nullptr) return Sets{};
-        return sets_of(TRY_MEASURE(random_shift, *column, 1, count, seed), n, 1, count);
+      way("rotated", 7, "Cranley-Patterson rotation",
+          [](Count n, Count, Count count, Count seed) {
+            const auto got = TRY_MEASURE(radical_inverses, 2, 0, n);
+            const auto* const column = got ? got->if_exactly(n, unit) : nullptr;
+            if (column == nullptr) return Sets{};
+            return sets_of(TRY_MEASURE(random_shift, *column, 1, count, seed), n, 1, count);
+          }),
+      way("lattice", 10, "lattice, folded", [](Count n, Count dims, Count count, Count seed) {
+        const auto points = lattice_points(n, dims, count, seed);
+        return points ? sets_of(TRY_MEASURE(tent, *points), n, dims, count) : Sets{};
       })};
   for (const std::size_t i : {2u, 3u, 4u, 5u}) all[i].is_random = false;
   all[2].rounds = [](Count n, Count dims, Count rounds) -> Number {

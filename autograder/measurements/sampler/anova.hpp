@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "checks/support/data.hpp"
+#include "checks/support/domain.hpp"
 #include "runner/text.hpp"
 #include "sampler.hpp"
 

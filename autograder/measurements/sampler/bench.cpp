@@ -14,9 +14,9 @@ void on_scenes(std::uint64_t factor, Run run) {
   for (const SceneRow& scene : scene_rows) {
     if (!scene.in_bench) continue;
     for (std::size_t k = 0; k < methods.size(); ++k) {
-      const std::uint64_t most = sampler_kinds[k] == "blue_noise" ? 256 : methods[k].most;
+      const std::uint64_t most = kinds[k] == "blue_noise" ? 256 : methods[k].most;
       for (std::uint64_t n = 16; n <= most; n *= factor) {
-        if (!run(sampler_kinds[k], methods[k].name, scene, n)) break;
+        if (!run(kinds[k], methods[k].name, scene, n)) break;
       }
     }
   }
@@ -47,7 +47,7 @@ TEST_CASE("bench time", "[.bench-time]") {
 TEST_CASE("bench growth", "[.bench-growth]") {
   for (std::size_t k = 0; k < methods.size(); ++k) {
     if (methods[k].most < 4096) continue;
-    const std::string kind = sampler_kinds[k], name = "sampler: " + methods[k].name;
+    const std::string kind = kinds[k], name = "sampler: " + methods[k].name;
     Method by_next = methods[k];
     by_next.rounds = [=](std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
       return cpu_seconds_of(TRY_MEASURE(repeat, kind, 1, dims, n, rounds, 1));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "checks/support/catch.hpp"
 #include "measurements/sampler/methods.hpp"
@@ -46,7 +47,7 @@ void write_worth(const std::string& row, const Sets& sets) {
     sums.add(sum);
     products.add(product_sum / table_n - 1);
   }
-  const std::string title = "RMSE of many lamps, a next2() each, as a part of the value, N = 1024";
+  const std::string title = "RMSE of many lamps, a next2() each, relative to the value, N = 1024";
   bench_table(title, row, "mean of twelve", table_n, sums);
   bench_table(title, row, "product of six", table_n, products);
 }
@@ -72,10 +73,43 @@ Sets sets_of_one_sequence(std::size_t count) {
 TEST_CASE("bench table", "[.bench-table]") {
   for (std::size_t k = 0; k < methods.size(); ++k) {
     // A best candidate of 1,024 points costs as much as a thousand scrambled ones.
-    const std::size_t count = sampler_kinds[k] == "blue_noise" ? 48 : 240;
-    write_worth(sampler_kinds[k], sets_in_parts(methods[k], table_n, 2 * table_uses, count, 1));
+    const std::size_t count = kinds[k] == "blue_noise" ? 48 : 240;
+    write_worth(kinds[k], sets_in_parts(methods[k], table_n, 2 * table_uses, count, 1));
   }
   write_worth("sobol, one sequence", sets_of_one_sequence(240));
+}
+
+/// Sixteen dimensions: two blocks, or the first sixteen of one sequence.
+TEST_CASE("bench table of sixteen dimensions", "[.bench-table]") {
+  constexpr std::size_t n = 4096, dims = 16;
+  std::vector<unsigned> first(dims);
+  std::iota(first.begin(), first.end(), 0u);
+  const Integrand edge = plane_integrand(scenes::PixelEdge{});
+  for (const auto& [row, method] :
+       {std::pair{"two blocks of eight", methods[4]}, {"one sequence", sobol_dimensions(first)}}) {
+    ErrorSums smooth, product, pairs;
+    for (const PointSet& set : sets_in_parts(method, n, dims, 240, 1)) {
+      double sum_smooth = 0, sum_product = 0, sum_pairs = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        double sum = 0, factors = 1;
+        for (std::size_t d = 0; d < dims; ++d) {
+          const double x = set.column(d)[i];
+          sum += x / 4;
+          factors *= 0.5 + x;
+        }
+        sum_smooth += std::exp(sum);
+        sum_product += factors;
+      }
+      for (std::size_t d = 0; d < dims; d += 2) sum_pairs += error_of(edge, set, n, d) / 8;
+      smooth.add(sum_smooth / n / std::pow(4 * (std::exp(0.25) - 1), dims) - 1);
+      product.add(sum_product / n - 1);
+      pairs.add(sum_pairs);
+    }
+    const std::string title = "RMSE in 16 dimensions, N = 4096";
+    bench_table(title, row, "exp((x_1 + … + x_16) / 4), relative", n, smooth);
+    bench_table(title, row, "product of 1/2 + x_j", n, product);
+    bench_table(title, row, "mean of eight edges, a next2() each", n, pairs);
+  }
 }
 
 /// Of exp(x + y + ...) over the first n points, in dimensions from `first` on.
@@ -117,8 +151,8 @@ TEST_CASE("bench table of early stops", "[.bench-table]") {
   for (const std::size_t k : {1u, 3u, 4u}) {
     const Sets sets = sets_in_parts(methods[k], table_n, 12, 288, 1);
     for (const auto& [use, name] : {std::pair{0u, "1st"}, {1u, "2nd"}, {4u, "5th"}, {5u, "6th"}}) {
-      bench_table("first 256 of 1024 samples: RMSE of exp(x + y) by the k-th next2()",
-                  sampler_kinds[k], name, 256, exp_errors(sets, 2, 256, 2 * use));
+      bench_table("first 256 of 1024 samples: RMSE of exp(x + y) by the k-th next2()", kinds[k],
+                  name, 256, exp_errors(sets, 2, 256, 2 * use));
     }
   }
 }
@@ -142,7 +176,7 @@ TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
           empty += static_cast<double>(std::count(taken.begin(), taken.end(), false));
         }
         bench_table({"empty cells of a grid of N, by call of next2()",
-                     fmt::format("{}, {}", sampler_kinds[k], use + 1), fmt::format("N = {}", n), n,
+                     fmt::format("{}, {}", kinds[k], use + 1), fmt::format("N = {}", n), n,
                      empty / static_cast<double>(sets.size())});
       }
     }
@@ -156,9 +190,8 @@ TEST_CASE("bench table of times", "[.bench-table-time]") {
       const Number round =
           seconds_of([&](std::uint64_t rounds) { return methods[k].rounds(n, 4, rounds); });
       if (!round) break;
-      bench_table({"ns per number, four dimensions by next2(), generate() included",
-                   sampler_kinds[k], fmt::format("N = {}", n), n,
-                   *round * 1e9 / static_cast<double>(4 * n)});
+      bench_table({"ns per number, four dimensions by next2(), generate() included", kinds[k],
+                   fmt::format("N = {}", n), n, *round * 1e9 / static_cast<double>(4 * n)});
     }
   }
 }

@@ -8,19 +8,25 @@
 
 namespace mc::measurements {
 
-/// In the order of sampler_kinds, and in the colors of the points that they hand out by next2().
+/// The last is optional: what a submission lacks is left out.
+inline const std::vector<std::string> kinds = [] {
+  std::vector<std::string> all(sampler_kinds.begin(), sampler_kinds.end());
+  all.push_back("lattice");
+  return all;
+}();
+
+/// In the order of `kinds`, and in the colors of the points that they hand out by next2().
 inline const std::vector<Method> methods = [] {
-  std::vector<Method> all{{"independent", "6.1", "independent"},
-                          {"multi_jittered", "6.2", "stratified"},
-                          {"best_candidate", "6.7", "blue noise"},
-                          {"scrambled_halton", "6.3", "Halton"},
-                          {"scrambled_sobol", "6.3", "Sobol'"}};
+  std::vector<Method> all{
+      {"independent", "6.1", "independent"},   {"multi_jittered", "6.2", "stratified"},
+      {"best_candidate", "6.7", "blue noise"}, {"scrambled_halton", "6.3", "Halton"},
+      {"scrambled_sobol", "6.3", "Sobol'"},    {"lattice", "6.3", "lattice"}};
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const std::string kind = sampler_kinds[k];
+    const std::string kind = kinds[k];
     all[k].most = kind == "blue_noise" ? 1024 : 16384;  // its time grows as n^2
     all[k].points = [=](std::uint64_t n, std::uint64_t dims, std::uint64_t count,
                         std::uint64_t seed) {
-      return sets_of(TRY_MEASURE_WITH(large, columns, kind, n, neighbours(seed, count),
+      return sets_of(TRY_MEASURE_WITH(large, columns, kind, n, domain::in_a_row(seed, count),
                                       repeated(dims / 2, {2})),
                      n, dims, count);
     };
@@ -51,7 +57,7 @@ inline ErrorSums scene_errors(const std::string& kind, const std::string& scene,
                               std::size_t count, std::uint64_t seed) {
   ErrorSums errors;
   const auto got =
-      TRY_MEASURE_WITH(large, estimates, kind, scene, {}, 1, 0, n, neighbours(seed, count));
+      TRY_MEASURE_WITH(large, estimates, kind, scene, {}, 1, 0, n, domain::in_a_row(seed, count));
   const Values* const values = got ? got->if_exactly(count) : nullptr;
   if (values == nullptr) return errors;
   const double exact = known_scene(scene, {}).exact;
@@ -91,9 +97,9 @@ inline Method sobol_dimensions(const std::vector<unsigned>& dimensions) {
           .task = "5.8",
           .name = "one sequence",
           .points = [=](std::uint64_t n, std::uint64_t, std::uint64_t count, std::uint64_t seed) {
-            return sets_of(
-                TRY_MEASURE_WITH(large, sobol_columns, dimensions, n, neighbours(seed, count)), n,
-                dimensions.size(), count);
+            return sets_of(TRY_MEASURE_WITH(large, sobol_columns, dimensions, n,
+                                            domain::in_a_row(seed, count)),
+                           n, dimensions.size(), count);
           }};
 }
 

@@ -7,6 +7,7 @@
 #include "checks/support/catch.hpp"
 #include "measurements/sampler/anova.hpp"
 #include "measurements/sampler/images.hpp"
+#include "measurements/sampler/known_pictures.hpp"
 #include "measurements/sampler/methods.hpp"
 #include "measurements/support/plot_data.hpp"
 
@@ -14,7 +15,7 @@ namespace mc::measurements {
 namespace {
 
 bool is_blue(std::size_t k) {
-  return sampler_kinds[k] == "blue_noise";
+  return kinds[k] == "blue_noise";
 }
 
 /// Two columns for each kind.
@@ -30,25 +31,25 @@ TEST_CASE("plot names", "[.plot]") {
 
 /// Of each kind the error, and the CPU time of an estimate in microseconds.
 void plot_scene(const std::string& scene) {
-  plot_table("error-" + scene + ".tsv", "N", powers(16, 4, 4096), two_columns_each("", "_us"),
-             [&](double size, std::size_t c) -> Number {
-               const auto n = static_cast<std::uint64_t>(size);
-               const std::size_t k = c / 2;
-               // Without a next2() blue noise is stratified; with 4096 points it takes a second.
-               if (is_blue(k) && (scene == "motion_edge" || n > 1024)) return {};
-               const std::uint64_t cost = is_blue(k) ? n * n / 8 : n;
-               if (c % 2 == 0) {
-                 const auto count = std::clamp<std::size_t>((1 << 19) / cost, 20, 400);
-                 return rmse_of(scene_errors(sampler_kinds[k], scene, n, count, 0));
-               }
-               const Number round = seconds_of(
-                   [&](std::uint64_t rounds) {
-                     return cpu_seconds_of(
-                         TRY_MEASURE(repeat_scene, sampler_kinds[k], scene, n, rounds, 1));
-                   },
-                   0.004, 1, std::max<std::uint64_t>(1, (1 << 17) / cost));
-               return round ? Number(1e6 * *round) : Number{};
-             });
+  plot_table(
+      "error-" + scene + ".tsv", "N", powers(16, 4, 4096), two_columns_each("", "_us"),
+      [&](double size, std::size_t c) -> Number {
+        const auto n = static_cast<std::uint64_t>(size);
+        const std::size_t k = c / 2;
+        // Without a next2() blue noise is stratified; with 4096 points it takes a second.
+        if (is_blue(k) && (scene == "motion_edge" || n > 1024)) return {};
+        const std::uint64_t cost = is_blue(k) ? n * n / 8 : n;
+        if (c % 2 == 0) {
+          const auto count = std::clamp<std::size_t>((1 << 19) / cost, 20, 400);
+          return rmse_of(scene_errors(kinds[k], scene, n, count, 0));
+        }
+        const Number round = seconds_of(
+            [&](std::uint64_t rounds) {
+              return cpu_seconds_of(TRY_MEASURE(repeat_scene, kinds[k], scene, n, rounds, 1));
+            },
+            0.004, 1, std::max<std::uint64_t>(1, (1 << 17) / cost));
+        return round ? Number(1e6 * *round) : Number{};
+      });
 }
 
 TEST_CASE("plot the error under a lamp", "[.plot]") {
@@ -122,7 +123,7 @@ Number nanoseconds(std::size_t k, unsigned by, std::uint64_t dims, std::uint64_t
   const std::uint64_t numbers = is_blue(k) ? (1 << 21) / n : 1 << 19;
   const Number round = seconds_of(
       [&](std::uint64_t rounds) {
-        return cpu_seconds_of(TRY_MEASURE(repeat, sampler_kinds[k], by, dims, n, rounds, 1));
+        return cpu_seconds_of(TRY_MEASURE(repeat, kinds[k], by, dims, n, rounds, 1));
       },
       0.004, 1, 1 + numbers / (n * dims));
   return round ? Number(1e9 * *round / static_cast<double>(n * dims)) : Number{};

@@ -12,8 +12,8 @@
 #include "6-sampler/experiments.hpp"
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/known_scenes.hpp"
 #include "measurements/sampler/images.hpp"
+#include "measurements/sampler/known_pictures.hpp"
 #include "measurements/support/plot_data.hpp"
 #include "protocol/environment.hpp"
 #include "protocol/render.hpp"
@@ -108,9 +108,9 @@ TEST_CASE("render one picture", "[.render]") {
   const Timed own{what.spp, seconds_of(what, what.spp)};
   const Timed timed = what.seconds > 0 ? samples_in(what, what.seconds, own) : own;
   const Errors time = draw_one(what, timed.spp, exact, "time");
-  auto figures = plot_file(what.kind + ".txt");
+  auto result = plot_file(what.kind + ".txt");
   for (const auto& [sheet, errors] : {std::pair(own, samples), std::pair(timed, time)}) {
-    figures << protocol::RenderFigures{sheet.spp, sheet.seconds, errors.rmse, errors.large};
+    result << protocol::RenderErrors{sheet.spp, sheet.seconds, errors.rmse, errors.large};
   }
 }
 

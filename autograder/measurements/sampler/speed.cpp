@@ -8,7 +8,7 @@ namespace mc::measurements {
 
 /// Four dimensions of a pixel with 16 samples, and with 64.
 TEST_CASE("speed of samplers", "[.speed]") {
-  for (std::size_t k = 0; k < methods.size(); ++k) {
+  for (std::size_t k = 0; k < sampler_kinds.size(); ++k) {
     if (sampler_kinds[k] == "blue_noise")
       continue;  // its time grows with the square of the samples
     for (const std::uint64_t n : {16u, 64u}) {

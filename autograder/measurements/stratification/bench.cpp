@@ -1,10 +1,9 @@
-// Lab 3 in the bench and in the demo: jittered points, padded ones, grids in all dimensions, Latin
+// Lab 3 in the bench: jittered points, padded ones, grids in all dimensions, Latin
 // hypercubes.
 
 #include "checks/support/catch.hpp"
 #include "measurements/stratification/methods.hpp"
 #include "measurements/support/bench_data.hpp"
-#include "measurements/support/demo.hpp"
 
 namespace mc::measurements {
 namespace {
@@ -37,9 +36,15 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   grow("multi-jittered", 7, 2, 10'000'000);
 }
 
-TEST_CASE("demo", "[.demo]") {
-  write_demo(2, method(methods, "jittered"));
-  write_demo(3, method(methods, "multi_jittered"));
+/// What shared permutations cost beyond the variance (docs/multi-jittered.md).
+TEST_CASE("bench table of tails", "[.bench-table]") {
+  for (const std::uint64_t n : {16u, 64u, 256u, 1024u}) {
+    const ErrorSums errors =
+        errors_of(method(methods, "multi_jittered"), integrand("smooth 2D"), n, 20'000, n << 20);
+    if (errors.count == 0) return;
+    bench_table({"kurtosis of the error of exp(x + y)", "multi_jittered",
+                 "N = " + std::to_string(n), n, errors.kurtosis(), errors.kurtosis_error()});
+  }
 }
 
 }  // namespace

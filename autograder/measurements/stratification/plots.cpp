@@ -133,17 +133,28 @@ TEST_CASE("plot patterns of 64 points", "[.plot]") {
 
 TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
   constexpr std::size_t width = 128;
-  for (const auto& [task, key] :
-       {std::pair{0u, "independent"}, {3u, "jittered"}, {7u, "multi_jittered"}}) {
-    auto file = plot_file(std::string("shadow-") + key + ".tsv");
-    const auto got = TRY_MEASURE(shadow, task, width, 16, 1);
+  const Names keys{"independent", "jittered", "multi_jittered"};
+  const auto shadow = [&](unsigned task, std::uint64_t spp, std::uint64_t seed) {
+    const auto got = TRY_MEASURE(shadow, task, width, spp, seed);
     const auto* const pixels = got ? got->if_exactly(width * width, closed_unit) : nullptr;
-    for (std::size_t row = 0; row < width; ++row) {
-      Row shades(width);
-      for (std::size_t i = 0; pixels && i < width; ++i) shades[i] = (*pixels)[row * width + i];
-      plot_row(file, shades);
+    return pixels ? Row(pixels->begin(), pixels->end()) : Row(width * width);
+  };
+  const auto exact = shadow(7, 1024, 2);  // nearly: the error falls at least as N^-3/4
+  auto errors = plot_file("shadow-rmse.tsv", keys);
+  Row rmse;
+  for (const unsigned task : {0u, 3u, 7u}) {
+    auto file = plot_file("shadow-" + keys[rmse.size()] + ".tsv");
+    const auto pixels = shadow(task, 16, 1);
+    double squares = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      squares += std::pow(pixels[i].value_or(NAN) - exact[i].value_or(NAN), 2);
+    }
+    rmse.push_back(std::sqrt(squares / static_cast<double>(pixels.size())));
+    for (std::size_t i = 0; i < pixels.size(); i += width) {
+      plot_row(file, std::span(pixels).subspan(i, width));
     }
   }
+  plot_row(errors, rmse);
 }
 
 TEST_CASE("plot time against error", "[.plot]") {

@@ -1,17 +1,30 @@
 #pragma once
-// What the lecture's demo of convergence shows (./lab demo): point sets of the plane at every size,
-// what they make of the demo's integrands, and their error over many sets. A lab's hidden case,
-// tagged [.demo], writes those of its point sets.
+// What the interactive page shows (./lab demo). A lab's hidden case, tagged [.demo], writes records
+// of what the submission makes; the page's script draws them, and computes what follows from them.
 
+#include <span>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "measurements/support/methods.hpp"
 
 namespace mc::measurements {
 
-/// Writes demo-`place`-KEY.json: the method's points at 1, 2, 4, … min(4096, `most`), its
-/// estimates, its errors. Nothing where the task is not written. Pages show methods in the order of
-/// their places.
-void write_demo(int place, const Method& method);
+/// Numbers in [0, 1) as text: each is rounded down to `characters` of 6 bits.
+std::string encoded(std::span<const double> values, std::size_t characters);
+
+/// At the beginning of a case: from here on the page says which tasks are missing, and why.
+void begin_demo();
+
+using DemoField = std::variant<std::string, double, std::vector<double>, std::vector<std::string>>;
+
+/// Writes demo-`lab`-KEY.json, a record of these fields and the lab. NaN becomes null.
+void write_demo(int lab, const std::string& key,
+                const std::vector<std::pair<std::string, DemoField>>& fields);
+
+/// Points of the plane: sets of 1, 4, … 1,024.
+void write_demo_points(int lab, const Method& method);
 
 }  // namespace mc::measurements

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <complex>
 #include <ctime>
 #include <numbers>
 #include <numeric>
 
-#include "checks/support/data.hpp"
-#include "checks/support/rect_light_exact.hpp"
+#include "checks/support/domain.hpp"
 
 namespace mc::measurements {
 namespace {
@@ -30,8 +28,7 @@ Integrand smooth(std::size_t dims, const char* formula) {
           .mean = mean,
           .g = exp_of_sum,
           .variance = square - mean * mean,
-          .in_bench = true,
-          .in_demo = dims == 2};
+          .in_bench = true};
 }
 
 /// |x - 0.4| + |x + y - 1|: means (0.4^2 + 0.6^2)/2 and 1/3, squares (0.4^3 + 0.6^3)/3 and 1/6, and
@@ -46,33 +43,6 @@ const double disk = 0.7 * std::atan(1);
 /// The mean of exp(-a x^2) over [0, 1].
 double mean_of_bump(double a) {
   return std::sqrt(std::numbers::pi / a) / 2 * std::erf(std::sqrt(a));
-}
-
-constexpr RectLight lamp;
-
-/// Cosines at receiver and light, both height / r, over r^2, times the light's area; dark where
-/// a small disk within the lamp is in the way, if its radius is not 0.
-constexpr double dark_x = 0.3, dark_y = 0.05, dark_radius = 0.3;
-double under_lamp(Point u, double radius) {
-  const double x = lamp.x0 + (lamp.x1 - lamp.x0) * u[0], y = lamp.y0 + (lamp.y1 - lamp.y0) * u[1];
-  const double dx = x - dark_x, dy = y - dark_y;
-  if (dx * dx + dy * dy < radius * radius) return 0;
-  const double h2 = lamp.height * lamp.height, r2 = x * x + y * y + h2;
-  return area(lamp) * lamp.radiance * h2 / (r2 * r2);
-}
-
-/// The irradiance under a disk parallel to the receiver, its centre off the axis (Howell, "A
-/// catalog of radiation heat transfer configuration factors", B-13).
-double irradiance_of_dark_disk() {
-  const double h2 = lamp.height * lamp.height, d2 = dark_x * dark_x + dark_y * dark_y;
-  const double r2 = dark_radius * dark_radius, sum = h2 + d2 + r2;
-  return lamp.radiance * std::numbers::pi / 2 *
-         (1 - (h2 + d2 - r2) / std::sqrt(sum * sum - 4 * r2 * d2));
-}
-
-/// The mean of exp(i k x) over [0, 1].
-std::complex<double> mean_of_wave(double k) {
-  return (std::polar(1.0, k) - 1.0) / std::complex<double>(0, k);
 }
 
 double seconds_of_this_process() {
@@ -109,31 +79,12 @@ const std::vector<Integrand>& integrands() {
        .mean = std::pow(mean_of_bump(1), 2),
        .g = [](Point x) { return std::exp(-x[0] * x[0] - x[1] * x[1]); },
        .variance = std::pow(mean_of_bump(2), 2) - std::pow(mean_of_bump(1), 4)},
-      {.name = "lamp",
-       .formula = "the irradiance under a rectangular lamp",
-       .dims = 2,
-       .mean = irradiance(lamp),
-       .g = [](Point x) { return under_lamp(x, 0); },
-       .in_demo = true},
-      {.name = "penumbra",
-       .formula = "the same lamp, partly behind a disk",
-       .dims = 2,
-       .mean = irradiance(lamp) - irradiance_of_dark_disk(),
-       .g = [](Point x) { return under_lamp(x, dark_radius); },
-       .in_demo = true},
       // Where y < 0.65 - x/2: from 0.65 on the left to 0.15 on the right.
       {.name = "edge",
        .formula = "1 where x + 2y < 1.3, else 0",
        .dims = 2,
        .mean = 0.4,
-       .g = [](Point x) { return x[0] + 2 * x[1] < 1.3 ? 1.0 : 0.0; },
-       .in_demo = true},
-      {.name = "wave",
-       .formula = "1 + cos(40 x + 23 y)",
-       .dims = 2,
-       .mean = 1 + (mean_of_wave(40) * mean_of_wave(23)).real(),
-       .g = [](Point x) { return 1 + std::cos(40 * x[0] + 23 * x[1]); },
-       .in_demo = true}};
+       .g = [](Point x) { return x[0] + 2 * x[1] < 1.3 ? 1.0 : 0.0; }}};
   return all;
 }
 
@@ -155,16 +106,6 @@ double error_of(const Integrand& integrand, const PointSet& points, std::size_t 
     sum += integrand.g({x.data(), integrand.dims}) - integrand.mean;
   }
   return sum / static_cast<double>(n);
-}
-
-double variance_in_the_plane(const Integrand& integrand) {
-  constexpr int width = 1024;
-  double squares = 0;
-  for (int i = 0; i < width * width; ++i) {
-    const std::array x{(i % width + 0.5) / width, (i / width + 0.5) / width};
-    squares += std::pow(integrand.g(x), 2);
-  }
-  return squares / (width * width) - integrand.mean * integrand.mean;
 }
 
 double nanoseconds_of(const Integrand& integrand) {

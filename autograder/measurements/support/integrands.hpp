@@ -1,6 +1,6 @@
 #pragma once
-// What points are to integrate: functions of known mean, from the kindest to the least kind. Plots,
-// benchmark and demo read this table.
+// What points are to integrate: functions of known mean, from the kindest to the least kind. Plots
+// and benchmark read this table.
 
 #include <functional>
 #include <limits>
@@ -21,7 +21,7 @@ struct Integrand {
   std::function<double(std::span<const double>)> g;  ///< at one point
   /// Of one value at a uniform point, where known.
   double variance = std::numeric_limits<double>::quiet_NaN();
-  bool in_bench = false, in_demo = false;
+  bool in_bench = false;
 };
 
 const std::vector<Integrand>& integrands();
@@ -33,9 +33,6 @@ double error_of(const Integrand& integrand, const PointSet& points, std::size_t 
 inline double error_of(const Integrand& integrand, const PointSet& points) {
   return error_of(integrand, points, points.size());
 }
-
-/// Of one value at a uniform point of the plane, by the midpoint rule.
-double variance_in_the_plane(const Integrand& integrand);
 
 /// What a value costs, in nanoseconds of this process: the integrand is ours, so it is timed here.
 double nanoseconds_of(const Integrand& integrand);

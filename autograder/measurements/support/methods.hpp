@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "checks/support/data.hpp"
+#include "checks/support/domain.hpp"
 #include "checks/support/measure.hpp"
 #include "common/points.hpp"
 

@@ -39,7 +39,7 @@ void bench_speed(const std::string& task, const std::string& name, std::uint64_t
                  const Rounds& rounds);
 
 /// The same of n points of the plane by a method; and a row of kind speed error: the RMSE of the
-/// mean of exp(x + y), as a part of its integral.
+/// mean of exp(x + y), relative to its integral.
 void bench_speed(const std::string& task, const std::string& name, std::uint64_t n,
                  const Method& method);
 void bench_speed_error(const std::string& task, const std::string& name, std::uint64_t n,

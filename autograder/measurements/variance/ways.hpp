@@ -2,8 +2,8 @@
 // Lab 1's ways to a variance, which plots and bench read.
 
 #include "1-variance/experiments.hpp"
+#include "checks/support/compare.hpp"
 #include "checks/support/exact.hpp"
-#include "checks/support/expect.hpp"
 #include "checks/variance/data_sets.hpp"
 #include "measurements/support/methods.hpp"
 #include "measurements/support/speed_data.hpp"

@@ -15,7 +15,7 @@ wall_and_cpu() {
   { time "$@" >/dev/null 2>&1; } 2>&1 | awk '{ print $1, $2 + $3 }'
 }
 
-row "figure" "measured" "promised"
+row "quantity" "measured" "promised"
 printf '#include <catch2/catch%s.hpp>\nTEST_CASE("a") { CHECK(1 == 1); }\n' \
   "$([ -e /usr/include/catch2/catch.hpp ] || echo _test_macros)" >"$work/one.cpp"
 one=$(for _ in 1 2 3 4 5; do wall_and_cpu c++ -std=c++20 -O1 -c "$work/one.cpp" -o "$work/one.o"; done |
