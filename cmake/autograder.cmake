@@ -60,7 +60,7 @@ set(sources ${all})
 list(FILTER sources EXCLUDE REGEX "/(gradebook|pictures)/|/submission/archive[.]cpp$")
 list(FILTER sources EXCLUDE REGEX "/reports/(csv|html|json|verdict_json)[.]cpp$")
 list(FILTER sources EXCLUDE REGEX
-  "/commands/(bench|completion|demo|export|feedback|grade|gradescope|handout|merge|plot|release|render|report|stats|tree|upgrade)[.]cpp$")
+  "/commands/(bench|completion|demo|export|feedback|grade|gradescope|handout|merge|new_lab|plot|release|render|report|stats|tree|upgrade)[.]cpp$")
 add_library(grading OBJECT ${sources})
 own_target(grading)
 add_library(archives STATIC autograder/grader/submission/archive.cpp)  # a handout has none

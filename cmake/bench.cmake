@@ -1,4 +1,4 @@
-# The cost of one measurement, for autograder/bench/figures.sh. Built only on request.
+# The cost of one measurement, for autograder/bench/limits.sh. Built only on request.
 add_executable(bench_measurement EXCLUDE_FROM_ALL autograder/bench/measurement.cpp)
 target_link_libraries(bench_measurement PRIVATE sandbox)
 own_target(bench_measurement)

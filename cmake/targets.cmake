@@ -3,6 +3,7 @@
 option(MC_UNITY "compile the files of a target together" OFF)
 option(MC_WERROR "a warning is an error" OFF)
 option(MC_SANITIZE "grader and checks under the address and undefined-behavior sanitizers" OFF)
+option(MC_COVERAGE "count the lines of sandbox, protocol and grader that run (.ci/coverage)" OFF)
 
 # with_warnings(<target>): the warnings that the project is free of.
 function(with_warnings target)
@@ -26,10 +27,14 @@ function(own_target target)
     target_compile_options(${target} PRIVATE ${sanitizers} -fno-omit-frame-pointer -g)
     target_link_options(${target} PRIVATE ${sanitizers})
   endif()
+  if(MC_COVERAGE AND target MATCHES "^(sandbox|protocol|grading|coursework|archives)$")
+    target_compile_options(${target} PRIVATE -g -O0 --coverage)
+    target_link_libraries(${target} PUBLIC --coverage)
+  endif()
 endfunction()
 
 # in_parts(<target> <files>): compiles that many files together, so that one compiler takes at most
-# 500 MB (autograder/bench/figures.sh).
+# 500 MB (autograder/bench/limits.sh).
 function(in_parts target files)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()

@@ -82,8 +82,8 @@ foreach(name ${quick})
 endforeach()
 
 # Every submission of the repository, with its expected result; --quick tests the first of each kind and
-# lab. A file named for a task is a catalog: each of its mistakes is a test. The first test of a catalog
-# compiles it, so it starts before the others, which would wait for it.
+# lab. A file named for a task is a catalog: each of its mistakes or attacks is a test. The first test of
+# a catalog compiles it, so it starts before the others, which would wait for it.
 foreach(lab ${LABS})
   foreach(who starter solutions)
     if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
@@ -102,10 +102,14 @@ foreach(file ${submissions})
   if(name MATCHES "^alternatives/")
     set(cost 40)
   endif()
-  if(name MATCHES "/[0-9]+[.][0-9]+$")
+  if(name MATCHES "/[0-9][^/]*$")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS autograder/submissions/${file})
-    file(STRINGS autograder/submissions/${file} names REGEX "^namespace mc::[a-z0-9_]+ {$")
-    list(TRANSFORM names REPLACE "^namespace mc::([a-z0-9_]+) {$" "\\1")
+    set(begins "^namespace mc::")
+    if(name MATCHES "^attacks/")
+      set(begins "^//// ")
+    endif()
+    file(STRINGS autograder/submissions/${file} names REGEX "${begins}[a-z0-9_]+( {)?$")
+    list(TRANSFORM names REPLACE "${begins}([a-z0-9_]+).*$" "\\1")
     set(cost 11)
     foreach(mistake ${names})
       test_of(${folder}/${mistake} ${cost} self_test autograder/submissions/${file} ${mistake})

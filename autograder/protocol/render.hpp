@@ -48,18 +48,18 @@ inline RenderRequest render_request_in(const std::string& text) {
 }
 
 /// A picture with a number of samples per pixel.
-struct RenderFigures {
+struct RenderErrors {
   std::uint64_t spp = 0;
   double seconds = 0;      ///< CPU time of the whole picture
   double rmse = 0;         ///< over its pixels
   double large_error = 0;  ///< 95 % of the pixels that are not exact have a smaller error
 };
-inline std::ostream& operator<<(std::ostream& file, const RenderFigures& figures) {
-  return file << figures.spp << ' ' << figures.seconds << ' ' << figures.rmse << ' '
-              << figures.large_error << '\n';
+inline std::ostream& operator<<(std::ostream& file, const RenderErrors& result) {
+  return file << result.spp << ' ' << result.seconds << ' ' << result.rmse << ' '
+              << result.large_error << '\n';
 }
-inline std::istream& operator>>(std::istream& file, RenderFigures& figures) {
-  return file >> figures.spp >> figures.seconds >> figures.rmse >> figures.large_error;
+inline std::istream& operator>>(std::istream& file, RenderErrors& result) {
+  return file >> result.spp >> result.seconds >> result.rmse >> result.large_error;
 }
 
 }  // namespace mc::protocol

@@ -144,9 +144,9 @@ TEST_CASE("sums of errors give RMSE and kurtosis, with standard errors") {
 }
 
 /// By a midpoint rule in one and two dimensions: its error is h^2/24 times second derivatives (at
-/// most 40^2 + 23^2 in the table) where g is smooth: 2.2e-5. Along an edge it is at most one cell
+/// most 2 e^2 in the table) where g is smooth: 2e-7. Along an edge it is at most one cell
 /// each, in some of at most 4 side cells, with either sign.
-TEST_CASE("the integrands of bench, plots and demo have the stated mean and variance") {
+TEST_CASE("the integrands of bench and plots have the stated mean and variance") {
   for (const measurements::Integrand& one : measurements::integrands()) {
     if (one.dims > 2) continue;
     const int side = one.dims == 1 ? 100000 : 2000;

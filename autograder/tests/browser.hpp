@@ -1,11 +1,13 @@
 #pragma once
 // Opens pages in headless Chromium.
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "grader/base/text_file.hpp"
 #include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
 
@@ -24,10 +26,11 @@ inline std::string chromium() {
 struct PageState {
   std::string title, console;
 };
-inline PageState open_page(const std::filesystem::path& file) {
+inline PageState open_page(const std::filesystem::path& file,
+                           const std::string& option = "--disable-sync") {
   const Scratch place;
   const auto run = sandbox::run_process(
-      {chromium(), "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
+      {chromium(), "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", option,
        "--user-data-dir=" + (place.path() / "profile").string(), "--dump-dom",
        "file://" + file.string()},
       {.wall_seconds = 60});
@@ -39,6 +42,23 @@ inline PageState open_page(const std::filesystem::path& file) {
     opened.console += run.errors.substr(at, run.errors.find('\n', at) - at) + '\n';
   }
   return opened;
+}
+
+/// Violations that axe-core, a collection of accessibility rules, finds on a page. MC_AXE is the path
+/// of its axe.min.js, which is not part of this repository; without it, or a browser, none.
+inline std::string axe_findings(const std::string& page) {
+  const char* axe = std::getenv("MC_AXE");
+  if (axe == nullptr || chromium().empty()) return {};
+  const Scratch place;
+  const std::string run = R"html(<script>
+    addEventListener("load", () => axe.run({ resultTypes: ["violations"] }).then(({ violations }) => {
+      document.title = "axe: " + violations.map(one => one.id + " " + one.nodes[0].html).join("; ");
+    }));
+  </script>)html";
+  const PageState state = open_page(
+      place.write("axe.html", page + "<script>" + grader::read_whole_text(axe) + "</script>" + run),
+      "--virtual-time-budget=60000");
+  return state.title == "axe: " ? "" : state.title + state.console;
 }
 
 }  // namespace mc::tests

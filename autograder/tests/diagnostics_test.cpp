@@ -1,13 +1,16 @@
 // Original messages of compilers and linkers, and what students see of them.
 #include "grader/submission/diagnostics.hpp"
 
+#include <filesystem>
 #include <map>
 #include <string>
 
 #include "checks/support/catch.hpp"
+#include "grader/submission/source.hpp"
 
 namespace mc::tests::diagnostics {
 
+namespace fs = std::filesystem;
 using grader::first_errors;
 using grader::Lab;
 
@@ -63,6 +66,30 @@ TEST_CASE("warnings and their notes are removed, notes of errors stay") {
   CHECK(kept.find("of the warning") == std::string::npos);
   CHECK(kept.find("no match") != std::string::npos);
   CHECK(kept.find("candidate") != std::string::npos);
+}
+
+TEST_CASE("a missing standard include is named") {
+  const auto note = [](const std::string& text) { return grader::missing_include("a.cpp", text); };
+  CHECK(
+      note("#include <cmath>\n// std::sort\ndouble x = std::sqrt(std::iota(1));") ==
+      "a.cpp uses std::iota without #include <numeric>. It compiles here, but may not elsewhere.");
+  CHECK(note("#include <numeric>\nstd::iota(") == "");
+  CHECK(note("std::iotas std::io std:: std::") == "");
+  CHECK(note("std::sort").find("<algorithm>") != std::string::npos);
+}
+
+TEST_CASE("no solution and no other right answer lacks a standard include") {
+  const fs::path root = fs::path(MC_LAB).parent_path();
+  std::size_t files = 0;
+  for (const char* folder : {"solutions", "autograder/submissions/alternatives"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!entry.is_regular_file()) continue;
+      ++files;
+      const std::string name = entry.path().filename().string();
+      CHECK(grader::missing_include(name, grader::read_source(entry.path()).text) == "");
+    }
+  }
+  CHECK(files >= 40);
 }
 
 TEST_CASE("positions outside the file are not quoted") {

@@ -1,5 +1,6 @@
 // The commands of ./lab, used as a user would, correctly and wrongly.
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "grader/checkout/hints.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/reports/report.hpp"
+#include "grader/submission/archive.hpp"
 #include "tests/entry_script.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
@@ -188,7 +190,7 @@ TEST_CASE("a lab has the name that a shell completes", "[script]") {
   CHECK(run.exit_code == 1);
   CHECK(contains(run.output, "Lab 1"));
   CHECK(contains(lab({"variance"}).errors, "did you mean './lab check variance'"));
-  CHECK(contains(lab({"check", "9"}).errors, "there are 1 to 6"));
+  CHECK(contains(lab({"check", "99"}).errors, "there are 1 to "));
 }
 
 TEST_CASE("several submissions get one line each", "[script]") {
@@ -204,7 +206,12 @@ TEST_CASE("the zip to hand in", "[script]") {
   const Scratch scratch;
   const auto run = lab({"submit", "variance"}, {.directory = scratch.path()});
   CHECK(run.exit_code == 0);
-  CHECK(fs::file_size(scratch.path() / "submission.zip") > 500);
+  const fs::path out = scratch.path() / "out", given = read_layout().starter() / "variance.cpp";
+  fs::create_directories(out);
+  unpack(scratch.path() / "submission.zip", out);
+  CHECK(read_text(out / "variance.cpp") == read_text(given));
+  const auto age = fs::last_write_time(given) - fs::last_write_time(out / "variance.cpp");
+  CHECK(std::chrono::abs(age) < std::chrono::seconds(2));  // the time when it was written is kept
 }
 
 TEST_CASE("a report fits a small terminal") {
@@ -216,17 +223,22 @@ TEST_CASE("a report fits a small terminal") {
   failed.status = Status::failed;
   failed.report = "measured  mean({1, 2, 3, 4, 5, … (1000 values)}) = 17\nexpected  3, with digits";
   failed.repeat = "./lab check variance --only 1.1 --seed 1";
-  verdict.checks = {failed};
+  CheckResult passed = failed;
+  passed.check.name = "1.1 short";
+  passed.status = Status::passed;
+  verdict.checks = {failed, passed};
   Verdict whole;
   whole.submission = "starter";
   const std::string report = report_lab(verdict, whole, {false, 48});
-  std::size_t column = 0, widest = 0;
+  std::size_t column = 0, widest = 0, full = 0;
   for (const char c : report) {
     if ((c & 0xc0) == 0x80) continue;
+    if (c == '\n' && column == 48) ++full;
     column = c == '\n' ? 0 : column + 1;
     widest = std::max(widest, column);
   }
   CHECK(widest <= 52);  // a word that does not fit is alone on its line
+  CHECK(full == 2);     // points end at the right, whether the name is broken or not
 }
 
 TEST_CASE("a failure in lab 6 waits for a lab it depends on that is not finished", "[script]") {

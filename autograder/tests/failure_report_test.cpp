@@ -5,7 +5,7 @@
 #include "2-independent/functions.hpp"
 #include "6-sampler/experiments.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/plain_numbers.hpp"
+#include "checks/support/validation.hpp"
 #include "grader/reports/report.hpp"
 #include "tests/text.hpp"
 

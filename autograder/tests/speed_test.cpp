@@ -77,6 +77,7 @@ TEST_CASE("each speed task has a ratio, stored with its lab", "[.figures]") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const Submission solutions = open_submission(labs, layout.solutions());
+  std::size_t found = 0;
   for (const Lab& lab : labs) {
     CAPTURE(lab.name);
     const BuildResult built = build_program(layout, lab, solutions);
@@ -92,8 +93,9 @@ TEST_CASE("each speed task has a ratio, stored with its lab", "[.figures]") {
       CHECK(ratio > 0);
     }
     CHECK(kept == measured);
-    CHECK_FALSE(kept.empty());
+    found += kept.size();
   }
+  CHECK(found > 6);
 }
 
 TEST_CASE("speed is in the results and not in the score") {

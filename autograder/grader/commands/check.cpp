@@ -17,7 +17,9 @@
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
+#include "grader/submission/diagnostics.hpp"
 #include "grader/submission/intake.hpp"
+#include "grader/submission/source.hpp"
 
 namespace mc::grader {
 namespace {
@@ -93,6 +95,11 @@ int check(const Context& context, const Arguments& arguments) {
     if (times >= often && !hints_for(context.layout, lab, task).empty()) {
       fmt::print("  Stuck on {0}? ./lab hint {0} shows a step towards it.\n", task);
     }
+  }
+  if (judged.no_program.empty()) {
+    const std::string note =
+        missing_include(lab.file(), read_source(submission.files.at(lab.name)).text);
+    if (!note.empty()) fmt::print("  {}\n", wrapped(note, this_terminal().width - 2, 2));
   }
   std::fflush(stdout);  // into a pipe, too: the next step takes a while
   // Neither a grade nor a file that could pass for one.

@@ -1,4 +1,4 @@
-// demo: the lecture demo of convergence.
+// demo: the interactive page.
 
 #include <filesystem>
 
@@ -35,7 +35,7 @@ int demo(const Context& context, const Arguments& arguments) {
   }();
   for (const std::string& remark : made.remarks) fmt::print("{}\n", remark);
   if (made.page.empty()) {
-    fmt::print("no page: there are no points to show yet\n");
+    fmt::print("no page: nothing to show is written yet\n");
     return 1;
   }
   const fs::path file = out ? fs::path(*out) : layout.build / "demo.html";
@@ -48,9 +48,9 @@ const RegisterCommand demo_command{
     {"demo",
      "demo [--out F.html] [--dir DIR]",
      {"out=", "dir="},
-     "One self-contained page: choose points and an integrand, move N, and see the points, the\n"
-     "estimate, its error, and the measured RMSE against N. Measures the solutions if the\n"
-     "checkout has them, else starter/.\n"
+     "One self-contained page with an interactive figure per lab: digits, error bars, strata,\n"
+     "spectra, elementary intervals, pictures. Measures the solutions if the checkout has them,\n"
+     "else starter/.\n"
      "  --out F.html  the file (build/demo.html)\n"
      "  --dir DIR     measure this submission instead\n",
      demo}};

@@ -24,6 +24,7 @@
 #include "grader/gradebook/roster.hpp"
 #include "grader/gradebook/slurm.hpp"
 #include "grader/judging/judge_submission.hpp"
+#include "grader/judging/points.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
@@ -274,12 +275,14 @@ void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
   list("not on the roster", report.not_on_roster);
 }
 
-/// Lists clones of handouts of another version: their students saw other checks.
+/// Lists clones of handouts, and zips of ./lab submit, of another version: their students saw other
+/// checks.
 void compare_versions(const Context& context, const std::vector<IntakeEntry>& entries) {
   std::map<std::string, std::set<std::string>> ids;  // by version
   for (const IntakeEntry& entry : entries) {
     for (const auto& [lab, file] : entry.submission.files) {
-      const std::string version = read_manifest(file.parent_path().parent_path()).version;
+      std::string version = read_manifest(file.parent_path()).version;
+      if (version.empty()) version = read_manifest(file.parent_path().parent_path()).version;
       if (!version.empty() && version != context.layout.version) {
         ids[version].insert(entry.submission.label);
       }
@@ -309,6 +312,7 @@ int grade(const Context& context, const Arguments& arguments) {
   if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard takes --json FILE");
   if (visibility_of(arguments) && !json) throw UsageError("--visibility takes --json FILE");
   check_slurm(arguments);
+  require_known_points(context.layout, context.labs);
   BatchOptions options;
   options.asked_for = labs_asked_for(context, arguments);
   options.workers = static_cast<unsigned>(

@@ -69,6 +69,7 @@ int gradescope(const Context& context, const Arguments& arguments) {
     throw UsageError("usage: ./lab gradescope LAB... --out FILE.zip (./lab gradescope --help)");
   }
   require_writable(out);
+  require_known_points(context.layout, context.labs);
   std::vector<std::string> names;
   for (const std::string& word : arguments.words) {
     const std::string& name = find_lab(context.labs, word).name;

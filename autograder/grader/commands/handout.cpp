@@ -83,7 +83,8 @@ std::string answers_template(const Lab& lab, const std::string& readme) {
   if (at == std::string::npos) return {};
   const auto from = at + heading.size(), to = readme.find("\n## ", from);
   return fmt::format(
-      "# {}: answers\n\nWrite below each question; `./lab submit {}` includes this file.\n{}\n",
+      "# {}: answers\n\nWrite below each question; `./lab submit {}` includes this file.\n{}\n"
+      "Hours that I spent on this lab (helps to plan the next course; no points):\n",
       lab.title(), lab.name, readme.substr(from, to == std::string::npos ? to : to - from));
 }
 
@@ -155,7 +156,8 @@ void write_handout(const Context& context, const Manifest& manifest, const fs::p
 int handout(const Context& context, const Arguments& arguments) {
   if (arguments.words.size() != 1)
     throw UsageError("usage: ./lab handout DIR [--labs 1,2,…] [--hints N] [--with-sources]");
-  const fs::path to = fs::absolute(arguments.words[0]);
+  require_known_points(context.layout, context.labs);
+  const fs::path to = fs::absolute(arguments.words[0]).lexically_normal();
   const std::string shown = sandbox::printable_line(to.string());
   Manifest manifest = read_manifest(to);
   const bool is_new = manifest.version.empty();

@@ -20,7 +20,7 @@ inline constexpr CommandEntry command_list[] = {
     {"hint", "a step towards a task that you are stuck in"},
     {"plot", "draw the lab's plots, several submissions side by side"},
     {"render", "draw lab 6's pictures by every sampler, and their errors", false, "labs/6-sampler"},
-    {"demo", "points, an estimate and its error as N grows: the lecture's page", false,
+    {"demo", "a page with an interactive figure per lab, fed with your own points", false,
      "autograder/grader/pictures/demo.html"},
     {"report", "your work on a lab as a page"},
     {"reset", "the starter of a lab again (your file is kept as a backup)"},
@@ -38,6 +38,7 @@ inline constexpr CommandEntry command_list[] = {
      "autograder/gradescope"},
     {"bench", "speed against error: the solutions, any submission, libraries", true,
      "autograder/bench"},
+    {"new-lab", "write the skeleton of a lab, which works", true, "autograder/new-lab.txt"},
     {"test", "the repository's own tests", true, "autograder/tests"},
 };
 

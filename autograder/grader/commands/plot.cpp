@@ -23,8 +23,7 @@ int plot(const Context& context, const Arguments& arguments) {
   std::string folder = "side-by-side";
   if (arguments.has("alone")) {
     submissions.resize(std::max<std::size_t>(1, arguments.words.size() - 1));
-    folder = submissions[0].label;
-    std::replace(folder.begin(), folder.end(), '/', '_');
+    folder = fs::path(submissions[0].label + "/.").parent_path().filename().string();
   }
   const Plots plots = [&] {
     const ProgressLine line("measuring and drawing " + lab.name);

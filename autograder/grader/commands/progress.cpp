@@ -22,7 +22,7 @@ std::uint64_t text_now(const Layout& layout, const Lab& lab) {
 void remember(const Layout& layout, const LabVerdict& verdict) {
   std::string next = "-";
   for (const CheckResult& result : verdict.checks) {
-    if (result.status == Status::passed || result.status == Status::waiting) continue;
+    if (!result.is_open()) continue;
     next = result.check.task;
     break;
   }

@@ -14,8 +14,10 @@
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/build.hpp"
+#include "grader/submission/diagnostics.hpp"
 #include "grader/submission/from_source.hpp"
 #include "grader/submission/intake.hpp"
+#include "grader/submission/source.hpp"
 
 namespace mc::grader {
 namespace {
@@ -37,6 +39,9 @@ std::string program_of(const Context& context, const Lab& lab, const Submission&
   }();
   fmt::print(stderr, "{}{}", built.failure,
              built.failure.empty() ? built.path.string() + "\n" : std::string());
+  const std::string note =
+      missing_include(lab.file(), read_source(submission.files.at(lab.name)).text);
+  if (built.failure.empty() && !note.empty()) fmt::print(stderr, "{}\n", note);
   setenv("UBSAN_OPTIONS", "print_stacktrace=1:halt_on_error=1", 0);
   return built.path.string();
 }

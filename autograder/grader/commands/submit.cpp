@@ -1,5 +1,8 @@
 // submit: writes the zip to hand in, and reports the state of what is in it.
 
+#include <sys/stat.h>
+
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,6 +13,7 @@
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
+#include "grader/commands/manifest.hpp"
 #include "grader/commands/progress.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/intake.hpp"
@@ -39,16 +43,25 @@ int submit(const Context& context, const Arguments& arguments) {
   std::vector<std::string> names = lab.depends_on;
   names.push_back(lab.name);
   std::vector<ZipEntry> entries;
+  const auto add = [&](const fs::path& file, const std::string& as) {
+    struct stat found {};
+    stat(file.c_str(), &found);
+    entries.push_back({as, read_whole_text(file), found.st_mtime});
+  };
   for (const std::string& name : names) {
     const fs::path file = context.layout.starter() / (name + ".cpp");
     if (!fs::exists(file)) {
       throw UsageError(fmt::format("there is no starter/{}.cpp to hand in", name));
     }
-    entries.push_back({name + ".cpp", read_whole_text(file)});
+    add(file, name + ".cpp");
   }
   const std::string answers = fmt::format("answers/{}.md", lab.folder);
   const bool has_answers = fs::exists(context.layout.root / answers);
-  if (has_answers) entries.push_back({answers, read_whole_text(context.layout.root / answers)});
+  if (has_answers) add(context.layout.root / answers, answers);
+
+  // The version that the student saw: grade says where it judges by another one.
+  entries.push_back(
+      {manifest_file, fmt::format("version={}\n", context.layout.version), std::time(nullptr)});
 
   const fs::path zip = fs::absolute("submission.zip");
   write_text(zip, zip_of(entries));
@@ -65,7 +78,9 @@ const RegisterCommand submit_command{
      "submit LAB",
      {},
      "Writes submission.zip here: your file of that lab and of the labs it depends on, and\n"
-     "answers/LAB.md if it exists. Prints whether the file compiles, and its last points.\n",
+     "answers/LAB.md if it exists, and the version of the checks. Prints whether the file "
+     "compiles,\n"
+     "and its last points.\n",
      submit}};
 
 }  // namespace

@@ -24,6 +24,7 @@ constexpr const char* kept_back[] = {"solutions/",
                                      "autograder/tests/",
                                      "autograder/bench/",
                                      "autograder/gradescope/",
+                                     "autograder/new-lab.txt",
                                      ".ci/",
                                      ".github/",
                                      "README.md",
@@ -160,8 +161,10 @@ void copy_compiled_judge(const Context& context, const std::set<std::string>& la
       all / "layout.txt",
       fmt::format("judge_is_compiled=yes\nversion={}\nlink_flags=-static\n", layout.version));
   copy_into(layout.root / "docs" / "compiled-handout" / "lab", to / "lab");
-  const fs::path page = fs::path("autograder") / "grader" / "pictures" / "demo.html";
-  copy_into(layout.root / page, to / page);
+  for (const char* name : {"demo.html", "demo.js", "demo_labs.js"}) {
+    const fs::path part = fs::path("autograder") / "grader" / "pictures" / name;
+    copy_into(layout.root / part, to / part);
+  }
 }
 
 void copy_into(const fs::path& from, const fs::path& to) {

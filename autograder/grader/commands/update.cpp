@@ -106,8 +106,8 @@ int update(const Context& context, const Arguments& arguments) {
     return 0;
   }
   fmt::print("Now version {}. Your work is untouched.\n", read_manifest(root).version);
-  // What the course says of its changes.
-  const auto fetched = clone.run({"log", "-1", "--format=%b", "--", manifest_file}).output;
+  // What the course says of its changes, the newest first.
+  const auto fetched = clone.run({"log", "--format=%s%n%b", before + "..FETCH_HEAD"}).output;
   fmt::print("{}", sandbox::printable(fetched.substr(0, 2000)));
   return 0;
 }

@@ -206,10 +206,7 @@ std::optional<Terminal> watching_terminal() {
 
 std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
                               const Terminal& terminal) {
-  const auto is_open = [](const CheckResult& result) {
-    return result.status != Status::passed && result.status != Status::waiting &&
-           result.status != Status::withheld;
-  };
+  const auto is_open = [](const CheckResult& result) { return result.is_open(); };
   LabVerdict sorted = lab;
   const auto open = std::find_if(lab.checks.begin(), lab.checks.end(), is_open);
   if (open != lab.checks.end()) {

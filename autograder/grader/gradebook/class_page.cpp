@@ -13,14 +13,12 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// A table that scrolls if it is wider than the window; its first column names the rows.
-/// Its label is different from that of every other region of the page.
+/// A table that scrolls; its first column names the rows.
 std::string table_begin(const std::vector<std::string>& numbers, const std::string& first,
                         const std::string& label) {
-  std::string all = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table>\n<tr>"
-      "<th scope=\"col\" class=\"name\">{}</th>",
-      html_escaped(label), html_escaped(first));
+  std::string all =
+      scrolling(label) +
+      fmt::format("<table>\n<tr><th scope=\"col\" class=\"name\">{}</th>", html_escaped(first));
   for (const std::string& number : numbers) {
     all += fmt::format("<th scope=\"col\" class=\"number\">{}</th>", html_escaped(number));
   }
@@ -149,19 +147,54 @@ std::string heat_map(const Table& table, const ClassStatistics& statistics) {
 
 constexpr const char* pages_folder = "submissions";
 
+/// Shows the rows of both tables of submissions that contain what is searched for, fifty at a time.
+/// Without scripts the page shows all of them.
+constexpr const char* search = R"html(<p id="search" hidden>
+<label>Search <input type="search"></label>
+<button type="button">Previous</button> <button type="button">Next</button>
+<span role="status"></span></p>
+<script>
+"use strict";
+const bar = document.getElementById("search"), input = bar.querySelector("input");
+const [back, next] = bar.querySelectorAll("button"), size = 50;
+let first = 0, tables = [];
+function show() {
+  const word = input.value.toLowerCase(), [ids] = tables;
+  const found = ids.map((row, i) => i).filter(i => ids[i].textContent.toLowerCase().includes(word));
+  const page = new Set(found.slice(first, first + size));
+  for (const rows of tables) rows.forEach((row, i) => { row.hidden = !page.has(i); });
+  back.disabled = first === 0;
+  next.disabled = first + size >= found.length;
+  bar.querySelector("[role=status]").textContent =
+    `${found.length && first + 1} to ${first + page.size} of ${found.length}`;
+}
+function go(to) { first = to; show(); }
+onload = () => {
+  tables = ["submissions", "submissions and tasks"].map(name =>
+    [...document.querySelectorAll(`[aria-label="${name}"] tr`)].slice(1));
+  bar.hidden = false;
+  input.oninput = () => go(0);
+  back.onclick = () => go(first - size);
+  next.onclick = () => go(first + size);
+  show();
+};
+</script>
+)html";
+
 std::string index_page(const Table& table, const std::map<std::string, Verdict>& verdicts,
                        const ClassStatistics& statistics) {
   std::vector<std::string> labs;
   for (const LabStatistics& lab : statistics.labs) labs.push_back(lab.lab.name);
   std::string all = fmt::format("<h1>Grades</h1>\n<p>{} submissions</p>\n<h2>Submissions</h2>\n",
                                 statistics.submissions);
-  all += table_begin(labs, "submission", "submissions");
+  all += search + table_begin(labs, "submission", "submissions");
   for (const Row& row : table.rows) {
     const std::string id = field(row, "id"), name = html_escaped(id);
     std::string first =
         verdicts.contains(id)
             ? fmt::format("<a href=\"{}/{}\">{}</a>", pages_folder, address_of(id + ".html"), name)
             : name;
+    if (!field(row, "late").empty()) first += " <strong>LATE</strong>";
     const std::string reason = field(row, "reason");
     if (!reason.empty()) first += "<br><span class=\"quiet\">" + html_escaped(reason) + "</span>";
     const std::string corrections = field(row, "corrections");

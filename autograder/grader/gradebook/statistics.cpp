@@ -107,7 +107,7 @@ std::vector<TaskStatistics> tasks_of(const std::vector<std::string>& checks, con
       double sum = 0;
       for (std::size_t i = 0; i < task.checks.size(); ++i) sum += one[first + i].value_or(0);
       earned += sum;
-      task.complete += sum >= task.points;
+      task.complete += task.points > 0 && sum >= task.points;
     }
     const double all = task.points * static_cast<double>(points.size());
     task.share = all > 0 ? earned / all : 0;

@@ -83,6 +83,24 @@ void apply_points(const std::filesystem::path& root, const Lab& lab, std::vector
   std::erase_if(checks, [&](const Check& check) { return left_out.contains(check.name); });
 }
 
+void require_known_points(const Layout& layout, const std::vector<Lab>& labs) {
+  if (!std::filesystem::exists(layout.submissions())) return;
+  for (const PointsLine& line : lines_of_points(layout.root)) {
+    const std::string task = line.what.substr(0, line.what.find(' '));
+    const auto lab = std::find_if(labs.begin(), labs.end(), [&](const Lab& one) {
+      return one.number == std::atoi(task.c_str());
+    });
+    if (lab == labs.end()) {
+      refuse_line(line.number, fmt::format("there is no lab {}", std::atoi(task.c_str())));
+    }
+    const std::string handout = read_text(layout.labs() / lab->folder / "README.md");
+    if (handout.find("\n### " + task + ' ') == std::string::npos) {
+      refuse_line(line.number,
+                  fmt::format("lab {} has no task {}", lab->number, sandbox::printable_line(task)));
+    }
+  }
+}
+
 std::set<std::string> tasks_left_out(const std::filesystem::path& root) {
   std::set<std::string> tasks;
   for (const PointsLine& line : lines_of_points(root)) {

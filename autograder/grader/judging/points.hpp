@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "grader/checkout/labs.hpp"
+#include "grader/checkout/layout.hpp"
 #include "grader/judging/verdict.hpp"
 
 namespace mc::grader {
@@ -21,6 +22,10 @@ inline constexpr const char* points_file = "points.csv";
 /// Sets the points of a lab's checks, and removes those that are left out. Throws UsageError, naming
 /// the line, for a line that is not one of these or that names no check of its lab.
 void apply_points(const std::filesystem::path& root, const Lab& lab, std::vector<Check>& checks);
+
+/// Throws UsageError, naming the line, for a lab that does not exist or a task without a section in its
+/// handout. Only for instructors: a student's handout may have fewer labs and tasks than the file.
+void require_known_points(const Layout& layout, const std::vector<Lab>& labs);
 
 /// The tasks that are left out.
 std::set<std::string> tasks_left_out(const std::filesystem::path& root);

@@ -32,6 +32,8 @@ struct Check {
   bool is_main = false;  ///< the main check of its task
   bool is_edge = false;  ///< refusals, edge cases, speed: other tasks do not wait for it
   bool is_slow = false;  ///< takes much of the lab's time: started first, alongside the others
+  /// Shown and judged, without points: tagged [stretch] in place of points.
+  bool is_stretch() const { return points == 0; }
 };
 
 struct CheckResult {
@@ -47,6 +49,11 @@ struct CheckResult {
   std::vector<protocol::PValue> p_values;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }
+  /// Is this where a student goes on? Not where another check is the reason.
+  bool is_open() const {
+    return status != Status::passed && status != Status::waiting && status != Status::withheld &&
+           !check.is_stretch();
+  }
 };
 
 /// The speed of a speed task and the error of its points. Reported, never graded.

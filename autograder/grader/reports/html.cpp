@@ -40,11 +40,13 @@ ol.code li { white-space: pre-wrap; } ol.code .message { color: var(--bad); font
 th[scope=row] { font-weight: normal; } th.name { min-width: 11rem; } td.wide { width: 100%; }
 .bar { display: inline-block; height: .7rem; background: var(--bar); vertical-align: middle; }
 img { width: 100%; height: auto; background: #fff; }
-.scroll { overflow-x: auto; }
+.scroll { overflow-x: auto; } [hidden] { display: none; }
+input, button { font: inherit; max-width: 100%; }
 )css";
 
 std::string points_cell(double earned, double points) {
-  return fmt::format("<td class=\"number\">{:g} of {:g}</td>", earned, points);
+  return points > 0 ? fmt::format("<td class=\"number\">{:g} of {:g}</td>", earned, points)
+                    : "<td class=\"number\">stretch</td>";
 }
 
 /// The messages of a compilation, "variance.cpp:12:5: error: …", by their lines.
@@ -124,12 +126,12 @@ std::string check_row(const CheckResult& result, const LabVerdict& lab, std::uin
 
 std::string speed_table(const LabVerdict& lab) {
   if (lab.speed.empty()) return {};
-  std::string all =
-      "<h3>Speed (not graded)</h3>\n<div class=\"scroll\"><table>\n<tr><th scope=\"col\">task</th>"
-      "<th scope=\"col\" class=\"number\">ns each</th><th scope=\"col\" "
-      "class=\"number\">reference</th>"
-      "<th scope=\"col\" class=\"number\">error</th><th scope=\"col\" "
-      "class=\"number\">reference</th></tr>\n";
+  std::string all = "<h3>Speed (not graded)</h3>\n" + scrolling("speed of " + lab.lab.name) +
+                    "<table>\n<tr><th scope=\"col\">task</th>"
+                    "<th scope=\"col\" class=\"number\">ns each</th><th scope=\"col\" "
+                    "class=\"number\">reference</th>"
+                    "<th scope=\"col\" class=\"number\">error</th><th scope=\"col\" "
+                    "class=\"number\">reference</th></tr>\n";
   const auto cell = [](const std::optional<double>& value) {
     return value ? fmt::format("<td class=\"number\">{:.3g}</td>", *value)
                  : std::string("<td class=\"number\">not measured</td>");
@@ -222,6 +224,11 @@ std::string html_escaped(std::string_view text) {
     }
   }
   return all;
+}
+
+std::string scrolling(const std::string& label) {
+  return fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">",
+                     html_escaped(label));
 }
 
 std::string html_page(const std::string& title, const std::string& body) {

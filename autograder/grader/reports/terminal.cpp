@@ -46,7 +46,7 @@ std::string check_line(const Terminal& terminal, const char* color, const std::s
   std::string text = wrapped(name, room - 9, margin);
   const auto last = text.rfind('\n');
   const std::size_t used =
-      last == std::string::npos ? margin + columns_of(text) : columns_of(text.substr(last + 1));
+      last == std::string::npos ? 4 + columns_of(text) : columns_of(text.substr(last + 1));
   const std::size_t gap =
       used + 1 + right.size() < terminal.width ? terminal.width - used - right.size() : 1;
   return fmt::format("  {} {}{}{}\n", painted(terminal, color, mark), text,
@@ -69,6 +69,11 @@ std::string printed_lines(const std::string& printed) {
 
 std::string points_of(double earned, double points) {
   return fmt::format("{:g}/{:g}", earned, points);
+}
+
+/// Of checks; a stretch has no points.
+std::string points_or_stretch(double earned, double points) {
+  return points > 0 ? points_of(earned, points) : "stretch";
 }
 
 std::string points_in_all(const Terminal& terminal, const LabVerdict& lab) {
@@ -221,10 +226,8 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       continue;
     }
     const std::string points =
-        is_grade ? points_of(result.earned(), result.check.points) : std::string();
-    const bool is_next = result.status != Status::passed && result.status != Status::waiting &&
-                         result.status != Status::withheld;
-    if (is_next && next == nullptr) next = &result;
+        is_grade ? points_or_stretch(result.earned(), result.check.points) : std::string();
+    if (result.is_open() && next == nullptr) next = &result;
     if (result.status == Status::passed) {
       all += check_line(terminal, green, "✓", result.check.name, points);
       continue;
@@ -252,7 +255,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
                                    ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
                                    : result.check.name;
       all += check_line(terminal, grey, "·", what + ": " + describe(result, lab),
-                        is_grade ? points_of(0, together) : std::string());
+                        is_grade ? points_or_stretch(0, together) : std::string());
       if (result.status == Status::not_run) {
         all += report_line("because   " + result.report, margin, terminal.width);
       }

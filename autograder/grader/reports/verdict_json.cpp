@@ -1,7 +1,6 @@
 #include "grader/reports/verdict_json.hpp"
 
 #include <array>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -41,11 +40,6 @@ Status status_named(const std::string& text) {
   throw std::invalid_argument("no such status: " + text);
 }
 
-/// NaN is null in JSON.
-double number_in(const Json& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
-
 Json maybe(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
@@ -64,24 +58,13 @@ Lab lab_in(const Json& json) {
 }
 
 Json json_of(const CheckResult& result) {
-  auto p_values = Json::array();
-  for (const protocol::PValue& one : result.p_values) {
-    p_values.push_back({{"null", one.null}, {"p", one.p}, {"alpha", one.alpha}});
-  }
   const Check& check = result.check;
-  return {{"name", check.name},
-          {"task", check.task},
-          {"needs", check.needs},
-          {"points", check.points},
-          {"main", check.is_main},
-          {"edge", check.is_edge},
-          {"slow", check.is_slow},
-          {"status", name_of(result.status)},
-          {"report", result.report},
-          {"printed", result.printed},
-          {"repeat", result.repeat},
-          {"by_hand", result.by_hand},
-          {"p_values", std::move(p_values)},
+  return {{"name", check.name},       {"task", check.task},
+          {"needs", check.needs},     {"points", check.points},
+          {"main", check.is_main},    {"edge", check.is_edge},
+          {"slow", check.is_slow},    {"status", name_of(result.status)},
+          {"report", result.report},  {"printed", result.printed},
+          {"repeat", result.repeat},  {"by_hand", result.by_hand},
           {"seconds", result.seconds}};
 }
 CheckResult check_in(const Json& json) {
@@ -93,9 +76,6 @@ CheckResult check_in(const Json& json) {
   result.printed = json.at("printed");
   result.repeat = json.at("repeat");
   result.by_hand = json.at("by_hand");
-  for (const Json& one : json.at("p_values")) {
-    result.p_values.push_back({one.at("null"), number_in(one.at("p")), number_in(one.at("alpha"))});
-  }
   result.seconds = json.at("seconds");
   return result;
 }

@@ -164,7 +164,9 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
     if (!make_directory(type == AE_IFDIR ? to : to.parent_path())) continue;
     if (type == AE_IFDIR || !takes_name(to)) continue;
     const bool is_source = to.extension() == ".cpp", is_zip = to.extension() == ".zip";
-    const bool is_metadata = to.filename() == "submission_metadata.yml";  // Gradescope's names
+    // Gradescope's names; and the version that ./lab submit writes.
+    const bool is_metadata =
+        to.filename() == "submission_metadata.yml" || to.filename() == "handout.txt";
     if (archive_entry_is_encrypted(entry) != 0 && (is_source || is_zip)) {
       throw UnreadableSubmission("the zip has a password");
     }

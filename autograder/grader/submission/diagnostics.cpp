@@ -18,6 +18,18 @@ namespace {
 constexpr std::size_t most_lines = 24;
 constexpr std::size_t longest_line = 400;
 
+/// Headers that every compilation includes, and names that a file needs them for.
+constexpr struct {
+  std::string_view header, names;
+} included_anyway[] = {
+    {"algorithm", " max max_element min min_element nth_element shuffle sort stable_sort "},
+    {"array", " array "},
+    {"cmath", " abs cos exp floor fma hypot isfinite isinf isnan log pow sin sqrt "},
+    {"functional", " function greater hash less plus "},
+    {"limits", " numeric_limits "},
+    {"numeric", " accumulate inner_product iota partial_sum reduce transform_reduce "},
+};
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::string line;
@@ -105,6 +117,24 @@ std::string first_errors(const std::string& diagnostics, const std::string& file
     if (line.starts_with(file + ':')) quote(line, source, kept);
   }
   return joined(kept);
+}
+
+std::string missing_include(const std::string& file, const std::string& text) {
+  for (auto at = text.find("std::"); at != text.npos; at = text.find("std::", at + 1)) {
+    if (text.find("//", text.rfind('\n', at) + 1) < at) continue;  // in a comment
+    const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 5);
+    const std::string name = text.substr(at + 5, std::min(end, text.size()) - at - 5);
+    for (const auto& [header, names] : included_anyway) {
+      if (names.find(' ' + name + ' ') == names.npos ||
+          text.find(fmt::format("<{}>", header)) != text.npos) {
+        continue;
+      }
+      return fmt::format(
+          "{} uses std::{} without #include <{}>. It compiles here, but may not elsewhere.", file,
+          name, header);
+    }
+  }
+  return {};
 }
 
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,

@@ -33,7 +33,16 @@ void add_description(std::string& to, const ZipEntry& entry) {
   constexpr std::size_t midnight = 0, first_of_1980 = (1 << 5) + 1;
   add16(to, {version, utf8_names, stored, midnight, first_of_1980});
   add32(to, {crc32(entry.content), entry.content.size(), entry.content.size()});
-  add16(to, {entry.name.size(), 0});
+  add16(to, {entry.name.size(), 9});  // the size of time_of()
+}
+
+/// "UT", 5 bytes, of which the first says that there is one time: that of the last change.
+std::string time_of(const ZipEntry& entry) {
+  std::string field;
+  add16(field, {0x5455, 5});
+  add(field, 1, 1);
+  add32(field, {static_cast<std::size_t>(entry.modified)});
+  return field;
 }
 
 }  // namespace
@@ -45,14 +54,14 @@ std::string zip_of(const std::vector<ZipEntry>& entries) {
     const std::size_t start = files.size();
     add32(files, {0x04034b50});
     add_description(files, entry);
-    files += entry.name + entry.content;
+    files += entry.name + time_of(entry) + entry.content;
 
     add32(directory, {0x02014b50});
     add16(directory, {made_on_unix});
     add_description(directory, entry);
     add16(directory, {0, 0, 0});
     add32(directory, {readable, start});
-    directory += entry.name;
+    directory += entry.name + time_of(entry);
   }
   std::string end;
   add32(end, {0x06054b50});

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
+#include "grader/base/errors.hpp"
+#include "grader/commands/new_lab.hpp"
 #include "grader/submission/segments.hpp"
 #include "runner/text.hpp"
 #include "tests/gradebook/container.hpp"
@@ -314,13 +316,49 @@ TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
   grades_what_is_handed_in(Container({"--visibility", "hidden"}));
 }
 
+/// The skeleton that ./lab new-lab writes, in a checkout that is built anyway. Returns its solution.
+std::string with_new_lab(const Handout& handout) {
+  const fs::path skeleton = handout.layout.root / "autograder" / "new-lab.txt";
+  CHECK_THROWS_AS(write_new_lab(skeleton, handout.root, 2, "../x"), UsageError);
+  CHECK(write_new_lab(skeleton, handout.root, 2, "light_transport").size() > 8);
+  CHECK_THROWS_AS(write_new_lab(skeleton, handout.root, 2, "light_transport"), UsageError);
+  const std::string solution = read_text(handout.root / "solutions" / "light_transport.cpp");
+  fs::remove_all(handout.root / "solutions");  // a handout has none
+  fs::remove_all(handout.root / "autograder" / "submissions");
+  return solution;
+}
+
+void new_lab_works(const Handout& handout, const std::string& solution) {
+  const fs::path file = handout.root / "starter" / "light_transport.cpp";
+  CHECK(contains(handout.lab({"check", "2"}).output, "0 of 100 points"));
+  write_text(file, solution);
+  const auto right = handout.lab({"check", "2"});
+  CAPTURE(right.output, right.errors);
+  CHECK(right.exit_code == 0);
+  CHECK(contains(handout.lab({"plot", "2"}).output, "light_transport-squares.svg"));
+  CHECK(contains(handout.lab({"run", "2", "squares", "3"}).output, "9"));
+  CHECK(contains(handout.lab({"hint", "2.1"}).output, "area"));
+  std::string wrong = solution;
+  wrong.replace(wrong.find("x * x"), 5, "x");
+  write_text(file, wrong);
+  CHECK(contains(handout.lab({"check", "2"}).output, "this is x itself, not its square"));
+}
+
 // Takes 90 s of CPU time: not in --quick.
 TEST_CASE("a handout with the judge's sources works from the first call on", "[.checkout]") {
   const Handout handout({"--labs", "variance", "--with-sources"});
   REQUIRE(handout.written.exit_code == 0);
+  const std::string solution = with_new_lab(handout);
   builds_from_sources(handout);
+  new_lab_works(handout, solution);
   works_from_the_first_call_on(handout, {"setup", "check", "run", "hint", "plot", "demo", "report",
                                          "reset", "submit", "update", "completion"});
+  write_text(handout.root / "starter" / "variance.cpp", text_of(handout.layout.solutions()));
+  const fs::path page = handout.path() / "demo.html";
+  const auto demo = handout.lab({"demo", "--out", page.string()});  // builds what it measures with
+  CAPTURE(demo.output, demo.errors);
+  CHECK(demo.exit_code == 0);
+  CHECK(fs::exists(page));
 }
 
 }  // namespace mc::tests::checkout

@@ -50,6 +50,30 @@ TEST_CASE("points.csv sets tasks and checks, with any total, and leaves out thos
   }
 }
 
+TEST_CASE("points for a lab or a task that does not exist are refused with their line") {
+  Layout layout = read_layout();
+  const std::vector<Lab> labs = find_labs(layout);
+  const Scratch place;
+  const auto refusal = [&](const std::string& text) {
+    for (const char* folder : {"labs", "autograder"}) {
+      if (!fs::exists(place.path() / folder)) {
+        fs::create_directory_symlink(read_layout().root / folder, place.path() / folder);
+      }
+    }
+    place.write(points_file, text);
+    layout.root = place.path();
+    try {
+      require_known_points(layout, labs);
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refusal("what,points\n1.1,3\n6.2,0\n2.2 any check,4\n") == "");
+  CHECK(refusal("1.1,3\n99.1,2\n") == "points.csv, line 2: there is no lab 99");
+  CHECK(refusal("1.77,3\n") == "points.csv, line 1: lab 1 has no task 1.77");
+}
+
 TEST_CASE("a section ends at the next heading of its level, not at a comment in a block") {
   const std::string text = "# A\n### 1.1 x\none\n# a comment\n### 1.2 y\ntwo\n## End\nrest\n";
   CHECK(without_section(text, "### 1.1") == "# A\n### 1.2 y\ntwo\n## End\nrest\n");

@@ -1,5 +1,5 @@
-// A whole term: a handout, solved by thirty students, submitted in three ways, graded by a judge
-// that is killed in the middle, by two machines, shown, and graded again.
+// A whole term with a roster of thirty: a handout, submitted in three ways, graded by a judge that is
+// killed in the middle; late, absent, resubmitted, corrected, regraded after a fixed check; feedback.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,10 +15,15 @@
 #include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
+#include "grader/commands/manifest.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/table.hpp"
+#include "grader/reports/csv.hpp"
+#include "grader/reports/html.hpp"
+#include "grader/reports/verdict_json.hpp"
 #include "runner/text.hpp"
 #include "tests/gradebook/course.hpp"
+#include "tests/gradebook/page_numbers.hpp"
 #include "tests/text.hpp"
 
 namespace mc::tests::term {
@@ -28,7 +33,7 @@ using namespace grader;
 
 namespace {
 
-constexpr int students = 30;
+constexpr int students = 30;  ///< the last one hands in nothing
 
 /// A file of the repository with its includes pasted in: a student has no solutions to include.
 std::string self_contained(const Layout& layout, const std::string& file) {
@@ -83,8 +88,8 @@ struct Work {
   bool variance_is_right = false, independent_is_right = false;
 };
 
-/// Thirty: correct in the repository's and in other ways, with one mistake, unwritten, not C++.
-/// Eight of them also have work on lab 2.
+/// Correct in the repository's and in other ways, with one mistake, unwritten, not C++. Some of them
+/// also have work on lab 2.
 std::vector<Work> works(const Layout& layout) {
   const std::string variance = read_whole_text(layout.solutions() / "variance.cpp");
   const std::string independent = read_whole_text(layout.solutions() / "independent.cpp");
@@ -105,10 +110,10 @@ std::vector<Work> works(const Layout& layout) {
     all.push_back({variance, self_contained(layout, mistake), true, false});
   }
   for (const std::string& mistake : mistakes_of(place / "mistakes" / "variance", 4)) {
-    if (all.size() == students) break;
+    if (all.size() == students - 1) break;
     all.push_back({self_contained(layout, mistake), "", false, false});
   }
-  REQUIRE(all.size() == students);
+  REQUIRE(all.size() == students - 1);
   return all;
 }
 
@@ -118,7 +123,7 @@ struct Term : Course {
   fs::path handout = path() / "handout";
 
   /// The first `count` submissions.
-  explicit Term(std::size_t count = students) {
+  explicit Term(std::size_t count = students - 1) {
     handed.resize(count);
     const auto written = run({"handout", handout.string(), "--labs", "1,2"});
     INFO(written.errors);
@@ -137,11 +142,14 @@ struct Term : Course {
     write_text(place / "variance.cpp", work.variance);
     if (!work.independent.empty()) write_text(place / "independent.cpp", work.independent);
   }
-  /// As `./lab submit` creates it.
+  /// As `./lab submit` creates it, from a handout of an older version.
   void hand_in_zip(const fs::path& place, const Work& work) const {
     hand_in_folder(place, work);
+    fs::create_directories((place / manifest_file).parent_path());
+    write_text(place / manifest_file, "version=0.9\n");
     std::vector<std::string> command{
-        "cmake", "-E", "tar", "cf", place.string() + ".zip", "--format=zip", "variance.cpp"};
+        "cmake",        "-E",           "tar",        "cf", place.string() + ".zip",
+        "--format=zip", "variance.cpp", manifest_file};
     if (!work.independent.empty()) command.emplace_back("independent.cpp");
     must(command, place);
     fs::remove_all(place);
@@ -230,81 +238,103 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   // Killed and resumed.
   const fs::path grades = term.csv();
   term.grade_and_kill(grades, "7");
-  const std::size_t before = Term::rows(grades);
+  const std::size_t before = Term::rows(grades), handed_in = term.handed.size();
   CHECK(before >= 5);
-  CHECK(before < students);
+  CHECK(before < handed_in);
   const fs::path pages = term.path() / "pages";
   const auto resumed = term.run(term.grading(grades, {"--resume", "--html", pages.string()}));
   INFO(resumed.output << resumed.errors);
   REQUIRE(resumed.exit_code == 0);
   CHECK(contains(resumed.output,
-                 fmt::format("{} judged, {} were before; seed 7", students - before, before)));
+                 fmt::format("{} judged, {} were before; seed 7", handed_in - before, before)));
   check_grades(term, grades);
-
-  // The statistics and the page of each student.
-  const auto stats = term.run({"stats", grades.string()});
-  CHECK(stats.exit_code == 0);
-  // Two handed in the starter, one no C++.
-  CHECK(contains(stats.output, fmt::format("Lab 1 · variance: {} attempts", students - 3)));
-  CHECK(contains(stats.output, "2 not attempted, 1 not compiling"));
-  CHECK(contains(stats.output, "Hints, by the submissions"));
-  CHECK(fs::exists(pages / "index.html"));
-  for (const std::string& id : term.ids) {
-    CHECK(fs::exists(pages / "submissions" / (id + ".html")));
-  }
+  CHECK(contains(resumed.output, "handout of version 0.9, judged by"));
+  CHECK(contains(resumed.output, ": student 02, student 05, student 08,"));
 
   // One student hands in again: the others are not judged again.
   term.hand_in_folder(term.path() / "class" / term.ids[3], term.handed[0]);
-  const auto late = term.run(term.grading(grades, {"--resume"}));
-  CHECK(contains(late.output, fmt::format("1 judged, {} were before", students - 1)));
+  const auto again = term.run(term.grading(grades, {"--resume"}));
+  CHECK(contains(again.output, fmt::format("1 judged, {} were before", handed_in - 1)));
   CHECK(field(rows_by_id(grades).at(term.ids[3]), "variance total") == "100");
 
-  // With the roster, an absent student has a row, and no submission is judged again.
+  // With the roster, an absent student has a row, a late one the mark and the time, and no
+  // submission is judged again.
   const fs::path roster = term.path() / "roster.csv";
-  std::string people = "id,name,email\n";
-  for (int i = 1; i <= students + 1; ++i) {
-    people += fmt::format("student {0:02},Name {0},s{0}@example.edu\n", i);
+  std::string people = "id,name,email,Status,Last modified (submission)\n";
+  for (int i = 1; i <= students; ++i) {
+    people += fmt::format("student {0:02},Name {0},s{0}@example.edu,Submitted{1},\n", i,
+                          i == 5 ? " - 2 days late,2026-05-04 12:00" : ",-");
   }
   write_text(roster, people);
   const std::vector<std::string> go_on{"--resume", "--roster", roster.string(), "--html",
                                        pages.string()};
   const auto rostered = term.run(term.grading(grades, go_on));
-  CHECK(contains(rostered.output, fmt::format("1 judged, {} were before", students)));
-  CHECK(contains(rostered.output, "without a submission: student 31"));
-  CHECK(field(rows_by_id(grades).at("student 31"), "variance status") == "no file");
+  CHECK(contains(rostered.output, fmt::format("1 judged, {} were before", handed_in)));
+  CHECK(contains(rostered.output, "without a submission: student 30"));
+  CHECK(field(rows_by_id(grades).at("student 30"), "variance status") == "no file");
+  for (const auto& [id, row] : rows_by_id(grades)) {
+    CHECK((field(row, "late") == "LATE") == (id == "student 05"));
+    CHECK(contains(field(row, "submitted"), "(file time)") ==
+          (id != "student 05" && id != "student 30"));
+  }
+  CHECK(field(rows_by_id(grades).at("student 05"), "submitted") == "2026-05-04 12:00");
 
-  // A check was fixed since this verdict: it is judged again, and the correction by hand stays.
-  write_text(term.path() / "corrections.csv", "id,what,points,comment\nstudent 03,1,50,a typo\n");
-  const fs::path verdict = verdict_file(grades, "student 02");
-  std::string older = read_text(verdict);
-  const std::string version = "\"version\": \"";
-  REQUIRE(contains(older, version));
-  older.insert(older.find(version) + version.size(), "older than ");
-  write_text(verdict, older);
+  // An older version had a check that failed a right answer: it is judged again, and what the
+  // instructor corrected by hand stays.
+  auto older = read_verdict(grades, "student 02");
+  REQUIRE(older);
+  older->version = "older";
+  CheckResult& check = older->labs.at(0).checks.at(0);
+  check.status = Status::failed;
+  check.report = "measured  what the check got wrong";
+  write_text(verdict_file(grades, "student 02"), verdict_to_json(*older));
+  const std::string mended = check.check.name;
+  write_text(term.path() / "corrections.csv",
+             "id,what,points,comment\nstudent 03,1,50,a typo\nstudent 06,variance written,17,\n"
+             "student 05," +
+                 csv_field(mended) + ",1.5,right idea\n");
   const auto fixed = term.run(term.grading(grades, go_on));
-  CHECK(contains(fixed.output, fmt::format("1 judged, {} were before", students)));
-  CHECK(field(rows_by_id(grades).at("student 03"), "variance total") == "50");
+  CHECK(contains(fixed.output, fmt::format("1 judged, {} were before", handed_in)));
+  const auto rows = rows_by_id(grades);
+  REQUIRE(rows.size() == students);
+  CHECK(field(rows.at("student 02"), "variance total") == "100");
+  CHECK(field(rows.at("student 03"), "variance total") == "50");
+  CHECK(field(rows.at("student 05"), "variance total") == "1.5");
+  CHECK(field(rows.at("student 06"), "variance total") == "117");
 
-  // Feedback for all. Each total is the sum of its checks, and is in the page and in the verdict.
+  // Feedback for all.
   const fs::path feedback = term.path() / "feedback";
   const auto returned = term.run(
       {"feedback", grades.string(), "--out", feedback.string(), "--roster", roster.string()});
-  CHECK(contains(returned.output, fmt::format("{} students, a page and a text", students + 1)));
-  const std::string index = read_text(pages / "index.html");
-  for (const auto& [id, row] : rows_by_id(grades)) {
+  CHECK(contains(returned.output, fmt::format("{} students, a page and a text", students)));
+  CHECK(contains(read_text(feedback / "students" / "student 05.html"),
+                 "submitted 2026-05-04 12:00 LATE"));
+
+  // Every number on the class's page and in the feedback is in the table or in a verdict.
+  check_numbers_of_class(read_text(pages / "index.html"), grades);
+  for (const auto& [id, row] : rows) {
     CAPTURE(id);
-    double sum = 0;
-    for (const auto& [column, points] : row) {
-      if (is_check_column(column) && column[0] == '1') sum += std::stod(points);
-    }
-    const std::string total = field(row, "variance total");
-    CHECK(contains(index, ">" + id + "<"));
+    const std::string page = read_text(feedback / "students" / (id + ".html"));
     const std::string text = read_text(feedback / "students" / (id + ".txt"));
-    CHECK(contains(text, fmt::format("{:g} of 100", sum)));
-    if (id != "student 03") CHECK(total == fmt::format("{:g}", sum));
     const auto judged = read_verdict(grades, id);
     REQUIRE(judged);
-    CHECK(judged->labs.at(0).earned() == sum);
+    CHECK(fs::exists(pages / "submissions" / (id + ".html")));
+    CHECK(contains(page, fmt::format("{:g} of {:g} points", judged->earned(), judged->points())));
+    CHECK(contains(page, html_escaped(field(row, "corrections"))));
+    for (const LabVerdict& lab : judged->labs) {
+      double sum = 0;
+      for (const CheckResult& result : lab.checks) {
+        sum += result.earned();
+        const bool is_corrected = id == "student 05" && result.check.name == mended;
+        CHECK(field(row, result.check.name) ==
+              (is_corrected ? "1.5" : fmt::format("{:g}", result.earned())));
+      }
+      const std::string earned = fmt::format("{:g} of {:g} points", sum, lab.points());
+      CHECK(contains(page, html_escaped(lab.lab.title()) + ": " + earned));
+      CHECK(contains(text, earned));
+      const bool is_changed = lab.lab.number == 1 && !field(row, "corrections").empty();
+      CHECK((field(row, lab.lab.name + " total") == fmt::format("{:g}", sum)) != is_changed);
+    }
   }
 }
 

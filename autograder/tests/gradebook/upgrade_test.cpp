@@ -123,6 +123,15 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   CHECK(fs::exists(semester.clone / "starter" / "independent.cpp"));
   CHECK(read_manifest(semester.clone).version == semester.layout.version);
   CHECK(semester.git_in(semester.clone, {"stash", "list"}).output.empty());
+  // One more lab each week; a student who missed a week is told of both.
+  REQUIRE(semester.again({"--labs", "3"}).exit_code == 0);
+  REQUIRE(semester.again({"--labs", "4"}).exit_code == 0);
+  const std::string later = semester.update().output;
+  CHECK(contains(later, "New labs: stratification"));
+  CHECK(contains(later, "New labs: blue_noise"));
+  CHECK(!contains(later, "New labs: independent"));
+  CHECK(read_text(semester.clone / "starter" / "variance.cpp") == work);
+  CHECK(fs::exists(semester.clone / "starter" / "blue_noise.cpp"));
 }
 
 TEST_CASE("an update that cannot be merged changes nothing") {
@@ -159,6 +168,8 @@ TEST_CASE("a released lab is one commit, and the next handout keeps it") {
         text_of(semester.layout.solutions()));
   CHECK(fs::exists(semester.root / "released" / "1-variance.md"));
   CHECK(contains(semester.run({"release", "1", semester.root.string()}).output, "already"));
+  CHECK(contains(semester.update().output, "Release the solution of lab variance"));
+  CHECK(fs::exists(semester.clone / "released" / "variance.cpp"));
   REQUIRE(semester.again({"--labs", "2"}).exit_code == 0);
   CHECK(fs::exists(semester.root / "released" / "variance.cpp"));
   CHECK(semester.git({"status", "--porcelain"}).output.empty());

@@ -11,7 +11,9 @@
 //                                          TITLE | ROW | COLUMN = 47
 //                                          TITLE | ROW | COLUMN = 62 -->
 //
-//   tables that a command writes: output_blocks() in figures_test.cpp
+//   the same for the data of plots    <!-- ./lab plot halton solutions:
+//     (times excepted, which vary)         FILE | ROW | COLUMN = 0.0134 -->
+//   tables that a command writes: output_blocks() in numbers_test.cpp
 //
 // A passage ends at an empty line. Several numbers, separated by ", ", are printed in this order.
 
@@ -34,7 +36,7 @@
 namespace mc::tests {
 
 /// A number in a document, and half a unit of its last digit.
-struct Figure {
+struct WrittenNumber {
   double value = 0, half_unit = 0;
 };
 
@@ -46,13 +48,16 @@ inline std::string replaced(std::string text, std::string_view what, std::string
   return text;
 }
 
-/// "3/8", "−170.7", "36.5 %", "0.5", "1,024", "4.2 · 2⁻⁵³", "5.9e-5", "10³⁰⁸"; nothing if it is not
-/// a number.
-inline std::optional<Figure> figure_of(std::string text) {
+/// "3/8", "−170.7", "36.5 %", "0.5", "1,024", "4.2 · 2⁻⁵³", "4.2 \cdot 2^{-53}", "5.9e-5", "10³⁰⁸";
+/// nothing if it is not a number.
+inline std::optional<WrittenNumber> number_of(std::string text) {
   constexpr std::pair<const char*, const char*> plain[] = {
       {"−", "-"},   {",", ""},  {" ", ""},  {"·", "*"}, {"½", "1/2"}, {"¼", "1/4"},
       {"¾", "3/4"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},   {"⁴", "4"},
       {"⁵", "5"},   {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"},   {"⁻", "-"}};
+  for (const auto& [what, with] : {std::pair{"\\cdot ", "·"}, {"{", ""}, {"}", ""}}) {
+    text = replaced(text, what, with);  // $1.8 \cdot 10^{-4}$, $4{,}096$
+  }
   // Superscript digits begin a power.
   std::string marked;
   bool raised = false;
@@ -118,24 +123,24 @@ inline std::optional<Figure> figure_of(std::string text) {
     half /= 100;
   }
   if (*at != 0) return {};
-  return Figure{value, half};
+  return WrittenNumber{value, half};
 }
 
 /// Is this number the printed one, rounded to its digits? It must not have more digits.
-inline bool agree(const Figure& figure, const Figure& printed) {
+inline bool agree(const WrittenNumber& number, const WrittenNumber& printed) {
   const double rounding = 1e-15 * std::abs(printed.value);
-  return std::abs(figure.value - printed.value) <= figure.half_unit * (1 + 1e-9) + rounding;
+  return std::abs(number.value - printed.value) <= number.half_unit * (1 + 1e-9) + rounding;
 }
 
 /// Is this number in the text, not as a part of a longer number?
-inline bool contains_number(const std::string& text, const std::string& figure) {
+inline bool contains_number(const std::string& text, const std::string& number) {
   const auto digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
   };
   const auto part = [&](std::size_t at) { return at < text.size() && text[at] == '.'; };
-  for (std::size_t at = text.find(figure); at != std::string::npos;
-       at = text.find(figure, at + 1)) {
-    const std::size_t end = at + figure.size();
+  for (std::size_t at = text.find(number); at != std::string::npos;
+       at = text.find(number, at + 1)) {
+    const std::size_t end = at + number.size();
     const bool begins = at == 0 || !(digit(at - 1) || (part(at - 1) && digit(at)));
     if (begins && !digit(end) && !(part(end) && digit(end + 1))) return true;
   }
@@ -146,7 +151,7 @@ inline bool contains_number(const std::string& text, const std::string& figure) 
 struct Claim {
   Words words;                       ///< ./lab run …
   std::string cell;                  ///< of a table, "TITLE | ROW | COLUMN", or nothing
-  std::vector<std::string> figures;  ///< as written in the passage
+  std::vector<std::string> numbers;  ///< as written in the passage
   std::string passage;
 };
 
@@ -173,7 +178,7 @@ inline std::vector<Claim> claims_in(const std::string& document) {
       const auto equals = std::min(line.rfind(" = "), line.size());
       for (auto from = equals + 3; from < line.size();) {
         const auto to = std::min(line.find(", ", from), line.size());
-        claim.figures.push_back(line.substr(from, to - from));
+        claim.numbers.push_back(line.substr(from, to - from));
         from = to + 2;
       }
       line.resize(equals);
@@ -187,16 +192,16 @@ inline std::vector<Claim> claims_in(const std::string& document) {
 
 /// What is wrong with a claim about these numbers; empty if it is right.
 inline std::string objection(const Claim& claim, const std::vector<std::string>& printed) {
-  if (claim.figures.empty()) return "no figure";
+  if (claim.numbers.empty()) return "no number";
   std::size_t next = 0;
-  for (const std::string& figure : claim.figures) {
-    const auto value = figure_of(figure);
-    if (!value) return "no number: " + figure;
-    if (!contains_number(claim.passage, figure)) return "not in the passage: " + figure;
+  for (const std::string& number : claim.numbers) {
+    const auto value = number_of(number);
+    if (!value) return "no number: " + number;
+    if (!contains_number(claim.passage, number)) return "not in the passage: " + number;
     for (;; ++next) {
-      if (next == printed.size()) return "not printed, or not in this order: " + figure;
-      const auto number = figure_of(printed[next]);
-      if (number && agree(*value, *number)) break;
+      if (next == printed.size()) return "not printed, or not in this order: " + number;
+      const auto there = number_of(printed[next]);
+      if (there && agree(*value, *there)) break;
     }
     ++next;
   }

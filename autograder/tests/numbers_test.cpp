@@ -1,4 +1,4 @@
-// The numbers in handouts are those that commands print (tests/figures.hpp).
+// The numbers in handouts are those that commands print (tests/numbers.hpp).
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -13,10 +13,10 @@
 #include "grader/checkout/layout.hpp"
 #include "tests/documents.hpp"
 #include "tests/entry_script.hpp"
-#include "tests/figures.hpp"
+#include "tests/numbers.hpp"
 #include "tests/text.hpp"
 
-namespace mc::tests::figures {
+namespace mc::tests::numbers_in_documents {
 
 namespace fs = std::filesystem;
 using namespace grader;
@@ -34,11 +34,39 @@ std::string objection_by_hand(const Layout& layout, const Claim& claim) {
   return objection(claim, numbers_in(printed_by_hand(layout, claim.words)));
 }
 
-std::string objection_in_tables(const std::string& tables, const Claim& claim) {
-  const auto cells = cells_in(tables);
+using Cells = std::map<std::string, std::string>;
+
+std::string objection_in_tables(const Cells& cells, const Claim& claim) {
   const auto found = cells.find(claim.cell);
   if (found == cells.end()) return "no such cell: " + claim.cell;
   return objection(claim, {found->second});
+}
+
+/// The data of a lab's plots by "FILE | ROW | COLUMN", where a row is called by its first number, and
+/// the only row of a file by nothing.
+Cells cells_of_plots(const Layout& layout, const Lab& one) {
+  const auto run = lab({"plot", one.name, "solutions"});
+  CAPTURE(run.errors);
+  CHECK(run.exit_code == 0);
+  Cells cells;
+  const fs::path data = layout.build / "plots/side-by-side/data" / (one.name + "-0");
+  for (const auto& entry : fs::directory_iterator(data)) {
+    if (entry.path().extension() != ".tsv") continue;
+    const std::string file = entry.path().stem().string();
+    std::istringstream text(replaced(read_text(entry.path()), "\t", " "));
+    std::string line;
+    std::getline(text, line);
+    const auto columns = words_of(line);
+    std::vector<Words> rows;
+    while (std::getline(text, line)) rows.push_back(words_of(line));
+    for (const Words& row : rows) {
+      for (std::size_t i = 0; i < std::min(row.size(), columns.size()); ++i) {
+        cells[fmt::format("{} | {} | {}", file, row[0], columns[i])] = row[i];
+        if (rows.size() == 1) cells[fmt::format("{} | | {}", file, columns[i])] = row[i];
+      }
+    }
+  }
+  return cells;
 }
 
 /// Tables that a command wrote into a document (docs/refresh.sh), line by line:
@@ -81,10 +109,10 @@ bool is_printed(const std::string& tables, std::string line) {
 TEST_CASE("a number's value and precision are those of its digits") {
   const auto is = [](const char* text, double value, double half_unit) {
     CAPTURE(text);
-    const auto figure = figure_of(text);
-    REQUIRE(figure);
-    CHECK(figure->value == Approx(value).epsilon(1e-14));
-    CHECK(figure->half_unit == Approx(half_unit).epsilon(1e-14));
+    const auto number = number_of(text);
+    REQUIRE(number);
+    CHECK(number->value == Approx(value).epsilon(1e-14));
+    CHECK(number->half_unit == Approx(half_unit).epsilon(1e-14));
   };
   is("3/8", 0.375, 0);
   is("¾", 0.75, 0);
@@ -95,7 +123,8 @@ TEST_CASE("a number's value and precision are those of its digits") {
   is("3.6·10⁻²⁶", 3.6e-26, 0.05e-26);
   is("4.2 · 2⁻⁵³", 4.2 * 0x1p-53, 0.05 * 0x1p-53);
   is("10³⁰⁸", 1e308, 0);
-  for (const char* text : {"", "x", "three", "3 x", "3/", "2 · 3"}) CHECK(!figure_of(text));
+  is("1.8 \\cdot 10^{-4}", 1.8e-4, 0.05e-4);
+  for (const char* text : {"", "x", "three", "3 x", "3/", "2 · 3"}) CHECK(!number_of(text));
 }
 
 TEST_CASE("a number is found in a text only as a whole") {
@@ -110,8 +139,8 @@ TEST_CASE("a number is found in a text only as a whole") {
 /// One wrong number of each kind, and a right one of each kind.
 TEST_CASE("wrong numbers are detected") {
   const Layout layout = read_layout();
-  const auto claim = [&](const std::string& figure, const std::string& passage) {
-    const auto claims = claims_in("text\n\n<!-- ./lab run halton radical_inverse 2 6 = " + figure +
+  const auto claim = [&](const std::string& number, const std::string& passage) {
+    const auto claims = claims_in("text\n\n<!-- ./lab run halton radical_inverse 2 6 = " + number +
                                   " -->\n" + passage + "\n\nbehind it: 3/8\n");
     REQUIRE(claims.size() == 1);
     return objection_by_hand(layout, claims[0]);
@@ -149,13 +178,13 @@ TEST_CASE("wrong numbers are detected") {
   const std::string tables =
       "empty cells\n\n| | plain | 1,024 |\n|---|--:|--:|\n| of 64 | 47 | 3.3e-2 |\n\n"
       "errors (± 3 % at most)\n\n| | a |\n|---|--:|\n| b | 62 |\n| c | |\n";
-  const auto cell = [&](const std::string& where, const std::string& figure) {
+  const auto cell = [&](const std::string& where, const std::string& number) {
     const auto claims =
-        claims_in("<!-- ./lab bench halton --tables:\n     " + where + " = " + figure +
-                  "\n     and | the | next = 8 -->\nIt is " + figure + ".\n");
+        claims_in("<!-- ./lab bench halton --tables:\n     " + where + " = " + number +
+                  "\n     and | the | next = 8 -->\nIt is " + number + ".\n");
     REQUIRE(claims.size() == 2);
     CHECK(claims[0].words == Words{"./lab", "bench", "halton", "--tables"});
-    return objection_in_tables(tables, claims[0]);
+    return objection_in_tables(cells_in(tables), claims[0]);
   };
   CHECK(cell("empty cells | of 64 | plain", "47") == "");
   CHECK(cell("empty cells | of 64 | 1,024", "0.033") == "");
@@ -184,25 +213,31 @@ TEST_CASE("the bench takes a file of the repository's submissions, and no other"
   CHECK(contains(missing.errors, "there is no file missing.cpp"));
 }
 
-/// Takes a minute: the bench measures all that handouts quote. The tables of a lab are printed
+/// Takes a minute: the bench and the plots measure all that handouts and answers quote. The tables of a lab are printed
 /// once, with all submissions that its numbers are about.
-TEST_CASE("the numbers in handouts are those that their commands print", "[.figures]") {
+TEST_CASE("the numbers in handouts and answers are those that their commands print", "[.figures]") {
   const Layout layout = read_layout();
+  std::size_t compared = 0;
   for (const Lab& one : find_labs(layout)) {
-    const std::string handout = read_text(layout.labs() / one.folder / "README.md");
+    const fs::path answers = layout.root / "docs" / "answers" / (one.folder + ".md");
+    const std::string handout = read_text(layout.labs() / one.folder / "README.md") + "\n\n" +
+                                (fs::exists(answers) ? read_text(answers) : "");
     const auto all_shown = transcripts_of(handout);
     for (const Transcript& shown : all_shown) {
       CAPTURE(one.name, shown.words);
       CHECK(printed_by_hand(layout, shown.words) == shown.output);
     }
-    std::vector<Claim> of_tables;
+    std::vector<Claim> of_tables, of_plots;
     std::vector<Words> benches;
     const auto claims = claims_in(handout);
     for (const Claim& claim : claims) {
-      CAPTURE(one.name, claim.words, claim.figures);
+      CAPTURE(one.name, claim.words, claim.numbers);
       REQUIRE(claim.words.size() > 3);
       if (claim.words[1] == "run") {
         CHECK(objection_by_hand(layout, claim) == "");
+      } else if (claim.words[1] == "plot") {
+        CHECK(claim.words == Words{"./lab", "plot", one.name, "solutions"});
+        of_plots.push_back(claim);
       } else {
         of_tables.push_back(claim);
         benches.push_back(claim.words);
@@ -210,7 +245,14 @@ TEST_CASE("the numbers in handouts are those that their commands print", "[.figu
     }
     const auto blocks = output_blocks(handout);
     for (const OutputBlock& block : blocks) benches.push_back(block.words);
-    CHECK(all_shown.size() + claims.size() + blocks.size() > 0);
+    compared += all_shown.size() + claims.size() + blocks.size();
+    if (!of_plots.empty()) {
+      const Cells cells = cells_of_plots(layout, one);
+      for (const Claim& claim : of_plots) {
+        CAPTURE(claim.cell, claim.numbers);
+        CHECK(objection_in_tables(cells, claim) == "");
+      }
+    }
     if (benches.empty()) continue;
     std::set<std::string> submissions;
     for (const Words& words : benches) {
@@ -228,9 +270,10 @@ TEST_CASE("the numbers in handouts are those that their commands print", "[.figu
     CAPTURE(run.errors, run.output);
     CHECK(run.exit_code == 0);
     CHECK_FALSE(contains(run.output, "efficiency"));  // only the tables
+    const Cells cells = cells_in(run.output);
     for (const Claim& claim : of_tables) {
-      CAPTURE(claim.cell, claim.figures);
-      CHECK(objection_in_tables(run.output, claim) == "");
+      CAPTURE(claim.cell, claim.numbers);
+      CHECK(objection_in_tables(cells, claim) == "");
     }
     for (const OutputBlock& block : blocks) {
       for (const std::string& line : block.lines) {
@@ -239,6 +282,7 @@ TEST_CASE("the numbers in handouts are those that their commands print", "[.figu
       }
     }
   }
+  CHECK(compared > 100);
 }
 
-}  // namespace mc::tests::figures
+}  // namespace mc::tests::numbers_in_documents

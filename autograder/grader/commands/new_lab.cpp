@@ -1,0 +1,97 @@
+// new-lab: writes the skeleton of a lab.
+
+#include "grader/commands/new_lab.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/commands/command.hpp"
+
+namespace mc::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The line with each @key@ replaced by its value.
+std::string filled(std::string line, const std::map<std::string, std::string>& values) {
+  for (const auto& [key, value] : values) {
+    for (auto at = line.find(key); at != line.npos; at = line.find(key, at + value.size())) {
+      line.replace(at, key.size(), value);
+    }
+  }
+  return line;
+}
+
+int new_lab(const Context& context, const Arguments& arguments) {
+  if (arguments.words.size() != 1) throw UsageError("usage: ./lab new-lab NAME");
+  const std::string& lab = arguments.words[0];
+  for (const Lab& other : context.labs) {
+    if (other.name == lab) throw UsageError(fmt::format("lab {} is {} already", other.number, lab));
+  }
+  const int number = context.labs.back().number + 1;
+  const fs::path root = context.layout.root;
+  for (const fs::path& file :
+       write_new_lab(root / "autograder" / "new-lab.txt", root, number, lab)) {
+    fmt::print("{}\n", file.string());
+  }
+  fmt::print(
+      "\nLab {0} has one function, check, plot and mistake, and works:\n\n"
+      "  ./lab check {0} solutions\n  ./lab plot {0}\n"
+      "  git add .           a handout takes what git knows\n  ./lab test\n\n"
+      "CONTRIBUTING.md says what else a lab can have.\n",
+      number);
+  return 0;
+}
+
+const RegisterCommand new_lab_command{
+    {"new-lab",
+     "new-lab NAME",
+     {},
+     "NAME has lower-case letters, digits and _: light_transport. The lab gets the next number.\n",
+     new_lab}};
+
+}  // namespace
+
+std::vector<fs::path> write_new_lab(const fs::path& skeleton, const fs::path& root, int number,
+                                    const std::string& name) {
+  if (name.empty() || name[0] < 'a' || name[0] > 'z' ||
+      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != name.npos) {
+    throw UsageError("a lab's name has lower-case letters, digits and _: light_transport");
+  }
+  std::string dashed = name, title = name;
+  std::replace(dashed.begin(), dashed.end(), '_', '-');
+  std::replace(title.begin(), title.end(), '_', ' ');
+  const std::map<std::string, std::string> values{
+      {"@lab@", name},
+      {"@number@", std::to_string(number)},
+      {"@title@", title},
+      {"@folder@", fmt::format("{}-{}", number, dashed)}};
+  std::map<fs::path, std::string> files;
+  std::string* text = nullptr;
+  std::istringstream lines(read_whole_text(skeleton));
+  for (std::string line; std::getline(lines, line);) {
+    line = filled(line, values);
+    if (line.starts_with("==== ")) {
+      text = &files[line.substr(5)];
+    } else if (text != nullptr) {
+      *text += line + '\n';
+    }
+  }
+  std::vector<fs::path> written;
+  for (const auto& [file, contents] : files) {
+    if (fs::exists(root / file)) throw UsageError(file.string() + " exists already");
+    written.push_back(file);
+  }
+  for (const fs::path& file : written) {
+    fs::create_directories((root / file).parent_path());
+    write_text(root / file, files[file]);
+  }
+  return written;
+}
+
+}  // namespace mc::grader
