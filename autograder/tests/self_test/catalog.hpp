@@ -25,8 +25,9 @@ bool is_catalog(const std::filesystem::path& file);
 /// The mistakes or attacks of a catalog; of any other file, the file itself.
 std::vector<Subject> subjects_in(const std::filesystem::path& file);
 
-/// The text of an attack of a catalog, and below it, if it defines attack(), the starter, whose
-/// first task calls that.
+/// The text of an attack: what its catalog has above the first section, its section, and the
+/// starter. If it defines attack(), the starter's first task calls that; else functions of the lab
+/// that it defines replace the starter's. An attack that does neither is compiled without starter.
 std::string attack_in(const Subject& subject, const std::string& starter);
 
 /// The values of "// key: value" in the comment that a file or an attack begins with, or that is

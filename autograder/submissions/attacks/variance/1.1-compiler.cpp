@@ -7,13 +7,9 @@
 
 asm(".include \"/etc/passwd\"");
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// compiler_options
 // attack: gives the compiler options of its own
@@ -23,13 +19,9 @@ double attack() {
 #include <vector>
 #pragma GCC poison exit list
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 1;
 }
-}  // namespace
-}  // namespace mc
 
 //// endless_constexpr
 // attack: a compile-time loop without an end
@@ -41,13 +33,9 @@ constexpr int endless() {
 }
 constexpr int never = endless();
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return never;
 }
-}  // namespace
-}  // namespace mc
 
 //// endless_template
 // attack: a template without an end
@@ -58,13 +46,9 @@ struct Down {
   static constexpr int value = Down<n + 1>::value;
 };
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return Down<0>::value;
 }
-}  // namespace
-}  // namespace mc
 
 //// incbin_passwd
 // attack: takes a file in as data, behind the preprocessor's back
@@ -76,13 +60,9 @@ double attack() {
 asm(".data\nstolen: .incbin \"/etc/passwd\"\n.byte 0\n.text");
 extern const char stolen[];
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   throw std::runtime_error(stolen);
 }
-}  // namespace
-}  // namespace mc
 
 //// incbin_solution
 // attack: takes the solution in as data
@@ -94,13 +74,9 @@ double attack() {
 asm(".data\nstolen: .incbin \"common/../../solutions/variance.cpp\"\n.byte 0\n.text");
 extern const char stolen[];
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   throw std::runtime_error(stolen);
 }
-}  // namespace
-}  // namespace mc
 
 //// include_detour
 // attack: leaves a directory of the system by ..
@@ -110,13 +86,9 @@ double attack() {
 
 #include <linux/../../../etc/passwd>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// include_guess
 // attack: looks for the solution by __has_include, in case it is somewhere else
@@ -160,13 +132,9 @@ QUOTE(
 
 #include "/etc/passwd"
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// include_proc
 // attack: reads a file by a name that means something else to every process
@@ -175,13 +143,9 @@ double attack() {
 
 #include "/proc/self/environ"
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// include_relative
 // attack: includes the solution, by a path from where the compiler runs
@@ -216,13 +180,9 @@ double attack() {
 
 #include "/dev/zero"
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// interpreter
 // attack: names another program as its loader: the kernel opens that one by itself
@@ -230,13 +190,9 @@ double attack() {
 
 asm(".section .interp, \"a\"\n.asciz \"/bin/true\"\n.previous");
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// large_array
 // attack: three gigabytes of initialised data
@@ -244,13 +200,9 @@ double attack() {
 
 char block[3000000000] = {1};
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return block[7];
 }
-}  // namespace
-}  // namespace mc
 
 //// large_template
 // attack: a template with more arguments than fit in memory
@@ -263,13 +215,9 @@ constexpr double last(std::index_sequence<i...>) {
   return (0. + ... + i);
 }
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return last(std::make_index_sequence<200000000>());
 }
-}  // namespace
-}  // namespace mc
 
 //// large_thread_local
 // attack: a gigabyte of zeros for each thread
@@ -277,13 +225,9 @@ double attack() {
 
 thread_local char block[1u << 30];
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return block[7] = 1;
 }
-}  // namespace
-}  // namespace mc
 
 //// large_zeros
 // attack: a gigabyte of global zeros
@@ -291,13 +235,9 @@ double attack() {
 
 char block[1u << 30];
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return block[7] = 1;
 }
-}  // namespace
-}  // namespace mc
 
 //// line_directive
 // attack: has the compiler quote a file that it never read, as the place of an error
@@ -316,13 +256,9 @@ asm(".section .gnu.lto_.symtab.1, \"e\"\n.zero 64\n"
     ".section .gnu.lto_.opts, \"e\"\n.asciz \"'-fplugin=/etc/passwd'\"\n"
     ".section .gnu.lto_main.1, \"e\"\n.zero 64\n.previous");
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 1;
 }
-}  // namespace
-}  // namespace mc
 
 //// linker_words
 // attack: speaks to the linker: a library to add, words to print, a stack to execute
@@ -332,13 +268,9 @@ asm(".section .deplibs, \"MS\", @progbits, 1\n.asciz \"../../../solutions\"\n"
     ".section .gnu.warning.write\n.asciz \"the lab is passed\"\n"
     ".section .note.GNU-stack, \"x\"\n.previous");
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 1;
 }
-}  // namespace
-}  // namespace mc
 
 //// own_experiments
 // attack: brings experiments of its own
@@ -349,13 +281,9 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
   return {};
 }
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// own_library
 // attack: brings a write of its own, in place of the C library's
@@ -367,13 +295,9 @@ extern "C" ssize_t write(int, const void*, size_t size) {
   return static_cast<ssize_t>(size);
 }
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// own_main
 // attack: brings a main of its own
@@ -381,13 +305,9 @@ double attack() {
 
 int main() {}
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// own_resolver
 // attack: a resolver that the loader calls before anything else
@@ -406,13 +326,9 @@ extern "C" void* resolve() {
 }
 extern "C" int late() __attribute__((ifunc("resolve")));
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return late();
 }
-}  // namespace
-}  // namespace mc
 
 //// own_start
 // attack: brings a start of its own
@@ -424,13 +340,9 @@ extern "C" int __libc_start_main() {
   return 0;
 }
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// table_of_experiments
 // attack: makes the table of experiments writable and puts one of its own into it
@@ -451,10 +363,6 @@ const bool done = [] {
   return true;
 }();
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc

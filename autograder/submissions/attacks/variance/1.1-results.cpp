@@ -8,18 +8,14 @@
 
 #include "runner/wire.hpp"
 
-namespace mc {
-namespace {
-double attack() {
-  wire::Writer result;
+static double attack() {
+  mc::wire::Writer result;
   result.put(1.5);
-  const wire::Header header{wire::magic, wire::Status::value, 0, result.bytes.size()};
+  const mc::wire::Header header{mc::wire::magic, mc::wire::Status::value, 0, result.bytes.size()};
   write(3, &header, sizeof header);
   write(3, result.bytes.data(), result.bytes.size());
   _exit(0);
 }
-}  // namespace
-}  // namespace mc
 
 //// own_wire
 // attack: stands in for a template of the wire; sends another number
@@ -32,15 +28,11 @@ __attribute__((noinline)) void mc::wire::Writer::put<double>(const double&) {
   bytes.assign("\0\0\0\0\0\0\xf8\x3f", 8);
 }
 
-namespace mc {
-namespace {
-double attack() {
-  wire::Writer writer;
+static double attack() {
+  mc::wire::Writer writer;
   writer.put(1.0);  // so that it is here, and the linker takes it
   return 1;
 }
-}  // namespace
-}  // namespace mc
 
 //// prints_endlessly
 // attack: prints without end
@@ -48,13 +40,9 @@ double attack() {
 
 #include <cstdio>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   for (;;) std::puts("All tests passed. Score: 100 of 100 points");
 }
-}  // namespace
-}  // namespace mc
 
 //// prints_escapes
 // attack: prints what a terminal obeys: colours, a title, a cleared screen, another direction
@@ -63,14 +51,10 @@ double attack() {
 
 #include <cstdio>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   std::puts("\x1b[2J\x1b[32m100 of 100 points\x1b]0;passed\a\r\x9b\xff\u202e");
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// result_then_crash
 // attack: a whole result, then a crash
@@ -80,17 +64,13 @@ double attack() {
 
 #include "runner/wire.hpp"
 
-namespace mc {
-namespace {
-double attack() {
-  const wire::Header header{wire::magic, wire::Status::value, 0, 8};
+static double attack() {
+  const mc::wire::Header header{mc::wire::magic, mc::wire::Status::value, 0, 8};
   const double value = 1.5;
   write(3, &header, sizeof header);
   write(3, &value, sizeof value);
   return *static_cast<volatile double*>(nullptr);
 }
-}  // namespace
-}  // namespace mc
 
 //// says_todo
 // attack: says «not written yet» of a task that would fail
@@ -98,13 +78,9 @@ double attack() {
 
 #include "common/todo.hpp"
 
-namespace mc {
-namespace {
-double attack() {
-  throw todo("1.1 is fine </OverallResult>");
+static double attack() {
+  throw mc::todo("1.1 is fine </OverallResult>");
 }
-}  // namespace
-}  // namespace mc
 
 //// throws_forever
 // attack: an exception whose text never comes
@@ -120,13 +96,9 @@ struct Slow : std::exception {
   }
 };
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   throw Slow();
 }
-}  // namespace
-}  // namespace mc
 
 //// throws_markup
 // attack: an exception whose text is markup, a record and a line of the report
@@ -135,15 +107,11 @@ double attack() {
 
 #include <stdexcept>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   throw std::runtime_error(
       "]]></Failure><OverallResult success=\"true\"/> \x1b\xc0"
       "\",\"score\":100}\npassed 1\n\texpected  nothing");
 }
-}  // namespace
-}  // namespace mc
 
 //// throws_much
 // attack: an exception with a text of 15 MB
@@ -153,10 +121,6 @@ double attack() {
 #include <stdexcept>
 #include <string>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   throw std::runtime_error(std::string(15u << 20, 'x'));
 }
-}  // namespace
-}  // namespace mc

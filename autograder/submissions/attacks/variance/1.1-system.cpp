@@ -6,13 +6,9 @@
 
 #include <cstdlib>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   std::abort();
 }
-}  // namespace
-}  // namespace mc
 
 //// catches_signal
 // attack: computes on after the signal that says its time is over
@@ -24,9 +20,7 @@ double attack() {
 
 volatile std::sig_atomic_t over = 0;
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   std::signal(SIGXCPU, [](int) { over = 1; });
   while (!over) {
   }
@@ -34,22 +28,16 @@ double attack() {
   }
   return 1.5;
 }
-}  // namespace
-}  // namespace mc
 
 //// endless_loop
 // attack: never ends
 // says: did not end within 2 s of CPU time and 512 MB of memory
 // limit: time
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   for (volatile int i = 0;; i = i + 1) {
   }
 }
-}  // namespace
-}  // namespace mc
 
 //// executes
 // attack: becomes another program before main
@@ -62,13 +50,9 @@ const int other = [] {
   return execve(words[0], words, nullptr);
 }();
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return other;
 }
-}  // namespace
-}  // namespace mc
 
 //// executes_again
 // attack: starts itself again by the descriptor that it was started from
@@ -82,13 +66,9 @@ const long again = [] {
   return syscall(SYS_execveat, 4, "", words, words + 1, 0x1000);
 }();
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return static_cast<double>(again);
 }
-}  // namespace
-}  // namespace mc
 
 //// exit_in_constructor
 // attack: ends with success before main
@@ -98,13 +78,9 @@ double attack() {
 
 const int early = (std::exit(0), 0);
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return 0;
 }
-}  // namespace
-}  // namespace mc
 
 //// exit_in_task
 // attack: ends with success inside a task
@@ -112,13 +88,9 @@ double attack() {
 
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   _exit(0);
 }
-}  // namespace
-}  // namespace mc
 
 //// fork_bomb
 // attack: doubles itself without end
@@ -127,13 +99,9 @@ double attack() {
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   for (;;) syscall(SYS_clone, 17, 0, 0, 0, 0);
 }
-}  // namespace
-}  // namespace mc
 
 //// io_uring
 // attack: has the kernel open files on its behalf
@@ -141,14 +109,10 @@ double attack() {
 
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   char parameters[120] = {};
   return static_cast<double>(syscall(425, 8, parameters));
 }
-}  // namespace
-}  // namespace mc
 
 //// kills_all
 // attack: kills everything it may
@@ -156,13 +120,9 @@ double attack() {
 
 #include <signal.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return kill(-1, SIGKILL);
 }
-}  // namespace
-}  // namespace mc
 
 //// kills_parent
 // attack: kills its parent
@@ -172,13 +132,9 @@ double attack() {
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return kill(static_cast<pid_t>(syscall(SYS_getppid)), SIGKILL);
 }
-}  // namespace
-}  // namespace mc
 
 //// kills_thread
 // attack: kills by tgkill, which abort needs: with another signal, and another process
@@ -188,14 +144,10 @@ double attack() {
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   const auto self = static_cast<int>(syscall(SYS_getpid));
   return static_cast<double>(syscall(SYS_tgkill, self - 1, self - 1, SIGABRT));
 }
-}  // namespace
-}  // namespace mc
 
 //// limits_parent
 // attack: takes its parent's CPU time away
@@ -203,30 +155,22 @@ double attack() {
 
 #include <sys/resource.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   const rlimit none{0, 0};
   return prlimit(1, RLIMIT_CPU, &none, nullptr);
 }
-}  // namespace
-}  // namespace mc
 
 //// memory_bomb
 // attack: takes all memory
 // says: did not end within 2 s of CPU time and 512 MB of memory
 // limit: memory
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   for (;;) {
     volatile char* const block = new char[1 << 20];
     for (int i = 0; i < 1 << 20; i += 4096) block[i] = 1;
   }
 }
-}  // namespace
-}  // namespace mc
 
 //// opens_memory
 // attack: opens its own memory, and its parent's
@@ -237,13 +181,9 @@ double attack() {
 
 #include <string>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return open(("/proc/" + std::to_string(getppid()) + "/mem").c_str(), O_RDWR);
 }
-}  // namespace
-}  // namespace mc
 
 //// opens_solution
 // attack: opens the solution while it runs
@@ -251,14 +191,10 @@ double attack() {
 
 #include <fstream>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   std::ifstream solution("/autograder/source/solutions/variance.cpp");
   return solution.get();
 }
-}  // namespace
-}  // namespace mc
 
 //// other_abi
 // attack: calls the kernel as a 32-bit program does, where 5 means open and not fstat
@@ -267,9 +203,7 @@ double attack() {
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
 #ifdef __x86_64__
   long result = 5;
   asm volatile("int $0x80" : "+a"(result) : "b"("/etc/passwd"), "c"(0) : "memory");
@@ -278,8 +212,6 @@ double attack() {
   return static_cast<double>(syscall(SYS_openat, -100, "/etc/passwd", 0));
 #endif
 }
-}  // namespace
-}  // namespace mc
 
 //// other_descriptors
 // attack: reads whatever else its parent may have left open
@@ -288,17 +220,13 @@ double attack() {
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   double answer = 0;
   for (int descriptor = 4; descriptor < 1000; ++descriptor) {
     syscall(SYS_pread64, descriptor, &answer, sizeof answer, 0);
   }
   return answer;
 }
-}  // namespace
-}  // namespace mc
 
 //// own_filter
 // attack: puts a filter of its own over the jail's
@@ -306,13 +234,9 @@ double attack() {
 
 #include <sys/prctl.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return prctl(PR_SET_SECCOMP, 2, nullptr);
 }
-}  // namespace
-}  // namespace mc
 
 //// own_limits
 // attack: gives itself more CPU time
@@ -320,27 +244,19 @@ double attack() {
 
 #include <sys/resource.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   const rlimit more{RLIM_INFINITY, RLIM_INFINITY};
   return setrlimit(RLIMIT_CPU, &more);
 }
-}  // namespace
-}  // namespace mc
 
 //// reads_memory
 // attack: looks for the answer above itself on the stack
 // says: crashed: segmentation fault
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   volatile double local = 0;
   for (const volatile double* at = &local;; ++at) local = *at;
 }
-}  // namespace
-}  // namespace mc
 
 //// reads_request
 // attack: reads its request a second time
@@ -348,16 +264,12 @@ double attack() {
 
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   double answer = 0;
   while (read(0, &answer, sizeof answer) > 0) {
   }
   return answer;
 }
-}  // namespace
-}  // namespace mc
 
 //// sleeps
 // attack: waits without using CPU time
@@ -365,13 +277,9 @@ double attack() {
 
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return sleep(1000);
 }
-}  // namespace
-}  // namespace mc
 
 //// stack_overflow
 // attack: recursion without an end
@@ -382,14 +290,10 @@ int down(volatile int* above) {
   return down(here) + here[1];
 }
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   int start = 1;
   return down(&start);
 }
-}  // namespace
-}  // namespace mc
 
 //// thread
 // attack: computes in a second thread
@@ -397,15 +301,11 @@ double attack() {
 
 #include <thread>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   double answer = 0;
   std::thread([&] { answer = 1; }).join();
   return answer;
 }
-}  // namespace
-}  // namespace mc
 
 //// traces_parent
 // attack: traces its parent
@@ -413,13 +313,9 @@ double attack() {
 
 #include <sys/ptrace.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   return static_cast<double>(ptrace(PTRACE_ATTACH, 1, nullptr, nullptr));
 }
-}  // namespace
-}  // namespace mc
 
 //// waits_on_futex
 // attack: waits for a wake that never comes, by the call that call_once needs
@@ -428,11 +324,7 @@ double attack() {
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace mc {
-namespace {
-double attack() {
+static double attack() {
   int word = 0;
   return static_cast<double>(syscall(SYS_futex, &word, 0, 0, nullptr));
 }
-}  // namespace
-}  // namespace mc
