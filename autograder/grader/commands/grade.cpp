@@ -28,6 +28,7 @@
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
+#include "grader/submission/hours.hpp"
 #include "grader/submission/intake.hpp"
 #include "grader/submission/scratch.hpp"
 #include "runner/text.hpp"
@@ -328,6 +329,7 @@ int grade(const Context& context, const Arguments& arguments) {
                intake.each_word_is_one ? "one in each directory or zip that is named"
                                        : "one in each directory, zip or name in what is named");
   }
+  for (IntakeEntry& one : intake.entries) read_hours(context.labs, one.submission);
   if (const auto roster = arguments.get("roster")) match(*roster, intake.entries);
   compare_versions(context, intake.entries);
   if (arguments.has("resume")) gather_tasks(*csv);

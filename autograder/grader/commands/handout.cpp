@@ -84,7 +84,7 @@ std::string answers_template(const Lab& lab, const std::string& readme) {
   const auto from = at + heading.size(), to = readme.find("\n## ", from);
   return fmt::format(
       "# {}: answers\n\nWrite below each question; `./lab submit {}` includes this file.\n{}\n"
-      "Hours that I spent on this lab (helps to plan the next course; no points):\n",
+      "Hours that I spent on this lab, as a number (helps to plan the next course; no points):\n",
       lab.title(), lab.name, readme.substr(from, to == std::string::npos ? to : to - from));
 }
 

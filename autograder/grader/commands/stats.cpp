@@ -32,8 +32,8 @@ const RegisterCommand stats_command{
      "Statistics of a table from ./lab grade --csv: a histogram of the points of each lab; how\n"
      "many passed each check, failed it, did not write its task, or were not judged; its\n"
      "discrimination, the point-biserial correlation of passing it with the points of the lab's\n"
-     "other checks; and the most frequent hints. Unwritten tasks and hints are known from the\n"
-     "verdicts next to the table.\n"
+     "other checks; the hours that students report; and the most frequent hints. Unwritten tasks\n"
+     "and hints are known from the verdicts next to the table.\n"
      "  --html F      write the same as a page, without names\n",
      stats}};
 

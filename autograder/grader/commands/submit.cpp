@@ -16,6 +16,7 @@
 #include "grader/commands/manifest.hpp"
 #include "grader/commands/progress.hpp"
 #include "grader/submission/build.hpp"
+#include "grader/submission/hours.hpp"
 #include "grader/submission/intake.hpp"
 #include "grader/submission/zip.hpp"
 
@@ -25,9 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// "It compiles. The last check: 84 of 100 points.", or why it earns nothing.
-std::string state_of(const Context& context, const Lab& lab) {
-  const Intake intake = take_in_one(context, context.layout.starter());
-  const BuildResult built = build_program(context.layout, lab, intake.entries[0].submission);
+std::string state_of(const Context& context, const Lab& lab, const Submission& submission) {
+  const BuildResult built = build_program(context.layout, lab, submission);
   if (!built.program) return built.failure + "\nIn this state it earns 0 points.";
   const auto progress = recall(context.layout, lab);
   if (!progress) return fmt::format("It compiles. It was never checked: ./lab check {}", lab.name);
@@ -69,7 +69,16 @@ int submit(const Context& context, const Arguments& arguments) {
   for (const ZipEntry& entry : entries) names.push_back(entry.name);
   fmt::print("{}: {}\n", zip.string(), fmt::join(names, ", "));
   if (!has_answers) fmt::print("Answers to the written questions go into {}.\n", answers);
-  fmt::print("{}\n", state_of(context, lab));
+  Intake intake = take_in_one(context, context.layout.starter());
+  Submission& submission = intake.entries[0].submission;
+  read_hours(context.labs, submission);
+  if (has_answers && !submission.delivery.hours.contains(lab.name)) {
+    fmt::print(
+        "How many hours did this lab take you? A last line \"Hours: 7.5\" in {} tells your "
+        "instructor.\n",
+        answers);
+  }
+  fmt::print("{}\n", state_of(context, lab, submission));
   return 0;
 }
 
@@ -80,7 +89,7 @@ const RegisterCommand submit_command{
      "Writes submission.zip here: your file of that lab and of the labs it depends on, and\n"
      "answers/LAB.md if it exists, and the version of the checks. Prints whether the file "
      "compiles,\n"
-     "and its last points.\n",
+     "its last points, and a question for the hours if answers/LAB.md does not say them.\n",
      submit}};
 
 }  // namespace

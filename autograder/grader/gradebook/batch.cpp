@@ -227,7 +227,10 @@ std::vector<LabColumns> columns_for(const Context& context, const std::vector<In
       return std::any_of(labs.begin(), labs.end(), [&](auto& a) { return a.name == lab.name; });
     });
     if (!is_judged) continue;
-    columns.push_back({lab, {}});
+    const bool has_hours = std::any_of(entries.begin(), entries.end(), [&](auto& one) {
+      return one.submission.delivery.hours.contains(lab.name);
+    });
+    columns.push_back({lab, {}, has_hours});
     for (const Check& check : expected_checks(context.layout, lab)) {
       columns.back().checks.push_back(check.name);
     }

@@ -31,6 +31,22 @@ std::optional<double> points_in(const Table& table, const Row& row, const std::s
                                column));
 }
 
+/// 0 to 200 from what a student wrote, "7.5" or "7.5 h"; nothing for anything else.
+std::optional<double> hours_in(const std::string& written) {
+  constexpr double most = 200;
+  const auto end = std::min(written.find_first_not_of("0123456789."), written.size());
+  const std::string unit =
+      written.substr(std::min(written.find_first_not_of(' ', end), written.size()));
+  if (unit != "" && unit != "h" && unit != "hours") return {};
+  try {
+    double hours = 0;
+    text::parse(written.substr(0, end), hours);
+    if (hours >= 0 && hours <= most) return hours;
+  } catch (const std::invalid_argument&) {  // counted as unusable
+  }
+  return {};
+}
+
 /// The reason in place of this row's cells of a lab, if it should have been judged but could not
 /// be.
 bool lacks_grade(const Row& row, const Lab& lab) {
@@ -131,6 +147,11 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
       const CheckResult* const result = result_in(verdict, check);
       return result == nullptr || result->status != Status::not_written;
     });
+    if (const std::string written = field(row, lab.name + " hours"); !written.empty()) {
+      const auto hours = hours_in(written);
+      if (hours) statistics.hours.push_back(*hours);
+      statistics.unusable_hours += !hours;
+    }
     const bool has_program = status != "no file" && status != "no program";
     if (!total && lacks_grade(row, lab)) {
       ++statistics.not_judged;
@@ -174,6 +195,15 @@ std::set<std::string> hints_of(const Verdict& verdict) {
     }
   }
   return hints;
+}
+
+/// The value with this share of the values below it, interpolated between its neighbors.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double rank = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const auto above = std::min(below + 1, values.size() - 1);
+  return std::lerp(values[below], values[above], rank - std::floor(rank));
 }
 
 }  // namespace
@@ -260,12 +290,21 @@ std::string other_submissions(const LabStatistics& lab) {
 
 std::string centre_of(const std::vector<double>& totals) {
   if (totals.empty()) return {};
-  std::vector<double> sorted = totals;
-  std::sort(sorted.begin(), sorted.end());
-  const auto n = static_cast<double>(sorted.size());
-  const double median = (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2;
-  return fmt::format("mean {:.1f}, median {:g}",
-                     std::accumulate(sorted.begin(), sorted.end(), 0.0) / n, median);
+  return fmt::format(
+      "mean {:.1f}, median {:g}",
+      std::accumulate(totals.begin(), totals.end(), 0.0) / static_cast<double>(totals.size()),
+      quantile(totals, 0.5));
+}
+
+std::string reported_hours(const LabStatistics& lab) {
+  if (lab.hours.empty() && lab.unusable_hours == 0) return {};
+  std::string all = fmt::format("hours: {} reported", lab.hours.size());
+  if (!lab.hours.empty()) {
+    all += fmt::format(", median {:.3g}, quartiles {:.3g} and {:.3g}", quantile(lab.hours, 0.5),
+                       quantile(lab.hours, 0.25), quantile(lab.hours, 0.75));
+  }
+  if (lab.unusable_hours > 0) all += fmt::format("; {} unusable", lab.unusable_hours);
+  return all;
 }
 
 }  // namespace mc::grader

@@ -38,7 +38,9 @@ struct LabStatistics {
   std::vector<double> totals;     ///< of attempts, in the order of the rows
   std::size_t not_attempted = 0;  ///< no file, or nothing in it is written
   std::size_t not_compiled = 0;
-  std::size_t not_judged = 0;  ///< the machine failed, or the files are unreadable
+  std::size_t not_judged = 0;      ///< the machine failed, or the files are unreadable
+  std::vector<double> hours;       ///< reported, 0 to 200 each
+  std::size_t unusable_hours = 0;  ///< anything else that was reported
   std::vector<CheckStatistics> checks;
   std::vector<TaskStatistics> tasks;
 };
@@ -81,6 +83,9 @@ std::string other_submissions(const LabStatistics& lab);
 
 /// "mean 41.2, median 38"; empty for no totals.
 std::string centre_of(const std::vector<double>& totals);
+
+/// "hours: 14 reported, median 7, quartiles 6 and 9.5; 1 unusable"; empty if there are none.
+std::string reported_hours(const LabStatistics& lab);
 
 /// For a terminal of at least 80 columns.
 std::string report_statistics(const ClassStatistics& statistics);

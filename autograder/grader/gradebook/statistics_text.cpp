@@ -68,6 +68,7 @@ std::string report_statistics(const ClassStatistics& statistics) {
     all += fmt::format("\n{}: {} attempts", one.lab.title(), one.totals.size());
     if (!one.totals.empty()) all += "; " + centre_of(one.totals);
     if (const auto others = other_submissions(one); !others.empty()) all += "\n  " + others;
+    if (const auto hours = reported_hours(one); !hours.empty()) all += "\n  " + hours;
     all += "\n\n" + histogram_text(one) + '\n' + tasks_text(one.tasks) + '\n' +
            checks_text(one.checks);
   }

@@ -150,7 +150,7 @@ MergeResult merge_tables(const std::vector<Table>& tables, const std::vector<Lab
 const Lab* lab_of_column(const std::vector<Lab>& labs, const std::string& column) {
   for (const Lab& lab : labs) {
     if (column == lab.name + " status" || column == lab.name + " total" ||
-        lab_number(column) == std::to_string(lab.number)) {
+        column == lab.name + " hours" || lab_number(column) == std::to_string(lab.number)) {
       return &lab;
     }
   }

@@ -60,6 +60,7 @@ std::string csv_header(const std::vector<LabColumns>& labs, People people) {
   if (people == People::shown) line += ",name,email,submitted,late";
   for (const LabColumns& one : labs) {
     line += ',' + csv_field(one.lab.name + " status") + ',' + csv_field(one.lab.name + " total");
+    if (one.has_hours) line += ',' + csv_field(one.lab.name + " hours");
   }
   for (const LabColumns& one : labs) {
     for (const std::string& check : one.checks) line += ',' + csv_field(check);
@@ -81,6 +82,10 @@ std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict,
     const LabVerdict* const judged = judged_in(verdict, one.lab);
     line += ',' + csv_field(status_of(verdict, one.lab, judged)) + ',';
     if (judged != nullptr && is_grade) line += fmt::format("{:g}", judged->earned());
+    if (!one.has_hours) continue;
+    const auto& hours = verdict.delivery.hours;
+    const auto reported = hours.find(one.lab.name);
+    line += ',' + (reported == hours.end() ? "" : csv_field(reported->second));
   }
   for (const LabColumns& one : labs) {
     const LabVerdict* const judged = judged_in(verdict, one.lab);

@@ -9,10 +9,12 @@
 
 namespace mc::grader {
 
-/// The columns of a lab: its status, its total, and one per check.
+/// The columns of a lab: its status, its total, the hours that students report (if any does), and
+/// one per check.
 struct LabColumns {
   Lab lab;
   std::vector<std::string> checks;
+  bool has_hours = false;
 };
 
 /// Lines with their line ends. A row that was not judged has the reason and no points. With people:

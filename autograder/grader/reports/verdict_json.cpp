@@ -108,11 +108,13 @@ Json json_of(const Delivery& delivery) {
           {"email", delivery.email},
           {"submitted", delivery.submitted},
           {"late", delivery.late},
-          {"platform_name", delivery.platform_name}};
+          {"platform_name", delivery.platform_name},
+          {"hours", delivery.hours}};
 }
 Delivery delivery_in(const Json& json) {
-  return {json.at("name"), json.at("email"), json.at("submitted"), json.at("late"),
-          json.at("platform_name")};
+  return {json.at("name"),          json.at("email"),
+          json.at("submitted"),     json.at("late"),
+          json.at("platform_name"), json.value("hours", std::map<std::string, std::string>())};
 }
 
 Json json_of(const LabVerdict& lab) {

@@ -1,6 +1,8 @@
 #pragma once
-// Who submitted, and when, according to a learning platform or a roster.
+// What is known of a submission besides its files: who submitted it, and when, according to a
+// learning platform or a roster, and the hours that the student reports.
 
+#include <map>
 #include <string>
 
 namespace mc::grader {
@@ -11,6 +13,7 @@ struct Delivery {
   std::string submitted;
   bool late = false;          ///< the platform's mark
   std::string platform_name;  ///< of the file or directory in the export, for sending feedback back
+  std::map<std::string, std::string> hours = {};  ///< by lab, as the student wrote them
 
   bool operator==(const Delivery&) const = default;
 };

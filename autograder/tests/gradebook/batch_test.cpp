@@ -88,6 +88,7 @@ TEST_CASE("a verdict survives a round trip to disk") {
   Verdict verdict;
   verdict.submission = "müller \"x\"";
   verdict.found_in = "a/b";
+  verdict.delivery = {"Ada", "a@b", "2026", true, "ada_1", {{"halton", "7.5"}}};
   verdict.seed = 0xffffffffffffffffu;
   verdict.not_judged = "line\nline";
   verdict.unreadable = "no";
@@ -121,6 +122,7 @@ TEST_CASE("a verdict survives a round trip to disk") {
   const Verdict back = verdict_from_json(text);
   CHECK(verdict_to_json(back) == text);
   CHECK(back.contents == verdict.contents);
+  CHECK(back.delivery == verdict.delivery);
   CHECK(back.seed == verdict.seed);
   CHECK(back.labs[0].checks[3].status == Status::withheld);
   CHECK(!back.labs[0].speed[0].error.has_value());

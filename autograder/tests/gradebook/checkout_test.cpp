@@ -2,6 +2,7 @@
 // never invents a score.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -101,6 +102,9 @@ void works_from_the_first_call_on(const Handout& handout, const std::vector<std:
   CHECK(handed_in.exit_code == 0);
   CHECK(contains(handed_in.output, "variance.cpp, answers/1-variance.md"));
   CHECK(contains(handed_in.output, "The last check: 100 of 100 points."));
+  CHECK(contains(handed_in.output, "How many hours did this lab take you?"));
+  std::ofstream(handout.root / "answers/1-variance.md", std::ios::app) << "Hours: 7\n";
+  CHECK(!contains(handout.lab({"submit", "variance"}).output, "How many hours"));
   CHECK(fs::exists(handout.root / "submission.zip"));
   CHECK(handout.lab({"reset", "variance"}).exit_code == 0);
   CHECK(read_text(file) == starter);

@@ -106,16 +106,17 @@ TEST_CASE("merge reports a table whose run did not finish, and so does its own r
 
 TEST_CASE("columns merge by name, in the order of a run") {
   const Scratch place;
-  const auto halton = read_table(place.write(
-      "h.csv",
-      "id,seed,halton status,halton total,5.1 a,5.10 b,remark\nbob,1,judged,3,3,0,late\n"));
+  const auto halton =
+      read_table(place.write("h.csv",
+                             "id,seed,halton status,halton total,halton hours,5.1 a,5.10 b,remark\n"
+                             "bob,1,judged,3,9,3,0,late\n"));
   const auto variance = read_table(
       place.write("v.csv", "id,seed,variance status,variance total,1.1 a\nada,1,judged,4,4\n"));
   CHECK(merged_text({halton, variance}) ==
         "id,seed,\"variance status\",\"variance total\",\"halton status\",\"halton total\","
-        "\"1.1 a\",\"5.1 a\",\"5.10 b\",remark\n"
-        "ada,1,judged,4,,,4,,,\n"
-        "bob,1,,,judged,3,,3,0,late\n");
+        "\"halton hours\",\"1.1 a\",\"5.1 a\",\"5.10 b\",remark\n"
+        "ada,1,judged,4,,,,4,,,\n"
+        "bob,1,,,judged,3,9,,3,0,late\n");
 }
 
 TEST_CASE("a file that is not a table of grades is refused, with the reason") {
