@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "grader/checkout/context.hpp"
 #include "grader/checkout/labs.hpp"
 #include "grader/checkout/layout.hpp"
+#include "grader/pictures/gnuplot.hpp"
 #include "protocol/rows.hpp"
 
 namespace mc::grader {
@@ -109,5 +111,10 @@ std::string bench_page(const Bench& bench, const std::string& outline, const std
 std::string bench_tables(const Bench& bench);
 /// The first tables of the page, and those above, for a terminal.
 std::string bench_summary(const Bench& bench);
+/// Draws the pictures into `place`.
+Plots draw_bench(const Layout& layout, const Bench& bench, const std::filesystem::path& place);
+
+/// Writes labs/N-name/speed.tsv of each lab: the solutions' times for its speed tasks.
+void calibrate(const Context& context, const std::vector<Lab>& labs, unsigned rounds);
 
 }  // namespace mc::grader

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/calibrate.hpp"
+#include "bench/bench.hpp"
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/judging/speed.hpp"

@@ -1,10 +1,11 @@
-#include "bench/plots.hpp"
+#include "bench/bench.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "bench/markdown.hpp"
 #include "grader/base/text_file.hpp"
 
 namespace mc::grader {
@@ -49,11 +50,8 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
   std::vector<std::string> peers, peers_draw;
   for (const Curve& curve : curves_of(bench)) {
     const std::string block = fmt::format("{}|{}", curve.submission, curve.what);
-    if (curve.submission != "solutions" &&
-        std::find(peers.begin(), peers.end(), block) == peers.end()) {
-      peers.push_back(block);
-      peers_draw.push_back(curve.what);
-    }
+    const bool is_peer = curve.submission != "solutions";
+    if (is_peer && enlist(peers, block) == peers_draw.size()) peers_draw.push_back(curve.what);
     curves += fmt::format("# {}|{}\n", block, curve.on);
     for (const auto& point : curve.points) {
       curves +=
@@ -62,11 +60,7 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
     curves += "\n\n";
   }
   std::vector<std::string> who;  // the solutions, submissions, libraries
-  for (const BenchRow& row : bench.of("digits")) {
-    if (std::find(who.begin(), who.end(), row.submission) == who.end()) {
-      who.push_back(row.submission);
-    }
-  }
+  for (const BenchRow& row : bench.of("digits")) enlist(who, row.submission);
   for (const std::string& submission : who) {
     variances += fmt::format("# {}\n", submission) + variance_points(bench, submission) + "\n\n";
   }

@@ -4,16 +4,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <mutex>
 
 #include <fmt/format.h>
 
 #include "bench/bench.hpp"
-#include "bench/calibrate.hpp"
-#include "bench/interrupt.hpp"
-#include "bench/plots.hpp"
 #include "grader/base/errors.hpp"
 #include "grader/base/side_by_side.hpp"
 #include "grader/base/text_file.hpp"
@@ -31,6 +30,26 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Ctrl-C ends the measuring, and what was measured is still written.
+std::atomic<bool> is_interrupted{false};
+
+/// During its lifetime, an interrupt sets `is_interrupted`; a second one ends the program.
+class StopOnInterrupt {
+ public:
+  StopOnInterrupt() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { is_interrupted = true; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, &before_);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+  ~StopOnInterrupt() { sigaction(SIGINT, &before_, nullptr); }
+  StopOnInterrupt(const StopOnInterrupt&) = delete;
+
+ private:
+  struct sigaction before_ {};
+};
 
 /// A lab's program of a submission, to be measured.
 struct Contender {

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "checks/support/catch.hpp"
-#include "measurements/sampler/known_pictures.hpp"
+#include "measurements/sampler/pictures.hpp"
 #include "sampler.hpp"
 
 using namespace mc;

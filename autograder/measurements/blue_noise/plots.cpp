@@ -1,4 +1,4 @@
-// The data of lab 4's plots: patterns, their periodograms as pictures and as curves, errors of
+// The data of lab 4's plots and demo: patterns, their periodograms as pictures and as curves, errors of
 // integration beside those of random and jittered points, and time against N. Cases of about equal
 // cost.
 
@@ -6,6 +6,7 @@
 
 #include "checks/support/catch.hpp"
 #include "measurements/blue_noise/methods.hpp"
+#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
@@ -32,9 +33,9 @@ std::vector<double> mean_periodogram(Sets sets) {
       x.insert(x.end(), sets[end].column(0).begin(), sets[end].column(0).end());
       y.insert(y.end(), sets[end].column(1).begin(), sets[end].column(1).end());
     }
-    const auto got = TRY_MEASURE(periodogram, x, y, end - first, kmax);
-    const auto* const power = got ? got->if_exactly((end - first) * values, finite) : nullptr;
-    if (power == nullptr) return {};
+    const auto power =
+        lists_of(TRY_MEASURE(periodogram, x, y, end - first, kmax), (end - first) * values);
+    if (!power) return {};
     mean.resize(values);
     for (std::size_t i = 0; i < power->size(); ++i) {
       mean[i % values] += (*power)[i] / static_cast<double>(sets.size());
@@ -68,8 +69,7 @@ TEST_CASE("plot periodograms as pictures and over rings", "[.plot]") {
     columns.push_back(key);
     for (Row& row : rows) row.emplace_back();
     if (mean.empty()) continue;
-    const auto means = TRY_MEASURE(radial_power, mean, kmax);
-    const auto* const rings = means ? means->if_exactly(kmax + 1, any_number) : nullptr;
+    const auto rings = lists_of(TRY_MEASURE(radial_power, mean, kmax), kmax + 1, any_number);
     for (std::size_t ring = 1; rings && ring <= kmax; ++ring) {
       if (std::isfinite((*rings)[ring])) rows[ring - 1].back() = (*rings)[ring];
     }
@@ -100,6 +100,13 @@ TEST_CASE("plot time against N", "[.plot]") {
         0.004);
     return round ? Number(*round * 1e6 / n) : Number{};
   });
+}
+
+TEST_CASE("demo", "[.demo]") {
+  begin_demo();
+  for (const char* key : {"best_candidate", "poisson_disk"}) {
+    write_demo_points(4, method(methods, key));
+  }
 }
 
 }  // namespace

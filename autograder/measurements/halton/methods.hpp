@@ -2,6 +2,7 @@
 // Lab 5's methods of making points.
 
 #include "5-halton/experiments.hpp"
+#include "measurements/support/integrands.hpp"
 #include "measurements/support/methods.hpp"
 
 namespace mc::measurements {
@@ -44,9 +45,8 @@ inline Sets scrambled(const Sets& one, Count count, Count seed) {
 /// Lattices, not folded: set after set.
 inline std::optional<std::vector<double>> lattice_points(Count n, Count dims, Count count,
                                                          Count seed) {
-  const auto got = TRY_MEASURE(lattice, n, dims, domain::in_a_row(seed << 20, count));
-  const auto* const values = got ? got->if_exactly(n * dims * count, unit) : nullptr;
-  return values ? std::optional(*values) : std::nullopt;
+  return lists_of(TRY_MEASURE(lattice, n, dims, domain::in_a_row(seed << 20, count)),
+                  n * dims * count, unit);
 }
 
 inline std::vector<unsigned> first_dimensions(Count dims) {
@@ -116,9 +116,8 @@ inline const std::vector<Method> methods = [] {
       // Any points of the line, rotated: those of base 2.
       way("rotated", 7, "Cranley-Patterson rotation",
           [](Count n, Count, Count count, Count seed) {
-            const auto got = TRY_MEASURE(radical_inverses, 2, 0, n);
-            const auto* const column = got ? got->if_exactly(n, unit) : nullptr;
-            if (column == nullptr) return Sets{};
+            const auto column = lists_of(TRY_MEASURE(radical_inverses, 2, 0, n), n, unit);
+            if (!column) return Sets{};
             return sets_of(TRY_MEASURE(random_shift, *column, 1, count, seed), n, 1, count);
           }),
       way("lattice", 10, "lattice, folded", [](Count n, Count dims, Count count, Count seed) {
@@ -146,6 +145,11 @@ inline Number star_discrepancy_of(const Sets& sets) {
   const auto got = TRY_MEASURE(star_discrepancy_2d, {x.begin(), x.end()}, {y.begin(), y.end()});
   if (!got || !(got->value >= 0 && got->value <= 1)) return {};
   return got->value;
+}
+
+/// Of the mean of exp(x) over the first n points of base 2, scrambled by 5.8 in so many ways.
+inline ErrorSums errors_of_exp(std::uint64_t n, std::uint64_t sets) {
+  return errors_of(method(methods, "scrambled_sobol"), integrand("smooth 1D"), n, sets, n << 20);
 }
 
 }  // namespace mc::measurements

@@ -32,9 +32,8 @@ TEST_CASE("demo of intervals", "[.demo]") {
     const auto& [name, g, mean] = line_integrands[i];
     std::vector<double> sizes, values, errors;
     for (Count n = 4; n <= 16384; n *= 4) {
-      const auto got = TRY_MEASURE(estimates, g, n, 1, replicates);
-      const auto* const all = got ? got->if_exactly(replicates) : nullptr;
-      if (all == nullptr) return;
+      const auto all = lists_of(TRY_MEASURE(estimates, g, n, 1, replicates), replicates);
+      if (!all) return;
       sizes.push_back(static_cast<double>(n));
       for (const auto& one : *all) {
         values.push_back(rounded(one.value));

@@ -46,8 +46,8 @@ inline ErrorSums irradiance_errors(unsigned way, Count n, Count replicates, Coun
   ErrorSums errors;
   const auto got = way == 0 ? TRY_MEASURE(irradiance_area, light, n, seed, replicates)
                             : TRY_MEASURE(irradiance_hemisphere, light, n, seed, replicates);
-  const auto* const values = got ? got->if_exactly(replicates, any_number) : nullptr;
-  if (values == nullptr) return errors;
+  const auto values = lists_of(got, replicates, any_number);
+  if (!values) return errors;
   for (const Estimate& one : *values) errors.add(one.value - irradiance(light));
   return errors;
 }

@@ -34,9 +34,9 @@ TEST_CASE("plot error against samples", "[.plot]") {
     const Count replicates = n <= 4096 ? 201 : 101;
     // Medians: where the variance is infinite, a mean square says how long one waited.
     const auto& [name, g, mean] = line_integrands[c];
-    const auto got = TRY_MEASURE(estimates, g, static_cast<Count>(n), plot_seed, replicates);
-    const auto* const all = got ? got->if_exactly(replicates) : nullptr;
-    if (all == nullptr) return {};
+    const auto all = lists_of(
+        TRY_MEASURE(estimates, g, static_cast<Count>(n), plot_seed, replicates), replicates);
+    if (!all) return {};
     std::vector<double> errors;
     for (const auto& one : *all) errors.push_back(std::abs(one.value / mean - 1));
     return median(errors);
@@ -54,10 +54,10 @@ TEST_CASE("plot coverage against samples", "[.plot]") {
                // Of normal values it is known: Student's t within z.
                if (c == 4) return f_tails(z * z, 1, n - 1).lower;
                const auto& [name, g, mean] = line_integrands[which[c] - 1];
-               const auto got = TRY_MEASURE(confidence_intervals, g, static_cast<Count>(n), level,
-                                            plot_seed, replicates);
-               const auto* const all = got ? got->if_exactly(replicates, any_number) : nullptr;
-               if (all == nullptr) return {};
+               const auto all = lists_of(TRY_MEASURE(confidence_intervals, g, static_cast<Count>(n),
+                                                     level, plot_seed, replicates),
+                                         replicates, any_number);
+               if (!all) return {};
                double covering = 0;
                for (const Interval& one : *all) covering += one.low <= mean && mean <= one.high;
                return covering / static_cast<double>(replicates);
@@ -70,10 +70,8 @@ TEST_CASE("plot intervals of sixty estimates", "[.plot]") {
        {std::pair{"intervals-exp.tsv", 0}, {"intervals-power.tsv", 4}}) {
     const auto& [name, g, mean] = line_integrands[static_cast<std::size_t>(i)];
     auto file = plot_file(file_name, {"rank", "value", "reach", "covers"});
-    const auto got = TRY_MEASURE(estimates, g, 1000, plot_seed, 60);
-    const auto* const measured = got ? got->if_exactly(60) : nullptr;
-    std::vector<experiments::Counted> all(1, {NAN, NAN, 0, 0});
-    if (measured != nullptr) all = *measured;
+    auto all = lists_of(TRY_MEASURE(estimates, g, 1000, plot_seed, 60), 60)
+                   .value_or(std::vector<experiments::Counted>(1, {NAN, NAN, 0, 0}));
     std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.value < b.value; });
     double rank = 0;
     for (const auto& one : all) {
@@ -123,10 +121,10 @@ TEST_CASE("plot time against error of three sources", "[.plot]") {
           return cpu_seconds_of(TRY_MEASURE(repeat_source, source, 4096, rounds, 1));
         },
         [&](Count n) {
-          const auto got = TRY_MEASURE(means_of, source, n, plot_seed, 200);
-          const auto* const means = got ? got->if_exactly(200, any_number) : nullptr;
+          const auto means =
+              lists_of(TRY_MEASURE(means_of, source, n, plot_seed, 200), 200, any_number);
           ErrorSums errors;
-          for (std::size_t i = 0; means && i < means->size(); ++i) errors.add((*means)[i] - 0.5);
+          for (const double mean : means.value_or(std::vector<double>())) errors.add(mean - 0.5);
           return errors;
         });
   }

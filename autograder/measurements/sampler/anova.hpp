@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -21,25 +22,22 @@ struct Anova {
   double within_uses = 0;        ///< the fraction that no two uses (next(), next2()) have together
 };
 
-namespace detail {
-
 /// Hands out the coordinates of one point in turn.
-class CoordinateByCoordinate final : public Sampler {
+class AtPoint final : public Sampler {
  public:
-  std::vector<double> point{};
+  explicit AtPoint(std::span<const double> x) : x_(x) {}
   void generate(std::size_t, std::uint64_t) override { next_ = 0; }
-  double next() override { return point[next_++]; }
+  double next() override { return x_[next_++]; }
   Point2 next2() override {
     next_ += 2;
-    return {point[next_ - 2], point[next_ - 1]};
+    return {x_[next_ - 2], x_[next_ - 1]};
   }
   void advance() override { next_ = 0; }
 
  private:
+  std::span<const double> x_;
   std::size_t next_ = 0;
 };
-
-}  // namespace detail
 
 /// From `samples` pairs of independent points. Of a set u of dimensions, the part of the variance
 /// that u alone makes is the covariance of f(x) and f of the point that shares x's coordinates in u
@@ -57,15 +55,14 @@ Anova anova_of(const S& scene, std::size_t samples, Rng& rng) {
   }
   const std::size_t sets = std::size_t{1} << dims;
   std::vector<double> sums(sets, 0.0), squares(sets, 0.0), products(sets, 0.0);
-  detail::CoordinateByCoordinate sampler;
-  sampler.point.resize(dims);
-  std::vector<double> x(dims), z(dims);
+  std::vector<double> x(dims), z(dims), point(dims);
+  AtPoint sampler(point);
   for (std::size_t i = 0; i < samples; ++i) {
     for (double& value : x) value = uniform(rng);
     for (double& value : z) value = uniform(rng);
     double f = 0;
     for (std::size_t u = sets; u-- > 0;) {  // the whole of x comes first
-      for (std::size_t d = 0; d < dims; ++d) sampler.point[d] = (u >> d & 1u) != 0 ? x[d] : z[d];
+      for (std::size_t d = 0; d < dims; ++d) point[d] = (u >> d & 1u) != 0 ? x[d] : z[d];
       sampler.advance();
       const double value = scene(sampler);
       if (u + 1 == sets) f = value;

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "checks/support/catch.hpp"
-#include "measurements/sampler/known_pictures.hpp"
 #include "measurements/sampler/methods.hpp"
+#include "measurements/sampler/pictures.hpp"
 #include "measurements/support/demo.hpp"
 
 namespace mc::measurements {
@@ -25,9 +25,10 @@ TEST_CASE("demo", "[.demo]") {
     Values sizes;
     std::vector<std::string> images;
     for (std::uint64_t spp = 1; spp <= 64; spp *= 4) {
-      const auto got = TRY_MEASURE_WITH(large, render, kinds[k], "penumbra", width, height, spp, 1);
-      const Image* const image = got ? got->if_exactly(exact.size()) : nullptr;
-      if (image == nullptr) break;
+      const auto image =
+          lists_of(TRY_MEASURE_WITH(large, render, kinds[k], "penumbra", width, height, spp, 1),
+                   exact.size());
+      if (!image) break;
       sizes.push_back(static_cast<double>(spp));
       images.push_back(text_of(image->pixels));
     }

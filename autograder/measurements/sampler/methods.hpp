@@ -3,6 +3,7 @@
 
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/known_scenes.hpp"
+#include "measurements/sampler/anova.hpp"
 #include "measurements/support/integrands.hpp"
 #include "measurements/support/methods.hpp"
 
@@ -56,27 +57,13 @@ inline const std::vector<SceneRow> scene_rows{
 inline ErrorSums scene_errors(const std::string& kind, const std::string& scene, std::uint64_t n,
                               std::size_t count, std::uint64_t seed) {
   ErrorSums errors;
-  const auto got =
-      TRY_MEASURE_WITH(large, estimates, kind, scene, {}, 1, 0, n, domain::in_a_row(seed, count));
-  const Values* const values = got ? got->if_exactly(count) : nullptr;
-  if (values == nullptr) return errors;
+  const auto values = lists_of(
+      TRY_MEASURE_WITH(large, estimates, kind, scene, {}, 1, 0, n, domain::in_a_row(seed, count)),
+      count);
   const double exact = known_scene(scene, {}).exact;
-  for (const double value : *values) errors.add(value - exact);
+  for (const double value : values.value_or(Values())) errors.add(value - exact);
   return errors;
 }
-
-/// Hands out the coordinates of one point.
-class AtPoint final : public Sampler {
- public:
-  explicit AtPoint(std::span<const double> x) : x_(x) {}
-  void generate(std::size_t, std::uint64_t) override {}
-  double next() override { return x_[0]; }
-  Point2 next2() override { return {x_[0], x_[1]}; }
-  void advance() override {}
-
- private:
-  std::span<const double> x_;
-};
 
 /// A scene that asks for one next2(), as an integrand of the plane.
 template <class S>

@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include "checks/support/catch.hpp"
-#include "measurements/sampler/anova.hpp"
-#include "measurements/sampler/images.hpp"
-#include "measurements/sampler/known_pictures.hpp"
 #include "measurements/sampler/methods.hpp"
+#include "measurements/sampler/pictures.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
@@ -160,8 +158,8 @@ TEST_CASE("plot a picture", "[.plot]") {
   double range = 0;
   for (std::size_t k = 0; k < sampler_kinds.size(); ++k) {
     const std::string& kind = sampler_kinds[k];
-    const auto got = TRY_MEASURE(render, kind, "penumbra", image_width, image_height, spp, 1);
-    const Image* const image = got ? got->if_exactly(exact.size()) : nullptr;
+    const auto image = lists_of(
+        TRY_MEASURE(render, kind, "penumbra", image_width, image_height, spp, 1), exact.size());
     script << "drawn[" << k + 1 << "] = \"";
     if (image) {
       const Errors errors = write_with_error(kind + "-samplers", *image, exact);

@@ -1,4 +1,4 @@
-// The data of lab 3's plots: patterns, a picture, errors against N with the variance that is left
+// The data of lab 3's plots and demo: patterns, a picture, errors against N with the variance that is left
 // within the strata, what stopping early costs, and time against error.
 
 #include <cmath>
@@ -6,6 +6,7 @@
 #include "checks/support/catch.hpp"
 #include "checks/support/exact_stratified.hpp"
 #include "measurements/stratification/methods.hpp"
+#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
@@ -135,8 +136,8 @@ TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
   constexpr std::size_t width = 128;
   const Names keys{"independent", "jittered", "multi_jittered"};
   const auto shadow = [&](unsigned task, std::uint64_t spp, std::uint64_t seed) {
-    const auto got = TRY_MEASURE(shadow, task, width, spp, seed);
-    const auto* const pixels = got ? got->if_exactly(width * width, closed_unit) : nullptr;
+    const auto pixels =
+        lists_of(TRY_MEASURE(shadow, task, width, spp, seed), width * width, closed_unit);
     return pixels ? Row(pixels->begin(), pixels->end()) : Row(width * width);
   };
   const auto exact = shadow(7, 1024, 2);  // nearly: the error falls at least as N^-3/4
@@ -161,6 +162,13 @@ TEST_CASE("plot time against error", "[.plot]") {
   plot_speed(methods_of(methods, {"textbook", "independent", "jittered", "padded", "jittered_nd",
                                   "latin_hypercube", "multi_jittered"}),
              integrand("bump"), 1024, 128);  // 16 KB: in the first-level cache
+}
+
+TEST_CASE("demo", "[.demo]") {
+  begin_demo();
+  for (const char* key : {"jittered", "latin_hypercube", "multi_jittered"}) {
+    write_demo_points(3, method(methods, key));
+  }
 }
 
 }  // namespace

@@ -76,6 +76,14 @@ Number cpu_seconds_of(const Measured& measured) {
   return measured->cpu_seconds;
 }
 
+/// `count` values in each list of a result, each in `range`; nothing where there are none, or others.
+template <class T>
+std::optional<T> lists_of(const std::optional<Measured<T>>& got, std::size_t count,
+                          const Range& range = finite) {
+  const T* const lists = got ? got->if_exactly(count, range) : nullptr;
+  return lists ? std::optional(*lists) : std::nullopt;
+}
+
 /// Of values set after set, each column by column.
 inline Sets sets_of(std::span<const double> values, std::size_t n, std::size_t dims) {
   Sets sets(values.size() / (n * dims), PointSet(n, dims));
@@ -91,15 +99,15 @@ inline Sets sets_of(std::span<const double> values, std::size_t n, std::size_t d
 /// Of an experiment that returns them so.
 inline Sets sets_of(const std::optional<Measured<std::vector<double>>>& got, std::size_t n,
                     std::size_t dims, std::size_t count) {
-  const auto* const values = got ? got->if_exactly(n * dims * count, unit) : nullptr;
+  const auto values = lists_of(got, n * dims * count, unit);
   return values ? sets_of(*values, n, dims) : Sets{};
 }
 
 /// Of one that returns all x and all y.
 template <class Points>
 Sets plane_sets_of(const std::optional<Measured<Points>>& got, std::size_t n, std::size_t count) {
-  const Points* const points = got ? got->if_exactly(n * count, unit) : nullptr;
-  if (points == nullptr) return {};
+  const auto points = lists_of(got, n * count, unit);
+  if (!points) return {};
   Sets sets(count, PointSet(n, 2));
   for (std::size_t set = 0; set < count; ++set) {
     std::copy_n(points->x.data() + set * n, n, sets[set].column(0).begin());

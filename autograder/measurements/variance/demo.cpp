@@ -26,9 +26,9 @@ TEST_CASE("demo", "[.demo]") {
       exact.push_back(exact_moments(data.last(base.size())).variance);
     }
     for (const Method& way : ways) {
-      const auto got = TRY_MEASURE(variances, task_of(way), all, base.size());
-      const auto* const found = got ? got->if_exactly(offsets.size(), any_number) : nullptr;
-      if (found == nullptr) continue;
+      const auto found = lists_of(TRY_MEASURE(variances, task_of(way), all, base.size()),
+                                  offsets.size(), any_number);
+      if (!found) continue;
       write_demo(1, fmt::format("{}-{}", key, way.task),
                  {{"name", way.name},
                   {"data", std::string(name)},

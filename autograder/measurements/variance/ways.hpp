@@ -22,8 +22,8 @@ inline unsigned task_of(const Method& way) {
 /// The digits that a way keeps of the variance of each `size` values of x, 16 at most; none where
 /// it is not written.
 inline std::vector<double> digits_kept(const Method& way, const Values& x, std::size_t size) {
-  const auto got = TRY_MEASURE(variances, task_of(way), x, size);
-  const auto* const found = got ? got->if_exactly(x.size() / size, any_number) : nullptr;
+  const auto found =
+      lists_of(TRY_MEASURE(variances, task_of(way), x, size), x.size() / size, any_number);
   std::vector<double> kept;
   for (std::size_t i = 0; found && i < found->size(); ++i) {
     const double exact = exact_moments(std::span(x).subspan(i * size, size)).variance;
