@@ -99,11 +99,7 @@ TEST_CASE("every command has help", "[script]") {
 TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[script]") {
   const Layout layout = read_layout();
   const Scratch scratch;
-  // The solution with one mistake, so that there are passed and failed checks.
-  std::string text = text_of(layout.solutions());
-  const std::string right = "if (columns == 0) throw";
-  text.replace(text.find(right), right.size(), "if (columns == 77) throw");
-  scratch.write("variance.cpp", text);
+  scratch.write("variance.cpp", text_with_mistake(layout));
   const std::string json = (scratch.path() / "results.json").string();
   const std::string csv = (scratch.path() / "table.csv").string();
   const auto run = lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,

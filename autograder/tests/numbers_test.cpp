@@ -215,7 +215,7 @@ TEST_CASE("the bench takes a file of the repository's submissions, and no other"
 
 /// Takes a minute: the bench and the plots measure all that handouts and answers quote. The tables of a lab are printed
 /// once, with all submissions that its numbers are about.
-TEST_CASE("the numbers in handouts and answers are those that their commands print", "[.figures]") {
+TEST_CASE("the numbers in handouts and answers are those that their commands print", "[.numbers]") {
   const Layout layout = read_layout();
   std::size_t compared = 0;
   for (const Lab& one : find_labs(layout)) {

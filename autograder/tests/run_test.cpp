@@ -154,17 +154,11 @@ TEST_CASE("an experiment under the sanitizers", "[.sanitizers]") {
   CHECK(run(right).output == "3\n");
   CHECK(fs::last_write_time(program) == built);  // nothing has changed
 
-  const auto with_first_line_of_mean = [&](const std::string& line) {
-    const std::string head = "double mean(std::span<const double> x) {";
-    std::string text = right;
-    REQUIRE(contains(text, head));
-    return text.insert(text.find(head) + head.size(), line);
-  };
-  const auto stale = run(with_first_line_of_mean(
-      "double* few = new double[3]{}; delete[] few; return few[int(x[0])];"));
+  const auto stale = run(text_with_first_line_of_mean(
+      layout, "double* few = new double[3]{}; delete[] few; return few[int(x[0])];"));
   CHECK(stale.exit_code != 0);
   CHECK(contains(stale.errors, "AddressSanitizer: heap-use-after-free"));
-  const auto overflow = run(with_first_line_of_mean("return int(x[0]) + 2147483647;"));
+  const auto overflow = run(text_with_first_line_of_mean(layout, "return int(x[0]) + 2147483647;"));
   CHECK(overflow.exit_code != 0);
   CHECK(contains(overflow.errors, "runtime error: signed integer overflow"));
   const auto unfinished = run(right + "int f() { return nothing; }\n");

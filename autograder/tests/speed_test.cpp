@@ -73,7 +73,7 @@ TEST_CASE("without the reference, its time is shown as an estimate") {
 }
 
 // Not in --quick: it times every speed task.
-TEST_CASE("each speed task has a ratio, stored with its lab", "[.figures]") {
+TEST_CASE("each speed task has a ratio, stored with its lab", "[.numbers]") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const Submission solutions = open_submission(labs, layout.solutions());

@@ -8,6 +8,7 @@
 #include "grader/checkout/labs.hpp"
 #include "grader/checkout/layout.hpp"
 #include "grader/submission/build.hpp"
+#include "tests/text.hpp"
 
 namespace mc::tests {
 
@@ -25,6 +26,7 @@ class Scratch {
   Scratch(const Scratch&) = delete;
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path write(const std::string& file, const std::string& text) const {
+    std::filesystem::create_directories((path_ / file).parent_path());
     grader::write_text(path_ / file, text);
     return path_ / file;
   }
@@ -36,6 +38,19 @@ class Scratch {
 /// The text of the starter, or of the solution, of lab 1.
 inline std::string text_of(const std::filesystem::path& directory) {
   return grader::read_text(directory / "variance.cpp");
+}
+
+/// The solution with a mistake in 1.7, so that there are passed and failed checks.
+inline std::string text_with_mistake(const grader::Layout& layout) {
+  return with_change(text_of(layout.solutions()), "if (columns == 0) throw",
+                     "if (columns == 77) throw");
+}
+
+/// The solution with this at the beginning of mean().
+inline std::string text_with_first_line_of_mean(const grader::Layout& layout,
+                                                const std::string& line) {
+  const std::string head = "double mean(std::span<const double> x) {\n";
+  return with_change(text_of(layout.solutions()), head, head + line + '\n');
 }
 
 }  // namespace mc::tests

@@ -23,6 +23,7 @@
 #include "tests/submissions.hpp"
 
 using namespace mc::grader;
+using mc::tests::contains;
 using mc::tests::Course;
 using mc::tests::Scratch;
 namespace fs = std::filesystem;
@@ -138,6 +139,10 @@ TEST_CASE(
   for (const char* text : {"=HYPERLINK(\"x\")", "+1", "-1", "@a", "\t=1", "plain", "it's", "'=1"}) {
     CHECK(csv_field(text)[csv_field(text)[0] == '"' ? 1 : 0] != '=');
     CHECK(std::string("+-@\t").find(csv_field(text)[0]) == std::string::npos);
+  }
+  for (const char* text : {"=1+1", "+1", "-1", "@x", "＝1+1", "＋1", "－1", "＠x"}) {
+    CHECK(contains(csv_field(text), "'"));
+    CHECK(csv_rows(csv_field(text) + "\n")[0][0] == text);
   }
   CHECK(csv_field("=1+1, x") == "\"'=1+1, x\"");
   CHECK(csv_rows(csv_field("=1+1, x") + ",2\r\n") ==
@@ -293,8 +298,7 @@ TEST_CASE("unused programs are swept, recently used ones stay") {
   layout.build = build.path();
   const auto slot = [&](const char* name, int minutes) {
     const fs::path place = build.path() / "programs" / name;
-    fs::create_directories(place);
-    write_text(place / "x.program", std::string(1000, 'x'));
+    build.write(std::string("programs/") + name + "/x.program", std::string(1000, 'x'));
     fs::last_write_time(place / "x.program",
                         fs::file_time_type::clock::now() - std::chrono::minutes(minutes));
     return place;

@@ -182,11 +182,9 @@ void grades_what_is_handed_in(const Container& container) {
   CHECK(curious["score"] == 0);
 
   // One endless task: the others count. The student can repeat the failures at home.
-  std::string loops = solution;
-  const std::string begin = "double mean(std::span<const double> x) {";
-  REQUIRE(contains(loops, begin));
-  loops.insert(loops.find(begin) + begin.size(), "\n  for (volatile bool on = true; on;) {\n  }\n");
-  const auto late = results({{"variance.cpp", loops}});
+  const auto late = results(
+      {{"variance.cpp", text_with_first_line_of_mean(
+                            container.layout, "  for (volatile bool on = true; on;) {\n  }")}});
   CHECK(late["score"] < 100);
   std::size_t failed = 0;
   for (const auto& test : late["tests"]) {
@@ -288,10 +286,8 @@ TEST_CASE("a handout needs only a compiler", "[.handout]") {
 
   write_text(handout.root / "starter" / "variance.cpp", text_of(handout.layout.solutions()));
   CHECK(contains(handout.lab({"hint", "1.1"}).output, "1.1"));
-  std::string wrong = text_of(handout.layout.solutions());
-  const std::string begin = "double mean(std::span<const double> x) {";
-  REQUIRE(contains(wrong, begin));
-  wrong.insert(wrong.find(begin) + begin.size(), "\n  if (x.size() > 2) return 42;\n");
+  const std::string wrong =
+      text_with_first_line_of_mean(handout.layout, "  if (x.size() > 2) return 42;");
   const fs::path file = handout.root / "starter" / "variance.cpp";
   write_text(file, wrong);
   for (int times = 1; times <= 3; ++times) {
@@ -342,9 +338,7 @@ void new_lab_works(const Handout& handout, const std::string& solution) {
   CHECK(contains(handout.lab({"plot", "2"}).output, "light_transport-squares.svg"));
   CHECK(contains(handout.lab({"run", "2", "squares", "3"}).output, "9"));
   CHECK(contains(handout.lab({"hint", "2.1"}).output, "area"));
-  std::string wrong = solution;
-  wrong.replace(wrong.find("x * x"), 5, "x");
-  write_text(file, wrong);
+  write_text(file, with_change(solution, "x * x", "x"));
   CHECK(contains(handout.lab({"check", "2"}).output, "this is x itself, not its square"));
 }
 

@@ -31,8 +31,7 @@ TEST_CASE("export for JPlag: a folder for each submission, the starters as base 
   const fs::path handed = course.path() / "class", out = course.path() / "out";
   course.hand_in("ada", "// ada\n");
   write_text(handed / "ada" / "notes.txt", "mine");
-  fs::create_directories(handed / "bob" / "a" / "starter");  // as deep as grade finds it
-  write_text(handed / "bob" / "a" / "starter" / "halton.cpp", "// bob\n");
+  course.write("class/bob/a/starter/halton.cpp", "// bob\n");  // as deep as grade finds it
   course.hand_in("$(touch x) '\x1b[31m", "// eve\n");
   fs::create_directories(handed / "fay");
   fs::create_symlink(course.layout.solutions() / "variance.cpp", handed / "fay" / "variance.cpp");
@@ -59,9 +58,8 @@ TEST_CASE("export overwrites nothing, and explains its usage") {
   course.hand_in("ada", "int x;\n");
   const std::string handed = (course.path() / "class").string();
   const fs::path full = course.path() / "full", empty = course.path() / "empty";
-  fs::create_directories(full);
+  course.write("full/mine", "");
   fs::create_directories(empty);
-  write_text(full / "mine", "");
   const auto refused = course.run({"export", "jplag", handed, "--out", full.string()});
   CHECK(refused.exit_code == 2);
   CHECK(contains(refused.errors, "is not empty"));

@@ -19,12 +19,8 @@ namespace {
 struct CanvasClass : Course {
   fs::path roster = path() / "roster.csv", out = path() / "feedback";
   CanvasClass() {
-    std::string wrong = text_of(layout.solutions());
-    const std::string right = "if (columns == 0) throw";
-    wrong.replace(wrong.find(right), right.size(), "if (columns == 77) throw");
-    fs::create_directories(path() / "class");
-    write_text(path() / "class" / "ashanna_LATE_4711_991_variance-1.cpp", wrong);
-    write_text(path() / "class" / "zoe_4999_992_variance.cpp", "int 7;\n");
+    write("class/ashanna_LATE_4711_991_variance-1.cpp", text_with_mistake(layout));
+    write("class/zoe_4999_992_variance.cpp", "int 7;\n");
     write_text(roster,
                "Student,ID,SIS User ID,SIS Login ID,Section,Variance (88),Final\n"
                "    Points Possible,,,,,100,\n\"Ash, Anna\",4711,a7,anna@x.edu,S1,,\n"
@@ -69,9 +65,7 @@ TEST_CASE("feedback goes back by name, without anything of the grading machine")
 
 TEST_CASE("Moodle gets its worksheet back, and pages under its names") {
   Course course;
-  const fs::path place = course.path() / "class" / "Anna Ash_12_assignsubmission_file";
-  fs::create_directories(place);
-  write_text(place / "variance.cpp", "int 1;\n");
+  course.write("class/Anna Ash_12_assignsubmission_file/variance.cpp", "int 1;\n");
   const fs::path roster = course.path() / "worksheet.csv", out = course.path() / "feedback";
   const std::string header =
       "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Maximum Grade\",\"Last modified "

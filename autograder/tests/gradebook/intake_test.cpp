@@ -27,8 +27,7 @@ struct Place : Scratch {
   }();
 
   Place& file(const std::string& name, const std::string& text = "int x;\n") {
-    fs::create_directories((path() / name).parent_path());
-    write_text(path() / name, text);
+    write(name, text);
     return *this;
   }
   /// Zips the content of `directory`, with paths relative to it, and removes the directory.

@@ -30,12 +30,9 @@ struct GradedClass : Course {
   fs::path pages = path() / "pages";
   sandbox::ProcessResult run;
   GradedClass() {
-    std::string wrong = text_of(layout.solutions());
-    const std::string right = "if (columns == 0) throw";
-    wrong.replace(wrong.find(right), right.size(), "if (columns == 77) throw");
     hand_in("<i>#1 100%", text_of(layout.starter()));
     hand_in("bob", "int " + std::string(300, 'x') + " is no name;\n");
-    hand_in("eve", wrong);
+    hand_in("eve", text_with_mistake(layout));
     hand_in("sol", text_of(layout.solutions()));
     write_text(path() / "class" / "broken.zip", "no zip");
     run = grade({"--csv", csv().string(), "--html", pages.string(), "--seed", "1"});

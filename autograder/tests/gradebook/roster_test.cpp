@@ -126,10 +126,8 @@ TEST_CASE("a graded roster has a row for everyone") {
 
 TEST_CASE("Canvas's LATE mark and Gradescope's time become columns, from zips too") {
   Course course;
-  const fs::path place = course.path() / "class";
-  fs::create_directories(place);
-  write_text(place / "roe_LATE_4712_993_variance.cpp", "int 1;\n");
-  write_text(place / "doe_4711_991_variance.cpp", "int 2;\n");
+  course.write("class/roe_LATE_4712_993_variance.cpp", "int 1;\n");
+  course.write("class/doe_4711_991_variance.cpp", "int 2;\n");
   const std::string csv = course.csv().string();
   REQUIRE(course.grade({"--csv", csv, "--seed", "1"}).exit_code == 0);
   Table table = read_table(csv);
@@ -138,9 +136,8 @@ TEST_CASE("Canvas's LATE mark and Gradescope's time become columns, from zips to
   CHECK(field(table.rows[1], "late") == "LATE");
 
   const fs::path in = course.path() / "in";
-  for (const char* one : {"submission_11", "submission_12"}) {
-    fs::create_directories(in / one);
-    write_text(in / one / "variance.cpp", "int 3;\n");
+  for (const char* one : {"in/submission_11", "in/submission_12"}) {
+    course.write(std::string(one) + "/variance.cpp", "int 3;\n");
   }
   write_text(in / "submission_metadata.yml",
              "---\nsubmission_11:\n  :submitters:\n  - :name: Jane Doe\n"
@@ -159,9 +156,8 @@ TEST_CASE("Canvas's LATE mark and Gradescope's time become columns, from zips to
 
 TEST_CASE("a lone lab can be judged with the reference's earlier labs") {
   Course course;
-  const fs::path alone = course.path() / "class" / "anna";
-  fs::create_directories(alone);
-  write_text(alone / "independent.cpp", read_text(course.layout.solutions() / "independent.cpp"));
+  course.write("class/anna/independent.cpp",
+               read_text(course.layout.solutions() / "independent.cpp"));
   const std::string csv = course.csv().string();
   const std::vector<std::string> words{
       "grade",     (course.path() / "class" / "anna").string(), "--lab", "2", "--csv", csv,

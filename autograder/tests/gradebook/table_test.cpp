@@ -12,6 +12,7 @@ using namespace mc::grader;
 using mc::tests::contains;
 using mc::tests::Course;
 using mc::tests::Scratch;
+using mc::tests::text_of;
 namespace fs = std::filesystem;
 
 namespace {
@@ -33,6 +34,7 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
   Course course;
   course.hand_in_tiny(5);
   course.hand_in("=1+1, \"zoe\"", "int x\n");  // a name that must be quoted in a table
+  course.hand_in("right", text_of(course.layout.solutions()));
   const auto whole = course.csv("whole"), merged = course.csv("merged");
   REQUIRE(course.grade({"--csv", whole.string(), "--seed", "1"}).exit_code == 0);
   std::vector<std::string> words{"merge", "--out", merged.string()};
@@ -44,10 +46,10 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
   const auto run = course.run(words);
   CHECK(run.exit_code == 0);
   CHECK(run.errors.empty());
-  CHECK(contains(run.output, "6 submissions of 2 tables"));
+  CHECK(contains(run.output, "7 submissions of 2 tables"));
   CHECK(without_seconds(merged) == without_seconds(whole));
   const Table table = read_table(merged);
-  CHECK(read_verdicts(table).size() == 6);
+  CHECK(read_verdicts(table).size() == 7);
   const auto one = read_verdict(merged, "s03");
   REQUIRE(one);
   CHECK(one->labs[0].no_program == read_verdict(whole, "s03")->labs[0].no_program);
@@ -55,7 +57,7 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
   const std::string before = read_text(merged);
   const std::string pages = (course.path() / "pages").string();
   const auto again = course.grade({"--csv", merged.string(), "--resume", "--html", pages});
-  CHECK(contains(again.output, "6 submissions: 0 judged, 6 were before; seed 1"));
+  CHECK(contains(again.output, "7 submissions: 0 judged, 7 were before; seed 1"));
   CHECK(read_text(merged) == before);
   CHECK(fs::exists(fs::path(pages) / "submissions" / "s04.html"));
   // Without an output file it is printed, byte by byte the same.

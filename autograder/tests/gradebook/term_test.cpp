@@ -122,9 +122,7 @@ struct Term : Course {
   std::vector<Work> handed = works(layout);
   fs::path handout = path() / "handout";
 
-  /// The first `count` submissions.
-  explicit Term(std::size_t count = students - 1) {
-    handed.resize(count);
+  Term() {
     const auto written = run({"handout", handout.string(), "--labs", "1,2"});
     INFO(written.errors);
     REQUIRE(written.exit_code == 0);
@@ -201,13 +199,6 @@ struct Term : Course {
     return fs::exists(table) ? read_table(table).rows.size() : 0;
   }
 };
-
-/// A table without what differs between runs: seconds.
-std::string without_seconds(const fs::path& csv) {
-  Table table = read_table(csv);
-  for (Row& row : table.rows) row.erase("seconds");
-  return table_text(table);
-}
 
 std::map<std::string, Row> rows_by_id(const fs::path& csv) {
   std::map<std::string, Row> rows;
@@ -336,23 +327,6 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
       CHECK((field(row, lab.lab.name + " total") == fmt::format("{:g}", sum)) != is_changed);
     }
   }
-}
-
-TEST_CASE("two machines give the same grades as one", "[.term-shards]") {
-  const Term term(12);
-  const fs::path grades = term.csv();
-  REQUIRE(term.run(term.grading(grades, {"--seed", "7"})).exit_code == 0);
-  check_grades(term, grades);
-  std::vector<std::string> merging{"merge"};
-  for (const std::string shard : {"1/2", "2/2"}) {
-    const fs::path part = term.csv("part" + shard.substr(0, 1));
-    REQUIRE(term.run(term.grading(part, {"--seed", "7", "--shard", shard})).exit_code == 0);
-    merging.push_back(part.string());
-  }
-  const fs::path merged = term.csv("merged");
-  merging.insert(merging.end(), {"--out", merged.string()});
-  CHECK(term.run(merging).exit_code == 0);
-  CHECK(without_seconds(merged) == without_seconds(grades));
 }
 
 }  // namespace mc::tests::term

@@ -97,8 +97,7 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own") {
   CHECK(contains(semester.again().output, "nothing to change"));
   // A directory that is no handout is refused.
   const fs::path other = semester.path() / "other";
-  fs::create_directories(other);
-  write_text(other / "x", "");
+  semester.write("other/x", "");
   CHECK(semester.run({"handout", other.string()}).exit_code == 2);
 }
 
@@ -180,7 +179,6 @@ TEST_CASE("a released lab is one commit, and the next handout keeps it") {
 // A submission or a handout may have any text there; listed files may be removed by an upgrade.
 TEST_CASE("a manifest names files below its handout only") {
   const Scratch place;
-  fs::create_directories(place.path() / "autograder");
   place.write(manifest_file,
               "version=1\nfile=a labs/x\nfile=b ../x\nfile=c /etc/x\nfile=d labs/../../x\n");
   const Manifest manifest = read_manifest(place.path());
