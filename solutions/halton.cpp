@@ -1,10 +1,12 @@
 // Lab 5 · Halton and quasi-Monte Carlo: the reference solution. Speed tasks: as defined, then fast.
 
 #include "halton.hpp"
+#include "common/choices.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <memory_resource>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -165,6 +167,10 @@ namespace {
 constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
 constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
 constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
+/// The first 32 bits after the point, and the 21 behind them.
+constexpr auto joined = [](std::uint64_t upper, std::uint64_t lower) {
+  return number(bits(1) | upper << 20) - 1.5 + number(bits(0.5) | lower);
+};
 
 struct SobolTable {
   definition::Directions v;
@@ -319,29 +325,26 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     }
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) {
-      x[i] = number(bits(1) | wide(words[i])) - 1.5 + number(bits(0.5) | flips[i] >> 11);
+      x[i] = joined(words[i], flips[i] >> 11);
     }
   }
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
-// A permutation for each position. What becomes of 0 is drawn first, for all positions of a 64-bit
-// index, and is all that a column needs of those where its indices have zeros only. The steps that
-// make a value depend on the base, never on the column: so it is the same to the last bit.
+// A value is a sum of whole numbers, in units of 2^-64 and modulo 1: the value of index 0, which is a
+// random word, and for each digit of the index what it adds to that. Whole numbers have the same sum
+// in any order, so a value is the same to the last bit in every column. The digits of the random
+// word are those that the permutations map 0 to, down to 2^-64.
 
 namespace {
-/// One of the digits first … base - 1, by 48 random bits: 2^-32 from uniform at most.
-unsigned any_digit(unsigned first, unsigned base, Rng& rng) {
-  return first + unsigned((rng() >> 16) * (base - first) >> 48);
-}
-
-/// As 5.2, one digit at a time: `rows` has the permutations of all positions, of base digits each.
-void fill(std::span<double> column, std::uint64_t first, unsigned base,
-          std::span<const double> rows, double zeros) {
-  if (rows.empty() || column.empty()) return std::fill(column.begin(), column.end(), zeros);
-  const auto others = column.last((first % base + column.size() - 1) / base + 1);
-  fill(others, first / base, base, rows.subspan(base), zeros);
-  step(column, first % base, rows.first(base), others);
+/// What the digits at one position add to a value: a random permutation, as units of 2^-64.
+void fill_moves(std::span<std::uint64_t> row, std::size_t zero, unsigned __int128 unit, Rng rng) {
+  std::iota(row.begin(), row.end(), 0u);
+  std::swap(row[0], row[zero]);
+  Choices any(rng);
+  for (std::size_t k = row.size() - 1; k > 1; --k) std::swap(row[k], row[1 + any.below(k)]);
+  const auto units = [=](std::uint64_t digit) { return std::uint64_t(digit * unit >> 64); };
+  for (std::uint64_t& digit : row) digit = units(digit) - units(zero);
 }
 }  // namespace
 
@@ -351,40 +354,47 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
   require_indices(first, column.size(), last_index);
   if (column.empty()) return;
-  const unsigned in_a_step = base <= 5 ? 2 : 1, size = in_a_step == 2 ? base * base : base;
   const std::uint64_t hashed = mix_bits(seed ^ mix_bits(base));
-  Rng rng(hashed);
-  std::array<unsigned, 64> zero;  // what becomes of it at each position
-  std::size_t positions = 0, used = 0;
-  for (double power = 1; power < 0x1p64 || positions % in_a_step != 0; power *= base) {
-    zero[positions++] = any_digit(0, base, rng);
+  const std::uint64_t value_of_zero = Rng(hashed)();
+
+  std::array<std::byte, 16384> stack;  // few points cost no more than a piece of memory does
+  std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
+  std::pmr::vector<std::uint64_t> moves(&memory);  // of position 0, of position 1, …
+  moves.reserve(4 * base);
+  auto unit = ~static_cast<unsigned __int128>(0);
+  auto zeros = static_cast<unsigned __int128>(value_of_zero);
+  for (auto n = first + (column.size() - 1); n > 0; n /= base) {
+    unit /= base;
+    zeros = (zeros & last_index) * base;
+    moves.resize(moves.size() + base);
+    fill_moves(std::span(moves).last(base), std::size_t(zeros >> 64), unit,
+               Rng(hashed + moves.size() / base));
   }
-  for (auto n = first + (column.size() - 1); used == 0 || n > 0; n /= size) used += in_a_step;
-  double zeros = 0;
-  while (positions > used) {
-    unsigned digits = zero[--positions];
-    if (in_a_step == 2) digits += zero[--positions] * base;
-    zeros = step_of(size, zeros)(digits);
-  }
-  std::vector<double> rows(used * base);
-  for (std::size_t position = 0; position < used; ++position) {
-    Rng its_own(hashed + position + 1);
-    const auto row = std::span(rows).subspan(position * base, base);
-    std::iota(row.begin(), row.end(), 0);
-    std::swap(row[0], row[zero[position]]);
-    for (unsigned i = 1; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i, base, its_own)]);
-  }
-  if (in_a_step == 1) return fill(column, first, base, rows, zeros);
-  std::vector<double> pairs;
-  pairs.reserve(used / 2 * size);
-  for (std::size_t at = 0; at < rows.size(); at += 2 * base) {
-    for (unsigned high = 0; high < base; ++high) {
-      for (unsigned low = 0; low < base; ++low) {
-        pairs.push_back(rows[at + low] * base + rows[at + base + high]);
-      }
+
+  // As in 5.2, a table has the sums for the last digits, as many as are worth it.
+  constexpr std::size_t largest = 1024;
+  std::pmr::vector<std::uint64_t> table({value_of_zero}, &memory);
+  auto rows = std::span<const std::uint64_t>(moves);
+  while (table.size() < column.size() && (table.size() == 1 || table.size() * base <= largest)) {
+    const std::size_t size = table.size();
+    table.resize(size * base);
+    for (std::size_t digit = base; digit-- > 0;) {
+      const auto append = [move = rows[digit]](std::uint64_t sum) { return sum + move; };
+      std::transform(&table[0], &table[0] + size, &table[digit * size], append);
     }
+    rows = rows.subspan(base);
   }
-  fill(column, first, size, pairs, zeros);
+  std::uint64_t block = first / table.size();
+  for (std::size_t skip = first % table.size(); !column.empty(); skip = 0, ++block) {
+    std::uint64_t above = 0, position = 0;
+    for (auto n = block; n > 0; n /= base) above += rows[position++ * base + n % base];
+    const auto part = std::span(table).subspan(skip, std::min(table.size() - skip, column.size()));
+    const auto value = [=](std::uint64_t sum) {
+      return joined((sum + above) >> 32, (sum + above) >> 11 & 0x1fffff);
+    };
+    std::transform(part.begin(), part.end(), column.begin(), value);
+    column = column.subspan(part.size());
+  }
 }
 
 // 5.10 -------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 // along the samples.
 
 #include "sampler.hpp"
+#include "common/choices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,8 +53,8 @@ void stratified1(const Use&, std::span<double> x, Rng& rng) {
   shuffle(x, rng);
 }
 
-/// 6.8 Puts points into random order, x and y together. Of few points a random word chooses several
-/// (as in 3.4), which move both coordinates. Many points are swapped column by column.
+/// 6.8 Puts points into random order, x and y together. Many points are swapped column by column,
+/// which memory is faster at.
 void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
   if (x.size() > few) {
     Rng again = rng;
@@ -62,16 +63,11 @@ void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
     return;
   }
   double *const xs = x.data(), *const ys = y.data();
-  constexpr std::uint64_t most_used = 1 << 24;  // of a word: what its choices multiply to
-  std::uint64_t word = 0, used = most_used;
+  Choices any(rng);
   for (std::size_t n = x.size(); n > 1; --n) {
-    used *= n;
-    if (used > most_used) word = rng(), used = n;
-    const auto product = static_cast<unsigned __int128>(word) * n;
-    const auto any = static_cast<std::size_t>(product >> 64);  // one of the first n
-    word = static_cast<std::uint64_t>(product);
-    std::swap(xs[n - 1], xs[any]);
-    std::swap(ys[n - 1], ys[any]);
+    const std::size_t last = any.below(n);
+    std::swap(xs[n - 1], xs[last]);
+    std::swap(ys[n - 1], ys[last]);
   }
 }
 

@@ -2,6 +2,7 @@
 // first, then a faster version with the reason why it is faster.
 
 #include "stratification.hpp"
+#include "common/choices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -138,30 +139,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 // 3.4 ---------------------------------------------------------------------------------------------
 
 namespace {
-
-/// Whole numbers drawn at random, several from one word (Brackett-Rozinsky, Lemire 2024, "Batched
-/// ranged random integer generation"): word · n = number · 2^64 + rest, and the rest is a random
-/// word again, with log2(n) bits less. A word gives numbers as long as their n multiply to 2^24 at
-/// most, or one number: probabilities are wrong by a factor of 1 ± 2^-40 at most, or 1 ± n 2^-64
-/// where n is above 2^24.
-class Choices {
- public:
-  explicit Choices(Rng& rng) : rng_(rng) {}
-
-  /// One of 0 … n-1.
-  std::size_t below(std::size_t n) {
-    used_ *= n;
-    if (used_ > most_used) word_ = rng_(), used_ = n;
-    const auto product = static_cast<unsigned __int128>(word_) * n;
-    word_ = static_cast<std::uint64_t>(product);
-    return static_cast<std::size_t>(product >> 64);
-  }
-
- private:
-  static constexpr std::uint64_t most_used = 1 << 24;
-  Rng& rng_;
-  std::uint64_t word_ = 0, used_ = most_used;  // no word yet
-};
 
 /// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
 /// last, which of the others before it, and so on. Choices are made ahead of the swaps: where

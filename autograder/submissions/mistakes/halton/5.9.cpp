@@ -24,6 +24,28 @@ std::vector<double> rows_of(unsigned base, Permute permute) {
   return rows;
 }
 
+/// One of the digits first … base - 1.
+unsigned any_digit(unsigned first, unsigned base, Rng& rng) {
+  return first + static_cast<unsigned>(Choices(rng).below(base - first));
+}
+
+/// The digits of all indices, mapped by the rows.
+void fill(std::span<double> column, std::uint64_t first, unsigned base,
+          const std::vector<double>& rows) {
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    std::uint64_t index = first + i;
+    std::vector<double> digits;
+    for (auto row = rows.begin(); row != rows.end(); row += base, index /= base) {
+      digits.push_back(row[index % base]);
+    }
+    double value = 0;
+    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
+      value = (*digit + value) / base;
+    }
+    column[i] = std::min(below_one, value);
+  }
+}
+
 void require(unsigned base, std::uint64_t first, std::size_t size) {
   require_base(base);
   if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
@@ -43,7 +65,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   const auto rows = rows_of(base, [&](Row row, std::size_t) {
     std::rotate(row, row + static_cast<unsigned>(rng() % base), row + base);
   });
-  fill(column, first, base, rows, 0);
+  fill(column, first, base, rows);
 }
 }  // namespace mc::digits_rotated
 
@@ -83,7 +105,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(0, base, rng)]);
   });
-  fill(column, first, base, rows, 0);
+  fill(column, first, base, rows);
 }
 }  // namespace mc::naive_shuffle
 
@@ -97,7 +119,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i + 1, base, rng)]);
   });
-  fill(column, first, base, rows, 0);
+  fill(column, first, base, rows);
 }
 }  // namespace mc::no_digit_stays
 
@@ -111,7 +133,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     Rng rng(seed ^ mix_bits(base));
     std::shuffle(row, row + base, rng);
   });
-  fill(column, first, base, rows, 0);
+  fill(column, first, base, rows);
 }
 }  // namespace mc::one_permutation
 
@@ -125,7 +147,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     Rng rng(seed + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
   });
-  fill(column, first, base, rows, 0);
+  fill(column, first, base, rows);
 }
 }  // namespace mc::position_added_to_seed
 
