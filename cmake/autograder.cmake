@@ -20,7 +20,7 @@ own_target(protocol)
 file(GLOB sources CONFIGURE_DEPENDS autograder/checks/support/*.cpp)
 add_library(checking STATIC ${sources} autograder/measurements/support/speed_data.cpp)
 own_target(checking)
-target_compile_options(checking PRIVATE ${HOT})
+target_compile_options(checking PRIVATE ${HOTTEST})
 target_link_libraries(checking PUBLIC sandbox protocol Catch2::Catch2WithMain)
 # Catch2 2.13 declares listeners only then (records.cpp).
 target_compile_definitions(checking PRIVATE CATCH_CONFIG_EXTERNAL_INTERFACES)

@@ -132,7 +132,7 @@ namespace definition {
 using Directions = std::array<std::uint32_t, 32>;
 
 /// Number k is what bit k of the index contributes (Bratley, Fox 1988, "Algorithm 659", eq. 2, 3).
-constexpr Directions directions_of(const JoeKuo& given) {
+Directions directions_of(const JoeKuo& given) {
   Directions v{};
   const unsigned s = given.degree;
   for (unsigned k = 0; k < 32; ++k) {
@@ -147,7 +147,7 @@ constexpr Directions directions_of(const JoeKuo& given) {
 }
 
 /// The coordinate that the bits of `index` choose.
-constexpr std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
+std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
   std::uint32_t word = 0;
   for (unsigned k = 0; k < 32; ++k) word ^= v[k] & -(std::uint32_t(index) >> k & 1);
   return word;
@@ -177,7 +177,7 @@ struct SobolTable {
   std::array<std::uint64_t, 256> words;  ///< of the first indices, with the exponent of 1
 };
 
-constexpr auto sobol_tables = [] {
+const auto sobol_tables = [] {
   std::array<SobolTable, joe_kuo.size()> all{};
   for (std::size_t d = 0; d < all.size(); ++d) {
     auto& [v, words] = all[d];

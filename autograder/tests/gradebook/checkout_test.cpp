@@ -181,10 +181,13 @@ void grades_what_is_handed_in(const Container& container) {
       {{"variance.cpp", "#include \"../autograder/checks/support/exact.hpp\"\n" + starter}});
   CHECK(curious["score"] == 0);
 
-  // One endless task: the others count. The student can repeat the failures at home.
-  const auto late = results(
-      {{"variance.cpp", text_with_first_line_of_mean(
-                            container.layout, "  for (volatile bool on = true; on;) {\n  }")}});
+  // One endless task, which few others call: the others count. The student can repeat the failures.
+  std::string loops = solution;
+  const std::string begin =
+      "double covariance(std::span<const double> x, std::span<const double> y) {";
+  REQUIRE(contains(loops, begin));
+  loops.insert(loops.find(begin) + begin.size(), "\n  for (volatile bool on = true; on;) {\n  }\n");
+  const auto late = results({{"variance.cpp", loops}});
   CHECK(late["score"] < 100);
   std::size_t failed = 0;
   for (const auto& test : late["tests"]) {
