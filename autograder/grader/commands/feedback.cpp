@@ -12,6 +12,7 @@
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
+#include "grader/commands/manifest.hpp"
 #include "grader/gradebook/corrections.hpp"
 #include "grader/gradebook/roster.hpp"
 #include "grader/gradebook/table.hpp"
@@ -61,7 +62,7 @@ std::string text_for(const Verdict& verdict, const std::string& corrections) {
 /// The folder and name under which a platform takes a student's page for that student.
 ///   Canvas finds user and attachment by the first two numbers between underscores of the
 ///     downloaded file's name: doejane_4711_991_variance.html (infer_comment_context_from_filename
-///     in github.com/instructure/canvas-lms, app/models/assignment.rb).
+///     in app/models/abstract_assignment.rb of github.com/instructure/canvas-lms).
 ///   Moodle takes fullname_userid_assignsubmission_file_anything
 ///     (github.com/moodle/moodle, mod/assign/feedback/file/importziplib.php).
 ///   Gradescope has no upload of feedback files: the page has the name of the submission.
@@ -152,14 +153,47 @@ std::vector<std::string> write_tables(const fs::path& out, const Roster& roster,
   return files;
 }
 
+/// The files that a run wrote and their hashes, so that the next run replaces them and nothing else.
+constexpr const char* list_file = "written-by-feedback.txt";
+
+/// Removes what an earlier run wrote. Throws UsageError if there is anything else, or an edited file.
+void remove_earlier_output(const fs::path& out) {
+  const std::string listed = '\n' + read_text(out / list_file);
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    if (fs::is_directory(entry.symlink_status())) continue;
+    files.push_back(entry.path());
+    const std::string name = entry.path().lexically_relative(out).string();
+    if (name == list_file) continue;
+    if (!fs::is_regular_file(entry.symlink_status()) ||
+        listed.find(fmt::format("\n{} {}\n", hash_of_file(entry.path()), name)) == listed.npos) {
+      throw UsageError(fmt::format(
+          "{} has a file that is not what ./lab feedback wrote: {}. Move it away, or name another "
+          "directory",
+          sandbox::printable_line(out.string()), sandbox::printable_line(name)));
+    }
+  }
+  for (const fs::path& file : files) fs::remove(file);
+}
+
+void list_output(const fs::path& out) {
+  std::string list;
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    if (entry.is_directory()) continue;
+    list += fmt::format("{} {}\n", hash_of_file(entry.path()),
+                        entry.path().lexically_relative(out).string());
+  }
+  write_text(out / list_file, list);
+}
+
 int feedback(const Context& context, const Arguments& arguments) {
   const auto to = arguments.get("out");
   if (arguments.words.size() != 1 || !to) {
     throw UsageError("usage: ./lab feedback grades.csv --out DIR [--roster FILE]");
   }
   const fs::path out = *to;
-  if (fs::exists(out) && (!fs::is_directory(out) || !fs::is_empty(out))) {
-    throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(out.string())));
+  if (fs::exists(out) && !fs::is_directory(out)) {
+    throw UsageError(fmt::format("{} is no directory", sandbox::printable_line(out.string())));
   }
   const Table table = read_corrected_table(arguments.words[0], context.labs);
   const auto verdicts = read_verdicts(table);
@@ -167,6 +201,7 @@ int feedback(const Context& context, const Arguments& arguments) {
   if (const auto file = arguments.get("roster")) roster = read_roster(*file);
   std::map<std::string, const Person*> people;
   for (const Person& person : roster.people) people[person.id] = &person;
+  if (fs::exists(out)) remove_earlier_output(out);
   fs::create_directories(out / "students");
   std::size_t count = 0, named = 0;
   Totals totals;
@@ -195,7 +230,6 @@ int feedback(const Context& context, const Arguments& arguments) {
              count);
   if (named > 0) fmt::print("; {} pages named for upload", named);
   fmt::print("\n");
-  if (roster.people.empty()) return 0;
   std::vector<Lab> labs;
   for (const Lab& lab : context.labs) {
     const std::string column = lab.name + " total";
@@ -203,9 +237,12 @@ int feedback(const Context& context, const Arguments& arguments) {
       labs.push_back(lab);
     }
   }
-  for (const std::string& file : write_tables(out, roster, labs, totals)) {
-    fmt::print("grades to upload: {}\n", sandbox::printable_line((out / file).string()));
+  if (!roster.people.empty()) {
+    for (const std::string& file : write_tables(out, roster, labs, totals)) {
+      fmt::print("grades to upload: {}\n", sandbox::printable_line((out / file).string()));
+    }
   }
+  list_output(out);
   return 0;
 }
 
@@ -217,7 +254,8 @@ const RegisterCommand feedback_command{
      "every check, with commands for the student's own checkout, and your corrections. Pages of\n"
      "students whose work came from a platform's export are in DIR/canvas, DIR/moodle or\n"
      "DIR/gradescope too, under the names that the platform's bulk upload expects.\n"
-     "  --out DIR     a new or empty directory\n"
+     "  --out DIR     a new or empty directory, or that of an earlier run, whose files are "
+     "replaced\n"
      "  --roster FILE  also write tables of grades for Canvas or Moodle; FILE is the list that "
      "this\n"
      "                platform exported (Canvas: gradebook; Moodle: grading worksheet)\n",

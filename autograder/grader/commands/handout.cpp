@@ -111,6 +111,18 @@ void leave_tasks_out(const fs::path& root, const Lab& lab, const fs::path& to) {
   }
 }
 
+int steps_in(const Manifest& manifest) {
+  return manifest.hints.empty() ? 3 : std::clamp(std::atoi(manifest.hints.c_str()), 0, 3);
+}
+
+/// "has three steps", with the number of this handout.
+void state_hints(const fs::path& readme, const Manifest& manifest) {
+  constexpr const char* numbers[] = {"no steps", "one step", "two steps", "three steps"};
+  std::string text = read_whole_text(readme);
+  replace_all(text, "has three steps", fmt::format("has {}", numbers[steps_in(manifest)]));
+  write_text(readme, text);
+}
+
 /// Writes the handout that this manifest describes into an empty directory.
 void write_handout(const Context& context, const Manifest& manifest, const fs::path& to) {
   const fs::path root = context.layout.root;
@@ -130,8 +142,8 @@ void write_handout(const Context& context, const Manifest& manifest, const fs::p
     leave_tasks_out(root, lab, to);
     const fs::path hints = to / "labs" / lab.folder / "hints.md";
     if (manifest.hints.empty() || !fs::exists(hints)) continue;
-    const int steps = std::clamp(std::atoi(manifest.hints.c_str()), 0, 3);
-    write_text(hints, with_fewer_hints(read_whole_text(hints), steps));
+    write_text(hints, with_fewer_hints(read_whole_text(hints), steps_in(manifest)));
+    state_hints(to / "labs" / lab.folder / "README.md", manifest);
   }
   for (const Lab& lab : labs) {
     const std::string questions =
@@ -150,6 +162,7 @@ void write_handout(const Context& context, const Manifest& manifest, const fs::p
     keep_one_form(text, form);
     write_text(to / name, name == std::string("README.md") ? readme_for(text, labs, to) : text);
   }
+  state_hints(to / "README.md", manifest);
   make_manifest(context, manifest, to);
 }
 

@@ -55,9 +55,8 @@ const RegisterCommand hint_command{
     {"hint",
      "hint TASK [STEP]",
      {},
-     "Three steps for each task, one per call: what to think of; the idea; pseudocode. STEP shows "
-     "one\n"
-     "of them again. Hints cost no points.\n",
+     "Up to three steps for each task, one per call: what to think of; the idea; pseudocode. STEP\n"
+     "shows one of them again. Hints cost no points.\n",
      hint}};
 
 }  // namespace

@@ -58,9 +58,22 @@ TEST_CASE("feedback goes back by name, without anything of the grading machine")
   CHECK(read_text(course.out / "canvas-grades.csv") ==
         "Student,ID,\"SIS User ID\",\"SIS Login ID\",Section,\"Variance (88)\"\n"
         "\"Ash, Anna\",4711,a7,anna@x.edu,S1,91\n\"Bo, Bob\",4712,b8,bob@x.edu,S1,0\n");
-  // Nothing is overwritten.
-  CHECK(course.run({"feedback", course.csv().string(), "--out", course.out.string()}).exit_code ==
-        2);
+  // A later run replaces its own output, and nothing else.
+  const auto again = [&] {
+    return course.run({"feedback", course.csv().string(), "--out", course.out.string()});
+  };
+  CHECK(again().exit_code == 0);
+  CHECK(fs::exists(course.out / "students" / "a7.html"));
+  CHECK(!fs::exists(course.out / "canvas-grades.csv"));  // this run had no roster
+  write_text(course.out / "students" / "a7.txt", text + "Well done!\n");
+  const auto refused = again();
+  CHECK(refused.exit_code == 2);
+  CHECK(contains(refused.errors, "not what ./lab feedback wrote: students/a7.txt"));
+  CHECK(contains(read_text(course.out / "students" / "a7.txt"), "Well done!"));
+  write_text(course.out / "students" / "a7.txt", text);
+  write_text(course.out / "canvas.zip", "");
+  CHECK(contains(again().errors, "not what ./lab feedback wrote: canvas.zip"));
+  CHECK(fs::exists(course.out / "students" / "b8.html"));
 }
 
 TEST_CASE("Moodle gets its worksheet back, and pages under its names") {

@@ -109,13 +109,18 @@ TEST_CASE("a handout's README covers exactly the handout's content") {
     CHECK(!contains(text, "<!--"));
     return text;
   };
-  const std::string all = readme(Handout()), one = readme(Handout({"--labs", "1"})),
+  const Handout first({"--labs", "1", "--hints", "1"});
+  const std::string all = readme(Handout()), one = readme(first),
                     fourth = readme(Handout({"--labs", "blue_noise"}));
   CHECK(contains(all, "`./lab render`"));
   CHECK(contains(all, "- [Lab 6 · sampler](labs/6-sampler/README.md)"));
   CHECK(!contains(one, "./lab render"));
   CHECK(contains(one, "`./lab check 1.3`"));
   CHECK(!contains(one, "Lab 2"));
+  CHECK(contains(all, "a task has three steps"));
+  CHECK(contains(one, "a task has one step"));
+  CHECK(
+      contains(read_text(first.root / "labs/1-variance/README.md"), "has one step for each task"));
   CHECK(contains(fourth, "`./lab check 4.3`"));
   CHECK(contains(fourth, "`starter/blue_noise.cpp`"));
   CHECK(!contains(fourth, "variance"));
