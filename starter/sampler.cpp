@@ -12,8 +12,8 @@
 
 namespace mc {
 
-/// An example of style, and no task: a sampler whose every coordinate is 1/2. Pictures by it have no
-/// noise, and are wrong.
+/// An example of style, and no task: a sampler whose every coordinate is 1/2. Pictures by it have
+/// no noise, and are wrong.
 class [[maybe_unused]] Middle : public Sampler {
  public:
   void generate(std::size_t samples, std::uint64_t) override { left_ = samples; }

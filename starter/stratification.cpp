@@ -13,7 +13,8 @@
 
 namespace mc {
 
-/// An example of style, and no task: how many of the points lie in [x.low, x.high) x [y.low, y.high).
+/// An example of style, and no task: how many of the points lie in [x.low, x.high) x [y.low,
+/// y.high).
 [[maybe_unused]] static std::size_t count_in_box(const PointSet& points, Interval x, Interval y) {
   if (points.dims() < 2) throw std::invalid_argument("points: two dimensions are needed");
   std::size_t count = 0;

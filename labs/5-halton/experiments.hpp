@@ -61,9 +61,10 @@ double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::u
               std::uint64_t seed);
 
 /// For timing: n points of `dims` dimensions, `rounds` times, by task 5.`task`: 3 Halton points, 5
-/// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled, 10 a lattice, folded. They are made in blocks of
-/// 32 KB, but of 1,024 points at least, over and over in the same place; and from the last
-/// dimension to the first, which suits code that makes whole points. Returns the last coordinate.
+/// Sobol' points, 8 Sobol' points scrambled, 9 Halton points scrambled, 10 a lattice, folded. They
+/// are made in blocks of 32 KB, but of 1,024 points at least, over and over in the same place; and
+/// from the last dimension to the first, which suits code that makes whole points. Returns the last
+/// coordinate.
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds);
 
 }  // namespace mc::experiments

@@ -105,10 +105,10 @@ void owen_scramble(std::span<double> column, std::uint64_t seed);
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed);
 
-/// 5.10  A rank-1 lattice of N points, shifted at random: coordinate d of point i is i z_d / N + s_d
-/// modulo 1, with z = lattice_vector. The shift s is uniform in the unit cube, a function of all 64
-/// bits of `seed`. Within 4 * 2^-53, modulo 1, for every N. A stretch task: shown and judged,
-/// without points.
+/// 5.10  A rank-1 lattice of N points, shifted at random: coordinate d of point i is i z_d / N +
+/// s_d modulo 1, with z = lattice_vector. The shift s is uniform in the unit cube, a function of
+/// all 64 bits of `seed`. Within 4 * 2^-53, modulo 1, for every N. A stretch task: shown and
+/// judged, without points.
 /// requires: at least one point and one dimension.
 /// throws:   if `points` has more dimensions than lattice_vector.
 /// source:   Korobov 1959, "The approximate computation of multiple integrals"; Cranley, Patterson

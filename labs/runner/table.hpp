@@ -110,7 +110,8 @@ std::vector<Block> blocks_of(const T& value) {
   return blocks;
 }
 
-/// A result, as printed for an experiment that is run by hand; a list without a name has the experiment's.
+/// A result, as printed for an experiment that is run by hand; a list without a name has the
+/// experiment's.
 template <class T>
 std::string printed(const T& value, std::string_view name, const Layout& layout,
                     const Given& given) {

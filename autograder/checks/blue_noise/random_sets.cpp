@@ -115,9 +115,9 @@ std::string too_close_hint(View x, View y, double radius, double least) {
          "remembers one point, it must not have room for two";
 }
 
-/// Every point has a disk of that radius to itself, but for rounding. Of points that keep a distance
-/// too small by a part d, 28 d N pairs are too close (measured for small d): of the 92,000 points of
-/// 4.3 and 4.7 together one such pair is missed once in 1,000 runs for d = 2.7e-6.
+/// Every point has a disk of that radius to itself, but for rounding. Of points that keep a
+/// distance too small by a part d, 28 d N pairs are too close (measured for small d): of the 92,000
+/// points of 4.3 and 4.7 together one such pair is missed once in 1,000 runs for d = 2.7e-6.
 void require_apart(const SampleSets& sets, double radius) {
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const View x = sets.column(set, 0), y = sets.column(set, 1);
@@ -219,7 +219,8 @@ void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_
 
 namespace {
 
-/// Whether each of the points is the best of so many candidates: one of 10,000 right ones is missed.
+/// Whether each of the points is the best of so many candidates: one of 10,000 right ones is
+/// missed.
 bool explains(const Nearness& all, const Count& count) {
   const Uniforms u = by_candidates("", all, count);
   for (std::size_t position = 0; position < u.positions; ++position) {

@@ -1,5 +1,5 @@
-// 5.6: star discrepancies, compared with the definition: over all boxes, and over some boxes only, as
-// a mistake has it.
+// 5.6: star discrepancies, compared with the definition: over all boxes, and over some boxes only,
+// as a mistake has it.
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"

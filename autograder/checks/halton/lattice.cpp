@@ -133,11 +133,9 @@ CHECK_CASE("5.10 the tent transform folds the line", "[5.10][stretch]") {
 }
 
 CHECK_CASE("5.10 more dimensions than the vector has are refused", "[5.10][stretch][edge]") {
-  const std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(lattice, 4, 17, {1}), "points|dims", "lattice_vector has 16 numbers"},
-      {MEASURE_OUTCOME(lattice, 2, 1000, {1}), "points|dims", "lattice_vector has 16 numbers"}};
-  expect_refused(calls);
-  expect_argument_named(calls);
+  expect_refused_by_name(
+      {{MEASURE_OUTCOME(lattice, 4, 17, {1}), "points|dims", "lattice_vector has 16 numbers"},
+       {MEASURE_OUTCOME(lattice, 2, 1000, {1}), "points|dims", "lattice_vector has 16 numbers"}});
 }
 
 }  // namespace

@@ -283,8 +283,7 @@ CHECK_CASE("5.9 bases and indices that do not exist are refused", "[5.9][points:
                    past_the_end});
   calls.push_back(
       {MEASURE_OUTCOME(radical_inverses_scrambled, 2, last_index, 2, {1}), range, past_the_end});
-  expect_refused(calls);
-  expect_argument_named(calls);
+  expect_refused_by_name(calls);
 }
 
 }  // namespace

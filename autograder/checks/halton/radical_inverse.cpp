@@ -92,12 +92,9 @@ CHECK_CASE("5.1 the radical inverse is below 1", "[5.1][points:2][edge]") {
 const std::string no_digits = "there are no digits below base 2";
 
 CHECK_CASE("5.1 a base below 2 is refused", "[5.1][points:1][edge]") {
-  const std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(radical_inverse, 0, {5}), "base", no_digits},
-      {MEASURE_OUTCOME(radical_inverse, 1, {5}), "base", no_digits},
-      {MEASURE_OUTCOME(radical_inverse, 1, {0}), "base", no_digits}};
-  expect_refused(calls);
-  expect_argument_named(calls);
+  expect_refused_by_name({{MEASURE_OUTCOME(radical_inverse, 0, {5}), "base", no_digits},
+                          {MEASURE_OUTCOME(radical_inverse, 1, {5}), "base", no_digits},
+                          {MEASURE_OUTCOME(radical_inverse, 1, {0}), "base", no_digits}});
 }
 
 // 5.2 ---------------------------------------------------------------------------------------------
@@ -159,16 +156,14 @@ CHECK_CASE("5.2 every value of a column is below 1", "[5.2][points:2][needs:5.1]
 
 CHECK_CASE("5.2 a column past the last index is refused", "[5.2][points:1][edge]") {
   const std::string range = "first|column|index|indices";
-  const std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(radical_inverses, 0, 0, 10), "base", no_digits},
-      {MEASURE_OUTCOME(radical_inverses, 1, 0, 10), "base", no_digits},
-      {MEASURE_OUTCOME(radical_inverses, 1, 7, 1), "base", no_digits},
-      {MEASURE_OUTCOME(radical_inverses, 1, 7, 0), "base", no_digits},
-      {MEASURE_OUTCOME(radical_inverses, 3, last_index - 1, 3), range, past_the_end},
-      {MEASURE_OUTCOME(radical_inverses, 2, last_index, 2), range, past_the_end},
-      {MEASURE_OUTCOME(radical_inverses, 2, last_index - 4094, 4097), range, past_the_end}};
-  expect_refused(calls);
-  expect_argument_named(calls);
+  expect_refused_by_name(
+      {{MEASURE_OUTCOME(radical_inverses, 0, 0, 10), "base", no_digits},
+       {MEASURE_OUTCOME(radical_inverses, 1, 0, 10), "base", no_digits},
+       {MEASURE_OUTCOME(radical_inverses, 1, 7, 1), "base", no_digits},
+       {MEASURE_OUTCOME(radical_inverses, 1, 7, 0), "base", no_digits},
+       {MEASURE_OUTCOME(radical_inverses, 3, last_index - 1, 3), range, past_the_end},
+       {MEASURE_OUTCOME(radical_inverses, 2, last_index, 2), range, past_the_end},
+       {MEASURE_OUTCOME(radical_inverses, 2, last_index - 4094, 4097), range, past_the_end}});
 }
 
 }  // namespace

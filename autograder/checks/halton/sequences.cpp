@@ -70,11 +70,8 @@ CHECK_CASE("5.3 many axes and late points", "[5.3][points:2][needs:5.2]") {
 
 CHECK_CASE("5.3 points past the last index are refused", "[5.3][points:1][edge]") {
   const std::string range = "first|points|point|index|indices";
-  const std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(halton, 3, 2, last_index - 1), range, past_the_end},
-      {MEASURE_OUTCOME(halton, 2, 1, last_index), range, past_the_end}};
-  expect_refused(calls);
-  expect_argument_named(calls);
+  expect_refused_by_name({{MEASURE_OUTCOME(halton, 3, 2, last_index - 1), range, past_the_end},
+                          {MEASURE_OUTCOME(halton, 2, 1, last_index), range, past_the_end}});
 }
 
 // 5.4 ---------------------------------------------------------------------------------------------

@@ -26,18 +26,10 @@ std::vector<Pattern> all_axes(std::size_t per_axis, std::size_t dims) {
 
 CHECK_CASE("3.5 one point in each cell of all dimensions", "[3.5][main][points:4]") {
   Rng rng = check_rng();
-  for (const auto& [per_axis, dims] : {std::pair<std::size_t, std::size_t>{3, 3},
-                                       {5, 5},
-                                       {2, 10},
-                                       {4, 2},
-                                       {33, 3},
-                                       {2, 13},
-                                       {257, 2},
-                                       {2, 4},
-                                       {4097, 1},
-                                       {7, 1},
-                                       {1, 3},
-                                       {1, 1}}) {
+  constexpr std::pair<std::size_t, std::size_t> sizes[] = {{3, 3},    {5, 5},  {2, 10},  {4, 2},
+                                                           {33, 3},   {2, 13}, {257, 2}, {2, 4},
+                                                           {4097, 1}, {7, 1},  {1, 3},   {1, 1}};
+  for (const auto& [per_axis, dims] : sizes) {
     const Sets got = boxes(per_axis, dims, 1, rng);
     expect_one_in_each_cell(got, 0, all_axes(per_axis, dims)[0], digits_of_k);
   }

@@ -1,6 +1,6 @@
 // 3.1, 3.2, 3.3, 3.9: strata on the line and in the plane. Where points must lie is exact: strata
-// are counted, with the edges that double division gives. How they lie there is random. Nothing depends
-// on the order in which a submission draws.
+// are counted, with the edges that double division gives. How they lie there is random. Nothing
+// depends on the order in which a submission draws.
 
 #include "checks/stratification/common.hpp"
 

@@ -31,7 +31,6 @@
 #include "checks/support/measure.hpp"
 #include "checks/support/refusals.hpp"
 #include "checks/support/sample_sets.hpp"
-#include "checks/support/shuffles.hpp"
 #include "checks/support/statistics.hpp"
 #include "checks/support/strata.hpp"
 #include "common/points.hpp"

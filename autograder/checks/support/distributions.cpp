@@ -14,8 +14,7 @@ namespace {
 
 constexpr double tiny = 1e-300;  // replaces a zero denominator, as in Lentz's method
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr int most_terms =
-    1000000;  // each series here needs a few times the root of its parameters
+constexpr int most_terms = 1'000'000;  // a series needs a few times the root of its parameters
 
 /// The regularised incomplete gamma functions P(a, x) and Q(a, x) = 1 - P. Series and continued
 /// fraction: Abramowitz and Stegun 6.5.29 and 6.5.31, the latter by Lentz's method in the form of

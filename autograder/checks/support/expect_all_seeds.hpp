@@ -16,8 +16,8 @@ namespace mc::checks {
 /// Labs have 40 such tests at most in a run.
 inline constexpr double one_alpha = 1e-8;
 
-/// The numbers of these seeds, of which `measure(seeds)` gives one each, for `most` seeds at a time:
-/// an answer may seed a large generator for every digit of every number.
+/// The numbers of these seeds, of which `measure(seeds)` gives one each, for `most` seeds at a
+/// time: an answer may seed a large generator for every digit of every number.
 template <class Measurement>
 Uniforms numbers_of(std::span<const std::uint64_t> seeds, std::size_t most, Measurement measure) {
   Uniforms all;

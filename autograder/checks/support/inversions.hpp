@@ -13,7 +13,7 @@
 
 namespace mc::checks {
 
-/// Two measurements with as many replicates, each replicate of one beside that of the other: what
+/// Two measurements with as many replicates, each replicate of one next to that of the other: what
 /// two seeds, or two calls, have in common shows as dependent positions.
 inline Uniforms side_by_side(const Uniforms& a, const Uniforms& b) {
   Uniforms both{a.call + " and " + b.call, a.positions + b.positions};

@@ -46,8 +46,8 @@
 
 namespace mc::checks {
 
-/// What a call returned. A number or a struct of numbers is `value`; NaN meets no expectation. Lists
-/// are untrusted in length and content: they are validated first (validation.hpp).
+/// What a call returned. A number or a struct of numbers is `value`; NaN meets no expectation.
+/// Lists are untrusted in length and content: they are validated first (validation.hpp).
 template <class T>
 struct Measured {
   T value;
@@ -79,12 +79,8 @@ struct Measured<T> {
     pass();
     return value_;
   }
-  /// For plots: nothing where the check would end.
-  const T* if_exactly(std::size_t count, const Range& range = finite) const {
-    return if_list_by_list({{count, range}});
-  }
-  const T* if_exactly(std::initializer_list<std::size_t> counts,
-                      const Range& range = finite) const {
+  /// Nothing where the check would end.
+  const T* if_exactly(std::initializer_list<std::size_t> counts, const Range& range) const {
     return if_list_by_list(specs_of(counts, range));
   }
   const T* if_list_by_list(const std::vector<ListSpec>& specs) const {

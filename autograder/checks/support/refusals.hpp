@@ -25,6 +25,12 @@ void expect_refused(const std::vector<InvalidCall>& calls);
 /// argument is wrong.
 void expect_argument_named(const std::vector<InvalidCall>& calls);
 
+/// Both.
+inline void expect_refused_by_name(const std::vector<InvalidCall>& calls) {
+  expect_refused(calls);
+  expect_argument_named(calls);
+}
+
 }  // namespace mc::checks
 
 /// Both as checks of a task, with their points: REFUSAL_CASES("4.5", "misuse of radial_power is

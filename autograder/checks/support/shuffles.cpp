@@ -1,4 +1,4 @@
-#include "checks/support/shuffles.hpp"
+#include "checks/support/strata.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "common/points.hpp"
 
@@ -27,5 +29,10 @@ inline Grid squarest(std::size_t n) {
   }
   return best;
 }
+
+/// Permutations of n <= 5 values, one after the other, are not all equally likely: the well-known
+/// wrong shuffle that explains them, else `otherwise`.
+std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
+                         const std::string& otherwise);
 
 }  // namespace mc::checks

@@ -83,15 +83,10 @@ CHECK_CASE("1.6 the covariance keeps its digits under large means", "[1.6][point
 CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]") {
   Rng rng = check_rng();
   std::vector<Pairs> pairs;
-  for (const auto& [of_x, of_y] : {std::pair{1e-4, 1e4},
-                                   {1e4, 1e-4},
-                                   {1e-4, 1e-4},
-                                   {1e-9, 1e9},
-                                   {1e-150, 1e150},
-                                   {1e-100, 1e-100},
-                                   {-1e100, 1e-3},
-                                   {0, 1},
-                                   {1, 0}}) {
+  constexpr std::pair<double, double> scales[] = {{1e-4, 1e4},    {1e4, 1e-4},     {1e-4, 1e-4},
+                                                  {1e-9, 1e9},    {1e-150, 1e150}, {1e-100, 1e-100},
+                                                  {-1e100, 1e-3}, {0, 1},          {1, 0}};
+  for (const auto& [of_x, of_y] : scales) {
     pairs.push_back(tame_pairs(rng, 100, of_x, of_y));
   }
   judge_pairs(

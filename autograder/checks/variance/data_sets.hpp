@@ -19,13 +19,12 @@ struct List {
 };
 
 /// Uniform values of which the first two lie in the first and in the last quarter, so that the
-/// variance of two or three is never small beside their mean by chance: kappa is below 2 for those
-/// in [-1, 1), below 4 in [0.5, 2.5), below 7 in [1, 2).
+/// variance of two or three is never small compared with their mean by chance: kappa is below 2 for
+/// those in [-1, 1), below 4 in [0.5, 2.5), below 7 in [1, 2).
 Values tame_values(Rng& rng, std::size_t n, double low, double high);
 
 /// Lists of them: first three that differ in one value, which shows what is kept between calls, and
-/// in one of them is 0;
-/// then one of every size of domain::sizes() from `least` up to 65,537.
+/// in one of them is 0; then one of every size of domain::sizes() from `least` up to 65,537.
 std::vector<List> tame_lists(Rng& rng, std::size_t least, double low, double high);
 
 /// offset + r + {4, 7, 13, 16} over and over in random order, r a whole number below 1000. Exact in

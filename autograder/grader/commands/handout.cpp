@@ -59,8 +59,8 @@ std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
   return all;
 }
 
-/// Replaces "<!-- if FORM -->…<!-- end -->" by its content for this form of the judge, and removes it
-/// for the other.
+/// Replaces "<!-- if FORM -->…<!-- end -->" by its content for this form of the judge, and removes
+/// it for the other.
 void keep_one_form(std::string& text, JudgeForm form) {
   const std::string kept = form == JudgeForm::compiled ? "compiled" : "sources",
                     end = "<!-- end -->\n";

@@ -1,6 +1,6 @@
 #pragma once
-// The commands, in the order in which ./lab --help lists them. The program `course` has all of them,
-// `grader` only those that students need at once.
+// The commands, in the order in which ./lab --help lists them. The program `course` has all of
+// them, `grader` only those that students need at once.
 
 #include <string_view>
 

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Copies the verdicts behind the rows as well: stats reads hints from them.
+/// Copies the verdicts of the rows as well: stats reads hints from them.
 void copy_verdicts(const MergeResult& merged, const fs::path& out) {
   std::map<fs::path, std::string> texts;  // all are read before any is written
   for (const auto& [id, table] : merged.from) {

@@ -1,5 +1,5 @@
-// setup: in a checkout, the entry script has done the work before this runs. A handout compiles what
-// all submissions of a lab share.
+// setup: in a checkout, the entry script has done the work before this runs. A handout compiles
+// what all submissions of a lab share.
 
 #include <fmt/format.h>
 

@@ -29,8 +29,8 @@ std::vector<std::string> files_without_answers(const Context& context,
 /// Could this machine link the judge statically? Not on macOS, and not without static libraries.
 bool has_compiled_judge(const Layout& layout);
 
-/// Copies the compiled judge for these labs into autograder/bin of `to`, with the script that starts
-/// it. Throws MachineError if this machine could not link it statically.
+/// Copies the compiled judge for these labs into autograder/bin of `to`, with the script that
+/// starts it. Throws MachineError if this machine could not link it statically.
 void copy_compiled_judge(const Context& context, const std::set<std::string>& labs,
                          const std::filesystem::path& to);
 

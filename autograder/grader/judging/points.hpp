@@ -19,12 +19,13 @@ namespace mc::grader {
 
 inline constexpr const char* points_file = "points.csv";
 
-/// Sets the points of a lab's checks, and removes those that are left out. Throws UsageError, naming
-/// the line, for a line that is not one of these or that names no check of its lab.
+/// Sets the points of a lab's checks, and removes those that are left out. Throws UsageError,
+/// naming the line, for a line that is not one of these or that names no check of its lab.
 void apply_points(const std::filesystem::path& root, const Lab& lab, std::vector<Check>& checks);
 
-/// Throws UsageError, naming the line, for a lab that does not exist or a task without a section in its
-/// handout. Only for instructors: a student's handout may have fewer labs and tasks than the file.
+/// Throws UsageError, naming the line, for a lab that does not exist or a task without a section in
+/// its handout. Only for instructors: a student's handout may have fewer labs and tasks than the
+/// file.
 void require_known_points(const Layout& layout, const std::vector<Lab>& labs);
 
 /// The tasks that are left out.

@@ -21,8 +21,8 @@ struct PageMaterial {
 /// The page of one submission.
 std::string submission_page(const Verdict& verdict, const PageMaterial& material);
 
-/// The beginning of a <div> that scrolls if it is wider than the window, by keyboard, too. Its label is
-/// different from that of every other region of the page.
+/// The beginning of a <div> that scrolls if it is wider than the window, by keyboard, too. Its
+/// label is different from that of every other region of the page.
 std::string scrolling(const std::string& label);
 
 /// A complete, self-contained page around a body.

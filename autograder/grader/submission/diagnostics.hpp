@@ -13,12 +13,12 @@ namespace mc::grader {
 std::string first_errors(const std::string& diagnostics, const std::string& file,
                          const std::string& text);
 
-/// The first standard header that a file needs but does not include, as a sentence; empty if there is
-/// none. Every compilation includes a few headers, precompiled, so the compiler does not notice.
+/// The first standard header that a file needs but does not include, as a sentence; empty if there
+/// is none. Every compilation includes a few headers, precompiled, so the compiler does not notice.
 std::string missing_include(const std::string& file, const std::string& text);
 
-/// "Your variance.cpp does not define `mc::covariance` …" and the like. `headers` has the text of each
-/// lab's header, by the lab's name.
+/// "Your variance.cpp does not define `mc::covariance` …" and the like. `headers` has the text of
+/// each lab's header, by the lab's name.
 std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
                                 const std::map<std::string, std::string>& headers);
 

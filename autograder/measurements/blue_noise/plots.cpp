@@ -1,6 +1,6 @@
-// The data of lab 4's plots and demo: patterns, their periodograms as pictures and as curves, errors of
-// integration beside those of random and jittered points, and time against N. Cases of about equal
-// cost.
+// The data of lab 4's plots and demo: patterns, their periodograms as pictures and as curves,
+// errors of integration next to those of random and jittered points, and time against N. Cases of
+// about equal cost.
 
 #include <cmath>
 

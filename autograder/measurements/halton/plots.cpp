@@ -23,9 +23,9 @@ std::uint64_t reversed(std::uint64_t word) {
   return all;
 }
 
-/// What fails beside it: base 2 scrambled here, by a hash of all bits at once that is right for
-/// pairs of points only, for its one multiplication by a random number is followed by one mixing
-/// step.
+/// A method that fails, to compare with: base 2 scrambled by a hash of all bits at once that is
+/// right for pairs of points only, for its one multiplication by a random number is followed by one
+/// mixing step.
 Method hashed_points() {
   return {.key = "hashed",
           .task = "",

@@ -59,8 +59,8 @@ struct Stopped {
 };
 
 /// x < p, looked at after every 32 samples, until s / sqrt(n) <= target. Exact: the probability of
-/// every number of hits. `again` is the coverage of a second run with as many samples, `pooled` that
-/// of a run that stops by the s of many runs together, the true one.
+/// every number of hits. `again` is the coverage of a second run with as many samples, `pooled`
+/// that of a run that stops by the s of many runs together, the true one.
 Stopped stopped_run(double p, double target) {
   constexpr std::size_t step = 32;
   const auto grown = [=](const std::vector<double>& odds) {

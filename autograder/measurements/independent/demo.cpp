@@ -1,5 +1,5 @@
-// Lab 2 in the demo: independent points; and a hundred estimates with their standard errors at every
-// N.
+// Lab 2 in the demo: independent points; and a hundred estimates with their standard errors at
+// every N.
 
 #include <cmath>
 

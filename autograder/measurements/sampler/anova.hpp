@@ -1,5 +1,5 @@
 #pragma once
-// The variance of a scene by order: how much of it is due to one dimension at a time, to two
+// The variance of a scene by order: how much of it comes from one dimension at a time, from two
 // together, and so on (the ANOVA decomposition; Hoeffding 1948, "A class of statistics with
 // asymptotically normal distribution"; Sobol' 1993, "Sensitivity estimates for nonlinear
 // mathematical models").

@@ -1,6 +1,6 @@
 #pragma once
-// The pictures of lab 6 by their names, pixel by pixel, exactly; and pictures by a submission, written
-// for gnuplot with their errors.
+// The pictures of lab 6 by their names, pixel by pixel, exactly; and pictures by a submission,
+// written for gnuplot with their errors.
 
 #include <algorithm>
 #include <cmath>

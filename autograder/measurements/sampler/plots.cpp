@@ -75,7 +75,7 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
                                       "sobol_2", "independent_1", "independent_2"});
   const Sets all = sets_in_parts(method(methods, "scrambled_sobol"), n, 2 * uses, count, 1);
   for (unsigned k = 0; k < uses; ++k) {
-    // One sequence has 32 dimensions: behind the sixteenth pair there is none left.
+    // One sequence has 32 dimensions: after the sixteenth pair there are none.
     const Sets pair = k < 16 ? sobol_dimensions({2 * k, 2 * k + 1}).points(n, 2, count, 1) : Sets{};
     Row row{static_cast<double>(k + 1)};
     for (const Sets* const sets : {&all, &pair}) {
@@ -148,7 +148,7 @@ TEST_CASE("plot what a coordinate costs against dimensions", "[.plot]") {
              });
 }
 
-/// The handout's picture, for render.gp; what it needs to know of it besides stands in a script.
+/// The handout's picture, for render.gp, and a script with what else that needs.
 TEST_CASE("plot a picture", "[.plot]") {
   const std::uint64_t spp = 16;
   const auto exact = exact_image("penumbra", image_width, image_height);

@@ -1,7 +1,6 @@
 // The data of ./lab render: which pictures and kinds of samplers there are; and one picture by one
-// kind, with a given number of samples a pixel and with as many as it makes in a given time. What
-// is asked for stands in MC_RENDER (protocol/render.hpp); with 0 seconds the time is this kind's
-// own.
+// kind, with a given number of samples per pixel and with as many as it makes in a given time.
+// MC_RENDER has the request (protocol/render.hpp); with 0 seconds the time is this kind's own.
 
 #include <algorithm>
 #include <cmath>

@@ -24,7 +24,7 @@ inline const std::vector<Method> methods = [] {
           }),
       way("jittered", 3, "jittered",
           [](Count n, Count, Count count, Count seed) {
-            return plane_sets_of(TRY_MEASURE(stratified_2d, cells_of(n), count, seed), n, count);
+            return plane_sets_of(TRY_MEASURE(stratified_2d, squarest(n), count, seed), n, count);
           }),
       way("padded", 4, "jittered, padded",
           [](Count n, Count dims, Count count, Count seed) {
@@ -41,7 +41,7 @@ inline const std::vector<Method> methods = [] {
           }),
       way("multi_jittered", 7, "multi-jittered",
           [](Count n, Count, Count count, Count seed) {
-            return plane_sets_of(TRY_MEASURE(multi_jittered, cells_of(n), count, seed), n, count);
+            return plane_sets_of(TRY_MEASURE(multi_jittered, squarest(n), count, seed), n, count);
           }),
       // To compare with: lab 2's points, and jittered ones by the loop of a textbook.
       way("independent", 0, "independent", independent_points().points),

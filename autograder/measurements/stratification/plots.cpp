@@ -1,5 +1,5 @@
-// The data of lab 3's plots and demo: patterns, a picture, errors against N with the variance that is left
-// within the strata, what stopping early costs, and time against error.
+// The data of lab 3's plots and demo: patterns, a picture, errors against N with the variance that
+// is left within the strata, what stopping early costs, and time against error.
 
 #include <cmath>
 

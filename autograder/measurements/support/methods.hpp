@@ -1,6 +1,6 @@
 #pragma once
-// Methods of making points. Each lab has one table of them (measurements/LAB/methods.hpp), which its
-// plots, benchmark, tables, speed lines and demo read.
+// Methods of making points. Each lab has one table of them (measurements/LAB/methods.hpp), which
+// its plots, benchmark, tables, speed lines and demo read.
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,7 @@
 
 #include "checks/support/domain.hpp"
 #include "checks/support/measure.hpp"
+#include "checks/support/strata.hpp"
 #include "common/points.hpp"
 
 namespace mc::measurements {
@@ -76,11 +77,11 @@ Number cpu_seconds_of(const Measured& measured) {
   return measured->cpu_seconds;
 }
 
-/// `count` values in each list of a result, each in `range`; nothing where there are none, or others.
+/// The lists of a result, with `count` values each, all in `range`; nothing where they are not so.
 template <class T>
 std::optional<T> lists_of(const std::optional<Measured<T>>& got, std::size_t count,
                           const Range& range = finite) {
-  const T* const lists = got ? got->if_exactly(count, range) : nullptr;
+  const T* const lists = got ? got->if_list_by_list({{count, range}}) : nullptr;
   return lists ? std::optional(*lists) : std::nullopt;
 }
 
@@ -135,13 +136,6 @@ inline std::uint64_t root(std::uint64_t n, std::uint64_t d) {
       std::llround(std::pow(static_cast<double>(n), 1 / static_cast<double>(d))));
 }
 
-/// n cells, as square as n allows.
-inline Grid cells_of(std::uint64_t n) {
-  std::uint64_t ny = root(n, 2) + 1;
-  while (ny > 1 && (ny * ny > n || n % ny != 0)) --ny;
-  return {n / ny, ny};
-}
-
 /// Made here, to compare with: independent points; and one in each stratum of the line, in each
 /// cell of the plane, in more dimensions such patterns padded side by side, each in an order of its
 /// own.
@@ -167,7 +161,7 @@ inline Method jittered_points() {
         std::iota(order.begin(), order.end(), std::size_t{0});
         for (PointSet& set : sets) {
           for (std::size_t d = 0; d < dims; d += 2) {
-            const Grid grid = d + 1 < dims ? cells_of(n) : Grid{n, 1};
+            const Grid grid = d + 1 < dims ? squarest(n) : Grid{n, 1};
             if (dims > 2) std::shuffle(order.begin(), order.end(), rng);
             const auto along = [&](std::size_t cell, std::size_t cells) {
               return (static_cast<double>(cell) + uniform(rng)) / static_cast<double>(cells);

@@ -24,9 +24,9 @@ bool is_asked_for(const std::string& task) {
   return tasks != nullptr && fmt::format(" {} ", tasks).find(' ' + task + ' ') != std::string::npos;
 }
 
-/// Nanoseconds a number of a running sum: what every machine does about as fast as its clock says.
-/// Beside it a time means the same on another machine, so what the reference takes is known where
-/// there is none. The shortest of several, for noise only adds.
+/// Nanoseconds per number of a running sum: what every machine does about as fast as its clock
+/// says. Divided by it, a time means the same on every machine, so the reference's time can be
+/// estimated where there is no reference. The shortest of several, for noise only adds.
 double nanoseconds_of_addition() {
   static const std::vector<double> x(4096, 1 + 1e-9);  // 32 KB: in the first-level cache
   constexpr int rounds = 64, attempts = 7;

@@ -8,8 +8,8 @@
 
 namespace mc::scenes {
 
-/// A disk, parallel to the receiver, whose center is at height `height` > 0 and `offset` to the side.
-/// Radiance 1.
+/// A disk, parallel to the receiver, whose center is at height `height` > 0 and `offset` to the
+/// side. Radiance 1.
 struct DiskLight {
   double radius = 0.75, height = 1, offset = 0;
 

@@ -1,5 +1,5 @@
-// alternative: the discrepancy strip by strip, on the line by Niederreiter's formula; shifts wrapped
-// by floor
+// alternative: the discrepancy strip by strip, on the line by Niederreiter's formula; shifts
+// wrapped by floor
 #include "halton.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// alternative: stores the numbers of a sample side by side, in rows that are laid out anew when there
-// are more uses; Poisson-disk patterns filled with best candidates
+// alternative: stores the numbers of a sample side by side, in rows that are laid out anew when
+// there are more uses; Poisson-disk patterns filled with best candidates
 
 #include <algorithm>
 #include <cmath>

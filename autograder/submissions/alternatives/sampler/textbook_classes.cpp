@@ -1,5 +1,5 @@
-// alternative: a base class with a virtual function for each pattern, a class for each kind, columns
-// in maps, std::mt19937_64 and std::shuffle throughout
+// alternative: a base class with a virtual function for each pattern, a class for each kind,
+// columns in maps, std::mt19937_64 and std::shuffle throughout
 
 #include <algorithm>
 #include <map>
@@ -150,7 +150,7 @@ class BlueNoise final : public Stratified {
   }
 };
 
-/// Dimensions in blocks of eight, each behind the first in an order of its own.
+/// Dimensions in blocks of eight, each after the first in an order of its own.
 class Sequence : public TextbookSampler {
  protected:
   virtual Numbers dimension(std::size_t d, std::size_t size) = 0;

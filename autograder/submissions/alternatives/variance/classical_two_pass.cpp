@@ -1,4 +1,4 @@
-// alternative: eq. 1.7 as it stands in the paper, about the mean as it was rounded; 1.8 is 1.3
+// alternative: eq. 1.7 exactly as in the paper, about the mean as it was rounded; 1.8 is 1.3
 // again, without lanes or blocks; the textbook formula by its sums
 
 #include "variance.hpp"

@@ -1,4 +1,4 @@
-// Patterns that are none. Sections: CONTRIBUTING.md, "Add a submission".
+// Patterns that are none. Sections: see CONTRIBUTING.md.
 
 #include <algorithm>
 #include <cmath>

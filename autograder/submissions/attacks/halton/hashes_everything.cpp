@@ -1,5 +1,5 @@
-// attack: every number is a hash of what it depends on: as many as were asked for, in [0, 1), random
-// over seeds, a function of index and seed alone; and no task of the lab is done
+// attack: every number is a hash of what it depends on: as many as were asked for, in [0, 1),
+// random over seeds, a function of index and seed alone; and no task of the lab is done
 // earns: 0
 // says: take the digits off the end of the index
 // says: they differ in the next, which is flipped in both or in neither

@@ -1,4 +1,4 @@
-// Answers that are not sampled, or incomplete. Sections: CONTRIBUTING.md, "Add a submission".
+// Answers that are not sampled, or incomplete. Sections: see CONTRIBUTING.md.
 
 #include <cmath>
 #include <stdexcept>
@@ -60,7 +60,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc
 
 //// every_other_number
-// attack: fills every other number of a block and leaves the rest as it is
+// attack: fills every other number of a block only
 // earns: 8
 // says: it was not filled
 

@@ -1,4 +1,4 @@
-// What is called through the interface. Sections: CONTRIBUTING.md, "Add a submission".
+// What is called through the interface. Sections: see CONTRIBUTING.md.
 
 #include "sampler.hpp"
 

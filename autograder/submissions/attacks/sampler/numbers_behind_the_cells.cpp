@@ -1,4 +1,4 @@
-// attack: numbers that a judge would count in cells behind the last one: 1, 1e300, -1, NaN
+// attack: numbers that a judge would count in cells past the last one: 1, 1e300, -1, NaN
 // says: gave [0] = 1
 // says: numbers in [0, 1)
 

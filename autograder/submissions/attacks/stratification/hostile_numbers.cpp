@@ -1,4 +1,5 @@
-// attack: fills in NaN, infinities and numbers outside of the unit cube, of which one may index or sort
+// attack: fills in NaN, infinities and numbers outside of the unit cube, of which one may index or
+// sort
 // says: = nan
 // says: = -1
 // says: = inf

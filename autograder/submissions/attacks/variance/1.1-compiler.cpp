@@ -1,4 +1,4 @@
-// What is read, run or made while it is compiled and linked. Sections: CONTRIBUTING.md, "Add a submission".
+// What is read, run or made while it is compiled and linked. Sections: see CONTRIBUTING.md.
 
 //// assembler_include
 // attack: has the assembler quote /etc/passwd in its errors
@@ -51,7 +51,7 @@ static double attack() {
 }
 
 //// incbin_passwd
-// attack: takes a file in as data, behind the preprocessor's back
+// attack: includes a file as data, unseen by the preprocessor
 // says: variance.cpp reads /etc/passwd.
 // never says: root:
 

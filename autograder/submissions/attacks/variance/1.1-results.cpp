@@ -1,4 +1,4 @@
-// What it sends, prints or throws instead of an answer. Sections: CONTRIBUTING.md, "Add a submission".
+// What it sends, prints or throws instead of an answer. Sections: see CONTRIBUTING.md.
 
 //// forged_result
 // attack: writes a result of its own and leaves; it is a number like any other
@@ -18,7 +18,7 @@ static double attack() {
 }
 
 //// own_wire
-// attack: stands in for a template of the wire; sends another number
+// attack: replaces a template of the wire, and sends another number
 // says: ) = 1
 
 #include "runner/wire.hpp"

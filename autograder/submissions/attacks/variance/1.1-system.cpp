@@ -1,4 +1,4 @@
-// What it asks of the kernel, and how it ends. Sections: CONTRIBUTING.md, "Add a submission".
+// What it asks of the kernel, and how it ends. Sections: see CONTRIBUTING.md.
 
 //// abort_in_task
 // attack: aborts

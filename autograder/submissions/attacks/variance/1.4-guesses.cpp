@@ -1,4 +1,4 @@
-// Answers that only the values of a check make right. Sections: CONTRIBUTING.md, "Add a submission".
+// Answers that only the values of a check make right. Sections: see CONTRIBUTING.md.
 
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
-// attack: does nothing but the edges: NaN for lists of fewer than two, empty parts, refusals, and what
-// is not finite
+// attack: does nothing but the edges: NaN for lists of fewer than two, empty parts, refusals, and
+// what is not finite
 // says: = 0
 
 #include <cmath>

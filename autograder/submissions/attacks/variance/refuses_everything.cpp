@@ -1,4 +1,5 @@
-// attack: throws std::invalid_argument whatever is asked, and names every argument: refusals are right
+// attack: throws std::invalid_argument whatever is asked, and names every argument: refusals are
+// right
 // says: these arguments are valid
 
 #include <stdexcept>

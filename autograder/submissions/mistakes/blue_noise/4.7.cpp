@@ -108,7 +108,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }
 }  // namespace mc::cells_around_only
 
-// mistake: compares each candidate until one point is too near: a third of the work, still quadratic
+// mistake: compares a candidate until one point is too near: a third of the work, still quadratic
 // hint: each candidate is compared with all points
 // limit: time
 namespace mc::compares_until_too_near {

@@ -1,4 +1,4 @@
-// mistake: a hash that scrambles pairs independently (Owen's variance), but not triples: heavy tails
+// mistake: a hash that scrambles pairs independently (Owen's variance), but not triples
 // fails: 5.8
 // hint: are pairs of values scrambled independently, but not triples
 #include "halton.hpp"
