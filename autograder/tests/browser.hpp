@@ -44,8 +44,8 @@ inline PageState open_page(const std::filesystem::path& file,
   return opened;
 }
 
-/// Violations that axe-core, a collection of accessibility rules, finds on a page. MC_AXE is the path
-/// of its axe.min.js, which is not part of this repository; without it, or a browser, none.
+/// Violations that axe-core, a collection of accessibility rules, finds on a page. MC_AXE is the
+/// path of its axe.min.js, which is not part of this repository; without it, or a browser, none.
 inline std::string axe_findings(const std::string& page) {
   const char* axe = std::getenv("MC_AXE");
   if (axe == nullptr || chromium().empty()) return {};

@@ -17,9 +17,9 @@ using namespace grader;
 
 namespace {
 
-sandbox::ProcessResult lab_demo(std::vector<std::string> words) {
-  words.insert(words.begin(), {(read_layout().build / "bin" / "course").string(), "demo"});
-  return sandbox::run_process(words);
+sandbox::ProcessResult lab_demo(const std::vector<std::string>& words) {
+  const fs::path program = read_layout().build / "bin" / "course";
+  return sandbox::run_process(joined({program.string(), "demo"}, words));
 }
 
 /// Moves every control of every lab through all its values, and presses the keys; the title reports
@@ -78,9 +78,7 @@ onload = () => {
 TEST_CASE("the demo is one page per lab in one file, and all controls work", "[.demo]") {
   const Scratch place;
   const fs::path file = place.path() / "demo.html";
-  const auto run = lab_demo({"--out", file.string()});
-  INFO(run.output << run.errors);
-  REQUIRE(run.exit_code == 0);
+  REQUIRE_RUN(run, lab_demo({"--out", file.string()}));
   CHECK(fs::file_size(file) < 3'000'000);
   const std::string page = read_text(file);
   for (const char* foreign : {"src=", "href=\"", "@import", "url(", "fetch("}) {
@@ -118,9 +116,7 @@ TEST_CASE("a demo of a partly written lab says why the rest is missing", "[.demo
     fs::copy_file(layout.solutions() / name, place.path() / name);
   }
   fs::copy_file(layout.starter() / "stratification.cpp", place.path() / "stratification.cpp");
-  const auto some = lab_demo({"--out", file.string(), "--dir", place.path().string()});
-  INFO(some.output << some.errors);
-  CHECK(some.exit_code == 0);
+  REQUIRE_RUN(some, lab_demo({"--out", file.string(), "--dir", place.path().string()}));
   const std::string page = read_text(file);
   CHECK(contains(page, "\"name\":\"independent\""));
   CHECK(!contains(page, "\"name\":\"jittered\""));

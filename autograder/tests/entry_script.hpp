@@ -7,13 +7,15 @@
 
 #include "grader/checkout/layout.hpp"
 #include "sandbox/process.hpp"
+#include "tests/require_run.hpp"
+#include "tests/text.hpp"
 
 namespace mc::tests {
 
-inline sandbox::ProcessResult lab(std::vector<std::string> words,
+inline sandbox::ProcessResult lab(const std::vector<std::string>& words,
                                   const sandbox::ProcessOptions& options = {}) {
-  words.insert(words.begin(), (grader::read_layout().build / "bin" / "grader").string());
-  return sandbox::run_process(words, options);
+  const auto program = grader::read_layout().build / "bin" / "grader";
+  return sandbox::run_process(joined({program.string()}, words), options);
 }
 
 }  // namespace mc::tests

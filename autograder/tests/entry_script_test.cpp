@@ -102,9 +102,8 @@ TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[scrip
   scratch.write("variance.cpp", text_with_mistake(layout));
   const std::string json = (scratch.path() / "results.json").string();
   const std::string csv = (scratch.path() / "table.csv").string();
-  const auto run = lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,
-                        "--no-plots", "--seed", "5"});
-  REQUIRE(run.exit_code == 0);
+  REQUIRE_RUN(run, lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,
+                        "--no-plots", "--seed", "5"}));
   CHECK(!contains(run.output, "\x1b["));  // no color without a terminal
 
   const auto results = nlohmann::json::parse(read_text(json));
@@ -164,8 +163,7 @@ TEST_CASE("a hint is a step, and the next call shows the next", "[script]") {
   const Layout layout = read_layout();
   fs::remove(layout.build / "hints" / "4.1");
   for (const char* step : {"step 1 of 3", "step 2 of 3", "step 3 of 3", "step 3 of 3"}) {
-    const auto run = lab({"hint", "4.1"});
-    CHECK(run.exit_code == 0);
+    REQUIRE_RUN(run, lab({"hint", "4.1"}));
     CHECK(contains(run.output, step));
   }
   CHECK(contains(lab({"hint", "4.1", "2"}).output, "step 2 of 3"));
@@ -192,16 +190,14 @@ TEST_CASE("a lab has the name that a shell completes", "[script]") {
 TEST_CASE("several submissions get one line each", "[script]") {
   const Layout layout = read_layout();
   const Scratch empty;
-  const auto run = lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"}));
   CHECK(lines(run.output) == 4);  // the meaning of the words, two rows, a summary
   CHECK(contains(run.output, "no lab's file in it"));
 }
 
 TEST_CASE("the zip to hand in", "[script]") {
   const Scratch scratch;
-  const auto run = lab({"submit", "variance"}, {.directory = scratch.path()});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, lab({"submit", "variance"}, {.directory = scratch.path()}));
   const fs::path out = scratch.path() / "out", given = read_layout().starter() / "variance.cpp";
   fs::create_directories(out);
   unpack(scratch.path() / "submission.zip", out);

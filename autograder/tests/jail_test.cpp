@@ -21,6 +21,7 @@
 #include "sandbox/jail.hpp"
 #include "sandbox/lockdown.hpp"
 #include "sandbox/printable.hpp"
+#include "tests/text.hpp"
 
 namespace mc::tests::jail {
 
@@ -75,7 +76,7 @@ long call(std::span<const double> x) {
 
 }  // namespace
 
-double mean(std::span<const double> x) {
+double deed_of(std::span<const double> x) {
   const std::string much(100 << 10, 'x');
   switch (static_cast<Deed>(x[0])) {
     case return_second: return x[1];
@@ -134,18 +135,14 @@ double mean(std::span<const double> x) {
   throw todo("no such deed");
 }
 
-using Values = std::span<const double>;
-double variance_textbook(Values) { throw todo(""); }
-double variance_two_pass(Values) { throw todo(""); }
-void add(Moments&, double) { throw todo(""); }
-double variance(const Moments&) { throw todo(""); }
-Moments merge(const Moments&, const Moments&) { throw todo(""); }
-double covariance(Values, Values) { throw todo(""); }
-double dependence(Values, std::size_t) { throw todo(""); }
-Moments moments(Values) { throw todo(""); }
-
 }  // namespace mc
 )";
+
+/// The starter with this for mean().
+std::string whole_source() {
+  return source + with_change(read_text(read_layout().starter() / "variance.cpp"),
+                              "throw todo(\"1.1\")", "return deed_of(x)");
+}
 
 /// A directory with the same name in every run, so that its programs are built only once.
 fs::path submission_directory(const std::string& name) {
@@ -163,7 +160,7 @@ BuildResult build_submission(const std::string& name, const std::string& text) {
 }
 
 const sandbox::Program& program() {
-  static const BuildResult built = build_submission("jail", source);
+  static const BuildResult built = build_submission("jail", whole_source());
   INFO(built.failure);
   REQUIRE(built.program);
   return *built.program;

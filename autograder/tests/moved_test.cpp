@@ -70,9 +70,7 @@ std::size_t configured(const fs::path& checkout) {
 
 /// It is configured and built at its own path, once, and a message says so.
 void is_rebuilt_there(const Checkout& checkout) {
-  const auto run = run_lab(checkout.other);
-  CAPTURE(run.output, run.errors);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, run_lab(checkout.other));
   CHECK(run.output == checkout.other.string() + '\n');
   CHECK(contains(run.errors, "was built for " + checkout.first.string()));
   const auto again = run_lab(checkout.other);

@@ -42,12 +42,10 @@ std::string objection_in_tables(const Cells& cells, const Claim& claim) {
   return objection(claim, {found->second});
 }
 
-/// The data of a lab's plots by "FILE | ROW | COLUMN", where a row is called by its first number, and
-/// the only row of a file by nothing.
+/// The data of a lab's plots by "FILE | ROW | COLUMN", where a row is called by its first number,
+/// and the only row of a file by nothing.
 Cells cells_of_plots(const Layout& layout, const Lab& one) {
-  const auto run = lab({"plot", one.name, "solutions"});
-  CAPTURE(run.errors);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, lab({"plot", one.name, "solutions"}));
   Cells cells;
   const fs::path data = layout.build / "plots/side-by-side/data" / (one.name + "-0");
   for (const auto& entry : fs::directory_iterator(data)) {
@@ -213,8 +211,8 @@ TEST_CASE("the bench takes a file of the repository's submissions, and no other"
   CHECK(contains(missing.errors, "there is no file missing.cpp"));
 }
 
-/// Takes a minute: the bench and the plots measure all that handouts and answers quote. The tables of a lab are printed
-/// once, with all submissions that its numbers are about.
+/// Takes a minute: the bench and the plots measure all that handouts and answers quote. The tables
+/// of a lab are printed once, with all submissions that its numbers are about.
 TEST_CASE("the numbers in handouts and answers are those that their commands print", "[.numbers]") {
   const Layout layout = read_layout();
   std::size_t compared = 0;
@@ -266,9 +264,7 @@ TEST_CASE("the numbers in handouts and answers are those that their commands pri
     Words words{"bench", one.name};
     words.insert(words.end(), submissions.begin(), submissions.end());
     words.insert(words.end(), {"--tables", "--rounds", "1"});
-    const auto run = lab(words);
-    CAPTURE(run.errors, run.output);
-    CHECK(run.exit_code == 0);
+    REQUIRE_RUN(run, lab(words));
     CHECK_FALSE(contains(run.output, "efficiency"));  // only the tables
     const Cells cells = cells_in(run.output);
     for (const Claim& claim : of_tables) {

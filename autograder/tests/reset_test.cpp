@@ -55,11 +55,9 @@ class Checkout {
             {"GIT_CONFIG_NOSYSTEM", "1"},
             {"GIT_CEILING_DIRECTORIES", place_.path().string()}};
   }
-  void git(std::vector<std::string> words) const {
-    words.insert(words.begin(), {"git", "-C", root().string()});
-    const auto run = sandbox::run_process(words, {.environment = alone()});
-    INFO(run.errors);
-    REQUIRE(run.succeeded());
+  void git(const std::vector<std::string>& words) const {
+    REQUIRE_RUN(run, sandbox::run_process(joined({"git", "-C", root().string()}, words),
+                                          {.environment = alone()}));
   }
 
   Scratch place_{"reset"};
@@ -80,9 +78,7 @@ TEST_CASE("reset restores the starter and keeps a backup of what was written", "
   checkout.commit(begun(given));
   write_text(checkout.file(), "mine\n");
 
-  const auto first = checkout.reset();
-  INFO(first.errors);
-  CHECK(first.exit_code == 0);
+  REQUIRE_RUN(first, checkout.reset());
   CHECK(read_text(checkout.file()) == given);  // the newest version without a begun task
   CHECK(read_text(checkout.file().string() + ".1.bak") == "mine\n");
   CHECK(contains(first.output, "variance.cpp.1.bak"));

@@ -34,8 +34,7 @@ TEST_CASE("an experiment by hand", "[script]") {
 
 TEST_CASE("a shell completes commands, labs, tasks, experiments and options", "[script]") {
   const auto completed = [](const std::string& words, int word) {
-    const auto script = lab({"completion", "bash"});
-    REQUIRE(script.exit_code == 0);
+    REQUIRE_RUN(script, lab({"completion", "bash"}));
     return sandbox::run_process({"bash", "-c",
                                  script.output + "COMP_WORDS=(./lab " + words +
                                      ") COMP_CWORD=" + std::to_string(word) +
@@ -53,9 +52,8 @@ TEST_CASE("a shell completes commands, labs, tasks, experiments and options", "[
 
 TEST_CASE("the output of an experiment says which number is what", "[script]") {
   const std::string solutions = read_layout().solutions().string();
-  const auto run = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"run", "--dir", solutions});
-    return lab(words).output;
+  const auto run = [&](const std::vector<std::string>& words) {
+    return lab(joined({"run", "--dir", solutions}, words)).output;
   };
   CHECK(run({"variance", "merge", "--a", "1:1:0", "--b", "1:3:0"}) ==
         "# count  mean  m2\n"
@@ -185,9 +183,9 @@ TEST_CASE("a lab and its task", "[script]") {
 TEST_CASE("the entry script finds the lab among a command's words", "[script]") {
   const std::string root = read_layout().root.string();
   const auto found = [&](const std::string& words) {
-    const auto run = sandbox::run_process(
-        {"sh", "-euc", "root='" + root + "'; . \"$root/cmake/setup.sh\"; lab_among " + words});
-    CHECK(run.exit_code == 0);
+    REQUIRE_RUN(run, sandbox::run_process(
+                         {"sh", "-euc",
+                          "root='" + root + "'; . \"$root/cmake/setup.sh\"; lab_among " + words}));
     return run.output;
   };
   for (const char* words :

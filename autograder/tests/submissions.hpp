@@ -8,6 +8,7 @@
 #include "grader/checkout/labs.hpp"
 #include "grader/checkout/layout.hpp"
 #include "grader/submission/build.hpp"
+#include "tests/require_run.hpp"
 #include "tests/text.hpp"
 
 namespace mc::tests {

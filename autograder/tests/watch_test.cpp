@@ -110,10 +110,7 @@ class WatchProcess {
 
 /// The solution with an endless 1.1.
 std::string endless() {
-  return "#include <span>\n#include \"variance.hpp\"\nnamespace mc {\n"
-         "double mean(std::span<const double>) { for (volatile int i = 0;; i = i + 1) {} }\n}\n"
-         "#define mean right_mean\n" +
-         text_of(read_layout().solutions());
+  return text_with_first_line_of_mean(read_layout(), "for (volatile int i = 0;; i = i + 1) {}");
 }
 
 }  // namespace

@@ -174,9 +174,7 @@ TEST_CASE("a batch that is killed at any moment loses nothing and repeats nothin
   course.hand_in_tiny(30);
   const std::string seed = std::to_string(700'000'000 + getpid());
   const auto start = std::chrono::steady_clock::now();
-  const auto whole = course.grade({"--csv", course.csv("whole").string(), "--seed", seed});
-  CAPTURE(whole.errors);
-  REQUIRE(whole.exit_code == 0);
+  REQUIRE_RUN(whole, course.grade({"--csv", course.csv("whole").string(), "--seed", seed}));
   REQUIRE(rows_of(course.csv("whole")).size() == 30);
 
   std::mt19937 random(static_cast<unsigned>(getpid()));
@@ -204,9 +202,7 @@ TEST_CASE("a batch that is killed at any moment loses nothing and repeats nothin
   }
   CHECK(left == std::vector<std::string>());
 
-  const auto last = course.grade({"--csv", course.csv().string(), "--resume"});
-  CAPTURE(last.output, last.errors);
-  CHECK(last.exit_code == 0);
+  REQUIRE_RUN(last, course.grade({"--csv", course.csv().string(), "--resume"}));
   CHECK(rows_of(course.csv()) == rows_of(course.csv("whole")));
   const auto verdicts = verdicts_of(course.csv());
   for (const auto& [id, verdict] : verdicts_of(course.csv("whole"))) {
@@ -228,8 +224,7 @@ TEST_CASE("only changed submissions are judged again") {
   const std::string csv = course.csv().string();
   REQUIRE(course.grade({"--csv", csv, "--seed", "7"}).exit_code == 0);
   course.hand_in("s03", "int another;\n");
-  const auto again = course.grade({"--csv", csv, "--resume"});
-  CHECK(again.exit_code == 0);
+  REQUIRE_RUN(again, course.grade({"--csv", csv, "--resume"}));
   CHECK(again.output.find("6 submissions: 1 judged, 5 were before; seed 7") != std::string::npos);
   CHECK(course.grade({"--csv", csv, "--resume", "--seed", "8"}).exit_code == 2);
   // Forgetting --resume does not delete an unfinished run.
@@ -263,8 +258,7 @@ TEST_CASE("rows of a class: a missing file or program gives 0, an unreadable one
   fs::create_directories(course.path() / "class" / "zoe" / "notes");
   write_text(course.path() / "class" / "broken.zip", "no zip");
   const std::string csv = course.csv().string();
-  const auto run = course.grade({"--csv", csv});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.grade({"--csv", csv}));
   const auto rows = rows_of(csv);
   REQUIRE(rows.size() == 4);
   const auto cells = [&](const char* id) {
@@ -281,9 +275,8 @@ TEST_CASE("shards partition a class") {
   Course course;
   course.hand_in_tiny(5);
   for (const char* shard : {"1/2", "2/2"}) {
-    const auto run = course.grade({"--csv", course.csv(std::string("part") + shard[0]).string(),
-                                   "--shard", shard, "--seed", "1"});
-    CHECK(run.exit_code == 0);
+    REQUIRE_RUN(run, course.grade({"--csv", course.csv(std::string("part") + shard[0]).string(),
+                                   "--shard", shard, "--seed", "1"}));
   }
   CHECK(rows_of(course.csv("part1")).size() == 3);
   CHECK(rows_of(course.csv("part2")).count("s01") == 1);

@@ -75,18 +75,15 @@ void works_from_the_first_call_on(const Handout& handout, const std::vector<std:
   CHECK(contains(begun.output, "not written yet"));
 
   write_text(file, text_of(handout.layout.solutions()));
-  const auto done = handout.lab({"check", "variance"});
-  CAPTURE(done.output, done.errors);
-  CHECK(done.exit_code == 0);
+  REQUIRE_RUN(done, handout.lab({"check", "variance"}));
   CHECK(contains(done.output, "100 of 100 points"));
 
   const auto help = handout.lab({"--help"});
   const auto commands = listed_verbs(help.output);
   CHECK(commands == all);
   for (const std::string& command : commands) {
-    const auto run = handout.lab({command, "--help"});
-    CAPTURE(command, run.errors);
-    CHECK(run.exit_code == 0);
+    CAPTURE(command);
+    REQUIRE_RUN(run, handout.lab({command, "--help"}));
     CHECK(contains(run.output, "usage: ./lab " + command));
   }
   // Commands that are not part of the handout are unknown there, and a message says so.
@@ -98,8 +95,7 @@ void works_from_the_first_call_on(const Handout& handout, const std::vector<std:
   }
 
   CHECK(contains(handout.lab({"run", "variance", "mean", "1,2,6"}).output, "3"));
-  const auto handed_in = handout.lab({"submit", "variance"});
-  CHECK(handed_in.exit_code == 0);
+  REQUIRE_RUN(handed_in, handout.lab({"submit", "variance"}));
   CHECK(contains(handed_in.output, "variance.cpp, answers/1-variance.md"));
   CHECK(contains(handed_in.output, "The last check: 100 of 100 points."));
   CHECK(contains(handed_in.output, "How many hours did this lab take you?"));
@@ -118,8 +114,7 @@ void works_from_the_first_call_on(const Handout& handout, const std::vector<std:
 /// built from scratch.
 void builds_from_sources(const Handout& handout) {
   const CopiedBuild copied(handout.layout.build, handout.root / "build");
-  const auto first = handout.lab({"--version"});
-  CHECK(first.exit_code == 0);
+  REQUIRE_RUN(first, handout.lab({"--version"}));
   CHECK(contains(first.errors, "was built for"));
   CHECK(copied.written() == copied.times);
 }
@@ -141,15 +136,11 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 void grades_what_is_handed_in(const Container& container) {
-  const auto built = container.script("setup.sh");
-  CAPTURE(built.output, built.errors);
-  REQUIRE(built.exit_code == 0);
+  REQUIRE_RUN(built, container.script("setup.sh"));
   const std::string starter = text_of(container.layout.starter());
   const std::string solution = text_of(container.layout.solutions());
   const auto results = [&](const std::vector<std::pair<fs::path, std::string>>& files) {
-    const auto run = container.grade(files);
-    CAPTURE(run.output, run.errors);
-    CHECK(run.exit_code == 0);
+    REQUIRE_RUN(run, container.grade(files));
     const std::string text = read_text(container.results);
     CHECK_FALSE(contains(text, container.path().string()));  // no path of the container
     auto json = nlohmann::json::parse(text, nullptr, false);
@@ -182,12 +173,11 @@ void grades_what_is_handed_in(const Container& container) {
   CHECK(curious["score"] == 0);
 
   // One endless task, which few others call: the others count. The student can repeat the failures.
-  std::string loops = solution;
-  const std::string begin =
-      "double covariance(std::span<const double> x, std::span<const double> y) {";
-  REQUIRE(contains(loops, begin));
-  loops.insert(loops.find(begin) + begin.size(), "\n  for (volatile bool on = true; on;) {\n  }\n");
-  const auto late = results({{"variance.cpp", loops}});
+  const std::string head =
+      "double covariance(std::span<const double> x, std::span<const double> y) {\n";
+  const auto late = results(
+      {{"variance.cpp",
+        with_change(solution, head, head + "  for (volatile bool on = true; on;) {\n  }\n")}});
   CHECK(late["score"] < 100);
   std::size_t failed = 0;
   for (const auto& test : late["tests"]) {
@@ -213,9 +203,7 @@ void grades_what_is_handed_in(const Container& container) {
            fs::copy_options::recursive);
   fs::copy_file(compared.source / "run_autograder", container.source / "run_autograder",
                 fs::copy_options::overwrite_existing);
-  const auto graded = container.grade({{"variance.cpp", solution}});
-  CAPTURE(graded.output, graded.errors);
-  REQUIRE(graded.exit_code == 0);
+  REQUIRE_RUN(graded, container.grade({{"variance.cpp", solution}}));
   const auto ranked = nlohmann::json::parse(read_text(container.results));
   CHECK(ranked["score"] == 100);
   CHECK(ranked["visibility"] == "visible");
@@ -249,9 +237,8 @@ void editor_commands_work(const Handout& handout) {
   const auto tasks = read("tasks.json")["tasks"];
   std::vector<std::string> labels;
   for (const auto& task : tasks) {
-    const auto run = handout.lab_words(task["command"]);
-    CAPTURE(task["command"], run.output, run.errors);
-    CHECK(run.exit_code == 0);
+    CAPTURE(task["command"]);
+    REQUIRE_RUN(run, handout.lab_words(task["command"]));
     labels.push_back(task["label"]);
   }
   for (const auto& configuration : read("launch.json")["configurations"]) {
@@ -319,7 +306,8 @@ TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
   grades_what_is_handed_in(Container({"--visibility", "hidden"}));
 }
 
-/// The skeleton that ./lab new-lab writes, in a checkout that is built anyway. Returns its solution.
+/// The skeleton that ./lab new-lab writes, in a checkout that is built anyway. Returns its
+/// solution.
 std::string with_new_lab(const Handout& handout) {
   const fs::path skeleton = handout.layout.root / "autograder" / "new-lab.txt";
   CHECK_THROWS_AS(write_new_lab(skeleton, handout.root, 2, "../x"), UsageError);
@@ -335,9 +323,7 @@ void new_lab_works(const Handout& handout, const std::string& solution) {
   const fs::path file = handout.root / "starter" / "light_transport.cpp";
   CHECK(contains(handout.lab({"check", "2"}).output, "0 of 100 points"));
   write_text(file, solution);
-  const auto right = handout.lab({"check", "2"});
-  CAPTURE(right.output, right.errors);
-  CHECK(right.exit_code == 0);
+  REQUIRE_RUN(right, handout.lab({"check", "2"}));
   CHECK(contains(handout.lab({"plot", "2"}).output, "light_transport-squares.svg"));
   CHECK(contains(handout.lab({"run", "2", "squares", "3"}).output, "9"));
   CHECK(contains(handout.lab({"hint", "2.1"}).output, "area"));
@@ -356,9 +342,7 @@ TEST_CASE("a handout with the judge's sources works from the first call on", "[.
                                          "reset", "submit", "update", "completion"});
   write_text(handout.root / "starter" / "variance.cpp", text_of(handout.layout.solutions()));
   const fs::path page = handout.path() / "demo.html";
-  const auto demo = handout.lab({"demo", "--out", page.string()});  // builds what it measures with
-  CAPTURE(demo.output, demo.errors);
-  CHECK(demo.exit_code == 0);
+  REQUIRE_RUN(demo, handout.lab({"demo", "--out", page.string()}));  // builds what it measures with
   CHECK(fs::exists(page));
 }
 

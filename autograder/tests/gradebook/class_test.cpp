@@ -98,9 +98,7 @@ TEST_CASE("a class of forty with every hostile file gives forty rows, each right
   }
 
   const std::string csv = course.csv().string();
-  const auto run = course.grade({"--csv", csv, "--seed", "1"});
-  CAPTURE(run.output, run.errors);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.grade({"--csv", csv, "--seed", "1"}));
   CHECK(outcomes(csv) == expected);
   // What it prints is bounded, and never a line of the report.
   CHECK(fs::file_size(verdict_file(csv, "prints")) < (std::size_t{1} << 20));
@@ -132,9 +130,8 @@ TEST_CASE("deep names in a zip are left out") {
 
 TEST_CASE("files that git does not know are refused, not left out") {
   const Scratch root;
-  const auto git = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"git", "-C", root.path().string()});
-    REQUIRE(sandbox::run_process(words).succeeded());
+  const auto git = [&](const std::vector<std::string>& words) {
+    REQUIRE_RUN(run, sandbox::run_process(joined({"git", "-C", root.path().string()}, words)));
   };
   Context context{read_layout(), {}};
   context.layout.root = root.path();
@@ -185,11 +182,7 @@ TEST_CASE("corrections survive every run") {
              "id,what,points,comment\nanna,variance,91,\"a typo, no more\"\n"
              "bob,1.1 the mean of nothing is NaN,1,\nbob,variance written,17,\nzoe,1,5,\n");
   const auto check = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> words{"--csv", csv};
-    words.insert(words.end(), more.begin(), more.end());
-    const auto run = course.grade(words);
-    CAPTURE(run.output, run.errors);
-    CHECK(run.exit_code == 0);
+    REQUIRE_RUN(run, course.grade(joined({"--csv", csv}, more)));
     CHECK(contains(run.errors, "there is no submission 'zoe'"));
     const Table table = read_table(csv);
     REQUIRE(table.rows.size() == 2);
@@ -200,11 +193,9 @@ TEST_CASE("corrections survive every run") {
   };
   check({"--seed", "1"});
   check({"--resume"});
-  const auto stats = course.run({"stats", csv});
-  CHECK(stats.exit_code == 0);
+  REQUIRE_RUN(stats, course.run({"stats", csv}));
   CHECK(contains(stats.output, "mean 54.5"));
-  const auto pages = course.grade({"--csv", csv, "--resume", "--html", course.path() / "pages"});
-  CHECK(pages.exit_code == 0);
+  REQUIRE_RUN(pages, course.grade({"--csv", csv, "--resume", "--html", course.path() / "pages"}));
   CHECK(contains(read_text(course.path() / "pages" / "index.html"), "corrected: variance: 91"));
   CHECK(contains(read_text(course.path() / "pages" / "submissions" / "anna.html"), "a typo"));
   write_text(course.path() / "corrections.csv", "anna,1.x,5\n");

@@ -19,9 +19,7 @@ struct Container : Course {
   sandbox::ProcessResult written;
 
   explicit Container(const std::vector<std::string>& more) {
-    std::vector<std::string> words{"gradescope", "variance", "--out", zip.string()};
-    words.insert(words.end(), more.begin(), more.end());
-    written = run(words);
+    written = run(joined({"gradescope", "variance", "--out", zip.string()}, more));
     for (const Path& place : {source, handed, results.parent_path()}) {
       std::filesystem::create_directories(place);
     }

@@ -36,16 +36,14 @@ struct Course : Scratch {
     return path() / (name + ".csv");
   }
 
-  sandbox::ProcessResult run(std::vector<std::string> words,
+  sandbox::ProcessResult run(const std::vector<std::string>& words,
                              const sandbox::ProcessOptions& options = {}) const {
-    words.insert(words.begin(), (layout.build / "bin" / "course").string());
-    return sandbox::run_process(words, options);
+    return sandbox::run_process(joined({(layout.build / "bin" / "course").string()}, words),
+                                options);
   }
   sandbox::ProcessResult grade(const std::vector<std::string>& more,
                                const sandbox::ProcessOptions& options = {}) const {
-    std::vector<std::string> words{"grade", (path() / "class").string(), "--lab", "variance"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run(words, options);
+    return run(joined({"grade", (path() / "class").string(), "--lab", "variance"}, more), options);
   }
 };
 

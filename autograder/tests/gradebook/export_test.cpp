@@ -38,9 +38,7 @@ TEST_CASE("export for JPlag: a folder for each submission, the starters as base 
   fs::create_directory_symlink(course.layout.solutions(), handed / "sly");
   write_text(handed / "broken.zip", "no zip");
 
-  const auto run = course.run({"export", "jplag", handed.string(), "--out", out.string()});
-  CAPTURE(run.output, run.errors);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.run({"export", "jplag", handed.string(), "--out", out.string()}));
   CHECK(files_in(out / "submissions") == std::vector<std::string>{"$(touch x) '?[31m/variance.cpp",
                                                                   "ada/variance.cpp",
                                                                   "bob/halton.cpp"});

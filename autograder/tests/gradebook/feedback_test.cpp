@@ -26,9 +26,7 @@ struct CanvasClass : Course {
                "    Points Possible,,,,,100,\n\"Ash, Anna\",4711,a7,anna@x.edu,S1,,\n"
                "\"Bo, Bob\",4712,b8,bob@x.edu,S1,,\n");
     write_text(path() / "corrections.csv", "id,what,points,comment\na7,variance,91,a typo\n");
-    const auto run = grade({"--csv", csv().string(), "--roster", roster.string(), "--seed", "7"});
-    CAPTURE(run.output, run.errors);
-    REQUIRE(run.exit_code == 0);
+    REQUIRE_RUN(run, grade({"--csv", csv().string(), "--roster", roster.string(), "--seed", "7"}));
   }
 };
 
@@ -36,10 +34,8 @@ struct CanvasClass : Course {
 
 TEST_CASE("feedback goes back by name, without anything of the grading machine") {
   const CanvasClass course;
-  const auto run = course.run({"feedback", course.csv().string(), "--out", course.out.string(),
-                               "--roster", course.roster.string()});
-  CAPTURE(run.output, run.errors);
-  REQUIRE(run.exit_code == 0);
+  REQUIRE_RUN(run, course.run({"feedback", course.csv().string(), "--out", course.out.string(),
+                               "--roster", course.roster.string()}));
   CHECK(contains(run.output, "3 students, a page and a text each; 2 pages named for upload"));
   const std::string page = read_text(course.out / "students" / "a7.html");
   const std::string text = read_text(course.out / "students" / "a7.txt");
@@ -87,14 +83,10 @@ TEST_CASE("Moodle gets its worksheet back, and pages under its names") {
                          "Participant 12,Anna Ash,anna@x.edu,Submitted,,100,\"Friday, 2 May\",-\n"
                          "Participant 13,Bob Bo,bob@x.edu,No submission,,100,-,-\n");
   const std::string csv = course.csv().string();
-  const auto graded = course.run({"grade", (course.path() / "class").string(), "--lab", "1",
-                                  "--csv", csv, "--roster", roster.string()});
-  CAPTURE(graded.output, graded.errors);
-  REQUIRE(graded.exit_code == 0);
-  const auto run =
-      course.run({"feedback", csv, "--out", out.string(), "--roster", roster.string()});
-  CAPTURE(run.output, run.errors);
-  REQUIRE(run.exit_code == 0);
+  REQUIRE_RUN(graded, course.run({"grade", (course.path() / "class").string(), "--lab", "1",
+                                  "--csv", csv, "--roster", roster.string()}));
+  REQUIRE_RUN(run,
+              course.run({"feedback", csv, "--out", out.string(), "--roster", roster.string()}));
   CHECK(fs::exists(out / "moodle" / "Anna Ash_12_assignsubmission_file_feedback.html"));
   CHECK(fs::exists(out / "moodle" / "Bob Bo_13_assignsubmission_file_feedback.html"));
   const auto rows = csv_rows(read_text(out / "moodle-variance.csv"));

@@ -38,8 +38,7 @@ TEST_CASE("Gradescope's zip has the required files at its top, the version, and 
 TEST_CASE("a lab's zip has the labs that it depends on") {
   const Course course;
   const fs::path zip = course.path() / "6.zip";
-  const auto run = course.run({"gradescope", "6", "1", "--out", zip.string()});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.run({"gradescope", "6", "1", "--out", zip.string()}));
   const auto listed = sandbox::run_process({"cmake", "-E", "tar", "tf", zip.string()});
   for (const char* file :
        {"labs/3-stratification/stratification.hpp", "/checks_sampler", "/checks_variance"}) {

@@ -19,18 +19,16 @@ struct Handout : Course {
   explicit Handout(const std::vector<std::string>& more = {},
                    const std::filesystem::path& where = {}) {
     if (!where.empty()) root = where;
-    std::vector<std::string> words{"handout", root.string()};
-    words.insert(words.end(), more.begin(), more.end());
+    std::vector<std::string> words = joined({"handout", root.string()}, more);
     if (!grader::has_compiled_judge(layout)) words.emplace_back("--with-sources");
     written = run(words);
   }
-  sandbox::ProcessResult git(std::vector<std::string> words) const {
-    words.insert(words.begin(), {"git", "-C", root.string()});
-    return sandbox::run_process(words, {.output = std::size_t{64} << 20});
+  sandbox::ProcessResult git(const std::vector<std::string>& words) const {
+    return sandbox::run_process(joined({"git", "-C", root.string()}, words),
+                                {.output = std::size_t{64} << 20});
   }
-  sandbox::ProcessResult lab(std::vector<std::string> words) const {
-    words.insert(words.begin(), (root / "lab").string());
-    return run_here(words);
+  sandbox::ProcessResult lab(const std::vector<std::string>& words) const {
+    return run_here(joined({(root / "lab").string()}, words));
   }
   /// A line of a shell, in the handout.
   sandbox::ProcessResult lab_words(const std::string& line) const {

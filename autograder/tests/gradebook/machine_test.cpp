@@ -11,7 +11,7 @@
 #include "checks/support/catch.hpp"
 #include "grader/gradebook/book.hpp"
 #include "sandbox/process.hpp"
-#include "tests/submissions.hpp"
+#include "tests/gradebook/course.hpp"
 
 namespace mc::tests::machine {
 
@@ -23,18 +23,14 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// A class of right answers to lab 1, and a separate build directory to grade it with.
-struct Course : Scratch {
-  Layout layout = read_layout();
-  std::vector<std::string> ids;
+struct Course : tests::Course {
   fs::path build = path() / "build";
 
   explicit Course(int count) {
     for (int i = 0; i < count; ++i) {
-      ids.push_back(fmt::format("s{}", i));
-      fs::create_directories(path() / "class" / ids.back());
       // New text, so that nothing of it is cached.
-      write_text(path() / "class" / ids.back() / "variance.cpp",
-                 text_of(layout.solutions()) + fmt::format("// {} {}\n", getpid(), i));
+      hand_in(fmt::format("s{}", i),
+              text_of(layout.solutions()) + fmt::format("// {} {}\n", getpid(), i));
     }
     fs::create_directories(build / "bin");
     for (const char* name : {"bin/course", "bin/checks_variance", "layout.txt"}) {
@@ -46,25 +42,16 @@ struct Course : Scratch {
     fs::permissions(path(), fs::perms::all);
   }
 
-  fs::path csv() const { return path() / "grades.csv"; }
   fs::path json() const { return path() / "results.json"; }
 
   Words grade(const fs::path& where, const std::string& what, const Words& more) const {
-    Words words{(where / "bin" / "course").string(),
-                "grade",
-                (path() / what).string(),
-                "--lab",
-                "variance",
-                "--seed",
-                "1",
-                "--no-plots"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+    return joined({(where / "bin" / "course").string(), "grade", (path() / what).string(), "--lab",
+                   "variance", "--seed", "1", "--no-plots"},
+                  more);
   }
-  sandbox::ProcessResult with(Words faults, const Words& words) const {
-    faults.insert(faults.begin(), (layout.build / "bin" / "faulty_machine").string());
-    faults.insert(faults.end(), words.begin(), words.end());
-    return sandbox::run_process(faults);
+  sandbox::ProcessResult with(const Words& faults, const Words& words) const {
+    const fs::path program = layout.build / "bin" / "faulty_machine";
+    return sandbox::run_process(joined(joined({program.string()}, faults), words));
   }
 };
 
@@ -102,10 +89,8 @@ bool is_no_grade(const Course& course, const Words& faults, const std::string& r
 
 /// Once the machine works again, --resume judges them all.
 void is_made_good(const Course& course) {
-  const auto run = sandbox::run_process(
-      course.grade(course.build, "class", {"--csv", course.csv(), "--resume"}));
-  CAPTURE(run.output, run.errors);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, sandbox::run_process(
+                       course.grade(course.build, "class", {"--csv", course.csv(), "--resume"})));
   const auto rows = csv_rows(read_text(course.csv()));
   REQUIRE(rows.size() == course.ids.size() + 1);
   for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// Traces every number of a class's page to the files that it comes from: the table of grades and the
-// verdicts next to it.
+// Traces every number of a class's page to the files that it comes from: the table of grades and
+// the verdicts next to it.
 
 #include <algorithm>
 #include <cmath>

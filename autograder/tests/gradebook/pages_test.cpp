@@ -119,8 +119,7 @@ TEST_CASE("pages need no stored table, and work for a single submission") {
   Course course;
   course.hand_in("ada", "int x\n");
   const fs::path pages = course.path() / "pages";
-  const auto run = course.grade({"--html", pages.string(), "--no-plots"});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.grade({"--html", pages.string(), "--no-plots"}));
   CHECK(fs::exists(pages / "index.html"));
   CHECK(contains(read_text(pages / "submissions" / "class.html"), "does not compile"));
   CHECK(course.grade({"--html", "/no/such/place/pages"}).exit_code == 2);

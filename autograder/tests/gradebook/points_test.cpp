@@ -100,11 +100,8 @@ TEST_CASE("a task left out is in no table, report, statistic and handout") {
   write_text(build / "layout.txt", with_change(read_text(course.layout.build / "layout.txt"),
                                                "root=" + course.layout.root.string() + "\n",
                                                "root=" + root.string() + "\n"));
-  const auto lab = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), (build / "bin" / "course").string());
-    const auto run = sandbox::run_process(words);
-    CAPTURE(run.output, run.errors);
-    CHECK(run.exit_code == 0);
+  const auto lab = [&](const std::vector<std::string>& words) {
+    REQUIRE_RUN(run, sandbox::run_process(joined({(build / "bin" / "course").string()}, words)));
     return run.output;
   };
   course.hand_in("anna", text_of(course.layout.solutions()));

@@ -103,9 +103,7 @@ TEST_CASE("a graded roster has a row for everyone") {
   const fs::path roster = course.path() / "roster.csv";
   write_text(roster, "id,name,email\nanna,Anna Ash,anna@x.edu\nbob,Bob Bo,bob@x.edu\n");
   const std::string csv = course.csv().string();
-  const auto run = course.grade({"--csv", csv, "--roster", roster.string(), "--seed", "1"});
-  CAPTURE(run.output, run.errors);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.grade({"--csv", csv, "--roster", roster.string(), "--seed", "1"}));
   CHECK(contains(run.output, "without a submission: bob"));
   CHECK(contains(run.output, "not on the roster: zoe"));
   const Table table = read_table(csv);
@@ -166,9 +164,7 @@ TEST_CASE("a lone lab can be judged with the reference's earlier labs") {
   CHECK(field(read_table(csv).rows.at(0), "independent total") == "0");
   std::vector<std::string> more = words;
   more.emplace_back("--with-reference");
-  const auto run = course.run(more);
-  CAPTURE(run.output, run.errors);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.run(more));
   CHECK(contains(run.output, "judged with the reference's variance"));
   CHECK(field(read_table(csv).rows.at(0), "independent total") == "100");
   CHECK(field(read_table(csv).rows.at(0), "independent status") == "judged on reference");

@@ -251,8 +251,7 @@ TEST_CASE("stats of a graded class, as text and as a page without names") {
   const std::string csv = course.csv().string();
   REQUIRE(course.grade({"--csv", csv, "--seed", "1"}).exit_code == 0);
   const fs::path page = course.path() / "stats.html";
-  const auto run = course.run({"stats", csv, "--html", page.string()});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.run({"stats", csv, "--html", page.string()}));
   CHECK(contains(run.output, "Lab 1 · variance: 0 attempts\n  1 not attempted, 4 not compiling"));
   const std::string html = read_text(page);
   CHECK(contains(html, "1 not attempted, 4 not compiling"));

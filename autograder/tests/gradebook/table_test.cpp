@@ -43,8 +43,7 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
     REQUIRE(course.grade({"--csv", part, "--shard", which + "/2", "--seed", "1"}).exit_code == 0);
     words.push_back(part);
   }
-  const auto run = course.run(words);
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.run(words));
   CHECK(run.errors.empty());
   CHECK(contains(run.output, "7 submissions of 2 tables"));
   CHECK(without_seconds(merged) == without_seconds(whole));
@@ -85,8 +84,7 @@ TEST_CASE("merge reports versions and seeds that differ, with their tables") {
         std::vector<std::string>{"the versions differ: " + a + " 1.0, " + b + " 1.1",
                                  "the seeds differ: " + a + " 1, " + b + " 2"});
   CHECK(merge_tables({read_table(a)}, {}).differences.empty());
-  const auto run = Course().run({"merge", a, b});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, Course().run({"merge", a, b}));
   CHECK(contains(run.errors, "the seeds differ"));
   CHECK(!contains(run.output, "differ"));  // only the table
 }
@@ -99,8 +97,7 @@ TEST_CASE("merge reports a table whose run did not finish, and so does its own r
   CHECK(course.run({"merge", part, "--out", merged}).errors.empty());
   CHECK(read_book_state(merged).finished);
   write_book_state(part, false, 3);  // the state that a killed run leaves
-  const auto run = course.run({"merge", part, "--out", merged});
-  CHECK(run.exit_code == 0);
+  REQUIRE_RUN(run, course.run({"merge", part, "--out", merged}));
   CHECK(contains(run.errors, part + " is not whole: its run did not end"));
   CHECK(read_book_state(merged).seed == 3);
   CHECK(!read_book_state(merged).finished);

@@ -1,5 +1,6 @@
-// A whole term with a roster of thirty: a handout, submitted in three ways, graded by a judge that is
-// killed in the middle; late, absent, resubmitted, corrected, regraded after a fixed check; feedback.
+// A whole term with a roster of thirty: a handout, submitted in three ways, graded by a judge that
+// is killed in the middle; late, absent, resubmitted, corrected, regraded after a fixed check;
+// feedback.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -88,8 +89,8 @@ struct Work {
   bool variance_is_right = false, independent_is_right = false;
 };
 
-/// Correct in the repository's and in other ways, with one mistake, unwritten, not C++. Some of them
-/// also have work on lab 2.
+/// Correct in the repository's and in other ways, with one mistake, unwritten, not C++. Some of
+/// them also have work on lab 2.
 std::vector<Work> works(const Layout& layout) {
   const std::string variance = read_whole_text(layout.solutions() / "variance.cpp");
   const std::string independent = read_whole_text(layout.solutions() / "independent.cpp");
@@ -123,9 +124,7 @@ struct Term : Course {
   fs::path handout = path() / "handout";
 
   Term() {
-    const auto written = run({"handout", handout.string(), "--labs", "1,2"});
-    INFO(written.errors);
-    REQUIRE(written.exit_code == 0);
+    REQUIRE_RUN(written, run({"handout", handout.string(), "--labs", "1,2"}));
     for (std::size_t i = 0; i < handed.size(); ++i) {
       ids.push_back(fmt::format("student {:02}", i + 1));
       const fs::path place = path() / "class" / ids[i];
@@ -161,24 +160,19 @@ struct Term : Course {
          place);
   }
   static void must(const std::vector<std::string>& command, const fs::path& directory) {
-    const auto done = sandbox::run_process(command, {.directory = directory});
-    INFO(done.errors);
-    REQUIRE(done.succeeded());
+    REQUIRE_RUN(done, sandbox::run_process(command, {.directory = directory}));
   }
 
   std::vector<std::string> grading(const fs::path& table,
                                    const std::vector<std::string>& more) const {
-    std::vector<std::string> words{
-        "grade", (path() / "class").string(), "--lab", "1,2", "--csv", table.string()};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+    return joined({"grade", (path() / "class").string(), "--lab", "1,2", "--csv", table.string()},
+                  more);
   }
 
   /// Starts grading, and kills it after a few rows.
   void grade_and_kill(const fs::path& table, const std::string& seed) const {
     const std::string program = (layout.build / "bin" / "course").string();
-    std::vector<std::string> words = grading(table, {"--seed", seed});
-    words.insert(words.begin(), program);
+    std::vector<std::string> words = joined({program}, grading(table, {"--seed", seed}));
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
@@ -233,9 +227,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   CHECK(before >= 5);
   CHECK(before < handed_in);
   const fs::path pages = term.path() / "pages";
-  const auto resumed = term.run(term.grading(grades, {"--resume", "--html", pages.string()}));
-  INFO(resumed.output << resumed.errors);
-  REQUIRE(resumed.exit_code == 0);
+  REQUIRE_RUN(resumed, term.run(term.grading(grades, {"--resume", "--html", pages.string()})));
   CHECK(contains(resumed.output,
                  fmt::format("{} judged, {} were before; seed 7", handed_in - before, before)));
   check_grades(term, grades);

@@ -38,9 +38,7 @@ struct Semester : Handout {
     commit_files(root, {file, manifest_file}, "older");
   }
   sandbox::ProcessResult again(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{"handout", root.string()};
-    words.insert(words.end(), more.begin(), more.end());
-    return run(words);
+    return run(joined({"handout", root.string()}, more));
   }
   /// `./lab update` in the clone, with the program of this build.
   sandbox::ProcessResult update() const {
@@ -51,12 +49,11 @@ struct Semester : Handout {
                "root=" + clone.string() + "\nversion=1.0.0\ncompiler=c++\n");
     return sandbox::run_process({program.string(), "update"}, {.directory = clone});
   }
-  sandbox::ProcessResult git_in(const fs::path& place, std::vector<std::string> words) const {
-    words.insert(words.begin(), {"git", "-C", place.string(), "-c", "user.name=s", "-c",
-                                 "user.email=s@example.org"});
-    const auto ran = sandbox::run_process(words);
-    CAPTURE(ran.errors);
-    REQUIRE(ran.succeeded());
+  sandbox::ProcessResult git_in(const fs::path& place,
+                                const std::vector<std::string>& words) const {
+    REQUIRE_RUN(ran, sandbox::run_process(joined({"git", "-C", place.string(), "-c", "user.name=s",
+                                                  "-c", "user.email=s@example.org"},
+                                                 words)));
     return ran;
   }
 };
@@ -71,9 +68,7 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own") {
   write_text(semester.root / "notes.md", "mine\n");
   const fs::path header = semester.root / "labs" / "1-variance" / "variance.hpp";
   write_text(header, read_text(header) + "// edited\n");
-  const auto run = semester.again({"--labs", "2"});
-  CAPTURE(run.output, run.errors);
-  REQUIRE(run.exit_code == 0);
+  REQUIRE_RUN(run, semester.again({"--labs", "2"}));
   CHECK(contains(run.output, "one commit on top"));
   CHECK(lines(semester.git({"rev-list", "HEAD"}).output) == 3);
   const std::string message = semester.git({"log", "-1", "--format=%B"}).output;
@@ -111,9 +106,7 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   CHECK(contains(semester.update().output, "Already the latest: 1.0.0"));
   write_text(semester.clone / header, "// mine\n");
   REQUIRE(semester.again({"--labs", "2"}).exit_code == 0);
-  const auto run = semester.update();
-  CAPTURE(run.output, run.errors);
-  REQUIRE(run.exit_code == 0);
+  REQUIRE_RUN(run, semester.update());
   CHECK(contains(run.output, "New labs: independent"));
   CHECK(contains(run.output, header + ": you changed it, and so did the course"));
   CHECK(read_text(semester.clone / "starter" / "variance.cpp") == work);
@@ -122,7 +115,7 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   CHECK(fs::exists(semester.clone / "starter" / "independent.cpp"));
   CHECK(read_manifest(semester.clone).version == semester.layout.version);
   CHECK(semester.git_in(semester.clone, {"stash", "list"}).output.empty());
-  // One more lab each week; a student who missed a week is told of both.
+  // One more lab each week; a student who missed a week reads about both.
   REQUIRE(semester.again({"--labs", "3"}).exit_code == 0);
   REQUIRE(semester.again({"--labs", "4"}).exit_code == 0);
   const std::string later = semester.update().output;
@@ -159,9 +152,7 @@ TEST_CASE("an update that cannot be merged changes nothing") {
 
 TEST_CASE("a released lab is one commit, and the next handout keeps it") {
   const Semester semester;
-  const auto run = semester.run({"release", "1", semester.root.string()});
-  CAPTURE(run.output, run.errors);
-  REQUIRE(run.exit_code == 0);
+  REQUIRE_RUN(run, semester.run({"release", "1", semester.root.string()}));
   CHECK(contains(semester.git({"log", "-1", "--format=%s"}).output, "solution of lab variance"));
   CHECK(read_text(semester.root / "released" / "variance.cpp") ==
         text_of(semester.layout.solutions()));
