@@ -215,11 +215,12 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 
 class ColumnSampler final : public Sampler {
  public:
-  explicit ColumnSampler(const Kind& kind) : kind_(kind) {}
+  explicit ColumnSampler(const Kind& kind) : of_many_(kind) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0) throw std::invalid_argument("samples: there are none");
     if (samples > most_samples) throw std::invalid_argument("samples: more than memory may hold");
+    kind_ = samples == 1 ? &kinds[0] : &of_many_;  // a single sample is uniform, whatever the kind
     samples_ = samples;
     rng_ = Rng(seed);
     sample_ = next_ = next2_ = ready_ = ready2_ = dimension_ = half_ = 0;
@@ -251,7 +252,7 @@ class ColumnSampler final : public Sampler {
     require_sample();
     if (ready_ == ones_.size()) ones_.emplace_back();
     ones_[ready_].resize(samples_);
-    kind_.one(taking(1, ready_), ones_[ready_], rng_);
+    kind_->one(taking(1, ready_), ones_[ready_], rng_);
     ++ready_;
     return next();
   }
@@ -262,7 +263,7 @@ class ColumnSampler final : public Sampler {
     Pair& pair = twos_[ready2_];
     pair.x.resize(samples_);
     pair.y.resize(samples_);
-    kind_.two(taking(2, ready2_), pair.x, pair.y, rng_);
+    kind_->two(taking(2, ready2_), pair.x, pair.y, rng_);
     ++ready2_;
     return next2();
   }
@@ -291,7 +292,8 @@ class ColumnSampler final : public Sampler {
                                           : "all samples are done: generate() makes new ones");
   }
 
-  const Kind& kind_;
+  const Kind& of_many_;
+  const Kind* kind_ = nullptr;  // of_many_, or independent for one sample
   Rng rng_{0};
   std::size_t samples_ = 0, sample_ = 0;  // how many there are, and which this is
   std::size_t next_ = 0, next2_ = 0;      // uses that this sample has asked for
