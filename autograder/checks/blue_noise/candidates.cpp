@@ -23,16 +23,18 @@ namespace mc::checks {
 
 /// Each point of a few sets, and how many candidates it had. Where that is wrong, thousands of sets
 /// show why.
-static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng) {
+static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng,
+                             std::size_t rows = 500) {
   const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
   const SampleSets all = random_sets(got, n, sets);
   if (n == 5) require_fine(all);
-  const Nearness parts = nearness(all, later_points(n), 500, rng);
+  const Nearness parts = nearness(all, later_points(n), rows, rng);
   Randomness claim = best_of_candidates(
       "for each candidate its nearest point, of all points before; keep the candidate for which "
       "that is farthest");
   claim.explain = [&]() -> std::string {
     constexpr std::size_t more = 4000;
+    if (n == 2) return few_candidates_hint(parts, promised(c)(1));
     if (n != 5) return {};
     const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));
     return candidates_hint(random_sets(again, n, more), c, rng);
@@ -48,6 +50,7 @@ CHECK_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:1
   judge_candidates(17, 1e-9, 60, rng);
   judge_candidates(65, 0.1, 12, rng);
   judge_candidates(2, 1, 400, rng);
+  judge_candidates(2, 4999, 60, rng, 20000);  // they leave 1/5000 of the square: finer rows
   const auto got = MEASURE(best_candidate, 1, 1, 2000, fresh_seed(rng));
   const SampleSets first = random_sets(got, 1, 2000);
   expect_independent_uniforms(
