@@ -167,15 +167,15 @@ struct Picture {
 
 /// All pixels of these pictures have different seeds.
 void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
-  std::set<std::uint64_t> seeds;
-  std::size_t pixels = 0;
+  Seeds seeds;
   for (const auto& [width, height, seed] : pictures) {
     const auto got = MEASURE(render_recorded, width, height, 1, seed);
-    for (const std::uint64_t of_pixel : picture_of(got, width * height, 1).seeds) {
-      seeds.insert(of_pixel);
-    }
-    pixels += width * height;
+    const Seeds more = picture_of(got, width * height, 1).seeds;
+    seeds.insert(seeds.end(), more.begin(), more.end());
   }
+  const std::size_t pixels = seeds.size();
+  std::sort(seeds.begin(), seeds.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
   const auto& [width, height, seed] = pictures[0];
   const std::string last = pictures.size() == 1
                                ? std::string()
