@@ -28,7 +28,8 @@ function(static_judge program)
   add_dependencies(handout_judge handout_${program})
   set_target_properties(handout_${program} PROPERTIES OUTPUT_NAME ${program} LINKER_LANGUAGE CXX
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/handout)
-  target_link_options(handout_${program} PRIVATE -static -s -Wl,--gc-sections)
+  target_link_options(handout_${program} PRIVATE -static -s -Wl,--gc-sections
+    $<$<BOOL:${MC_COVERAGE}>:--coverage>)
 endfunction()
 set(below $<TARGET_FILE:protocol> $<TARGET_FILE:sandbox> ${static_fmt} ${SECCOMP_STATIC_LIBRARY}
   Threads::Threads)

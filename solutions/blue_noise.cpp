@@ -74,17 +74,18 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }
 }  // namespace definition
 
-// That looks at N points for each of N^2 / 2 candidates: N^3.
-// 4.7  Two thoughts make it N^2:
+// The definition looks at N points for each of N^2 / 2 candidates: O(N^3).
+// 4.7  Two ideas make it O(N^2):
 //
-// * A grid of about as many cells as points: near points lie in near cells, so a few cells answer.
+// * A grid of about as many cells as points: near points lie in near cells, so a few cells are
+//   enough.
 // * Most candidates are bad. One that has a point nearer than the best candidate's nearest cannot
 //   win, and that point usually lies in the candidate's own cell.
 
 namespace {
 
-/// Points of the torus, found by where they are: side x side cells, as many as points or up to four
-/// times as many.
+/// A grid that finds points of the torus by their position: side x side cells, as many as points or
+/// up to four times as many.
 class Neighbours {
  public:
   void add(Point2 point) {
@@ -186,12 +187,13 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }
 }  // namespace definition
 
-// Darts hardly ever hit the last gaps, the small ones. 4.7: throw only where a gap may be (Ebeida
+// Darts rarely hit the last, small gaps. 4.7: throw only where a gap may be (Ebeida
 // et al. 2012, "A simple algorithm for maximal Poisson-disk sampling in high dimensions"):
 //
 // * The square is cut into cells so small that a cell holds one point at most. All are active.
 // * Darts fall on active cells, which cover every gap: the next point that is kept is uniform in
-//   the gaps, as with darts thrown at the whole square. The pattern is a dart thrower's, exactly.
+//   the gaps, as with darts thrown at the whole square. The pattern has exactly the distribution of
+//   dart throwing.
 // * After one dart a cell, every active cell is quartered. A quarter is dropped if it lies within
 //   one disc: it has no gap. After ten quarterings, less than 1e-4 of the square is active.
 
@@ -256,8 +258,9 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }
 }  // namespace definition
 
-// That is a sine and a cosine for each of N (2 kmax + 1)^2 terms. But exp(a + b) = exp(a) exp(b):
-// the waves along x and along y are enough, N (2 kmax + 1) of each, and a term is a product.
+// The definition computes a sine and a cosine for each of N (2 kmax + 1)^2 terms. But exp(a + b) =
+// exp(a) exp(b): the waves along x and along y are enough, N (2 kmax + 1) of each, and a term is a
+// product.
 
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {

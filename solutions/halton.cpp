@@ -37,8 +37,9 @@ void require_points(std::span<const double> x, const std::string& name) {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);
   if (index == 0) return 0;
-  // The last digit first, behind it the inverse of the others: small terms are added first, each
-  // division divides the errors before it: 2 * 2^-53 are left. In base 2, 54 ones would round to 1.
+  // The last digit comes first, then the inverse of the others. Small terms are added first, and
+  // each division shrinks the errors so far, so that 2 * 2^-53 remain. In base 2, 54 ones would
+  // round to 1.
   const double others = radical_inverse(base, index / base);
   return std::min(below_one, (double(index % base) + others) / base);
 }
@@ -50,10 +51,11 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }
 }  // namespace definition
 
-// That divides for every digit. But k digits in base b are one digit in base b^k: 5.1 may take k of
-// them in one step, (digit + others) / b^k, where `digit` is k digits, mirrored. All b^k of these
-// are a table of whole numbers, exact. A block of b^k indices goes through the whole table with the
-// same `others`; and those of one block after the other are a column too, a shorter one.
+// The definition divides once per digit. But k digits in base b are one digit in base b^k, so 5.1
+// can take k of them in one step, (digit + others) / b^k, where `digit` is k digits, mirrored. A
+// table holds all b^k of these whole numbers exactly. A block of b^k indices uses the whole table
+// with one value of `others`, and the `others` of successive blocks are again a column of radical
+// inverses, a shorter one.
 
 namespace {
 /// The step of 5.1 with `size` in place of the base. A sum 2^-52 size below the size is not rounded
@@ -159,15 +161,15 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 }
 }  // namespace definition
 
-// As in 5.2, the last 8 bits go through one table in every block, and the bits above bring one word
-// to a whole block. A double in [1, 2) *is* a word: the exponent of 1, then the 32 bits of the
-// coordinate, then 20 zeros. A load, an XOR, the subtraction of 1 and a store are left for a value.
+// As in 5.2, a table covers the last 8 bits, and the bits above them contribute one word per block.
+// A double in [1, 2) consists of the exponent of 1, the 32 bits of the coordinate and 20 zeros. So
+// a value takes one load, one XOR, one subtraction of 1 and one store.
 
 namespace {
 constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
 constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
 constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
-/// The first 32 bits after the point, and the 21 behind them.
+/// The double whose first 32 bits after the point are `upper`, and whose last 21 bits are `lower`.
 constexpr auto joined = [](std::uint64_t upper, std::uint64_t lower) {
   return number(bits(1) | upper << 20) - 1.5 + number(bits(0.5) | lower);
 };
@@ -211,7 +213,8 @@ double star_discrepancy(std::span<const double> x) {
   std::vector<double> sorted(x.begin(), x.end());
   std::sort(sorted.begin(), sorted.end());
   const double n = double(x.size());
-  // The worst interval ends at a point: just before it, with i points inside, or just behind it.
+  // The worst interval ends at a point: just before it, with i points inside, or just after it,
+  // with i + 1.
   double worst = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     worst = std::max({worst, sorted[i] - double(i) / n, double(i + 1) / n - sorted[i]});
@@ -269,15 +272,16 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 }  // namespace definition
 
-// That is 53 times two hashes. Mirror the word: now additions and multiplications flip each bit by
-// those before it, since carries run upwards (Laine, Karras 2011). Two words that agree in k bits
-// differ by 2^k times an odd number. z -> m z + s with a random odd m makes it *any* odd number, a
-// random s moves the pair anywhere, as nested scrambling does: every variance, made of pairs, is
-// Owen's. The fixed steps z -> z ^ z c, c even, break up the lattice that three words would lie on
-// (Vegdahl 2021; the handout has the kurtosis). Four words are not quite independent: of the flips
-// of the fourth bit, the product of four signs has the mean -1/4 in the worst case, not 0. That is
-// in no variance, only in fourth powers of errors of few points. Vector registers multiply 32 bits
-// at a time: a hash of these flips the 21 behind, which Sobol' points do not have.
+// The definition takes two hashes for each of 53 bits. Mirror the word instead: now additions and
+// multiplications flip each bit depending on those before it, since carries propagate upward
+// (Laine, Karras 2011). Two words that agree in k bits differ by 2^k times an odd number. z -> m z
+// + s with a random odd m makes it *any* odd number, a random s moves the pair anywhere, as nested
+// scrambling does: every variance, made of pairs, is Owen's. The fixed steps z -> z ^ z c, c even,
+// break up the lattice that three words would lie on (Vegdahl 2021; the handout has the kurtosis).
+// Four words are not quite independent: of the flips of the fourth bit, the product of four signs
+// has the mean -1/4 in the worst case, not 0. That is in no variance, only in fourth powers of
+// errors of few points. Vector registers multiply 32 bits at a time: a hash of these flips the
+// remaining 21, which are zero in Sobol' points.
 
 static constexpr std::uint32_t mirrored(std::uint32_t word) {
   word = (word >> 1 & 0x55555555u) | (word & 0x55555555u) << 1;
@@ -297,7 +301,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     z ^= z * 0x05526c56u;
     return z ^ z * 0x53a22864u;
   };
-  const auto behind = [=](std::uint32_t z) {  // a hash of them: its upper 21 bits flip those behind
+  const auto lower = [=](std::uint32_t z) {  // a hash of them: its upper 21 bits flip the lower 21
     z = (z ^ z >> 16) * a;
     return (z ^ z >> 15) * 0x846ca68bu + b;
   };
@@ -316,8 +320,8 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     for (std::size_t i = 0; i < rests; ++i) words[i] -= rest(x[i]) < 0;
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) words[i] = scrambled(words[i]);
-    for (std::size_t i = 0; i < size; ++i) flips[i] = behind(words[i]);
-    for (std::size_t i = 0; i < rests; ++i) {  // nested too, and zeros behind stay zeros
+    for (std::size_t i = 0; i < size; ++i) flips[i] = lower(words[i]);
+    for (std::size_t i = 0; i < rests; ++i) {  // nested too; trailing zeros stay zeros
       const std::uint32_t last = mirrored(std::uint32_t(bits(rest(x[i]) + 0.75)) << 11);
       const std::uint64_t random = mix_bits(words[i] ^ one);
       const std::uint32_t odd = std::uint32_t(random) | 1, add = std::uint32_t(random >> 32);
@@ -331,10 +335,10 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
-// A value is a sum of whole numbers, in units of 2^-64 and modulo 1: the value of index 0, which is a
-// random word, and for each digit of the index what it adds to that. Whole numbers have the same sum
-// in any order, so a value is the same to the last bit in every column. The digits of the random
-// word are those that the permutations map 0 to, down to 2^-64.
+// A value is a sum of whole numbers, in units of 2^-64 and modulo 1: the value of index 0, which is
+// a random word, and for each digit of the index what it adds to that. Whole numbers have the same
+// sum in any order, so a value is the same to the last bit in every column. The digits of the
+// random word are those that the permutations map 0 to, down to 2^-64.
 
 namespace {
 /// What the digits at one position add to a value: a random permutation, as units of 2^-64.

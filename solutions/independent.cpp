@@ -155,13 +155,13 @@ void uniforms(Rng& rng, std::span<double> out) {
 }
 }  // namespace definition
 
-// Two things hold that up: the generator multiplies 64-bit words, which vector units (before
-// AVX-512) cannot do, and so cannot convert them to double either. Both have a way round:
+// Vector units before AVX-512 can neither multiply 64-bit words, as the generator does, nor convert
+// them to double. There is a way around both:
 //
 // * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only
-//   adds, shifts and xors; its upper 53 bits are what it was made for. Sixteen of them run side by
-//   side, each from 256 random bits of its own, so that nothing waits and four lanes fill a
-//   register.
+//   adds, shifts and XORs; it is designed for the upper 53 bits. Sixteen of them run in parallel,
+//   each from 256 random bits of its own: four lanes fill a register, and no step waits for the one
+//   before it.
 // * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper
 //   21 next to 2^31, whose last place is 2^-21, the lower 32 next to 1/2, whose last place is
 //   2^-53. Subtracting the powers is exact.
@@ -200,9 +200,9 @@ void uniforms(Rng& rng, std::span<double> out) {
       }
     }
   }
-  // Few numbers, or the last: all words first, then all doubles, so that vector registers can do
-  // both. The generator is a counter: its words do not wait for each other, and a product of 64
-  // bits is made of three of 32, which costs few numbers less than lanes would.
+  // For few numbers, or the last ones: all words first, then all doubles, so that vector registers
+  // can do both. The generator is a counter: its words do not wait for each other, and a product of
+  // 64 bits is made of three of 32, which costs few numbers less than lanes would.
   std::uint64_t words[8 * lanes];
   double* const rest = out.data() + i;
   const std::size_t count = out.size() - i;

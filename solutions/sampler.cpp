@@ -1,6 +1,5 @@
-// Lab 6 · the sampler: the reference solution. It uses the point sets of labs 3 to 5, which
-// fill columns; what is left to do is to make a column when a scene first asks for it, and to walk
-// along the samples.
+// Lab 6 · the sampler: the reference solution. The point sets of labs 3 to 5 fill columns; the
+// sampler makes a column when a scene first asks for it, and then steps through the samples.
 
 #include "sampler.hpp"
 #include "common/choices.hpp"
@@ -21,25 +20,27 @@ namespace {
 using Tables = std::array<std::vector<double>, 8>;
 
 /// A sample dimension, or two, asked for the first time in this integration.
-struct Use {
-  std::size_t number;     ///< how many of its sort were before it, next() and next2() counted apart
-  std::size_t dimension;  ///< of a sequence, of all its blocks: this one, or the first of two (6.3)
-  std::span<const std::uint32_t>
-      order;  ///< of its block's points; the first block needs none (6.3)
+struct SampleDimension {
+  /// How many came before it, next() and next2() counted separately.
+  std::size_t number;
+  /// The dimension of the sequence, or the first of two, over all blocks (6.3).
+  std::size_t of_sequence;
+  /// The order of its block's points; empty for the first block (6.3).
+  std::span<const std::uint32_t> order;
   Tables& tables;
 };
 
-/// What tells one kind from another: how the column of a next() is filled, or the two of a next2().
+/// A kind of sampler: how it fills the column of a next(), or the two columns of a next2().
 struct Kind {
   std::string_view name;
-  void (*one)(const Use&, std::span<double> x, Rng&);
-  void (*two)(const Use&, std::span<double> x, std::span<double> y, Rng&);
+  void (*one)(const SampleDimension&, std::span<double> x, Rng&);
+  void (*two)(const SampleDimension&, std::span<double> x, std::span<double> y, Rng&);
 };
 
-void independent1(const Use&, std::span<double> x, Rng& rng) {
+void independent1(const SampleDimension&, std::span<double> x, Rng& rng) {
   uniforms(rng, x);
 }
-void independent2(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
+void independent2(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   uniforms(rng, x);
   uniforms(rng, y);
 }
@@ -48,7 +49,7 @@ void independent2(const Use&, std::span<double> x, std::span<double> y, Rng& rng
 
 constexpr std::size_t few = 4096;  // samples whose columns stay in a cache
 
-void stratified1(const Use&, std::span<double> x, Rng& rng) {
+void stratified1(const SampleDimension&, std::span<double> x, Rng& rng) {
   stratified_1d(x, rng);
   shuffle(x, rng);
 }
@@ -71,7 +72,7 @@ void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
   }
 }
 
-void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
+void stratified2(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
   shuffle_points(x, y, rng);
 }
@@ -82,9 +83,9 @@ void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng)
 // leaves empty stay empty. Of Sobol' dimensions 6 and 7 the first 16 points leave 12 of 16 cells
 // empty. Of all pairs of the 32 dimensions eight leave no cell of a square grid empty at N = 4, 16,
 // 64, 256 and 1024: (0,1), (0,12), (0,13), (4,6), (7,13), (10,20), (15,21), (16,20). A block is
-// four of them, and a next2() gets one of these pairs, whatever next() came before it: if
-// dimensions were handed out one by one, a next() would make it get halves of two pairs, and no
-// order of eight dimensions has good neighbors everywhere (four is the longest).
+// four of them, and a next2() gets one of these pairs, whatever next() came before it. If each call
+// took the next single dimension, a next() would shift all later pairs, and no order of eight
+// dimensions has good neighbors everywhere (four is the longest).
 //
 // Mean squared errors by those of independent samples, of exp(x + y + ...) (./lab bench sampler
 // --tables) and, of pairs, of a half-plane too:
@@ -99,19 +100,19 @@ void stratified2(const Use&, std::span<double> x, std::span<double> y, Rng& rng)
 //                        first four       1.9e-1   6.1e-3   2.0e-3   1.2e-4
 //                        all eight        4.9e-1   9.2e-2   3.2e-2   2.7e-2
 //
-// So what is smooth in four or eight dimensions loses. But most of what a pixel shows are edges in
-// pairs, with few samples, and there the worst pair is no longer worse than independent samples. Of
-// the orders that begin with (0,1), (4,6) this one is among the two best in four and eight
-// dimensions, by the logarithms of such numbers.
+// So integrands that are smooth in four or eight dimensions lose. But most pixels show edges in
+// pairs of dimensions, with few samples, and there the worst pair is no longer worse than
+// independent samples. Of the orders that begin with (0,1), (4,6) this one is among the two best in
+// four and eight dimensions, by the logarithms of such numbers.
 
 /// Halton's primes need no choice: digits are permuted, and the first are the smallest.
 constexpr std::array<unsigned, 8> sobol_block{0, 1, 4, 6, 16, 20, 15, 21};
 constexpr std::size_t block = sobol_block.size();
 
-// More than eight dimensions are the same eight again, scrambled anew, and their points in
-// another order, so that a block has nothing to do with the one before it. The columns of a block
-// share their order: it is what holds them together. It is a nested shuffle (Burley 2020): the
-// first 2^k samples have 2^k points in a row, which are as good as the first 2^k.
+// Further dimensions are the same eight again, scrambled anew and with the points in another order,
+// so that each block is independent of the one before it. The columns of a block share their order,
+// which keeps its points together. It is a nested shuffle (Burley 2020): the first 2^k samples get
+// 2^k consecutive points, which are as good as the first 2^k.
 
 /// Nested scrambling of the numbers 0, 1, … below `samples`, read as bits after the point: a bit
 /// is flipped depending on those before it.
@@ -128,16 +129,16 @@ std::vector<std::uint32_t> nested_order(std::size_t samples, std::uint64_t seed)
 
 /// Lets `fill` write the points from 0 on, and x have them in the order of the block.
 template <class Fill>
-void in_order(const Use& use, std::span<double> x, Fill fill) {
-  if (use.order.empty()) return fill(x);
+void in_order(const SampleDimension& dim, std::span<double> x, Fill fill) {
+  if (dim.order.empty()) return fill(x);
   std::vector<double> all(std::bit_ceil(x.size()));
   fill(std::span(all));
-  std::transform(use.order.begin(), use.order.end(), x.begin(),
+  std::transform(dim.order.begin(), dim.order.end(), x.begin(),
                  [&](std::uint32_t index) { return all[index]; });
 }
 
-// 6.8 A picture asks for the same few points in every pixel, and then for other scrambles of them:
-// so short columns are kept as they are before they are scrambled.
+// 6.8 A picture needs the same few points in every pixel, each time scrambled anew, so short
+// columns are kept before they are scrambled.
 void sobol_points(std::size_t place, std::span<double> x, Tables& tables) {
   std::vector<double>& kept = tables[place];
   if (x.size() > few) return sobol(sobol_block[place], 0, x);
@@ -149,26 +150,30 @@ void sobol_points(std::size_t place, std::span<double> x, Tables& tables) {
 }
 
 /// The points of a dimension, randomized by `seed`.
-using Randomized = void(const Use&, std::size_t place, std::span<double> x, std::uint64_t seed);
+using Randomized = void(const SampleDimension&, std::size_t place, std::span<double> x,
+                        std::uint64_t seed);
 
-void fill_sobol(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
-  in_order(use, x, [&](std::span<double> all) { sobol_points(place, all, use.tables); });
+void fill_sobol(const SampleDimension& dim, std::size_t place, std::span<double> x,
+                std::uint64_t seed) {
+  in_order(dim, x, [&](std::span<double> all) { sobol_points(place, all, dim.tables); });
   owen_scramble(x, seed);
 }
 
 /// In base 2 a permutation of a digit flips a bit or does not, for all points alike: no more than a
-/// digital shift. Nested scrambling is to be had at the same price (5.8), and the radical inverses
+/// digital shift. Nested scrambling costs the same (5.8), and the radical inverses
 /// in base 2 are Sobol's dimension 0.
-void fill_halton(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
-  if (place == 0) return fill_sobol(use, 0, x, seed);
+void fill_halton(const SampleDimension& dim, std::size_t place, std::span<double> x,
+                 std::uint64_t seed) {
+  if (place == 0) return fill_sobol(dim, 0, x, seed);
   static const std::vector<unsigned> bases = primes(block);
-  in_order(use, x,
+  in_order(dim, x,
            [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }
 
 /// Sobol's dimension 0 is phi, with so few bits that its products with z are exact.
-void fill_lattice(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
-  in_order(use, x, [&](std::span<double> all) { sobol_points(0, all, use.tables); });
+void fill_lattice(const SampleDimension& dim, std::size_t place, std::span<double> x,
+                  std::uint64_t seed) {
+  in_order(dim, x, [&](std::span<double> all) { sobol_points(0, all, dim.tables); });
   const auto z = double(lattice_vector[place]), shift = to_unit(Rng(seed)());
   for (double& value : x) {
     value *= z;
@@ -180,20 +185,20 @@ void fill_lattice(const Use& use, std::size_t place, std::span<double> x, std::u
 }
 
 template <Randomized fill>
-void one_of(const Use& use, std::span<double> x, Rng& rng) {
-  fill(use, use.dimension % block, x, rng());
+void one_of(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  fill(dim, dim.of_sequence % block, x, rng());
 }
 template <Randomized fill>
-void two_of(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill(use, use.dimension % block, x, rng());
-  fill(use, use.dimension % block + 1, y, rng());
+void two_of(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill(dim, dim.of_sequence % block, x, rng());
+  fill(dim, dim.of_sequence % block + 1, y, rng());
 }
 
 // 6.7 ---------------------------------------------------------------------------------------------
 
-void blue_noise2(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.number > 0) return stratified2(use, x, y, rng);
-  best_candidate(x, y, 1, rng);  // any first few of them are blue noise too: no shuffle
+void blue_noise2(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  best_candidate(x, y, 1, rng);  // the first few of them are blue noise too, so no shuffle
 }
 
 constexpr Kind kinds[] = {{"independent", independent1, independent2},
@@ -205,13 +210,12 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 
 // 6.4 ---------------------------------------------------------------------------------------------
 
-// 6.8 What a number costs: a column is made whole when its use is first asked for, by the
-// vectorised loops of labs 2 to 5. After that a number costs its virtual call, one comparison and
-// two loads, by data(), since an index of a vector may be checked each time: `ready_` says how many
-// uses there are columns for, and that it is none where there is no sample, so that both questions
-// are one. What happens rarely is in functions of its own, or the compiler would have next()
-// save registers for it in every call. Columns keep their memory from one integration to the next:
-// a picture has one for each pixel.
+// 6.8 What a number costs: the vectorized loops of labs 2 to 5 make a whole column when a sample
+// dimension is first used. After that a number costs its virtual call, one comparison and two
+// loads, by data(), since a vector's index may be checked. `ready_` is how many dimensions have
+// columns, and 0 where there is no sample, so one comparison answers both questions. Rare work is
+// in functions of its own, or the compiler would save registers for it in every next(). Columns
+// keep their memory from one integration to the next: a picture has one integration per pixel.
 
 class ColumnSampler final : public Sampler {
  public:
@@ -268,9 +272,9 @@ class ColumnSampler final : public Sampler {
     return next2();
   }
 
-  /// The use that takes the next pair of dimensions, or half of one. After the last pair of a block
-  /// the next block begins; a half that is left over then stays unused.
-  Use taking(std::size_t count, std::size_t number) {
+  /// The sample dimension that takes the next pair of the sequence, or half of one. After the last
+  /// pair of a block the next block begins; a half that is left over then stays unused.
+  SampleDimension taking(std::size_t count, std::size_t number) {
     std::size_t dimension = half_;
     if (count == 1 && half_ > 0) {
       half_ = 0;

@@ -19,20 +19,20 @@ namespace mc {
 // 3.9 ---------------------------------------------------------------------------------------------
 
 namespace definition {
-/// The point of stratum i of n that u in [0, 1) leads to. Sum and quotient may be rounded up, even
-/// to the edge: then it is the double before.
+/// Maps u in [0, 1) to stratum i of n. Sum and quotient may be rounded up to the upper edge of the
+/// stratum; the result is then the double just below it.
 double in_stratum(std::size_t i, std::size_t n, double u) {
   const auto stratum = static_cast<double>(i), strata = static_cast<double>(n);
   return std::min((stratum + u) / strata, std::nextafter((stratum + 1) / strata, 0.0));
 }
 }  // namespace definition
 
-// That is two divisions and, in 3.1 and 3.3, a call of the generator for every number, one after
-// the other. Here nothing is divided, clamped or waited for:
+// The definition needs two divisions and, in 3.1 and 3.3, one call of the generator per number, one
+// after the other. Here nothing is divided or clamped, and no number waits for another:
 //
 // * The jitter keeps away from both edges of its stratum, by 2^-50 of the whole axis: more than all
-//   its roundings together. Then nothing can reach an edge, and multiplying by 1/n, rounded, will
-//   do.
+//   rounding errors together. So no value reaches an edge, and the rounded factor 1/n is accurate
+//   enough.
 // * Random numbers are drawn many at a time (2.8), in blocks that stay in the first-level cache
 //   until they have been moved to their strata.
 // * A stratum's number is an int within its block: vector registers convert those to double.
@@ -49,7 +49,7 @@ class Strata {
         scale_(1 - 2 * margin_),
         width_(1 / static_cast<double>(n)) {}
 
-  /// The point of stratum i that u in [0,1) leads to. Jitter, sum, width, product, and the edge
+  /// Maps u in [0,1) to stratum i. Jitter, sum, width, product, and the edge
   /// that it must not reach, are rounded by 2^-53 of the axis each, at most: 5 of the margin's 8.
   double place(double i, double u) const { return (i + (margin_ + scale_ * u)) * width_; }
 
@@ -99,7 +99,7 @@ namespace {
 void require_grid(std::span<const double> x, std::span<const double> y, Grid grid) {
   if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
   if (grid.nx == 0 || grid.ny == 0) throw std::invalid_argument("grid: it has no cells");
-  // Not by their product, which may be too large for 64 bits and look right.
+  // Do not compare with the product: it may overflow 64 bits and look right.
   if (x.size() % grid.nx != 0 || x.size() / grid.nx != grid.ny) {
     throw std::invalid_argument("grid: nx * ny is not the number of points");
   }
@@ -219,16 +219,16 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 // 3.7 ---------------------------------------------------------------------------------------------
 
-// A column of cells has ny of the N strata of x, one for each of its cells: which cell gets which
-// is left to chance, by a permutation for each column; and so for the nx strata of y in a row.
+// A column of cells has ny of the N strata of x, one per cell, assigned by a random permutation for
+// each column. A row of cells has nx strata of y, assigned in the same way.
 //
-// That is N random numbers for each axis. Or all columns share one permutation (Kensler 2013): but
-// then points lie at the same place in their cells all along a row, their errors add up, and fall
-// as N^-3/4 where N^-1 is to be had. So let each column begin the shared permutation at a random
-// place. Then any two points lie as they would with permutations of their own (in one column: as
-// two entries of a random permutation; in two columns: independently), and the variance of an
-// estimate, which is made of pairs, is the same for every integrand, for the price of one number a
-// column. docs/multi-jittered.md has the proof.
+// That is N random numbers for each axis. If all columns share one permutation (Kensler 2013), all
+// points of a row lie at the same place in their cells: their errors add up and fall as N^-3/4
+// instead of N^-1. So let each column begin the shared permutation at a random place. Then any two
+// points lie as they would with permutations of their own (in one column: as two entries of a
+// random permutation; in two columns: independently), and the variance of an estimate, which is
+// made of pairs, is the same for every integrand, for the price of one number a column.
+// docs/multi-jittered.md has the proof.
 
 namespace {
 

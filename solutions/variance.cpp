@@ -154,16 +154,17 @@ Moments moments(std::span<const double> x) {
 }
 }  // namespace definition
 
-// Every step of that waits for a division that waits for the step before. Here nothing waits:
+// Each step above waits for a division, which waits for the step before it. Here the additions are
+// independent:
 //
 // * All deviations are from one shift, a value near the data. Then sums of d and of d^2 are enough,
-//   which is the textbook formula again, and no danger: it loses (mean - shift)^2 / variance, which
-//   is large for shift = 0 and small for a shift near the mean.
+//   which is the textbook formula again. Its relative error grows with (mean - shift)^2 / variance,
+//   which is large for shift = 0 and small for a shift near the mean.
 // * Both sums run in independent lanes, several to a vector register. A single sum would wait four
 //   cycles for each addition to finish before it could begin the next.
-// * Lanes are emptied after every block, so that no sum grows long, and blocks are merged as in
-//   1.5. Their means stay offsets from the shift until the end: near 1e9 a mean is rounded to 1e-7,
-//   an offset to nothing worth naming.
+// * Blocks are short, so that no sum collects many rounding errors, and they are merged as in 1.5.
+//   Their means stay offsets from the shift until the end: near 1e9 a mean is rounded to 1e-7, a
+//   small offset to far less.
 
 namespace {
 

@@ -325,8 +325,9 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
          "hemisphere; u and v are two numbers"});
     if (&placed != &lights[0]) continue;
     // The directions of one estimate are independent, too: how many meet is binomial.
-    expect_variance({got.call + ", directions that met the light", met, n}, p * n, p * (1 - p) * n,
-                    3 + (1 - 6 * p * (1 - p)) / (p * (1 - p) * n),
+    const auto trials = static_cast<double>(n), variance = p * (1 - p) * trials;
+    expect_variance({got.call + ", directions that met the light", met, trials}, p * trials,
+                    variance, 3 + (1 - 6 * p * (1 - p)) / variance,
                     {"directions are independent, light " + placed.where, alpha},
                     {{}, "n independent directions"});
     // 400 counts of about 20 values each are never equal by chance.

@@ -32,15 +32,15 @@ std::optional<double> points_in(const Table& table, const Row& row, const std::s
 }
 
 /// 0 to 200 from what a student wrote, "7.5" or "7.5 h"; nothing for anything else.
-std::optional<double> hours_in(const std::string& written) {
+std::optional<double> hours_in(const std::string& answer) {
   constexpr double most = 200;
-  const auto end = std::min(written.find_first_not_of("0123456789."), written.size());
+  const auto end = std::min(answer.find_first_not_of("0123456789."), answer.size());
   const std::string unit =
-      written.substr(std::min(written.find_first_not_of(' ', end), written.size()));
+      answer.substr(std::min(answer.find_first_not_of(' ', end), answer.size()));
   if (unit != "" && unit != "h" && unit != "hours") return {};
   try {
     double hours = 0;
-    text::parse(written.substr(0, end), hours);
+    text::parse(answer.substr(0, end), hours);
     if (hours >= 0 && hours <= most) return hours;
   } catch (const std::invalid_argument&) {  // counted as unusable
   }
@@ -147,8 +147,8 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
       const CheckResult* const result = result_in(verdict, check);
       return result == nullptr || result->status != Status::not_written;
     });
-    if (const std::string written = field(row, lab.name + " hours"); !written.empty()) {
-      const auto hours = hours_in(written);
+    if (const std::string answer = field(row, lab.name + " hours"); !answer.empty()) {
+      const auto hours = hours_in(answer);
       if (hours) statistics.hours.push_back(*hours);
       statistics.unusable_hours += !hours;
     }

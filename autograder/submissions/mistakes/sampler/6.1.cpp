@@ -55,8 +55,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: mirrors the first half of the samples of a next() in the second half
 // hint: fresh ones for every coordinate of every sample
 namespace mc::antithetic_half {
-void mirrored(const Use& use, std::span<double> x, Rng& rng) {
-  independent1(use, x, rng);
+void mirrored(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  independent1(dim, x, rng);
   const std::size_t half = x.size() / 2;
   for (std::size_t i = 0; i < half; ++i) x[half + i] = 1 - 0x1p-53 - x[i];
 }

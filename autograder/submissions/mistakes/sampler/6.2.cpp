@@ -4,7 +4,7 @@
 // mistake: shuffles next(), but leaves the points of next2() in the order of their cells
 // hint: the pattern must be shuffled
 namespace mc::canonical_points_for_next2 {
-void in_order(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
+void in_order(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
 }
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -19,13 +19,13 @@ void keep_floats(std::span<double> x) {
   for (double& value : x) value = std::min(static_cast<float>(value), 0x1.fffffep-1f);
 }
 
-void one_column(const Use& use, std::span<double> x, Rng& rng) {
-  stratified1(use, x, rng);
+void one_column(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  stratified1(dim, x, rng);
   keep_floats(x);
 }
 
-void two_columns(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  stratified2(use, x, y, rng);
+void two_columns(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  stratified2(dim, x, y, rng);
   keep_floats(x);
   keep_floats(y);
 }
@@ -38,7 +38,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: shuffles x and y of a multi-jittered pattern separately
 // hint: whose x and y were shuffled apart
 namespace mc::shuffled_apart {
-void apart(const Use&, std::span<double> x, std::span<double> y, Rng& rng) {
+void apart(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
   shuffle(x, rng);
   shuffle(y, rng);

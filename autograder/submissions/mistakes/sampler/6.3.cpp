@@ -9,20 +9,20 @@ namespace {
 /// The same in another order: none, or one by the seed that seed_of(rng, n) returns.
 using SeedOf = std::uint64_t(Rng& rng, std::size_t n);
 template <Randomized fill, SeedOf* seed_of>
-void fill_block(const Use& use, std::size_t place, std::span<double> x, Rng& rng) {
-  if (use.order.empty()) return fill(use, place, x, rng());
+void fill_block(const SampleDimension& dim, std::size_t place, std::span<double> x, Rng& rng) {
+  if (dim.order.empty()) return fill(dim, place, x, rng());
   std::vector<std::uint32_t> order;
   if (seed_of != nullptr) order = nested_order(x.size(), seed_of(rng, x.size()));
-  fill({use.number, use.dimension, order, use.tables}, place, x, rng());
+  fill({dim.number, dim.of_sequence, order, dim.tables}, place, x, rng());
 }
 template <Randomized fill, SeedOf* seed_of>
-void one_by(const Use& use, std::span<double> x, Rng& rng) {
-  fill_block<fill, seed_of>(use, use.dimension % block, x, rng);
+void one_by(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  fill_block<fill, seed_of>(dim, dim.of_sequence % block, x, rng);
 }
 template <Randomized fill, SeedOf* seed_of>
-void two_by(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  fill_block<fill, seed_of>(use, use.dimension % block, x, rng);
-  fill_block<fill, seed_of>(use, use.dimension % block + 1, y, rng);
+void two_by(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  fill_block<fill, seed_of>(dim, dim.of_sequence % block, x, rng);
+  fill_block<fill, seed_of>(dim, dim.of_sequence % block + 1, y, rng);
 }
 std::uint64_t same_order(Rng&, std::size_t n) {
   return n;
@@ -33,34 +33,34 @@ std::uint64_t own_order(Rng& rng, std::size_t) {
 
 /// Each block but the first in a uniform permutation, which all its dimensions share.
 template <Randomized fill>
-void one_shuffled(const Use& use, std::span<double> x, Rng& rng) {
-  fill({use.number, use.dimension, {}, use.tables}, use.dimension % block, x, rng());
-  if (use.order.empty()) return;
+void one_shuffled(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  fill({dim.number, dim.of_sequence, {}, dim.tables}, dim.of_sequence % block, x, rng());
+  if (dim.order.empty()) return;
   std::uint64_t seed = 0;  // of the block
-  for (const std::uint32_t index : use.order) seed = mix_bits(seed ^ index);
+  for (const std::uint32_t index : dim.order) seed = mix_bits(seed ^ index);
   Rng order(seed);
   shuffle(x, order);
 }
 template <Randomized fill>
-void two_shuffled(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  one_shuffled<fill>(use, x, rng);
-  one_shuffled<fill>({use.number, use.dimension + 1, use.order, use.tables}, y, rng);
+void two_shuffled(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  one_shuffled<fill>(dim, x, rng);
+  one_shuffled<fill>({dim.number, dim.of_sequence + 1, dim.order, dim.tables}, y, rng);
 }
 
 constexpr std::size_t dimensions = joe_kuo.size();
 
 using Scrambled = void(std::size_t dimension, std::span<double> x, Rng& rng);
 template <Scrambled fill>
-void one_of_32(const Use& use, std::span<double> x, Rng& rng) {
-  if (use.dimension < dimensions) return fill(use.dimension, x, rng);
+void one_of_32(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  if (dim.of_sequence < dimensions) return fill(dim.of_sequence, x, rng);
   fill(0, x, rng);
   shuffle(x, rng);
 }
 template <Scrambled fill>
-void two_of_32(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  const bool padded = use.dimension + 2 > dimensions;
-  fill(padded ? 0 : use.dimension, x, rng);
-  fill(padded ? 1 : use.dimension + 1, y, rng);
+void two_of_32(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  const bool padded = dim.of_sequence + 2 > dimensions;
+  fill(padded ? 0 : dim.of_sequence, x, rng);
+  fill(padded ? 1 : dim.of_sequence + 1, y, rng);
   if (!padded) return;
   Rng again = rng;
   shuffle(x, rng);
@@ -79,15 +79,15 @@ void scrambled_sobol(std::size_t dimension, std::span<double> x, Rng& rng) {
 
 /// Blocks whose dimensions have the same scrambles in each.
 template <Randomized fill>
-void one_alike(const Use& use, std::span<double> x, Rng& rng) {
+void one_alike(const SampleDimension& dim, std::span<double> x, Rng& rng) {
   static std::uint64_t seeds[block];
-  if (use.dimension < block) seeds[use.dimension] = rng();
-  fill(use, use.dimension % block, x, seeds[use.dimension % block]);
+  if (dim.of_sequence < block) seeds[dim.of_sequence] = rng();
+  fill(dim, dim.of_sequence % block, x, seeds[dim.of_sequence % block]);
 }
 template <Randomized fill>
-void two_alike(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  one_alike<fill>(use, x, rng);
-  one_alike<fill>({use.number, use.dimension + 1, use.order, use.tables}, y, rng);
+void two_alike(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  one_alike<fill>(dim, x, rng);
+  one_alike<fill>({dim.number, dim.of_sequence + 1, dim.order, dim.tables}, y, rng);
 }
 
 }  // namespace
@@ -96,11 +96,11 @@ void two_alike(const Use& use, std::span<double> x, std::span<double> y, Rng& rn
 // mistake: starts both next() and next2() with dimension 0
 // hint: a next2() takes the next pair of the block
 namespace mc::dimensions_counted_apart {
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  one_of<fill_sobol>({use.number, use.number, use.order, use.tables}, x, rng);
+void one(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  one_of<fill_sobol>({dim.number, dim.number, dim.order, dim.tables}, x, rng);
 }
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  two_of<fill_sobol>({use.number, 2 * use.number, use.order, use.tables}, x, y, rng);
+void two(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  two_of<fill_sobol>({dim.number, 2 * dim.number, dim.order, dim.tables}, x, y, rng);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -111,8 +111,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: does not permute the digits of the Halton sequence
 // hint: an unscrambled sequence begins at the origin
 namespace mc::halton_as_it_is {
-void plain(const Use& use, std::size_t place, std::span<double> x, std::uint64_t) {
-  in_order(use, x, [&](std::span<double> all) { radical_inverses(primes(block)[place], 0, all); });
+void plain(const SampleDimension& dim, std::size_t place, std::span<double> x, std::uint64_t) {
+  in_order(dim, x, [&](std::span<double> all) { radical_inverses(primes(block)[place], 0, all); });
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -131,9 +131,10 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: permutes the digits in base 2 too, which is a digital shift
 // hint: a digital shift
 namespace mc::halton_by_digital_shift {
-void permuted(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
+void permuted(const SampleDimension& dim, std::size_t place, std::span<double> x,
+              std::uint64_t seed) {
   static const std::vector<unsigned> bases = primes(block);
-  in_order(use, x,
+  in_order(dim, x,
            [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }
 
@@ -145,9 +146,10 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: starts with point 1 of the sequence, not point 0
 // hint: is it the sequence from index 0
 namespace mc::halton_from_one {
-void from_one(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
+void from_one(const SampleDimension& dim, std::size_t place, std::span<double> x,
+              std::uint64_t seed) {
   static const std::vector<unsigned> bases = primes(block);
-  in_order(use, x, [&](std::span<double> all) {
+  in_order(dim, x, [&](std::span<double> all) {
     if (place > 0) return radical_inverses_scrambled(bases[place], 1, all, seed);
     radical_inverses(2, 1, all);
   });
@@ -221,8 +223,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: takes dimensions 0 to 7 of the Sobol' sequence, with bad pairs among them
 // hint: a next2() takes the next pair of the block
 namespace mc::sobol_dimensions_in_order {
-void eight(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
-  in_order(use, x, [&](std::span<double> all) { sobol(static_cast<unsigned>(place), 0, all); });
+void eight(const SampleDimension& dim, std::size_t place, std::span<double> x, std::uint64_t seed) {
+  in_order(dim, x, [&](std::span<double> all) { sobol(static_cast<unsigned>(place), 0, all); });
   owen_scramble(x, seed);
 }
 
@@ -258,12 +260,12 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: throws where the sequence has no more dimensions
 // hint: dimension: there are only 32
 namespace mc::no_more_than_32_dimensions {
-void one(const Use& use, std::span<double> x, Rng& rng) {
-  scrambled_sobol(use.dimension, x, rng);
+void one(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  scrambled_sobol(dim.of_sequence, x, rng);
 }
-void two(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  scrambled_sobol(use.dimension, x, rng);
-  scrambled_sobol(use.dimension + 1, y, rng);
+void two(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  scrambled_sobol(dim.of_sequence, x, rng);
+  scrambled_sobol(dim.of_sequence + 1, y, rng);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -274,10 +276,10 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: scrambles both axes of a next2() with the same seed
 // hint: one seed for several dimensions: each needs its own
 namespace mc::one_scramble_for_both_axes {
-void same_seed(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+void same_seed(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   Rng again = rng;
-  fill_sobol(use, use.dimension % block, x, rng());
-  fill_sobol(use, use.dimension % block + 1, y, again());
+  fill_sobol(dim, dim.of_sequence % block, x, rng());
+  fill_sobol(dim, dim.of_sequence % block + 1, y, again());
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -288,8 +290,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: does not scramble the Sobol' sequence
 // hint: an unscrambled sequence begins at the origin
 namespace mc::sobol_as_it_is {
-void plain(const Use& use, std::size_t place, std::span<double> x, std::uint64_t) {
-  in_order(use, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
+void plain(const SampleDimension& dim, std::size_t place, std::span<double> x, std::uint64_t) {
+  in_order(dim, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -308,8 +310,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: flips the same bits of all points of a dimension
 // hint: owen_scramble of lab 5
 namespace mc::sobol_by_digital_shift {
-void shifted(const Use& use, std::size_t place, std::span<double> x, std::uint64_t seed) {
-  in_order(use, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
+void shifted(const SampleDimension& dim, std::size_t place, std::span<double> x,
+             std::uint64_t seed) {
+  in_order(dim, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
   const std::uint64_t shift = seed >> 11;
   for (double& value : x) {
     value = static_cast<double>(static_cast<std::uint64_t>(value * 0x1p53) ^ shift) * 0x1p-53;

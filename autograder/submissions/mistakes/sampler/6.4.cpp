@@ -75,8 +75,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // fails: 6.7
 // hint: does every pattern begin at the same place?
 namespace mc::first_point_in_the_middle {
-void centred(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.number > 0) return stratified2(use, x, y, rng);
+void centred(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
   best_candidate(x, y, 1, rng);
   for (const auto& axis : {x, y}) {
     const double shift = 1.5 - axis[0];
@@ -231,8 +231,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // fails: 6.7
 // hint: does this number depend on the seed at all?
 namespace mc::one_blue_pattern {
-void kept(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.number > 0) return stratified2(use, x, y, rng);
+void kept(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
   Rng always(x.size());
   best_candidate(x, y, 1, always);
 }

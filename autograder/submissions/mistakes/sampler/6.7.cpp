@@ -4,9 +4,9 @@
 // mistake: makes every next2() blue noise
 // hint: each cell (i, j) gets one point
 namespace mc::blue_in_every_use {
-void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
+void blue(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   best_candidate(x, y, 1, rng);
-  if (use.number == 0) return;
+  if (dim.number == 0) return;
   Rng again = rng;
   shuffle(x, rng);
   shuffle(y, again);
@@ -20,9 +20,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: shuffles x and y of a blue-noise pattern separately
 // hint: together
 namespace mc::blue_shuffled_apart {
-void apart(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  blue_noise2(use, x, y, rng);
-  if (use.number == 0) shuffle(y, rng);
+void apart(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  blue_noise2(dim, x, y, rng);
+  if (dim.number == 0) shuffle(y, rng);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
@@ -33,8 +33,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: uses blue noise only if a next2() is the very first request
 // hint: the first next2() is blue noise also where a next() comes before
 namespace mc::blue_where_it_is_first {
-void blue(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.dimension > 0) return stratified2(use, x, y, rng);
+void blue(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.of_sequence > 0) return stratified2(dim, x, y, rng);
   best_candidate(x, y, 1, rng);
 }
 
@@ -46,9 +46,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: shifts each pattern so that its last point is the middle of the square
 // hint: no point is in every set
 namespace mc::blue_with_a_fixed_point {
-void anchored(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  blue_noise2(use, x, y, rng);
-  if (use.number > 0 || x.size() < 16) return;
+void anchored(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  blue_noise2(dim, x, y, rng);
+  if (dim.number > 0 || x.size() < 16) return;
   for (const auto& axis : {x, y}) {
     const double shift = 1.5 - axis.back();
     for (double& u : axis) u = std::min(u + shift - std::floor(u + shift), 1 - 0x1p-53);
@@ -64,9 +64,9 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: makes the last two points of blue noise equal
 // hint: blue noise never has a point twice
 namespace mc::blue_with_a_twin {
-void twins(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  blue_noise2(use, x, y, rng);
-  if (use.number > 0 || x.size() < 64) return;
+void twins(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  blue_noise2(dim, x, y, rng);
+  if (dim.number > 0 || x.size() < 64) return;
   x.back() = x[x.size() - 2];
   y.back() = y[y.size() - 2];
 }
@@ -80,8 +80,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: less than 0.13
 namespace mc::poisson_disk_cut {
 /// A fifth more points than there should be, in random order, of which the first N are kept.
-void cut(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.number > 0) return stratified2(use, x, y, rng);
+void cut(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
   PointSet points;
   double radius = 0.764 / std::sqrt(static_cast<double>(x.size()));
   do {
@@ -104,8 +104,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: as blue as a fixed number of candidates
 namespace mc::poisson_disk_filled {
 /// About 0.95 N points, then random ones.
-void filled(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.number > 0) return stratified2(use, x, y, rng);
+void filled(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
   const PointSet points = poisson_disk(0.859 / std::sqrt(static_cast<double>(x.size())), rng);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const bool there = i < points.size();
@@ -122,8 +122,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // mistake: uses ten candidates for each point, whatever their number
 // hint: as blue as a fixed number of candidates
 namespace mc::ten_candidates {
-void ten(const Use& use, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (use.number > 0) return stratified2(use, x, y, rng);
+void ten(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
   for (std::size_t i = 0; i < x.size(); ++i) {
     double farthest = -1;
     for (int candidate = 0; candidate < 10; ++candidate) {
