@@ -65,7 +65,7 @@ tables() {
 tables kurtosis ./lab bench halton autograder/submissions/mistakes/halton/pairs_only.cpp --tables
 between labs/5-halton/README.md '<!-- output of ./lab bench halton autograder' "$build/tables.txt"
 definitions=autograder/submissions/alternatives/stratification/plain_definitions.cpp
-tables kurtosis ./lab bench stratification "$definitions" --tables
+tables 'kurtosis of the error of exp' ./lab bench stratification "$definitions" --tables
 between docs/answers/3-stratification.md '<!-- output of ./lab bench stratification' "$build/tables.txt"
 tables 'RMSE of 1024' ./lab bench halton --tables
 between labs/5-halton/README.md '<!-- output of ./lab bench halton --tables' "$build/tables.txt"

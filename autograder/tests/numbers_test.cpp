@@ -36,10 +36,25 @@ std::string objection_by_hand(const Layout& layout, const Claim& claim) {
 
 using Cells = std::map<std::string, std::string>;
 
+/// A claim is about a cell, or about the ratio of two: "CELL divided by CELL".
 std::string objection_in_tables(const Cells& cells, const Claim& claim) {
-  const auto found = cells.find(claim.cell);
-  if (found == cells.end()) return "no such cell: " + claim.cell;
-  return objection(claim, {found->second});
+  constexpr std::string_view by = " divided by ";
+  const auto middle = claim.cell.find(by);
+  std::vector<std::string> printed;
+  for (const std::string& name :
+       {claim.cell.substr(0, middle),
+        middle == claim.cell.npos ? "" : claim.cell.substr(middle + by.size())}) {
+    if (name.empty()) continue;
+    const auto found = cells.find(name);
+    if (found == cells.end()) return "no such cell: " + name;
+    printed.push_back(found->second);
+  }
+  if (printed.size() == 2) {
+    const auto above = number_of(printed[0]), below = number_of(printed[1]);
+    if (!above || !below) return "no numbers: " + claim.cell;
+    printed = {fmt::format("{}", above->value / below->value)};
+  }
+  return objection(claim, printed);
 }
 
 /// The data of a lab's plots by "FILE | ROW | COLUMN", where a row is called by its first number,
@@ -190,6 +205,10 @@ TEST_CASE("wrong numbers are detected") {
   CHECK(contains(cell("empty cells | of 64 | plain", "46"), "not printed"));
   CHECK(contains(cell("errors | b | b", "62"), "no such cell"));
   CHECK(contains(cell("errors | c | a", "62"), "not printed"));
+  CHECK(cell("errors | b | a divided by empty cells | of 64 | plain", "1.3") == "");
+  CHECK(contains(cell("errors | b | a divided by empty cells | of 64 | plain", "1.4"),
+                 "not printed"));
+  CHECK(contains(cell("errors | b | a divided by errors | b | b", "1.3"), "no such cell"));
 
   const auto blocks = output_blocks(
       "a\n<!-- output of ./lab bench halton --tables:\n errors -->\nerrors (± 3 % at most):\n\n"
@@ -211,15 +230,17 @@ TEST_CASE("the bench takes a file of the repository's submissions, and no other"
   CHECK(contains(missing.errors, "there is no file missing.cpp"));
 }
 
-/// Takes a minute: the bench and the plots measure all that handouts and answers quote. The tables
-/// of a lab are printed once, with all submissions that its numbers are about.
-TEST_CASE("the numbers in handouts and answers are those that their commands print", "[.numbers]") {
+/// Takes a minute: the bench and the plots measure all that these documents quote. The tables of a
+/// lab are printed once, with all submissions that its numbers are about.
+TEST_CASE("the numbers in handouts, answers and lectures are those that their commands print",
+          "[.numbers]") {
   const Layout layout = read_layout();
   std::size_t compared = 0;
   for (const Lab& one : find_labs(layout)) {
-    const fs::path answers = layout.root / "docs" / "answers" / (one.folder + ".md");
-    const std::string handout = read_text(layout.labs() / one.folder / "README.md") + "\n\n" +
-                                (fs::exists(answers) ? read_text(answers) : "");
+    std::string handout = read_text(layout.labs() / one.folder / "README.md");
+    for (const char* folder : {"answers", "lectures"}) {
+      handout += "\n\n" + read_text(layout.root / "docs" / folder / (one.folder + ".md"));
+    }
     const auto all_shown = transcripts_of(handout);
     for (const Transcript& shown : all_shown) {
       CAPTURE(one.name, shown.words);

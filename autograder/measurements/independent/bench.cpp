@@ -121,18 +121,25 @@ TEST_CASE("bench table of stopping", "[.bench-table]") {
   }
 }
 
-/// Relative variances of two samples of 2.7: two points, two directions, one of each. Exact, by the
-/// midpoint rule: of weights f / p, or by the balance heuristic f / (p + q), over the light.
-TEST_CASE("bench table of the balance heuristic", "[.bench-table]") {
+/// Variances of a sample of 2.7, and relative ones of two samples: two points, two directions, one of
+/// each. Exact, by the midpoint rule: of weights f / p, or by the balance heuristic f / (p + q), over
+/// the light [-x, x] x [-y, y].
+TEST_CASE("bench table of lights", "[.bench-table]") {
   if (!has_lights()) return;
-  for (const auto& [name, half] :
-       {std::pair{"a lamp, half a side 0.33", 0.33}, {"a ceiling, half a side 10", 10.0}}) {
+  struct Light {
+    const char* name;
+    double x, y;
+  };
+  for (const auto& [name, half_x, half_y] : {Light{"a lamp, half a side 0.33", 0.33, 0.33},
+                                             {"the light of 2.7", 1, 0.5},
+                                             {"half a side 2", 2, 2},
+                                             {"a ceiling, half a side 10", 10, 10}}) {
     constexpr int steps = 1000;
     double mean = 0, squares[2] = {}, parts[2] = {}, part_squares[2] = {};
     for (int i = 0; i < steps * steps; ++i) {
-      const auto place = [=](int k) { return half * ((2 * k + 1.) / steps - 1); };
-      const double x = place(i % steps), y = place(i / steps), r2 = x * x + y * y + 1;
-      const double area = 4 * half * half, cosine = 1 / std::sqrt(r2);
+      const auto place = [=](int k) { return (2 * k + 1.) / steps - 1; };
+      const double x = half_x * place(i % steps), y = half_y * place(i / steps);
+      const double r2 = x * x + y * y + 1, area = 4 * half_x * half_y, cosine = 1 / std::sqrt(r2);
       const double angle = cosine / r2 * area / (steps * steps);  // of this part of the light
       const double densities[2] = {r2 / (area * cosine), cosine / std::numbers::pi};
       mean += cosine * angle;
@@ -142,6 +149,11 @@ TEST_CASE("bench table of the balance heuristic", "[.bench-table]") {
         parts[k] += weight * densities[k] * angle;
         part_squares[k] += weight * weight * densities[k] * angle;
       }
+    }
+    for (const auto& [row, square] :
+         {std::pair{"points", squares[0]}, {"directions", squares[1]}}) {
+      bench_table(
+          {"variance of a sample of a light at height 1", row, name, 0, square - mean * mean});
     }
     const double points = squares[0] / mean / mean - 1, directions = squares[1] / mean / mean - 1;
     const double combined =

@@ -1,6 +1,10 @@
 // Lab 3 in the bench: jittered points, padded ones, grids in all dimensions, Latin
 // hypercubes.
 
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "checks/support/catch.hpp"
 #include "measurements/stratification/methods.hpp"
 #include "measurements/support/bench_data.hpp"
@@ -36,14 +40,26 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   grow("multi-jittered", 7, 2, 10'000'000);
 }
 
-/// What shared permutations cost beyond the variance (docs/multi-jittered.md).
-TEST_CASE("bench table of tails", "[.bench-table]") {
+/// Errors of the two ways of 3.7, and what shared permutations cost beyond the variance
+/// (docs/multi-jittered.md).
+TEST_CASE("bench table of permutations", "[.bench-table]") {
+  for (const auto& [on, g] :
+       {std::pair{"smooth", integrand("bump")}, {"edge", integrand("edge")}}) {
+    for (const std::uint64_t n : {64u, 4096u}) {
+      for (const char* name : {"jittered", "multi_jittered"}) {
+        bench_table("RMSE in the cells of a grid", name, fmt::format("{}, N = {}", on, n), 0,
+                    errors_of(method(methods, name), g, n, 2'000, n << 20));
+      }
+    }
+  }
   for (const std::uint64_t n : {16u, 64u, 256u, 1024u}) {
-    const ErrorSums errors =
-        errors_of(method(methods, "multi_jittered"), integrand("smooth 2D"), n, 20'000, n << 20);
-    if (errors.count == 0) return;
-    bench_table({"kurtosis of the error of exp(x + y)", "multi_jittered",
-                 "N = " + std::to_string(n), n, errors.kurtosis(), errors.kurtosis_error()});
+    for (const auto& [on, name] : {std::pair{"exp(x + y)", "smooth 2D"}, {"the edge", "edge 2D"}}) {
+      const ErrorSums errors =
+          errors_of(method(methods, "multi_jittered"), integrand(name), n, 20'000, n << 20);
+      if (errors.count == 0) return;
+      bench_table({fmt::format("kurtosis of the error of {}", on), "multi_jittered",
+                   fmt::format("N = {}", n), n, errors.kurtosis(), errors.kurtosis_error()});
+    }
   }
 }
 
