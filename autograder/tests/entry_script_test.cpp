@@ -233,18 +233,45 @@ TEST_CASE("a report fits a small terminal") {
   CHECK(full == 2);     // points end at the right, whether the name is broken or not
 }
 
+namespace {
+
+/// A directory that is always the same, so that six labs are compiled only once.
+fs::path copy_of_solutions(const Layout& layout, const std::string& name) {
+  const fs::path copy = layout.build / "tests" / name;
+  fs::create_directories(copy);
+  for (const auto& entry : fs::directory_iterator(layout.solutions())) {
+    write_text(copy / entry.path().filename(), read_whole_text(entry.path()));
+  }
+  return copy;
+}
+
+void remove_from(std::string& text, const std::string& part) {
+  REQUIRE(contains(text, part));
+  text.erase(text.find(part), part.size());
+}
+
+}  // namespace
+
+TEST_CASE("--first does not stop at a stretch task that is not written", "[script]") {
+  const Layout layout = read_layout();
+  const fs::path file = copy_of_solutions(layout, "first") / "sampler.cpp";
+  std::string text = read_text(file);
+  remove_from(
+      text,
+      ",\n                          {\"lattice\", one_of<fill_lattice>, two_of<fill_lattice>}");
+  remove_from(text,
+              "    if (samples == 0) throw std::invalid_argument(\"samples: there are none\");\n");
+  write_text(file, text);
+  const auto run = lab({"check", "sampler", file.parent_path().string(), "--first"});
+  CHECK(contains(run.output, "✗ 6.4 0 samples and too many are refused"));
+}
+
 TEST_CASE("a failure in lab 6 waits for a lab it depends on that is not finished", "[script]") {
   const Layout layout = read_layout();
-  // Always the same directory, so that six labs are compiled only once.
-  const fs::path student = layout.build / "tests" / "waiting";
-  fs::create_directories(student);
-  for (const auto& entry : fs::directory_iterator(layout.solutions())) {
-    write_text(student / entry.path().filename(), read_whole_text(entry.path()));
-  }
+  const fs::path student = copy_of_solutions(layout, "waiting");
   std::string text = read_text(student / "stratification.cpp");
   const std::string moves = "    move_into(strata, first, block);\n";  // into their strata, in 3.1
-  REQUIRE(contains(text, moves));
-  text.erase(text.find(moves), moves.size());
+  remove_from(text, moves);
   write_text(student / "stratification.cpp", text);
   const auto run = lab({"check", "sampler", student.string(), "--only", "6.2"});
   CHECK(run.exit_code == 1);
