@@ -39,7 +39,7 @@ ol.code { background: var(--soft); padding: .6rem .6rem .6rem 3.6rem; margin: .4
 ol.code li { white-space: pre-wrap; } ol.code .message { color: var(--bad); font-weight: 600; }
 th[scope=row] { font-weight: normal; } th.name { min-width: 11rem; } td.wide { width: 100%; }
 .bar { display: inline-block; height: .7rem; background: var(--bar); vertical-align: middle; }
-img { width: 100%; height: auto; background: #fff; }
+img { width: 100%; height: auto; }
 .scroll { overflow-x: auto; } [hidden] { display: none; }
 input, button { font: inherit; max-width: 100%; }
 )css";
