@@ -118,13 +118,13 @@ do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
     set title sprintf("%d samples", samples[i]).who(s)
     set ylabel (i % 2 == 1 && s == 1 ? "ns per coordinate, of 4" : "")
     set termoption enhanced
-    if (i == 3 && s == 1) { set key at screen 0.08, 0.01 left bottom vertical maxrows 2 Left reverse samplen 1 } else { unset key }
+    if (i == 3 && s == 1) { set key at screen 0.02, 0.01 left bottom vertical maxrows 2 Left reverse samplen 1 } else { unset key }
     if (i == 3) { set label 1 "blue noise is not timed:\n4096²/2 candidates" at 3,200 center textcolor rgb ink } else { unset label 1 }
     file = data[s]."/speed-".samples[i].".tsv"
     plot file using ($0+1):"all":"generation":"all" with yerrorbars pt -1 lw 1 lc rgb "#999999" notitle, \
          for [k=1:6] file every ::k-1::k-1 using ($0+k):"all" with points ls value(ways[k]) ps 1.4 notitle, \
          keyentry with points pt 5 ps 1.2 lc rgb ink title "all of it", \
-         file using ($0+1):"generation" with points pt 1 ps 1.6 lw 2 lc rgb ink title "generation alone"
+         file using ($0+1):"generation" with points pt 1 ps 1.6 lw 2 lc rgb ink title "generation"
   } else {
     unset label 1
     unset logscale y

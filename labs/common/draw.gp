@@ -45,7 +45,7 @@ rotated = 16;           set style line 16 lc rgb "#CC79A7" lw 2 pt 11 dt 4
 scrambled_sobol = 17;   set style line 17 lc rgb "#E69F00" lw 2 pt 10 dt 5
 scrambled_halton = 18;  set style line 18 lc rgb "#56B4E9" lw 2 pt 9  dt 3
 hashed = 19;            set style line 19 lc rgb "#D55E00" lw 2 pt 7  dt 2
-lattice = 20;           set style line 20 lc rgb "#B5532A" lw 2 pt 1  dt 1
+lattice = 20;           set style line 20 lc rgb "#B5532A" lw 2 pt 15 dt 1
 # Lines that are none (integrands, ways to a variance): other + 1, other + 2, ...
 other = 20
 set style line 21 lc rgb "#7B68C8" lw 2 pt 4  dt 2

@@ -30,11 +30,10 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
   if (n == 5) require_fine(all);
   const Nearness parts = nearness(all, later_points(n), rows, rng);
   Randomness claim = best_of_candidates(
-      "for each candidate its nearest point, of all points before; keep the candidate for which "
-      "that is farthest");
+      "for each of the ceil(c i) + 1 candidates, however many, its nearest point, of all points "
+      "before; keep the candidate for which that is farthest");
   claim.explain = [&]() -> std::string {
     constexpr std::size_t more = 4000;
-    if (n == 2) return few_candidates_hint(parts, promised(c)(1));
     if (n != 5) return {};
     const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));
     return candidates_hint(random_sets(again, n, more), c, rng);

@@ -287,20 +287,6 @@ Randomness best_of_candidates(const std::string& otherwise) {
           .expected = "each point i is the best of ceil(c i) + 1 uniform candidates"};
 }
 
-/// Were it the same number m for all points, -1 / mean(log(part)) would estimate it.
-static double mean_candidates(const Nearness& all) {
-  double logarithms = 0;
-  for (const double part : all.parts) logarithms -= std::log(std::max(part, 1e-300));
-  return static_cast<double>(all.parts.size()) / logarithms;
-}
-
-std::string few_candidates_hint(const Nearness& all, double promised) {
-  const double m = mean_candidates(all);
-  if (!(m < promised / 2)) return {};
-  return fmt::format(
-      "these are about {:.0f} candidates: there must be {:.0f}, however many that is", m, promised);
-}
-
 std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
   const auto measured = [&](Metric metric) {
     return nearness(sets, later_points(sets.n), 200, rng, metric);
@@ -308,7 +294,10 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
   const Nearness all = measured({});
   Nearness opposite = all;
   for (double& part : opposite.parts) part = 1 - part;
-  const double constant = std::round(mean_candidates(all));
+  // Were it the same number m for all points, -1 / mean(log(part)) would estimate it.
+  double logarithms = 0;
+  for (const double part : all.parts) logarithms -= std::log(std::max(part, 1e-300));
+  const double constant = std::round(static_cast<double>(all.parts.size()) / logarithms);
   const bool is_whole = c == std::floor(c);  // then one candidate missing is not c i rounded down
   struct Mistake {
     Nearness seen;

@@ -139,9 +139,6 @@ Count promised(double c);
 /// These points were chosen in this way; `otherwise` is the hint if they were not.
 Randomness best_of_candidates(const std::string& otherwise);
 
-/// Says so if the points had fewer than half of the candidates that are promised.
-std::string few_candidates_hint(const Nearness& all, double promised);
-
 /// Which well-known mistake explains points 1, 2, … of these sets, point by point, if one does and
 /// no other. Of thousands of sets: some mistakes are alike.
 std::string candidates_hint(const SampleSets& sets, double c, Rng& rng);

@@ -239,7 +239,7 @@ TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
 /// Four dimensions by next2(), what generate() does included.
 TEST_CASE("bench table of times", "[.bench-table-time]") {
   for (std::size_t k = 0; k < methods.size(); ++k) {
-    for (const std::uint64_t n : {16u, 64u, 1024u}) {
+    for (const std::uint64_t n : {1u, 4u, 16u, 64u, 256u, 1024u}) {
       const Number round =
           seconds_of([&](std::uint64_t rounds) { return methods[k].rounds(n, 4, rounds); });
       if (!round) break;

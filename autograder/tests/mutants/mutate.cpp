@@ -194,6 +194,13 @@ bool only_counts(const std::vector<Token>& tokens, std::size_t i) {
   return in_cast || is_counter || tokens[i + 1].text == "(";
 }
 
+/// Whether the number at `i` is the initial value of a member, `std::size_t next_ = 0, sample_ = 0`.
+/// Some call sets it before it is used.
+bool is_initial_value(const std::vector<Token>& tokens, std::size_t i) {
+  return i >= 3 && tokens[i - 1].text == "=" && tokens[i - 2].text.ends_with('_') &&
+         (tokens[i - 3].kind == Kind::word || tokens[i - 3].text == ",");
+}
+
 }  // namespace
 
 std::vector<Mutation> mutations_of(std::string_view source) {
@@ -212,7 +219,7 @@ std::vector<Mutation> mutations_of(std::string_view source) {
       }
     }
     if (token.text == "++") replace("--");
-    if (token.kind == Kind::number) add_constants(token, all);
+    if (token.kind == Kind::number && !is_initial_value(tokens, i)) add_constants(token, all);
     const bool follows_colons = tokens[i - 1].text == "::";
     if (!only_counts(tokens, i)) {
       if (token.text == "double" && !follows_colons) replace("float");
