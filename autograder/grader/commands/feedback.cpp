@@ -153,10 +153,10 @@ std::vector<std::string> write_tables(const fs::path& out, const Roster& roster,
   return files;
 }
 
-/// The files that a run wrote and their hashes, so that the next run replaces them and nothing else.
+/// Lists the files that a run wrote and their hashes: the next run replaces these and no others.
 constexpr const char* list_file = "written-by-feedback.txt";
 
-/// Removes what an earlier run wrote. Throws UsageError if there is anything else, or an edited file.
+/// Removes what an earlier run wrote. Throws UsageError if there is any other or edited file.
 void remove_earlier_output(const fs::path& out) {
   const std::string listed = '\n' + read_text(out / list_file);
   std::vector<fs::path> files;

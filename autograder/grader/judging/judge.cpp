@@ -52,7 +52,8 @@ std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results
   return tasks;
 }
 
-/// Runs tasks in order until one is not right; later ones are not reported. Stretch tasks are optional.
+/// Runs tasks in order until one is not right; later ones are not reported. Stretch checks do not
+/// count.
 void run_until_first_failure(const Layout& layout, const Lab& lab, const sandbox::Program& program,
                              const JudgeOptions& options, std::vector<CheckResult>& results) {
   std::size_t begin = 0, done = 0;
