@@ -107,7 +107,8 @@ std::optional<Failure> test_positions(const Uniforms& numbers, const Randomness&
 }
 
 /// Values at a distance in the order in which they came, pooled: in 8 x 8 cells, and as waves.
-std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& claim) {
+std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& claim,
+                                 std::span<const Complex> z) {
   const std::size_t n = std::min<std::size_t>(numbers.values.size(), 1 << 18);
   std::vector<std::size_t> lags{n / 2};
   for (std::size_t lag = 1; 2 * lag <= n && lag <= 4096; lag *= 2) lags.push_back(lag);
@@ -116,21 +117,21 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
   }
   std::sort(lags.begin(), lags.end());
   lags.erase(std::unique(lags.begin(), lags.end()), lags.end());
-  const auto z = turned(std::span(numbers.values).first(n));
   Family family(numbers, claim, "lags", 3 * lags.size());
   for (const std::size_t lag : lags) {
     const std::size_t side = n >= 12800 ? 8 : n >= 3200 ? 4 : 2;
     std::vector<std::uint32_t> counts(side * side);
     std::complex<double> difference, sum;
     double pairs = 0;
-    for (std::size_t i = 0; i + lag < n; ++i) {
-      if (i / lag % 2 != 0) continue;  // no value is in two pairs
-      const double u = numbers.values[i], v = numbers.values[i + lag];
-      const auto size = static_cast<double>(side);
-      ++counts[static_cast<std::size_t>(u * size) * side + static_cast<std::size_t>(v * size)];
-      difference += std::complex<double>(z[i] * std::conj(z[i + lag]));
-      sum += std::complex<double>(z[i] * z[i + lag]);
-      ++pairs;
+    for (std::size_t start = 0; start + lag < n; start += 2 * lag) {  // no value is in two pairs
+      for (std::size_t i = start; i < std::min(start + lag, n - lag); ++i) {
+        const double u = numbers.values[i], v = numbers.values[i + lag];
+        const auto size = static_cast<double>(side);
+        ++counts[static_cast<std::size_t>(u * size) * side + static_cast<std::size_t>(v * size)];
+        difference += std::complex<double>(z[i] * std::conj(z[i + lag]));
+        sum += std::complex<double>(z[i] * z[i + lag]);
+        ++pairs;
+      }
     }
     const auto describe = [&] {
       const bool in_rows = lag % numbers.positions == 0 && numbers.positions > 1;
@@ -149,7 +150,8 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
 
 /// Sums over a replicate, of u - 1/2 and of cos(2 pi u), have the variance of independent numbers:
 /// not too even and not too clumped.
-std::optional<Failure> test_rows(const Uniforms& numbers, const Randomness& claim) {
+std::optional<Failure> test_rows(const Uniforms& numbers, const Randomness& claim,
+                                 std::span<const Complex> z) {
   const std::size_t positions = numbers.positions, replicates = numbers.replicates();
   if (positions < 2 || replicates < 100) return {};
   Family family(numbers, claim, "rows", 2);
@@ -157,7 +159,7 @@ std::optional<Failure> test_rows(const Uniforms& numbers, const Randomness& clai
     double squares = 0;
     for (std::size_t r = 0; r < replicates; ++r) {
       double sum = 0;
-      for (std::size_t p = 0; p < positions; ++p) sum += f(numbers.values[r * positions + p]);
+      for (std::size_t p = 0; p < positions; ++p) sum += f(r * positions + p);
       squares += sum * sum;
     }
     const double of_sum = 3 + (kurtosis - 3) / static_cast<double>(positions);
@@ -171,8 +173,8 @@ std::optional<Failure> test_rows(const Uniforms& numbers, const Randomness& clai
           words, positions, ratio);
     });
   };
-  add("u - 1/2", 1.0 / 12, 1.8, [](double u) { return u - 0.5; });
-  add("cos(2 pi u)", 0.5, 1.5, [](double u) { return std::cos(2 * std::numbers::pi * u); });
+  add("u - 1/2", 1.0 / 12, 1.8, [&](std::size_t i) { return numbers.values[i] - 0.5; });
+  add("cos(2 pi u)", 0.5, 1.5, [&](std::size_t i) { return z[i].real(); });
   return family.failure();
 }
 
@@ -187,6 +189,7 @@ std::optional<Failure> dependence_in(const Uniforms& numbers, const Randomness& 
   }
   const auto pairs = compared_pairs(numbers.positions);
   const bool has_replicates = numbers.replicates() >= 100;
+  const auto z = only_each ? std::vector<Complex>() : turned(numbers.values);
   std::optional<Failure> found;
   const auto run = [&](bool wanted, auto test) {
     if (wanted && !found) found = test();
@@ -196,11 +199,11 @@ std::optional<Failure> dependence_in(const Uniforms& numbers, const Randomness& 
   run(true, [&] { return test_extremes(numbers, claim); });
   run(true, [&] { return test_bits(numbers, claim); });
   run(!only_each && has_replicates && !pairs.empty(),
-      [&] { return test_waves(numbers, claim, pairs); });
+      [&] { return test_waves(numbers, claim, pairs, z); });
   run(!only_each && has_replicates, [&] { return test_bit_pairs(numbers, claim, pairs); });
   run(!only_each, [&] { return test_repeats(numbers, claim); });
-  run(!only_each, [&] { return test_lags(numbers, claim); });
-  run(!only_each, [&] { return test_rows(numbers, claim); });
+  run(!only_each, [&] { return test_lags(numbers, claim, z); });
+  run(!only_each, [&] { return test_rows(numbers, claim, z); });
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <numbers>
+#include <numeric>
 
 #include "checks/support/battery_parts.hpp"
 #include "checks/support/distributions.hpp"
@@ -98,33 +99,42 @@ Pairs compared_pairs(std::size_t positions) {
 }
 
 std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& claim,
-                                  const Pairs& pairs) {
+                                  const Pairs& pairs, std::span<const Complex> z) {
   const std::size_t replicates = std::min<std::size_t>(numbers.replicates(), 2000);
   const std::size_t stride = numbers.positions;
-  const auto z = turned(std::span(numbers.values).first(replicates * stride));
-  constexpr std::size_t highest = 4;
-  std::array<std::vector<Complex>, highest> powers;
+  constexpr std::size_t highest = 4, lanes = 8;
+  const std::size_t padded = (replicates + lanes - 1) / lanes * lanes;  // zeros add nothing
+  struct Plane {
+    std::vector<float> re, im;
+  };
+  std::array<Plane, highest> powers;
   for (std::size_t k = 0; k < highest; ++k) {
-    powers[k].resize(z.size());
+    powers[k] = {std::vector<float>(padded * stride), std::vector<float>(padded * stride)};
     for (std::size_t i = 0; i < stride; ++i) {  // by position, so that sums run along memory
       for (std::size_t r = 0; r < replicates; ++r) {
-        powers[k][i * replicates + r] = power(z[r * stride + i], static_cast<int>(k) + 1);
+        const Complex w = power(z[r * stride + i], static_cast<int>(k) + 1);
+        powers[k].re[i * padded + r] = w.real();
+        powers[k].im[i * padded + r] = w.imag();
       }
     }
   }
   Family family(numbers, claim, "pairs", pairs.size() * std::size(waves));
   for (const auto& [i, j] : pairs) {
     for (const Wave& wave : waves) {
-      const Complex* const a = powers[static_cast<std::size_t>(wave.m) - 1].data() + i * replicates;
-      const Complex* const b =
-          powers[static_cast<std::size_t>(std::abs(wave.n)) - 1].data() + j * replicates;
+      const Plane& a = powers[static_cast<std::size_t>(wave.m) - 1];
+      const Plane& b = powers[static_cast<std::size_t>(std::abs(wave.n)) - 1];
+      const float *const ar = &a.re[i * padded], *const ai = &a.im[i * padded];
+      const float *const br = &b.re[j * padded], *const bi = &b.im[j * padded];
       const float sign = wave.n < 0 ? -1.f : 1.f;
-      float re = 0, im = 0;
-      for (std::size_t r = 0; r < replicates; ++r) {
-        const float bi = sign * b[r].imag();
-        re += a[r].real() * b[r].real() - a[r].imag() * bi;
-        im += a[r].real() * bi + a[r].imag() * b[r].real();
+      float res[lanes] = {}, ims[lanes] = {};  // several sums at once: one would wait for itself
+      for (std::size_t r = 0; r < padded; r += lanes) {
+        for (std::size_t l = 0; l < lanes; ++l) {
+          res[l] += ar[r + l] * br[r + l] - sign * ai[r + l] * bi[r + l];
+          ims[l] += sign * ar[r + l] * bi[r + l] + ai[r + l] * br[r + l];
+        }
       }
+      const float re = std::accumulate(res, res + lanes, 0.f);
+      const float im = std::accumulate(ims, ims + lanes, 0.f);
       const double squared = static_cast<double>(re) * re + static_cast<double>(im) * im;
       const auto n = static_cast<double>(replicates);
       family.add(p_of_resultant(squared, n), true, [&, i = i, j = j] {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "checks/support/battery.hpp"
+#include "checks/support/distributions.hpp"
 
 namespace mc::checks::battery {
 
@@ -92,7 +93,7 @@ inline double width_of_equal(const Uniforms& numbers) {
 }
 
 inline std::size_t repeats_in(std::vector<double> sorted, double width) {
-  std::sort(sorted.begin(), sorted.end());
+  sort_uniforms(sorted);
   std::size_t repeats = 0;
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i) repeats += sorted[i + 1] - sorted[i] < width;
   return repeats;
@@ -100,7 +101,7 @@ inline std::size_t repeats_in(std::vector<double> sorted, double width) {
 
 using Complex = std::complex<float>;
 
-/// exp(2 pi i u) of all values; its powers give all waves.
+/// z = exp(2 pi i u) of all values; its powers give all waves.
 std::vector<Complex> turned(std::span<const double> values);
 
 /// Positions, two by two.
@@ -111,7 +112,7 @@ using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 Pairs compared_pairs(std::size_t positions);
 
 std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& claim,
-                                  const Pairs& pairs);
+                                  const Pairs& pairs, std::span<const Complex> z);
 std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness& claim,
                                       const Pairs& pairs);
 

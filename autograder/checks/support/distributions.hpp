@@ -37,6 +37,9 @@ Tails binomial_tails(std::uint64_t k, std::uint64_t n, double p);
 /// values from the true one. Tails within 0.2 % for n >= 100.
 Tails kolmogorov_tails(double d, std::uint64_t n);
 
+/// Sorts fewer than 2^32 finite values, fast where they are about uniform in [0, 1).
+void sort_uniforms(std::vector<double>& values);
+
 /// That distance, of values that should be uniform in [0, 1). Sorts them.
 double distance_from_uniform(std::vector<double>& values);
 
