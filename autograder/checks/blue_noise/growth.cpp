@@ -106,7 +106,7 @@ void judge_points(const SampleSets& set, double c, std::size_t first, std::size_
 
 CHECK_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][needs:4.2]") {
   Rng rng = check_rng();
-  const double c = uniform(rng, 0.008, 0.012), candidates = 2e6;
+  const double c = uniform(rng, 0.008, 0.012), candidates = 5e5;
   const auto n = static_cast<std::size_t>(std::sqrt(2 * candidates / c));
   const Budget budget{candidates, 512, "candidate",
                       fmt::format("a candidate costs the same whatever the number of points, up to "

@@ -28,12 +28,11 @@ inline Randomness uniform_shift(const std::string& what, const std::string& repe
 
 /// The radical inverse, right to 100 bits: from the first digit of the index to the last.
 inline Exact exact_inverse(unsigned base, std::uint64_t index) {
-  std::vector<unsigned> digits;
-  for (; index > 0; index /= base) digits.push_back(static_cast<unsigned>(index % base));
+  std::array<unsigned, 64> digits;
+  std::size_t count = 0;
+  for (; index > 0; index /= base) digits[count++] = static_cast<unsigned>(index % base);
   Exact value;
-  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
-    value = (value + Exact(*digit)) / Exact(base);
-  }
+  while (count > 0) value = (value + Exact(digits[--count])) / Exact(base);
   return value;
 }
 

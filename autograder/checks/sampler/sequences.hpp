@@ -49,6 +49,12 @@ inline double digits_of(double x, unsigned base, double power) {
   return std::floor(x * power + (base == 2 ? 0 : power * 0x1p-49));
 }
 
+/// How many leading bits two numbers of [0, 1) share.
+inline unsigned same_bits(double a, double b) {
+  const auto word = [](double u) { return static_cast<std::uint64_t>(u * 0x1p53) << 11; };
+  return static_cast<unsigned>(std::countl_zero(word(a) ^ word(b)));
+}
+
 /// A dimension of one of the two sequences, or of lattices.
 class Dimension {
  public:
@@ -78,8 +84,10 @@ class Dimension {
   bool may_be(double a, double b, std::size_t i, std::size_t j) const {
     if (i == j) return false;
     if (z_ > 0) return may_be_folded(a, b, (value(i) - value(j)) * static_cast<double>(z_));
+    const unsigned count = shared(i, j);
+    if (base == 2) return same_bits(a, b) == count;
     double power = base;
-    for (unsigned k = shared(i, j); k > 0; --k, power *= base) {
+    for (unsigned k = count; k > 0; --k, power *= base) {
       if (digits_of(a, base, power) != digits_of(b, base, power)) return false;
     }
     return digits_of(a, base, power) != digits_of(b, base, power);
@@ -91,8 +99,10 @@ class Dimension {
   /// May a and b be points of a lattice that are `apart` modulo 1, folded? Each has two origins. To
   /// 2^-40, which is far above all rounding, and far below what chance brings together.
   static bool may_be_folded(double a, double b, double apart) {
+    const double fraction = std::remainder(apart, 1.0);
     const auto fits = [=](double from, double to) {
-      return std::abs(std::remainder(from - to - apart, 1.0)) < 0x1p-40;
+      const double off = from - to - fraction;  // above -2
+      return std::abs(off - (static_cast<int>(off + 2.5) - 2)) < 0x1p-40;
     };
     return fits(a / 2, b / 2) || fits(-a / 2, b / 2) || fits(a / 2, -b / 2) || fits(-a / 2, -b / 2);
   }

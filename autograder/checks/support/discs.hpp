@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
@@ -24,7 +25,12 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
   covered.resize(std::max(covered.size(), rows));
   for (std::size_t row = 0; row < rows; ++row) covered[row].clear();
   const auto count = static_cast<double>(rows);
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  std::vector<std::size_t> by_x(x.size());  // then each line is nearly in order
+  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+  if (!std::is_sorted(x.begin(), x.end())) {
+    std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+  }
+  for (const std::size_t i : by_x) {
     double first = std::ceil((y[i] - radius) * count - start);
     double last = std::floor((y[i] + radius) * count - start);
     if (!torus) first = std::max(first, 0.0), last = std::min(last, count - 1);
@@ -69,7 +75,7 @@ inline double least_distance(std::span<const double> x, std::span<const double> 
   const std::size_t n = x.size();
   if (n < 2) return std::numeric_limits<double>::infinity();
   std::vector<std::size_t> by_x(n);
-  for (std::size_t i = 0; i < n; ++i) by_x[i] = i;
+  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
   std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
   const auto place = [&](std::size_t step) {
     return x[by_x[step % n]] + static_cast<double>(step / n);

@@ -2,6 +2,7 @@
 // The Sobol' sequence as it is defined, bit by bit, from the Joe-Kuo numbers.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -36,8 +37,8 @@ inline std::array<std::uint32_t, 32> sobol_directions(unsigned d) {
 /// The exclusive or of the numbers of the bits of `index`: 2^32 times that point's coordinate.
 inline std::uint32_t sobol_word(std::span<const std::uint32_t> directions, std::uint64_t index) {
   std::uint32_t word = 0;
-  for (unsigned k = 0; k < 32; ++k) {
-    if (index >> k & 1) word ^= directions[k];
+  for (auto rest = static_cast<std::uint32_t>(index); rest != 0; rest &= rest - 1) {
+    word ^= directions[static_cast<std::size_t>(std::countr_zero(rest))];
   }
   return word;
 }
