@@ -177,10 +177,10 @@ void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
   std::sort(seeds.begin(), seeds.end());
   seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
   const auto& [width, height, seed] = pictures[0];
-  const std::string others =
-      pictures.size() == 1   ? std::string()
-      : pictures.size() == 2 ? fmt::format(", then with seed {}", pictures[1].seed)
-                             : ", then with each seed that differs in one bit";
+  const std::string others = pictures.size() == 1 ? std::string()
+                             : pictures.size() == 2
+                                 ? fmt::format(", then with seed {}", pictures[1].seed)
+                                 : ", then with each seed that differs in one bit";
   expect_that(seeds.size() == pixels,
               fmt::format("{} x {} pixels with seed {}{}: {} different seeds for {} pixels", width,
                           height, seed, others, seeds.size(), pixels),

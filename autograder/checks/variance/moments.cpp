@@ -134,8 +134,8 @@ CHECK_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2]
   // A piece at the beginning, one where floats stop counting, and the last one. Each goes on from
   // the exact moments of what is before it: all 1e8 values take a second.
   const std::uint64_t size = x.size(), length = 5'000'000 / size * size;
-  for (const std::uint64_t before : {std::uint64_t{0}, 14'000'000 / size * size,
-                                     100'000'000 / size * size - length}) {
+  for (const std::uint64_t before :
+       {std::uint64_t{0}, 14'000'000 / size * size, 100'000'000 / size * size - length}) {
     const auto m2_of = [&](std::uint64_t count) {
       return static_cast<double>(of_x.m2) * static_cast<double>(count / size);
     };
@@ -151,9 +151,10 @@ CHECK_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2]
     Results values;
     values.add_digits(got.call + ".mean", got.value.mean, mean, floor);
     values.add_digits(got.call + ".m2", got.value.m2, m2_of(count), floor);
-    values.expect(because_repeating,
-                  "if short lists are right: is anything a float? Does anything grow with the count "
-                  "that need not?");
+    values.expect(
+        because_repeating,
+        "if short lists are right: is anything a float? Does anything grow with the count "
+        "that need not?");
   }
 }
 
