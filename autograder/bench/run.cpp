@@ -8,17 +8,16 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <mutex>
 
 #include <fmt/format.h>
 
 #include "bench/bench.hpp"
+#include "bench/progress.hpp"
 #include "grader/base/errors.hpp"
 #include "grader/base/side_by_side.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/judging/judge.hpp"
-#include "grader/reports/progress_line.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/compile.hpp"
 #include "protocol/environment.hpp"
@@ -68,51 +67,6 @@ struct Job {
 std::string name_of(const Job& job) {
   return fmt::format("{} {} {}", job.entrant->lab.name, job.kind, job.entrant->label);
 }
-
-/// The progress in expected seconds. Stores the duration of each job, so that the next estimate is
-/// good.
-class Progress {
- public:
-  explicit Progress(fs::path memory) : memory_(std::move(memory)), line_("bench") {
-    std::ifstream file(memory_);
-    double seconds = 0;
-    for (std::string name; file >> seconds && std::getline(file >> std::ws, name);) {
-      seconds_[name] = seconds;
-    }
-  }
-  ~Progress() {
-    std::string all;
-    for (const auto& [name, seconds] : seconds_) all += fmt::format("{:.2f} {}\n", seconds, name);
-    write_text(memory_, all);
-  }
-  Progress(const Progress&) = delete;
-
-  void expect(const std::string& name, double workers = 1) {
-    total_ += expected_.try_emplace(name, estimate(name)).first->second / workers;
-  }
-  void begin(const std::string& name) {
-    const std::lock_guard lock(mutex_);
-    line_.show(done_, total_, name);
-  }
-  void end(const std::string& name, double seconds, double workers = 1) {
-    const std::lock_guard lock(mutex_);
-    done_ += expected_[name] / workers;
-    seconds_[name] = seconds;
-  }
-  double expected() const { return total_; }
-
- private:
-  double estimate(const std::string& name) const {
-    const auto found = seconds_.find(name);
-    return found == seconds_.end() ? 6 : found->second;
-  }
-
-  fs::path memory_;
-  std::map<std::string, double> seconds_, expected_;
-  double total_ = 0, done_ = 0;
-  std::mutex mutex_;
-  ProgressLine line_;
-};
 
 class BenchRun {
  public:
@@ -245,7 +199,7 @@ class BenchRun {
   fs::path place_;
   std::vector<Contender> entrants_;
   std::map<std::pair<std::string, std::string>, bool> has_cases_;  // of a lab, of a kind
-  Progress progress_;
+  BenchProgress progress_;
 };
 
 /// The machine and the version that were measured.

@@ -336,7 +336,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "3.1  points from a generator that returns one word for ever",
                     {.columns = "x"}),
       MC_EXPERIMENT(strata, "n", "3.2  the most square grid of each number of cells",
-                    {.beside = "n"}),
+                    {.row_labels = "n"}),
       MC_EXPERIMENT(stratified_2d, "grid sets seed", "3.3  jittered grids of nx x ny cells",
                     {.sets = "sets"}),
       MC_EXPERIMENT(stratified_2d_into, "size_x size_y grid",

@@ -274,7 +274,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
           {.points = "samples", .sets = "seeds"}),
       MC_EXPERIMENT(estimates, "kind scene parameters a b samples seeds",
                     "6.5  integrate, of a times the scene plus b, with each seed",
-                    {.columns = "integral", .index = "seed", .beside = "seeds"}),
+                    {.columns = "integral", .index = "seed", .row_labels = "seeds"}),
       MC_EXPERIMENT(sobol_columns, "dimensions samples seeds",
                     "6.3  dimensions of the Sobol' sequence, scrambled",
                     {.points = "samples", .sets = "seeds"}),

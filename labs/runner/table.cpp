@@ -120,10 +120,10 @@ void add_front(Block& block, const Shape& shape, const Layout& layout, const Giv
     front.add("kx", [=](std::size_t, std::size_t i) { return frequency(i % side); });
     front.add("ky", [=](std::size_t, std::size_t i) { return frequency(i / side); });
   }
-  const auto beside = values_of(given, layout.beside);
-  if (!layout.beside.empty() && beside.size() == shape.points) {
-    front.add(layout.index.empty() ? layout.beside : layout.index,
-              [&](std::size_t, std::size_t i) { return std::string(beside[i]); });
+  const auto labels = values_of(given, layout.row_labels);
+  if (!layout.row_labels.empty() && labels.size() == shape.points) {
+    front.add(layout.index.empty() ? layout.row_labels : layout.index,
+              [&](std::size_t, std::size_t i) { return std::string(labels[i]); });
   } else if (!layout.index.empty()) {
     const std::uint64_t from = layout.from.empty() ? 0 : count_of(given, layout.from);
     front.add(layout.index, [=](std::size_t, std::size_t i) { return std::to_string(from + i); });

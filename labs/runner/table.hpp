@@ -24,9 +24,9 @@ struct Layout {
   std::string_view sets = {};    ///< how many sets follow each other
   std::string_view index = {};   ///< the name of a column that counts the lines, from 0 on,
   std::string_view from = {};    ///< or from here on,
-  std::string_view beside = {};  ///< or that holds the values of this list
-  std::string_view width = {};   ///< of a picture, whose pixels come row by row
-  std::string_view kmax = {};    ///< of a periodogram: ky and within it kx from -kmax to kmax
+  std::string_view row_labels = {};  ///< or that holds the values of this list
+  std::string_view width = {};       ///< of a picture, whose pixels come row by row
+  std::string_view kmax = {};        ///< of a periodogram: ky and within it kx from -kmax to kmax
 };
 
 /// An argument of an experiment, as it was typed.

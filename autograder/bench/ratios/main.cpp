@@ -1,8 +1,10 @@
 // The table of ratios. Libraries besides the standard one are opponents where they are installed.
 
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <span>
+#include <utility>
 
 #include "bench/ratios/compare.hpp"
 #include "common/rng.hpp"
@@ -15,6 +17,11 @@
 #ifdef MC_HAVE_GSL
 #include <gsl/gsl_qrng.h>
 #include <gsl/gsl_statistics_double.h>
+#endif
+#ifdef MC_HAVE_OPENQMC
+#include <oqmc/lattice.h>
+#include <oqmc/pmj.h>
+#include <oqmc/pmjbn.h>
 #endif
 
 namespace mc::ratios {
@@ -94,25 +101,67 @@ void jittered(const char* name, double wanted, std::size_t side) {
 }
 
 /// Number by number through the interface: four dimensions by next2(), generation included.
+Work sampled(const char* kind, std::size_t n) {
+  return [sampler = std::shared_ptr<Sampler>(make_sampler(kind)), n,
+          seed = std::uint64_t{0}]() mutable {
+    sampler->generate(n, ++seed);
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i, sampler->advance()) {
+      const Point2 a = sampler->next2(), b = sampler->next2();
+      sum += a.x + a.y + b.x + b.y;
+    }
+    sink = sum;
+  };
+}
+
+std::string name_of(const char* kind, std::size_t n) {
+  return std::string("sampler, ") + kind + ", " + std::to_string(n) + " samples";
+}
+
 void samplers(std::size_t n, double wanted) {
   for (const char* kind : {"independent", "stratified", "halton", "sobol"}) {
-    const auto sampler = make_sampler(kind);
-    const auto ours = [&, seed = std::uint64_t{0}]() mutable {
-      sampler->generate(n, ++seed);
-      double sum = 0;
-      for (std::size_t i = 0; i < n; ++i, sampler->advance()) {
-        const Point2 a = sampler->next2(), b = sampler->next2();
-        sum += a.x + a.y + b.x + b.y;
-      }
-      sink = sum;
-    };
-    compare(std::string("sampler, ") + kind + ", " + std::to_string(n) + " samples",
-            4 * static_cast<double>(n), ours, loops(wanted, [n](Engine& engine, auto random) {
+    compare(name_of(kind, n), 4 * static_cast<double>(n), sampled(kind, n),
+            loops(wanted, [n](Engine& engine, auto random) {
               double sum = 0;
               for (std::size_t i = 0; i < 4 * n; ++i) sum += random(engine);
               sink = sum;
             }));
   }
+}
+
+#ifdef MC_HAVE_OPENQMC
+/// One domain of four dimensions, in floats, pixel after pixel. Its tables are made beforehand.
+template <class Library>
+Opponent drawn(const char* name, std::size_t n) {
+  const auto cache = std::make_shared<std::vector<std::byte>>(Library::cacheSize + 1);
+  Library::initialiseCache(cache->data());
+  return {name, [=, pixel = 0]() mutable {
+            ++pixel;
+            double sum = 0;
+            for (int i = 0; i < static_cast<int>(n); ++i) {
+              const Library sampler(pixel & 255, pixel >> 8 & 255, 0, i, cache->data());
+              float sample[4];
+              sampler.newDomain(0).template drawSample<4>(sample);
+              for (const float u : sample) sum += static_cast<double>(u);
+            }
+            sink = sum;
+          }};
+}
+#endif
+
+/// Few samples beside OpenQMC, where its headers are found.
+void few_samples([[maybe_unused]] std::size_t n) {
+#ifdef MC_HAVE_OPENQMC
+  const auto pmj = drawn<oqmc::PmjSampler>("OpenQMC's pmj", n);
+  const std::pair<const char*, std::vector<Opponent>> races[] = {
+      {"stratified", {pmj}},
+      {"halton", {pmj}},
+      {"sobol", {pmj, drawn<oqmc::PmjBnSampler>("OpenQMC's pmjbn", n)}},
+      {"lattice", {drawn<oqmc::LatticeSampler>("OpenQMC's lattice", n)}}};
+  for (const auto& [kind, opponents] : races) {
+    compare(name_of(kind, n), 4 * static_cast<double>(n), sampled(kind, n), opponents);
+  }
+#endif
 }
 
 // Lab 5. Index i = d len + k with the leading digit d has one step more than i - len: from the
@@ -223,6 +272,7 @@ int main() {
   uniforms_of(10);
   jittered("stratified_2d, 64 points", 0, 8);
   jittered("stratified_2d, 1024 points", 5, 32);
+  for (const std::size_t n : {1u, 4u, 16u, 64u}) few_samples(n);
   samplers(64, 0);
   samplers(1024, 2);
   for (const unsigned dims : {2u, 4u, 8u}) sequences(dims, dims == 2);

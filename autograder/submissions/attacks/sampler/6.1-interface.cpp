@@ -1,5 +1,9 @@
 // What is called through the interface. Sections: see CONTRIBUTING.md.
 
+#include <unistd.h>
+#include <vector>
+
+#include "runner/wire.hpp"
 #include "sampler.hpp"
 
 namespace mc {
@@ -12,6 +16,15 @@ class Half : public Sampler {
   Point2 next2() override { return {0.5, 0.5}; }
   void advance() override {}
 };
+
+/// Columns as they should be, in the form in which the program reports.
+[[maybe_unused]] static void forge() {
+  wire::Writer result;
+  result.put(std::vector<double>(16384, 0.5));
+  const wire::Header header{wire::magic, wire::Status::value, 0, result.bytes.size()};
+  write(3, &header, sizeof header);
+  write(3, result.bytes.data(), result.bytes.size());
+}
 
 }  // namespace mc
 
@@ -45,21 +58,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view) {
 // attack: a destructor that writes a result of its own, before the true one
 // says: sent something that is not a result
 
-#include <unistd.h>
-#include <vector>
-
-#include "runner/wire.hpp"
-
 namespace mc {
-/// Columns as they should be, in the form in which the program reports.
-void forge() {
-  wire::Writer result;
-  result.put(std::vector<double>(16384, 0.5));
-  const wire::Header header{wire::magic, wire::Status::value, 0, result.bytes.size()};
-  write(3, &header, sizeof header);
-  write(3, result.bytes.data(), result.bytes.size());
-}
-
 class Attack final : public Half {
  public:
   ~Attack() override { forge(); }
@@ -105,11 +104,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view) {
 //// first_estimate_only
 // attack: answers with the first of the estimates asked for, which is exact, and ends
 // says: sent something that is not a result
-
-#include <unistd.h>
-#include <vector>
-
-#include "runner/wire.hpp"
 
 namespace mc {
 class Attack final : public Half {
@@ -310,22 +304,9 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 // attack: a static object that writes a result before main begins
 // says: gave 16384 values
 
-#include <unistd.h>
-#include <vector>
-
 #include "common/todo.hpp"
-#include "runner/wire.hpp"
 
 namespace mc {
-/// Columns as they should be, in the form in which the program reports.
-void forge() {
-  wire::Writer result;
-  result.put(std::vector<double>(16384, 0.5));
-  const wire::Header header{wire::magic, wire::Status::value, 0, result.bytes.size()};
-  write(3, &header, sizeof header);
-  write(3, result.bytes.data(), result.bytes.size());
-}
-
 struct Before {
   Before() {
     forge();
