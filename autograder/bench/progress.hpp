@@ -18,7 +18,8 @@ namespace mc::grader {
 /// good.
 class BenchProgress {
  public:
-  explicit BenchProgress(std::filesystem::path memory) : memory_(std::move(memory)), line_("bench") {
+  explicit BenchProgress(std::filesystem::path memory)
+      : memory_(std::move(memory)), line_("bench") {
     std::ifstream file(memory_);
     double seconds = 0;
     for (std::string name; file >> seconds && std::getline(file >> std::ws, name);) {

@@ -1,6 +1,6 @@
 // Task 2.2: an estimate, by the points and values that it saw.
 
-#include "checks/independent/traces.hpp"
+#include "checks/independent/functions.hpp"
 
 namespace mc::checks {
 namespace {

@@ -1,7 +1,7 @@
 // Task 2.4: importance sampling. As in 2.2, each estimate is judged by what it saw: the points that
 // the density made of each u, and g and the density there.
 
-#include "checks/independent/traces.hpp"
+#include "checks/independent/functions.hpp"
 
 namespace mc::checks {
 namespace {

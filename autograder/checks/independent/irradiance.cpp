@@ -24,18 +24,6 @@ Placed above(Rng& rng) {
   return {light, "above"};
 }
 
-/// A light whose lower corner and sides lie in these intervals, at such a height.
-RectLight light_in(Interval x, Interval y, Interval side, Interval height, Rng& rng) {
-  RectLight light;
-  light.x0 = uniform(rng, x.low, x.high);
-  light.x1 = light.x0 + uniform(rng, side.low, side.high);
-  light.y0 = uniform(rng, y.low, y.high);
-  light.y1 = light.y0 + uniform(rng, side.low, side.high);
-  light.height = uniform(rng, height.low, height.high);
-  light.radiance = uniform(rng, 0.5, 5);
-  return light;
-}
-
 /// Somewhere else, with a corner near the receiver's normal; not so near that a few points carry
 /// everything.
 Placed aside(Rng& rng) {
@@ -144,13 +132,7 @@ Measured<Estimates> by_area(const RectLight& light, std::uint64_t n, std::uint64
 void judge_formula(Rng& rng) {
   Results values;
   for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
-    RectLight light;
-    light.x0 = uniform(rng, 0.3, 0.9);
-    light.x1 = light.x0 + 1e-11;  // what the difference of the two comes to is exact
-    light.y0 = uniform(rng, -0.9, -0.3);
-    light.y1 = light.y0 + 2e-11;
-    light.height = uniform(rng, 1.2, 1.9);
-    light.radiance = uniform(rng, 2, 9);
+    const RectLight light = light_in({0.3, 0.9}, {-0.9, -0.3}, {1e-11, 2e-11}, {1.2, 1.9}, rng);
     const double h = light.height, a = area(light), l = light.radiance;
     const double aside2 = light.x0 * light.x0 + light.y0 * light.y0, d2 = aside2 + h * h;
     const double d = std::sqrt(d2), exact = a * l * h * h / (d2 * d2);
@@ -338,8 +320,6 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
                 "take the numbers from rng, and from nowhere else");
   }
 }
-
-// Both --------------------------------------------------------------------------------------------
 
 CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") {
   Rng rng = check_rng();

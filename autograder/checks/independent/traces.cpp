@@ -1,4 +1,4 @@
-#include "checks/independent/traces.hpp"
+#include "checks/independent/functions.hpp"
 
 namespace mc::checks {
 namespace {

@@ -49,12 +49,6 @@ inline double digits_of(double x, unsigned base, double power) {
   return std::floor(x * power + (base == 2 ? 0 : power * 0x1p-49));
 }
 
-/// How many leading bits two numbers of [0, 1) share.
-inline unsigned same_bits(double a, double b) {
-  const auto word = [](double u) { return static_cast<std::uint64_t>(u * 0x1p53) << 11; };
-  return static_cast<unsigned>(std::countl_zero(word(a) ^ word(b)));
-}
-
 /// A dimension of one of the two sequences, or of lattices.
 class Dimension {
  public:
@@ -85,7 +79,7 @@ class Dimension {
     if (i == j) return false;
     if (z_ > 0) return may_be_folded(a, b, (value(i) - value(j)) * static_cast<double>(z_));
     const unsigned count = shared(i, j);
-    if (base == 2) return same_bits(a, b) == count;
+    if (base == 2) return shared_bits(a, b) == static_cast<int>(count);
     double power = base;
     for (unsigned k = count; k > 0; --k, power *= base) {
       if (digits_of(a, base, power) != digits_of(b, base, power)) return false;

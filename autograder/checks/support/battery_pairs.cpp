@@ -4,6 +4,7 @@
 #include <bit>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 #include "checks/support/battery_parts.hpp"
 #include "checks/support/distributions.hpp"
@@ -20,14 +21,6 @@ struct Wave {
 constexpr Wave waves[] = {{1, -1, "u - v"},  {1, 1, "u + v"},   {2, -1, "2u - v"},
                           {2, 1, "2u + v"},  {1, -2, "u - 2v"}, {1, 2, "u + 2v"},
                           {3, -1, "3u - v"}, {1, -3, "u - 3v"}, {4, -1, "4u - v"}};
-
-Complex power(Complex z, int k) {
-  Complex result(1, 0);
-  for (; k > 0; --k)
-    result = {result.real() * z.real() - result.imag() * z.imag(),
-              result.real() * z.imag() + result.imag() * z.real()};
-  return result;
-}
 
 /// Bit k of position p in all replicates, 64 in a word.
 class BitPlanes {
@@ -102,19 +95,21 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
                                   const Pairs& pairs, std::span<const Complex> z) {
   const std::size_t replicates = std::min<std::size_t>(numbers.replicates(), 2000);
   const std::size_t stride = numbers.positions;
-  constexpr std::size_t highest = 4, lanes = 8;
+  constexpr std::size_t lanes = 8;
   const std::size_t padded = (replicates + lanes - 1) / lanes * lanes;  // zeros add nothing
   struct Plane {
     std::vector<float> re, im;
   };
-  std::array<Plane, highest> powers;
-  for (std::size_t k = 0; k < highest; ++k) {
-    powers[k] = {std::vector<float>(padded * stride), std::vector<float>(padded * stride)};
-    for (std::size_t i = 0; i < stride; ++i) {  // by position, so that sums run along memory
-      for (std::size_t r = 0; r < replicates; ++r) {
-        const Complex w = power(z[r * stride + i], static_cast<int>(k) + 1);
-        powers[k].re[i * padded + r] = w.real();
-        powers[k].im[i * padded + r] = w.imag();
+  const Plane empty{std::vector<float>(padded * stride), std::vector<float>(padded * stride)};
+  std::array<Plane, 4> powers{empty, empty, empty, empty};
+  for (std::size_t i = 0; i < stride; ++i) {  // by position, so that sums run along memory
+    for (std::size_t r = 0; r < replicates; ++r) {
+      const Complex w = z[r * stride + i];
+      float re = 1, im = 0;
+      for (Plane& plane : powers) {
+        std::tie(re, im) = std::pair{re * w.real() - im * w.imag(), re * w.imag() + im * w.real()};
+        plane.re[i * padded + r] = re;
+        plane.im[i * padded + r] = im;
       }
     }
   }

@@ -16,7 +16,7 @@ namespace mc::checks {
 /// torus, or where discs end at the edges of the square. Exact along `rows` lines of constant y,
 /// the first at `start` rows; the midpoint rule across them. So the error is that of a
 /// one-dimensional sum: below 1e-4 with 1000 rows, and a few per cent of the area where that is one
-/// gap 20 rows high. On the torus the radius is below sqrt(1/2), or every point covers all.
+/// gap 20 rows high. Faster where x is in order. On the torus the radius is below sqrt(1/2), or every point covers all.
 inline double uncovered_area(std::span<const double> x, std::span<const double> y, double radius,
                              std::size_t rows, double start = 0.5, bool torus = true) {
   if (torus && radius >= std::sqrt(0.5)) return x.empty() ? 1 : 0;
@@ -25,12 +25,7 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
   covered.resize(std::max(covered.size(), rows));
   for (std::size_t row = 0; row < rows; ++row) covered[row].clear();
   const auto count = static_cast<double>(rows);
-  std::vector<std::size_t> by_x(x.size());  // then each line is nearly in order
-  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-  if (!std::is_sorted(x.begin(), x.end())) {
-    std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
-  }
-  for (const std::size_t i : by_x) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
     double first = std::ceil((y[i] - radius) * count - start);
     double last = std::floor((y[i] + radius) * count - start);
     if (!torus) first = std::max(first, 0.0), last = std::min(last, count - 1);

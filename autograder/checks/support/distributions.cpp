@@ -169,10 +169,8 @@ void sort_uniforms(std::vector<double>& values) {
     if (end[b] - first > 16) std::sort(&sorted[first], &sorted[first] + (end[b] - first));
   }
   for (std::size_t i = 1; i < n; ++i) {  // the others: by insertion
-    const double u = sorted[i];
-    std::size_t k = i;
-    for (; k > 0 && sorted[k - 1] > u; --k) sorted[k] = sorted[k - 1];
-    sorted[k] = u;
+    for (std::size_t k = i; k > 0 && sorted[k - 1] > sorted[k]; --k)
+      std::swap(sorted[k - 1], sorted[k]);
   }
   values = std::move(sorted);
 }

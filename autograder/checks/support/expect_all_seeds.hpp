@@ -1,15 +1,7 @@
 #pragma once
 // What randomized constructions promise of their seeds.
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "checks/support/domain.hpp"
-#include "checks/support/inversions.hpp"
-#include "checks/support/measure.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 

@@ -15,14 +15,7 @@ namespace mc::checks {
 // deviation of 5% of the mean at least, and a kurtosis below 30 (scenes_test.cpp looks).
 
 inline RectLight fresh_light(Rng& rng) {
-  RectLight light;
-  light.x0 = uniform(rng, -1.5, 0);
-  light.x1 = light.x0 + uniform(rng, 1, 3);
-  light.y0 = uniform(rng, -1.5, 0);
-  light.y1 = light.y0 + uniform(rng, 1, 3);
-  light.height = uniform(rng, 0.8, 1.5);
-  light.radiance = uniform(rng, 0.5, 4);
-  return light;
+  return light_in({-1.5, 0}, {-1.5, 0}, {1, 3}, {0.8, 1.5}, rng);
 }
 inline void draw(scenes::RectangleLight& s, Rng& rng) {
   s.light = fresh_light(rng);

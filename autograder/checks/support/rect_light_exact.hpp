@@ -4,10 +4,24 @@
 #include <cmath>
 #include <numbers>
 
+#include "checks/support/domain.hpp"
 #include "checks/support/quadrature.hpp"
+#include "common/estimation.hpp"
 #include "common/rect_light.hpp"
 
 namespace mc::checks {
+
+/// A light whose lower corner and sides lie in these intervals, at such a height.
+inline RectLight light_in(Interval x, Interval y, Interval side, Interval height, Rng& rng) {
+  RectLight light;
+  light.x0 = uniform(rng, x.low, x.high);
+  light.x1 = light.x0 + uniform(rng, side.low, side.high);
+  light.y0 = uniform(rng, y.low, y.high);
+  light.y1 = light.y0 + uniform(rng, side.low, side.high);
+  light.height = uniform(rng, height.low, height.high);
+  light.radiance = uniform(rng, 0.5, 5);
+  return light;
+}
 
 /// Irradiance at the origin: Lambert's polygon formula, which for a rectangle parallel to the
 /// receiver is a sum over its corners (Howell, "A catalog of radiation heat transfer configuration

@@ -11,28 +11,12 @@
 #include <numbers>
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "checks/support/domain.hpp"
-#include "checks/support/quadrature.hpp"
 #include "checks/support/rect_light_exact.hpp"
 #include "checks/support/statistics.hpp"
-#include "common/scenes/ao_sphere.hpp"
-#include "common/scenes/ao_wall.hpp"
-#include "common/scenes/defocus_edge.hpp"
-#include "common/scenes/disk_light.hpp"
-#include "common/scenes/motion_edge.hpp"
-#include "common/scenes/penumbra_disk.hpp"
-#include "common/scenes/penumbra_halfplane.hpp"
-#include "common/scenes/pixel_edge.hpp"
-#include "common/scenes/pixel_time_lens.hpp"
-#include "common/scenes/rect_light.hpp"
-#include "common/scenes/rect_light_horizon.hpp"
-#include "common/scenes/sphere_light.hpp"
-#include "common/scenes/stripes.hpp"
+#include "common/scenes/all.hpp"
 
 namespace mc::checks {
 
