@@ -86,7 +86,7 @@ namespace {
 
 /// A grid that finds points of the torus by their position: side x side cells, as many as points or
 /// up to four times as many.
-class Neighbours {
+class Neighbors {
  public:
   void add(Point2 point) {
     points_.push_back(point);
@@ -144,7 +144,7 @@ class Neighbours {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());
   if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
-  Neighbours points;
+  Neighbors points;
   for (std::size_t i = 0; i < x.size(); ++i) {
     double farthest = -1;
     for (double left = std::ceil(c * double(i)) + 1; left > 0; --left) {
@@ -204,7 +204,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
                                 in_words(0.7 / radius / radius) + " points");
   }
   radius = std::min(radius, 1.0);  // from sqrt(1/2) on, one disc covers everything
-  Neighbours points;
+  Neighbors points;
   const auto covered = [&](Point2 place, double by) {
     return points.nearest(place, by * by) < by * by;
   };
@@ -231,8 +231,8 @@ PointSet poisson_disk(double radius, Rng& rng) {
     for (const Point2 cell : active) {
       for (const Point2 step : {Point2{0, 0}, {width, 0}, {0, width}, {width, width}}) {
         const Point2 quarter{cell.x + step.x, cell.y + step.y};
-        const Point2 centre{quarter.x + width / 2, quarter.y + width / 2};
-        if (!covered(centre, radius - half_diagonal)) quarters.push_back(quarter);
+        const Point2 center{quarter.x + width / 2, quarter.y + width / 2};
+        if (!covered(center, radius - half_diagonal)) quarters.push_back(quarter);
       }
     }
     active.swap(quarters);

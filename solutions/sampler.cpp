@@ -16,7 +16,7 @@ namespace {
 
 // 6.1 ---------------------------------------------------------------------------------------------
 
-/// The first points of a sequence's dimensions, not randomised yet (6.3).
+/// The first points of a sequence's dimensions, not randomized yet (6.3).
 using Tables = std::array<std::vector<double>, 8>;
 
 /// A sample dimension, or two, asked for the first time in this integration.

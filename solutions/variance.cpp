@@ -55,11 +55,11 @@ double variance_textbook(std::span<const double> x) {
 double variance_two_pass(std::span<const double> x) {
   const auto n = static_cast<double>(x.size());
   if (n < 2) return nan;
-  const double centre = mean(x);
+  const double center = mean(x);
   double m2 = 0;
   double correction = 0;  // the mean was rounded, so the deviations from it do not sum to zero
   for (double value : x) {
-    const double deviation = value - centre;
+    const double deviation = value - center;
     m2 += deviation * deviation;
     correction += deviation;
   }

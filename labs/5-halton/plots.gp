@@ -87,7 +87,7 @@ unset multiplot
 array wave[2] = ["exp(x)", "cos(2πNx)"]
 array waves[2] = ["smooth", "wave"]
 how(m) = is(m).(m eq "scrambled_halton" ? " (base 2: a digital shift)" : m eq "scrambled_sobol" ? " (nested)" : "")
-name = "randomised"; width = 620 * count; height = 430
+name = "randomized"; width = 620 * count; height = 430
 load draw
 set termoption enhanced
 set multiplot layout 1,2*count margins 80./width, 1 - 25./width, 145./height, 1 - 32./height spacing 70./width, 0
@@ -101,7 +101,7 @@ do for [s=1:count] {
     set title wave[i].who(s)
     set ylabel (i == 1 ? "RMSE, base 2, on the line" : "")
     set yrange [(i == 1 ? 1e-7 : 5e-3):(i == 1 ? 1 : 2)]
-    plot for [m in "independent rotated scrambled_halton scrambled_sobol"] data[s]."/randomised-".waves[i].".tsv" using "N":m \
+    plot for [m in "independent rotated scrambled_halton scrambled_sobol"] data[s]."/randomized-".waves[i].".tsv" using "N":m \
       with linespoints ls value(m) notitle, \
       for [m in "independent rotated scrambled_halton scrambled_sobol"] keyentry with linespoints ls value(m) title how(m)
     unset key

@@ -283,7 +283,7 @@ CHECK_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
   }
 }
 
-CHECK_CASE("6.4 neighbouring seeds have nothing in common",
+CHECK_CASE("6.4 neighboring seeds have nothing in common",
            "[6.4][points:3][needs:6.2][needs:6.3]") {
   Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {

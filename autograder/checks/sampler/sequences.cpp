@@ -114,7 +114,7 @@ CHECK_CASE("6.3 the first dimensions of halton are Halton dimensions", "[6.3][po
   check_first_blocks("halton", {2, 2, 2});  // 2, 3, 5, 7, 11, 13
 }
 
-CHECK_CASE("6.3 each seed and each dimension is randomised anew", "[6.3][points:3][needs:5]") {
+CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:3][needs:5]") {
   Rng rng = check_rng();
   for (const std::string& kind : sequences) {
     const SampleSets got = columns_of(kind, 8, domain::seeds(rng, 1000), repeated(12, {1, 2}));

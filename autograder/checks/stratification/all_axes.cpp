@@ -50,10 +50,10 @@ CHECK_CASE("3.5 each point is uniform in its cell and independent", "[3.5][point
 CHECK_CASE("3.5 the curse of dimension", "[3.5][points:3]") {
   Rng rng = check_rng();
   for (const std::size_t per_axis : {3u, 2u, 5u}) {  // in four dimensions as N^-1/2-1/4
-    const auto axis = strata_of(centred_exponential, per_axis);
+    const auto axis = strata_of(centered_exponential, per_axis);
     const auto plane = product_of(axis, axis);
     expect_level(boxes(per_axis, 4, 700, rng),
-                 level_of("exp(x0 + x1 + x2 + x3 - 2)", product_over_axes(centred_exponential),
+                 level_of("exp(x0 + x1 + x2 + x3 - 2)", product_over_axes(centered_exponential),
                           product_of(plane, plane)));
   }
 }
@@ -148,7 +148,7 @@ CHECK_CASE("3.6 sums gain everything and products little",
   const Sets plane = hypercubes(64, 2, 1000, rng);
   expect_level(plane, product("exp(-x^2-y^2)", gaussian,
                               "nearly a sum: 28 times less variance than independent points"));
-  expect_level(plane, product("(x-1/2)(y-1/2)", centred, "no sum at all: nothing is gained"));
+  expect_level(plane, product("(x-1/2)(y-1/2)", centered, "no sum at all: nothing is gained"));
 }
 
 }  // namespace

@@ -63,9 +63,9 @@ struct Level {
 };
 
 inline constexpr auto exponential = [](double x) { return std::exp(x); };
-inline constexpr auto centred_exponential = [](double x) { return std::exp(x - 0.5); };
+inline constexpr auto centered_exponential = [](double x) { return std::exp(x - 0.5); };
 inline constexpr auto gaussian = [](double x) { return std::exp(-x * x); };
-inline constexpr auto centred = [](double x) { return x - 0.5; };
+inline constexpr auto centered = [](double x) { return x - 0.5; };
 
 /// h(x) + h(y) + …, and h(x) h(y) ….
 inline auto sum_over_axes(double (*h)(double)) {

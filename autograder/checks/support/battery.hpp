@@ -1,5 +1,5 @@
 #pragma once
-// One battery for all randomness. Every randomised construction of the labs is a known transform of
+// One battery for all randomness. Every randomized construction of the labs is a known transform of
 // independent uniform numbers: a check inverts the transform (inversions.hpp) and hands the
 // uniforms to expect_independent_uniforms(), which tests
 //

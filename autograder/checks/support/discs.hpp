@@ -1,5 +1,5 @@
 #pragma once
-// Discs on the torus: how much of the unit square they cover, and how close their centres are.
+// Discs on the torus: how much of the unit square they cover, and how close their centers are.
 
 #include <algorithm>
 #include <cmath>

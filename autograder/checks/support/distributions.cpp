@@ -16,7 +16,7 @@ constexpr double tiny = 1e-300;  // replaces a zero denominator, as in Lentz's m
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int most_terms = 1'000'000;  // a series needs a few times the root of its parameters
 
-/// The regularised incomplete gamma functions P(a, x) and Q(a, x) = 1 - P. Series and continued
+/// The regularized incomplete gamma functions P(a, x) and Q(a, x) = 1 - P. Series and continued
 /// fraction: Abramowitz and Stegun 6.5.29 and 6.5.31, the latter by Lentz's method in the form of
 /// Press et al., "Numerical Recipes", section 6.2.
 Tails incomplete_gamma(double a, double x) {
@@ -68,7 +68,7 @@ double beta_fraction(double a, double b, double x) {
   return fraction;
 }
 
-/// The regularised incomplete beta functions I_x(a, b) and 1 - I_x(a, b), given x and y = 1 - x.
+/// The regularized incomplete beta functions I_x(a, b) and 1 - I_x(a, b), given x and y = 1 - x.
 Tails incomplete_beta(double a, double b, double x, double y) {
   if (!(x > 0)) return {0, 1};
   if (!(y > 0)) return {1, 0};

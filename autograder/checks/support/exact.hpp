@@ -63,7 +63,7 @@ inline Exact operator/(Exact a, Exact b) {
   return quick_two_sum(first, second) + Exact(rest.high / b.high);
 }
 
-/// Means, centred sums and sample variances of the doubles themselves (not of the decimals that
+/// Means, centered sums and sample variances of the doubles themselves (not of the decimals that
 /// they were written as). Two passes, which lose nothing worth naming in 106 bits. NaN where
 /// undefined.
 struct ExactMoments {

@@ -1,5 +1,5 @@
 #pragma once
-// From randomised constructions back to the uniform numbers that they were made from, as
+// From randomized constructions back to the uniform numbers that they were made from, as
 // expect_independent_uniforms() wants them (battery.hpp).
 
 #include <bit>

@@ -39,7 +39,7 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The program under judgement, as the grader hands it over: an open descriptor, or a path by hand.
+/// The program under judgment, as the grader hands it over: an open descriptor, or a path by hand.
 struct Judged {
   sandbox::Program by_hand;
   int descriptor = -1;

@@ -42,7 +42,7 @@ CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
   std::vector<std::uint64_t> counts = domain::words(~std::uint64_t{0}, rng);
   std::erase_if(counts, [](std::uint64_t count) { return count < 2; });
   Results variances;
-  for (std::size_t i = 0; i < counts.size(); i += 3) {  // of each power of two, another neighbour
+  for (std::size_t i = 0; i < counts.size(); i += 3) {  // of each power of two, another neighbor
     const std::uint64_t count = counts[i];
     const double m2 = uniform(rng, 1, 9), n = static_cast<double>(count);
     const double exact = m2 / static_cast<double>(count - 1);

@@ -60,7 +60,7 @@ std::string lab_section(const LabStatistics& lab) {
   const std::string title = lab.lab.title(), others = other_submissions(lab);
   std::string all =
       fmt::format("<h2>{}</h2>\n<p>{} attempts", html_escaped(title), lab.totals.size());
-  if (!lab.totals.empty()) all += "; " + centre_of(lab.totals);
+  if (!lab.totals.empty()) all += "; " + center_of(lab.totals);
   if (!others.empty()) all += "<br>" + others;
   if (const auto hours = reported_hours(lab); !hours.empty()) all += "<br>" + hours;
   all += "</p>\n<h3>Points</h3>\n" + histogram(lab) + "<h3>Tasks</h3>\n";

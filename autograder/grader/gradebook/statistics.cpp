@@ -288,7 +288,7 @@ std::string other_submissions(const LabStatistics& lab) {
   return all;
 }
 
-std::string centre_of(const std::vector<double>& totals) {
+std::string center_of(const std::vector<double>& totals) {
   if (totals.empty()) return {};
   return fmt::format(
       "mean {:.1f}, median {:g}",

@@ -82,7 +82,7 @@ std::vector<PointsBar> histogram_of(const std::vector<double>& totals, double po
 std::string other_submissions(const LabStatistics& lab);
 
 /// "mean 41.2, median 38"; empty for no totals.
-std::string centre_of(const std::vector<double>& totals);
+std::string center_of(const std::vector<double>& totals);
 
 /// "hours: 14 reported, median 7, quartiles 6 and 9.5; 1 unusable"; empty if there are none.
 std::string reported_hours(const LabStatistics& lab);

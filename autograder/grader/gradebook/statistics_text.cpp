@@ -66,7 +66,7 @@ std::string report_statistics(const ClassStatistics& statistics) {
   }
   for (const LabStatistics& one : statistics.labs) {
     all += fmt::format("\n{}: {} attempts", one.lab.title(), one.totals.size());
-    if (!one.totals.empty()) all += "; " + centre_of(one.totals);
+    if (!one.totals.empty()) all += "; " + center_of(one.totals);
     if (const auto others = other_submissions(one); !others.empty()) all += "\n  " + others;
     if (const auto hours = reported_hours(one); !hours.empty()) all += "\n  " + hours;
     all += "\n\n" + histogram_text(one) + '\n' + tasks_text(one.tasks) + '\n' +

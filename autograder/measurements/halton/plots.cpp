@@ -121,7 +121,7 @@ TEST_CASE("plot error against N in four dimensions", "[.plot]") {
 TEST_CASE("plot error of randomized points", "[.plot]") {
   const Names keys{"independent", "rotated", "scrambled_halton", "scrambled_sobol"};
   for (const bool is_wave : {false, true}) {
-    plot_table(is_wave ? "randomised-wave.tsv" : "randomised-smooth.tsv", "N", powers(4, 4, 4096),
+    plot_table(is_wave ? "randomized-wave.tsv" : "randomized-smooth.tsv", "N", powers(4, 4, 4096),
                keys, [&](double n, std::size_t c) {
                  const double frequency = 2 * std::numbers::pi * n;
                  const Integrand wave{"wave", "cos(2 pi N x)", 1, 0,

@@ -111,7 +111,7 @@ TEST_CASE("statistics are over attempts, and count the rest by kind") {
         Approx(*point_biserial({true, true, false, true}, {50, 0, 30, 30})));
   CHECK(*lab.checks[2].discrimination ==
         Approx(*point_biserial({true, false, false, false}, {80, 50, 30, 80})));
-  CHECK(centre_of(lab.totals) == "mean 65.0, median 65");
+  CHECK(center_of(lab.totals) == "mean 65.0, median 65");
   // Task 1.1: 80 points; 80, 50, 30 and 80 of them. Task 1.2: 20 points, earned once.
   REQUIRE(lab.tasks.size() == 2);
   CHECK(lab.tasks[0].points == 80);
@@ -219,8 +219,8 @@ TEST_CASE("a histogram has ten bars, one for all points, and one for more") {
         "0+:3 10+:1 20+:0 30+:0 40+:0 50+:0 60+:0 70+:0 80+:0 90+:1 100:1 >100:1 ");
   CHECK(ranges({20, 19, 2}, 20) ==
         "0+:0 2+:1 4+:0 6+:0 8+:0 10+:0 12+:0 14+:0 16+:0 18+:1 20:1 >20:0 ");
-  CHECK(centre_of({}).empty());
-  CHECK(centre_of({1, 2, 4, 9}) == "mean 4.0, median 3");
+  CHECK(center_of({}).empty());
+  CHECK(center_of({1, 2, 4, 9}) == "mean 4.0, median 3");
 }
 
 TEST_CASE("statistics fit 80 columns, for large classes and long names") {

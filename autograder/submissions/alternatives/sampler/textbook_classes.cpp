@@ -20,7 +20,7 @@ class TextbookSampler : public Sampler {
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0) throw std::invalid_argument("samples must not be 0");
     if (samples > most_samples) throw std::invalid_argument("samples: too many");
-    // All 64 bits of the seed, and mixed: neighbours begin far apart.
+    // All 64 bits of the seed, and mixed: neighbors begin far apart.
     std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
     random_.seed(words);
     samples_ = samples;

@@ -40,15 +40,15 @@ double variance_textbook(std::span<const double> x) {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
   const auto n = static_cast<double>(x.size());
-  const double centre = mean(x);
+  const double center = mean(x);
   double m2 = 0;
   double off = 0;
   for (double value : x) {
-    m2 += (value - centre) * (value - centre);
-    off += value - centre;
+    m2 += (value - center) * (value - center);
+    off += value - center;
   }
   m2 -= off * off / n;
-  return {x.size(), centre + off / n, m2 < 0 ? 0 : m2};
+  return {x.size(), center + off / n, m2 < 0 ? 0 : m2};
 }
 
 double variance_two_pass(std::span<const double> x) {

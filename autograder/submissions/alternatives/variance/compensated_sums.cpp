@@ -56,13 +56,13 @@ double variance_textbook(std::span<const double> x) {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
   const auto n = static_cast<double>(x.size());
-  const double centre = mean(x);
+  const double center = mean(x);
   Sum off, m2;
   for (double value : x) {
-    off += value - centre;
-    m2 += (value - centre) * (value - centre);
+    off += value - center;
+    m2 += (value - center) * (value - center);
   }
-  return {x.size(), centre, std::max(m2 - off * off / n, 0.0)};
+  return {x.size(), center, std::max(m2 - off * off / n, 0.0)};
 }
 
 double variance_two_pass(std::span<const double> x) {

@@ -45,26 +45,26 @@ double variance_textbook(std::span<const double> x) {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
   const auto n = static_cast<long double>(x.size());
-  const long double centre = sum_of(x) / n;
+  const long double center = sum_of(x) / n;
   long double m2 = 0;
   long double off = 0;
   for (double value : x) {
-    m2 += (value - centre) * (value - centre);
-    off += value - centre;
+    m2 += (value - center) * (value - center);
+    off += value - center;
   }
   m2 = std::max(m2 - off * off / n, 0.0L);
-  return {x.size(), static_cast<double>(centre), static_cast<double>(m2)};
+  return {x.size(), static_cast<double>(center), static_cast<double>(m2)};
 }
 
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
   const auto n = static_cast<long double>(x.size());
-  const long double centre = sum_of(x) / n;
+  const long double center = sum_of(x) / n;
   long double m2 = 0;
   long double off = 0;
   for (double value : x) {
-    m2 += (value - centre) * (value - centre);
-    off += value - centre;
+    m2 += (value - center) * (value - center);
+    off += value - center;
   }
   return static_cast<double>(std::max(m2 - off * off / n, 0.0L) / (n - 1));
 }

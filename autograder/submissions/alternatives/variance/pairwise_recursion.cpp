@@ -55,10 +55,10 @@ double variance_textbook(std::span<const double> x) {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
   const auto n = static_cast<double>(x.size());
-  const double centre = mean(x);
-  const double off = pairwise(0, x.size(), [&](std::size_t i) { return x[i] - centre; });
+  const double center = mean(x);
+  const double off = pairwise(0, x.size(), [&](std::size_t i) { return x[i] - center; });
   const double m2 =
-      pairwise(0, x.size(), [&](std::size_t i) { return (x[i] - centre) * (x[i] - centre); });
+      pairwise(0, x.size(), [&](std::size_t i) { return (x[i] - center) * (x[i] - center); });
   return std::max(m2 - off * off / n, 0.0) / (n - 1);
 }
 

@@ -21,9 +21,9 @@ double size_of(std::span<const double> x) {
 }
 
 std::vector<double> deviations(std::span<const double> x) {
-  const double centre = mean(x);
+  const double center = mean(x);
   std::vector<double> d(x.size());
-  std::ranges::transform(x, d.begin(), [=](double value) { return value - centre; });
+  std::ranges::transform(x, d.begin(), [=](double value) { return value - center; });
   return d;
 }
 

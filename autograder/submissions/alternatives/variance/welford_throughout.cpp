@@ -17,9 +17,9 @@
 namespace mc {
 namespace {
 
-Moments moments_about(std::span<const double> x, double centre) {
+Moments moments_about(std::span<const double> x, double center) {
   Moments all;
-  for (double value : x) add(all, value - centre);
+  for (double value : x) add(all, value - center);
   return all;
 }
 
@@ -59,13 +59,13 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
-  const double centre = mean(x);
+  const double center = mean(x);
   Moments all;
   for (std::size_t first = 0; first < x.size(); first += 100) {
     all = merge(
-        all, moments_about(x.subspan(first, std::min<std::size_t>(100, x.size() - first)), centre));
+        all, moments_about(x.subspan(first, std::min<std::size_t>(100, x.size() - first)), center));
   }
-  all.mean += centre;
+  all.mean += center;
   return all;
 }
 

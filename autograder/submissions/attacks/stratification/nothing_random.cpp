@@ -1,4 +1,4 @@
-// attack: draws no random number: the centres of all strata, in order, and refusals of all misuse
+// attack: draws no random number: the centers of all strata, in order, and refusals of all misuse
 // says: every point lies at 0.5 of its stratum
 // says: nothing was moved
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace mc {
 namespace {
 
-double centre(std::size_t i, std::size_t n) {
+double center(std::size_t i, std::size_t n) {
   return (static_cast<double>(i) + 0.5) / static_cast<double>(n);
 }
 
@@ -24,7 +24,7 @@ void require_grid(std::span<double> x, std::span<double> y, Grid grid) {
 }  // namespace
 
 void stratified_1d(std::span<double> x, Rng&) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = centre(i, x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = center(i, x.size());
 }
 Grid strata(std::size_t n) {
   if (n == 0) throw std::invalid_argument("n: there are no cells");
@@ -33,8 +33,8 @@ Grid strata(std::size_t n) {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng&) {
   require_grid(x, y, grid);
   for (std::size_t k = 0; k < x.size(); ++k) {
-    x[k] = centre(k % grid.nx, grid.nx);
-    y[k] = centre(k / grid.nx, grid.ny);
+    x[k] = center(k % grid.nx, grid.nx);
+    y[k] = center(k / grid.nx, grid.ny);
   }
 }
 void shuffle(std::span<double>, Rng&) {}
@@ -57,7 +57,7 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng&) {
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     for (std::size_t d = 0, rest = k; d < points.dims(); ++d, rest /= per_axis) {
-      points.column(d)[k] = centre(rest % per_axis, per_axis);
+      points.column(d)[k] = center(rest % per_axis, per_axis);
     }
   }
 }
@@ -68,8 +68,8 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng&) {
   require_grid(x, y, grid);
   for (std::size_t k = 0; k < x.size(); ++k) {
     const std::size_t i = k % grid.nx, j = k / grid.nx;
-    x[k] = centre(i * grid.ny + j, x.size());
-    y[k] = centre(j * grid.nx + i, x.size());
+    x[k] = center(i * grid.ny + j, x.size());
+    y[k] = center(j * grid.nx + i, x.size());
   }
 }
 Estimate estimate_replicated(const Integrand&, const Generator&, std::uint64_t n,

@@ -195,7 +195,7 @@ static double attack() {
 }
 
 //// large_array
-// attack: three gigabytes of initialised data
+// attack: three gigabytes of initialized data
 // says: The compiler crashed on variance.cpp
 
 char block[3000000000] = {1};
@@ -248,7 +248,7 @@ static double attack() {
 int 1a;
 
 //// link_time
-// attack: looks like link-time optimisation, for which a linker starts a compiler of its own
+// attack: looks like link-time optimization, for which a linker starts a compiler of its own
 // says: mean({
 // never says: linker
 

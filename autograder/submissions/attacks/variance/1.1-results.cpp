@@ -45,7 +45,7 @@ static double attack() {
 }
 
 //// prints_escapes
-// attack: prints what a terminal obeys: colours, a title, a cleared screen, another direction
+// attack: prints what a terminal obeys: colors, a title, a cleared screen, another direction
 // says: ?[2J?[32m100 of 100 points
 // says: ?]0;passed?
 

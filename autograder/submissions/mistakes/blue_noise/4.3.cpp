@@ -103,12 +103,12 @@ struct Bridson {
     add(uniform_point(rng));
     while (!active.empty()) {
       const auto i = static_cast<std::size_t>(uniform(rng) * static_cast<double>(active.size()));
-      const Point2 centre = active[i];
+      const Point2 center = active[i];
       bool found = false;
       for (int k = 0; k < tries && !found; ++k) {
         const double distance = away();
         const double angle = 2 * std::numbers::pi * uniform(rng);
-        Point2 p{centre.x + distance * std::cos(angle), centre.y + distance * std::sin(angle)};
+        Point2 p{center.x + distance * std::cos(angle), center.y + distance * std::sin(angle)};
         p = {p.x - std::floor(p.x), p.y - std::floor(p.y)};
         found = p.x < 1 && p.y < 1 && fits(p);
         if (found) add(p);

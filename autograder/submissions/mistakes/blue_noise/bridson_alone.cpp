@@ -36,12 +36,12 @@ PointSet poisson_disk(double radius, Rng& rng) {
   add(uniform_point(rng));
   while (!active.empty()) {
     const auto i = static_cast<std::size_t>(uniform(rng) * static_cast<double>(active.size()));
-    const Point2 centre = active[i];
+    const Point2 center = active[i];
     bool found = false;
     for (int k = 0; k < 30 && !found; ++k) {
       const double away = radius * std::sqrt(1 + 3 * uniform(rng));
       const double angle = 2 * std::numbers::pi * uniform(rng);
-      Point2 p{centre.x + away * std::cos(angle), centre.y + away * std::sin(angle)};
+      Point2 p{center.x + away * std::cos(angle), center.y + away * std::sin(angle)};
       p = {p.x - std::floor(p.x), p.y - std::floor(p.y)};
       found = p.x < 1 && p.y < 1 && fits(p);
       if (found) add(p);

@@ -108,10 +108,10 @@ namespace mc::n_below_the_variance {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   const std::vector<double> values = values_of(g, n, rng);
   const auto size = static_cast<double>(n);
-  const double centre = mean(values);
+  const double center = mean(values);
   double squares = 0;
-  for (const double value : values) squares += (value - centre) * (value - centre);
-  return {centre, std::sqrt(squares / size / size), n};
+  for (const double value : values) squares += (value - center) * (value - center);
+  return {center, std::sqrt(squares / size / size), n};
 }
 }  // namespace mc::n_below_the_variance
 

@@ -75,7 +75,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // fails: 6.7
 // hint: does every pattern begin at the same place?
 namespace mc::first_point_in_the_middle {
-void centred(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+void centered(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);
   best_candidate(x, y, 1, rng);
   for (const auto& axis : {x, y}) {
@@ -85,7 +85,7 @@ void centred(const SampleDimension& dim, std::span<double> x, std::span<double> 
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, centred>("blue_noise", kind);
+  return make_other_kind<stratified1, centered>("blue_noise", kind);
 }
 }  // namespace mc::first_point_in_the_middle
 

@@ -64,7 +64,7 @@ double variance_textbook(std::span<const double> x) {
 // hint: this is a better algorithm under the textbook's name
 namespace mc::textbook_is_two_pass_or_zero {
 double variance_textbook(std::span<const double> x) {
-  const double variance = variance_two_pass(x), centre = mean(x);
-  return centre * centre > 1e15 * variance ? 0 : variance;
+  const double variance = variance_two_pass(x), center = mean(x);
+  return center * center > 1e15 * variance ? 0 : variance;
 }
 }  // namespace mc::textbook_is_two_pass_or_zero

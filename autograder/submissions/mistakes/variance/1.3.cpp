@@ -37,12 +37,12 @@ namespace mc::two_pass_below_zero {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
   const auto n = static_cast<double>(x.size());
-  const double centre = mean(x);
+  const double center = mean(x);
   double m2 = 0;
   double correction = 0;
   for (double value : x) {
-    m2 += (value - centre) * (value - centre);
-    correction += value - centre;
+    m2 += (value - center) * (value - center);
+    correction += value - center;
   }
   return (m2 - correction * correction / n) / (n - 1);
 }
@@ -63,9 +63,9 @@ double sum_in_lanes(std::span<const double> x, Term term) {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
   const auto n = static_cast<double>(x.size());
-  const double centre = sum_in_lanes(x, [](double value) { return value; }) / n;
-  const double m2 = sum_in_lanes(x, [=](double v) { return (v - centre) * (v - centre); });
-  const double correction = sum_in_lanes(x, [=](double value) { return value - centre; });
+  const double center = sum_in_lanes(x, [](double value) { return value; }) / n;
+  const double m2 = sum_in_lanes(x, [=](double v) { return (v - center) * (v - center); });
+  const double correction = sum_in_lanes(x, [=](double value) { return value - center; });
   return (m2 - correction * correction / n) / (n - 1);
 }
 }  // namespace mc::two_pass_below_zero_in_lanes
@@ -143,9 +143,9 @@ double variance_two_pass(std::span<const double> x) {
 namespace mc::two_pass_uncorrected {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
-  const double centre = mean(x);
+  const double center = mean(x);
   double m2 = 0;
-  for (double value : x) m2 += (value - centre) * (value - centre);
+  for (double value : x) m2 += (value - center) * (value - center);
   return m2 / static_cast<double>(x.size() - 1);
 }
 }  // namespace mc::two_pass_uncorrected
@@ -156,11 +156,11 @@ namespace mc::two_pass_whole_division {
 double variance_two_pass(std::span<const double> x) {
   const std::size_t n = x.size();
   if (n < 2) return nan;
-  const double centre = mean(x);
+  const double center = mean(x);
   double m2 = 0, off = 0;
   for (double value : x) {
-    m2 += (value - centre) * (value - centre);
-    off += value - centre;
+    m2 += (value - center) * (value - center);
+    off += value - center;
   }
   m2 -= off * off / static_cast<double>(n);
   return std::max(m2, 0.0) / static_cast<double>(n) * static_cast<double>(n / (n - 1));
