@@ -171,7 +171,8 @@ const views = {
         scramble ? rmse({ sets: scrambles, set: (_, k) => first(pair.map(c => c[k + 1]), size) }, step, f)
           : Math.abs(estimate(first(points.map((_, d) => pair[d][0]), size), f) - f.exact)]) };
       return {
-        now: `${nx * ny} intervals, ${short(share)} ${short(share) === '1' ? 'point' : 'points'} each: ${cells.filter(wrong).length} differ, ` +
+        now: `${nx * ny} intervals, ${short(share)} point${short(share) === "1" ? "" : "s"} each: ` +
+          `${cells.filter(wrong).length} differ, ` +
           `${cells.filter(count => count === 0).length} are empty. ${errorOf(estimate(points, f), f)}.`,
         chart: { now: n, label: "RMSE against N",
           curves: [mine, ...ways.map(one => curveOf(one, f, false))] } };
