@@ -155,6 +155,8 @@ std::vector<Values> without_finite_variance(Rng& rng) {
 std::vector<Values> with_a_value_that_is_not_finite(Rng& rng) {
   std::vector<Values> lists;
   for (const double odd_one : {domain::not_a_number, domain::infinity, -domain::infinity}) {
+    for (const Values& x : {Values{5, odd_one, 5}, Values(64, odd_one), Values(2, odd_one)})
+      lists.push_back(x);
     for (const std::size_t place : {1 + rng() % 98, std::uint64_t{0}, std::uint64_t{99}}) {
       Values x = uniform_values(rng, 100, 1, 2);
       x[place] = odd_one;

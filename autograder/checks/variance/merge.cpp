@@ -123,6 +123,7 @@ CHECK_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:3
       {{trillion, m, 1e12}, {1000, m + 1e-7, 1000}},
       {{billion / 2, 1e9, 1}, {billion / 2, 1e9 + 2, 1}},
       {{trillion * 1000, 10, 2.25e16}, {7, 0, 0}},
+      {{trillion * 1000, m, 0}, {7, 1e20, 0}},
       {{~std::uint64_t{0} - 1, m, 5}, {1, -m, 0}},
       {{std::uint64_t{1} << 63, m, 5}, {(std::uint64_t{1} << 63) - 1, 3 * m, 7}}};
   for (int bit = 20; bit < 63; ++bit) {  // counts that no int, float or double holds

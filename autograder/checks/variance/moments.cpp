@@ -54,6 +54,10 @@ CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
   }
   variances.expect("one division, rounded once or twice",
                    "m2 / (count - 1); is the count a whole number of 64 bits all the way?");
+  for (const double m2 : {domain::not_a_number, domain::infinity}) {
+    const auto got = MEASURE(variance_of, {3, 1, m2});
+    expect_no_number(got.call, got.value, {m2});
+  }
 }
 
 CHECK_CASE("1.4 the variance of fewer than two values is NaN", "[1.4][edge][points:1]") {
@@ -88,7 +92,9 @@ CHECK_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
        {short_hard_lists(rng), lists_of_any_scale(rng), lists_with_outliers(rng, 1)}) {
     welfords(lists).expect(because_one_pass, of_mean, of_m2);
   }
-  for (const Values& x : without_finite_variance(rng)) {
+  std::vector<Values> lists = without_finite_variance(rng);
+  lists.insert(lists.end(), {{domain::infinity}, {domain::not_a_number}});
+  for (const Values& x : lists) {
     const auto got = MEASURE(welford, x);
     expect_no_number(got.call + ".m2", got.value.m2, x);
   }

@@ -39,6 +39,7 @@ void add(Moments& moments, double x) {
   const auto n = static_cast<double>(++moments.count);
   if (n == 1) {
     moments.mean = x;
+    moments.m2 = x - x;  // NaN for an infinity
     return;
   }
   const double sum = moments.mean * (n - 1) + x;
