@@ -28,16 +28,20 @@ CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:
     add_mean(means, traced(fresh(gs[next++ % 4], rng), n, rng));
   }
   expect_means(means);
+  for (const double odd_one : {nan, domain::infinity, -domain::infinity}) {
+    const Function g{exponential, 0, 1, odd_one};
+    expect_not_hidden(MEASURE(estimates, g, 9, rng(), 1));
+  }
   // Roughly random, so that no other points will do; the check of their independence wants more.
   judge_one_call(points_of(exponential, rng), 200, 16, rng);
 }
 
 CHECK_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:5][needs:2.1]") {
   Rng rng = check_rng();
-  const unsigned gs[] = {exponential, product, five};
+  const unsigned gs[] = {exponential, product, five, constant};
   std::size_t next = 0;
   for (const std::uint64_t n : domain::sizes(65537, rng)) {
-    const Traced seen = traced(fresh(gs[next++ % 3], rng), n, rng);
+    const Traced seen = traced(fresh(gs[next++ % 4], rng), n, rng);
     const std::size_t evaluations = seen.values.size();
     expect_that(evaluations == n, fmt::format("{} evaluated g {} times", seen.call, evaluations),
                 fmt::format("{}", n), "n is what the caller pays for",

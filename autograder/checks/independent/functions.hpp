@@ -42,6 +42,13 @@ inline Values values_of(const std::string& call, const std::vector<Estimate>& es
   return all;
 }
 
+/// An estimate of a g that is infinite or NaN everywhere.
+inline void expect_not_hidden(const Measured<std::vector<experiments::Counted>>& got) {
+  const double value = got.exactly(1, any_number)[0].value;
+  expect_that(!std::isfinite(value), fmt::format("{} = {}", got.call, value), "inf or NaN",
+              "g is infinite or NaN: a finite estimate hides it", "use values of g unchanged");
+}
+
 /// The random numbers of `calls` calls for n samples each, one after the other from one generator,
 /// `dims` for each sample.
 struct Numbers {

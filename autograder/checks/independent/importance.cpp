@@ -163,6 +163,10 @@ CHECK_CASE("2.4 weights of any size and either sign", "[2.4][points:3][needs:2.1
     cases.push_back({{step, end, uniform(rng, 0.5, 4), 0}, {by_exponential, rate}, 1000});
   }
   judge_weighed(cases, rng);
+  for (const double odd_one : {nan, domain::infinity, -domain::infinity}) {
+    const Function g{exponential, 0, 1, odd_one};
+    expect_not_hidden(MEASURE(importance_estimates, g, {by_power, 0.5}, 9, rng(), 1));
+  }
 }
 
 CHECK_CASE("2.4 points without a usable density add nothing", "[2.4][points:1][needs:2.1]") {

@@ -13,7 +13,7 @@ CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]"
   for (int i = 0; i < 10; ++i) levels.insert(levels.begin(), uniform(rng, 0.01, 0.93));
   for (const double level : levels) {
     const double scale = std::pow(10, uniform(rng, -3, 3));
-    const double spread = level == 0.95 ? 0 : uniform(rng, 0.01, 1);  // no spread, no interval
+    const double spread = level == levels[0] ? 0 : uniform(rng, 0.01, 1);  // no spread, no interval
     const Estimate estimate{uniform(rng, -9, 9) * scale, spread * scale, 10 + rng() % 1000};
     const auto got = MEASURE(confidence_interval, estimate, level);
     const double z = normal_quantile((1 + level) / 2), error = estimate.standard_error;
@@ -179,14 +179,15 @@ CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]")
   plans.push_back({{uniform(rng, -9, 9), 1.5 * target, 4 * (250 + rng() % 10000) + 1}, target});
   plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
   judge_plans(plans);
-  plans = {{{1, 0.1, 1000}, 0.7},                   // fewer than the pilot had
-           {{1, 0.5, 5}, 1},                        // 1.25, so two
-           {{1, 0.5, 1}, 0.25},                     // the smallest pilot
-           {{1, 0.5, 4}, 1},                        // one
-           {{1, 0.5, 1000000}, 1e-4},               // 2.5e13
-           {{-5, 3e170, 17}, 1e169},                // squares that overflow, one by one
-           {{-5, 3e-170, 17}, 1e-170},              // and that are 0
-           {{1, 0.5, std::uint64_t{1} << 62}, 1}};  // most pilots have fewer
+  plans = {{{1, 0.1, 1000}, 0.7},                  // fewer than the pilot had
+           {{1, 0.5, 5}, 1},                       // 1.25, so two
+           {{1, 0.5, 1}, 0.25},                    // the smallest pilot
+           {{1, 0.5, 4}, 1},                       // one
+           {{1, 0.5, 1000000}, 1e-4},              // 2.5e13
+           {{-5, 3e170, 17}, 1e169},               // squares that overflow, one by one
+           {{-5, 3e-170, 17}, 1e-170},             // and that are 0
+           {{1, 0.5, std::uint64_t{1} << 62}, 1},  // most pilots have fewer
+           {{1, 0.5, std::uint64_t{3} << 62}, 0.75}};
   for (int i = 0; i < 5; ++i) {
     plans.push_back({{1, uniform(rng, 0.5, 50), rng() >> 24}, uniform(rng, 0.5, 1)});
   }

@@ -169,7 +169,7 @@ CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][points:2][n
   expect_independent_uniforms(
       beginnings(by_seed, size, positions),
       {"the first numbers of calls from neighboring seeds", alpha, in_step, in_step, in_step});
-  for (const std::uint64_t few : {5u, 37u}) {
+  for (const std::uint64_t few : {std::uint64_t{5}, std::uint64_t{37}, 100 + rng() % 28}) {
     const Uniforms all = filled(rng(), Sizes64(calls, few));
     expect_independent_uniforms(beginnings(all, few, few), {"the numbers of short calls", alpha,
                                                             in_step, same_place, in_step});
