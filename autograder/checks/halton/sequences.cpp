@@ -58,7 +58,8 @@ CHECK_CASE("5.3 many axes and late points", "[5.3][points:2][needs:5.2]") {
   Rng rng = check_rng();
   for (const std::uint64_t first : {(std::uint64_t{1} << 32) + 1 + rng() % 1000, last_index - 99,
                                     rng() >> 8, std::uint64_t{1}}) {
-    check_axes(MEASURE(halton, 100, 9, first), 100, 9, first, 0);
+    for (const std::uint64_t n : {100u, 1u})
+      check_axes(MEASURE(halton, n, 9, first), n, 9, first, 0);
   }
   for (const std::uint64_t dims : {200u, 33u, 32u, 17u}) {
     check_axes(MEASURE(halton, 20, dims, dims), 20, dims, dims, 0);
@@ -204,7 +205,7 @@ std::vector<InvalidCall> no_such_points() {
   const std::string dimensions = "the table has 32 dimensions, from 0 to 31";
   const std::string indices = "the last index is 2^32 - 1", range = "first|column|index|indices";
   return {{MEASURE_OUTCOME(sobol, 32, 0, 4), "dimension", dimensions},
-          {MEASURE_OUTCOME(sobol, 33, 0, 1), "dimension", dimensions},
+          {MEASURE_OUTCOME(sobol, 33, 0, 0), "dimension", dimensions},
           {MEASURE_OUTCOME(sobol, 4294967295u, 0, 4), "dimension", dimensions},
           {MEASURE_OUTCOME(sobol, 0, sobol_end - 2, 3), range, indices},
           {MEASURE_OUTCOME(sobol, 31, sobol_end, 1), range, indices},
