@@ -34,7 +34,7 @@ std::string flips_hint(const Uniforms& of_zero) {
     return "all bits of 0 are flipped alike: 0, 00 and 000 before a bit are different strings";
   }
   if (all_are([](double u) { return u * 0x1p32 == std::floor(u * 0x1p32); })) {
-    return "53 bits of a value are scrambled, not 32";
+    return "only 32 bits were scrambled; scramble all 53";
   }
   return {};
 }
@@ -58,7 +58,8 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
           "the flip of a bit depends on the bits before it: those two share; they differ in the "
           "next, which is flipped in both or in neither. So a net stays a net",
           !is_multiple(half_ulp)            ? "there is no bit after the 53rd"
-          : k >= 31 && is_multiple(0x1p-32) ? "53 bits of a value are scrambled, not 32"
+          : k >= 31 && is_multiple(0x1p-32) ? "only 32 bits were scrambled; scramble all 53"
+          : a == b                          ? "two values became one: their last bits were lost"
                                             : "the flip of a bit must not depend on the bits "
                                               "after it");
     }

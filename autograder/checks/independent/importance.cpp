@@ -41,7 +41,8 @@ Weighed weighed(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng)
       fmt::format("{} and {}", usable, n), "n is what the caller pays for",
       one.evaluations < usable
           ? "a density may be tiny or huge and still count: evaluate g at each sample"
-          : "every sample counts, also one of weight 0");
+      : one.evaluations > n ? "evaluate g once for each sample, and use that value"
+                            : "every sample counts, also one of weight 0");
   return {{measured.call, {one.value, one.standard_error, one.n}, weights, {}}, seen};
 }
 

@@ -81,7 +81,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::linear_scrambling
 
 // mistake: scrambles only the first 32 bits of a value and loses the others
-// hint: 53 bits of a value are scrambled, not 32
+// hint: only 32 bits were scrambled; scramble all 53
 namespace mc::scrambles_32_bits {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   right_owen_scramble(column, seed);
