@@ -46,13 +46,6 @@ Weighed weighed(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng)
   return {{measured.call, {one.value, one.standard_error, one.n}, weights, {}}, seen};
 }
 
-template <class Value>
-double average(std::size_t n, Value value) {
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i) sum += value(i);
-  return sum / static_cast<double>(n);
-}
-
 std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, const Sampling& p) {
   const Values &w = all.weights.values, &of_g = all.seen.values, &of_p = all.seen.densities;
   const std::size_t n = w.size();
@@ -61,7 +54,11 @@ std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, con
   const Integrand integrand = experiments::integrand(g);
   const auto g_at = [&](double x) { return integrand.f({&x, 1}); };
   const Values &u = all.seen.u, &x = all.seen.points;
-  const auto of = [&](auto value) { return average(n, value); };
+  const auto of = [n](auto value) {
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += value(i);
+    return sum / static_cast<double>(n);
+  };
   std::vector<Suspect> suspects{
       {of([&](auto i) { return of_g[i]; }),
        "this is the mean of g: where p is large, points are many, so each counts 1 / p"},

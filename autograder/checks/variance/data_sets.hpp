@@ -38,10 +38,8 @@ std::vector<List> lists_with_large_means(Rng& rng, std::vector<std::size_t> size
 
 /// 100,001 values, all equal but one, which is 1e9 times as far from zero and comes first, in the
 /// middle, or last: `of_each` lists of each kind. Shifting by that one squares all others to the
-/// same large number, whose roundings add up: to n times what two passes lose (3,000 of 3,000 such
-/// lists were below repeating_floor), or in blocks and lanes to a few times only (2,325 of 3,000:
-/// five lists leave one chance in a thousand to escape, less what the last list sees). The last one
-/// is 2^20 values, all equal but three outliers: first, in the middle, and last.
+/// same large number, whose roundings add up: below repeating_floor in 3,000 of 3,000 such lists,
+/// in blocks and lanes in 2,325. The last one is 2^20 values, all equal but three outliers.
 std::vector<List> lists_with_outliers(Rng& rng, int of_each);
 
 /// One outlier, sorted, a trend, alternating signs: a thousand values each.

@@ -1,14 +1,12 @@
 #pragma once
-// How many digits a right algorithm keeps. Every exact value is computed here, in 106 bits, from
-// the very doubles that were sent. Floors come from two bounds (Chan, Golub, LeVeque 1983, table
-// 2), with a digit of room for their constants:
+// How many digits a right algorithm keeps of exact values, computed here in 106 bits. Floors come
+// from two bounds (Chan, Golub, LeVeque 1983, table 2), with a digit of room for their constants:
 //
 //   n eps          what n additions may lose in any order       two passes, shifted, in blocks
 //   n kappa eps    what a mean rounded n times may lose,        one pass (Welford, merging)
 //                  kappa = sqrt(1 + mean^2 / variance)
 //
-// Roundings that scatter lose sqrt(n) where these bounds say n: the algorithms themselves are
-// measured one to three digits above their floors.
+// Roundings that scatter lose sqrt(n) instead of n: one to three digits less.
 
 #include "1-variance/experiments.hpp"
 #include "checks/support/checks.hpp"

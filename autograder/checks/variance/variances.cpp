@@ -107,10 +107,9 @@ CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][n
                   "0, never less", "a variance is a mean of squares", stop_at_zero);
     }
   };
-  // A sum of n equal values is off by n^2/4 eps |c| at most, the mean by d = n/4 eps |c|; every
-  // deviation is d, and what the correction leaves of n d^2 is again a rounding error, 3/4 n eps of
-  // it. That is 3/64 n^3 eps (eps c)^2 in all: 1 % of (eps c)^2 for n = 1e5 (a tenth, if the sums
-  // are taken in an unlucky order), and nothing where the mean is corrected first.
+  // The mean, and so every deviation, is off by d = n/4 eps |c| at most. Of n d^2 the correction
+  // leaves a rounding error, 3/4 n eps of it: 1 % of (eps c)^2 for n = 1e5, a tenth if the sums are
+  // taken in an unlucky order.
   const Values constants{0.1, 1e8 / 3, uniform(rng, 1, 2), -uniform(rng, 1e5, 1e6), 0};
   for (const std::size_t n : {1000u, 100'000u, 65'537u, 3u, 2u}) {
     const auto got = MEASURE(two_pass_of_constants, constants, n);
@@ -130,12 +129,10 @@ CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][n
         "measure from the mean, and take back what its rounding adds");
     expect_not_negative(got.call, variances);
   }
-  // Up to n = 3e5 or so the two parts of eq. 1.7 are whole multiples of ulp(c)^2, exact in double,
-  // and differ by 0. At this n, their difference is below 0 for half of all constants where sums
-  // are taken one after the other, for a fifth in four lanes, for one of fourteen in sixteen. The
-  // constants are, of 700 random ones, those for which it is below 0 most often, over 1, 2, 4, 8
-  // and 16 lanes, added up one by one or in pairs, the mean by one lane or by as many: each of
-  // these ways has three constants at least. A power of two scales all of it exactly.
+  // Up to n = 3e5 or so the two parts of eq. 1.7 are whole multiples of ulp(c)^2 and differ by 0.
+  // At this n their difference is below 0 for half of all constants where sums are taken one after
+  // the other, for one of fourteen in sixteen lanes. Of 700 random constants these are below 0 most
+  // often: three at least for each way to sum in 1 to 16 lanes, one by one or in pairs.
   const double scale = std::ldexp(rng() % 2 == 0 ? 1 : -1, static_cast<int>(rng() % 40) - 20);
   for (Values some : {Values{1.9913159685236592, 1.2969464825440495, 1.3617208224630535},
                       Values{1.0744250400711668, 1.8192433745648477},
