@@ -319,6 +319,14 @@ TEST_CASE("6.8 many samples are right too",
       expect_one_in_each_cell(got, 0, line_of(n, c),
                               "every sample dimension is stratified, for any number of samples");
     }
+    if (kind == "sobol") continue;
+    std::vector<std::size_t> order;
+    for (const double x : got.column(0, 0)) order.push_back(*stratum_of(x, n));
+    expect_independent_uniforms({got.call, 1, uniforms_of_permutation(order, rng)},
+                                {.words = "the strata of many samples are in random order",
+                                 .alpha = alpha,
+                                 .otherwise = "",
+                                 .explain = [] { return "shuffle many samples, too"; }});
   }
 }
 

@@ -4,7 +4,7 @@
 // of any calls with those of a new sampler. All seeds and the parameters of scenes are fresh in
 // each run.
 //
-// Random tests have an alpha of 1e-8 each; there are fewer than fifty of them. A few more bounds
+// Random tests have an alpha of 1e-8 each; there are fewer than eighty of them. A few more bounds
 // hold with room to spare for whatever is right; each has the chance of failing a right answer next
 // to it, and all of those together come to less than 2e-7.
 
