@@ -18,13 +18,11 @@ CHECK_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]"
                                                    {1024u, 1u, Uses{1, 1, 2}, 0.13, 0.6},
                                                    {64u, 240u, Uses{2}, 0.119, 0.62}}) {
     const SampleSets got = columns_of("blue_noise", n, domain::seeds(rng, sets), uses);
-    const double size = n, count = sets;
     double mean_low = 0, mean_radius = 0;  // power over 0 < |k| <= sqrt(N) / 2, relative radius
     for (std::size_t set = 0; set < sets; ++set) {
       const View x = got.column(set, got.dims - 2), y = got.column(set, got.dims - 1);
-      const int highest = static_cast<int>(std::sqrt(size) / 2);
-      mean_low += low_band(spectrum_of(x, y, highest), size) / count;
-      mean_radius += least_distance(x, y) / std::sqrt(2 / (std::sqrt(3) * size)) / count;
+      mean_low += low_band(spectrum_of(x, y, static_cast<int>(std::sqrt(n) / 2)), n) / sets;
+      mean_radius += least_distance(x, y) / std::sqrt(2 / (std::sqrt(3) * n)) / sets;
     }
     const std::string hint =
         uses.size() == 2  // alone it was

@@ -102,9 +102,7 @@ Orders orders_of(const SampleSets& got, std::size_t set, const Uses& uses) {
 
 /// What is visibly wrong with the orders of all sets.
 std::string hint_for_orders(const std::vector<Orders>& sets) {
-  const auto in_all = [&](const auto& is_wrong) {
-    return std::all_of(sets.begin(), sets.end(), is_wrong);
-  };
+  const auto in_all = [&](auto is_wrong) { return std::ranges::all_of(sets, is_wrong); };
   for (std::size_t a = 0; a < sets[0].size(); ++a) {
     if (in_all([=](const Orders& all) { return std::is_sorted(all[a].begin(), all[a].end()); })) {
       return "the strata come in order: the pattern must be shuffled";
