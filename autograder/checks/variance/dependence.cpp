@@ -82,14 +82,9 @@ void judge_tables(const std::vector<Table>& tables, bool first_is_independent = 
 CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:4]") {
   Rng rng = check_rng();
   std::vector<Table> tables;
-  for (const auto& [rows, columns] : {std::pair{3u, 5u},
-                                      {3u, 5u},
-                                      {7u, 2u},
-                                      {2u, 2u},
-                                      {17u, 33u},
-                                      {64u, 3u},
-                                      {5u, 65u},
-                                      {2u, 1000u}}) {
+  constexpr std::pair<unsigned, unsigned> sizes[] = {{3, 5},   {3, 5},  {7, 2},  {2, 2},
+                                                     {17, 33}, {64, 3}, {5, 65}, {2, 1000}};
+  for (const auto& [rows, columns] : sizes) {
     tables.push_back(random_table(rng, rows, columns, 0, uniform(rng, 0.1, 50)));
   }
   // The largest difference once below 0 (an empty cell among others that are alike) and once above.
