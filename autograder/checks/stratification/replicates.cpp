@@ -47,7 +47,7 @@ double standard_error(const Values& means) {
   return std::sqrt(spread(means) / (r - 1) / r);
 }
 
-/// Sums of at most 6000 values of size one lose 6000 eps of them; 5e-12 is four times that.
+/// Sums of at most 10006 values of size one lose 10006 eps of them; 5e-12 is twice that.
 constexpr double rounding = 5e-12;
 
 /// Each replicate is a set of n points of its own, and g is evaluated once at each point.
@@ -75,9 +75,11 @@ void require_work(const std::string& call, const Replicated& got, std::size_t n,
 
 CHECK_CASE("3.8 the estimate is the mean of the replicates", "[3.8][main][points:2]") {
   Rng rng = check_rng();
+  auto late = deal(rng, 2, 1, 700);  // a rare event: means are constant before
+  std::fill_n(late.values.begin(), 1302, 0.5);
   for (const auto& dealt :
-       {deal(rng, 64, 1, 25), deal(rng, 7, 3, 3), deal(rng, 3, 9, 17), deal(rng, 1025, 1, 2),
-        deal(rng, 2, 1, 1000), deal(rng, 100, 2, 1), deal(rng, 1, 1, 2)}) {
+       {deal(rng, 64, 1, 25), deal(rng, 7, 3, 3), deal(rng, 3, 9, 17), deal(rng, 5003, 1, 2),
+        deal(rng, 2, 1, 1000), late, deal(rng, 100, 2, 1), deal(rng, 1, 1, 2)}) {
     const auto [n, dims, replicates, values] = dealt;
     const auto got = MEASURE(estimate_replicated, values, n, dims, replicates);
     require_work(got.call, got.value, n, replicates);
@@ -94,6 +96,13 @@ CHECK_CASE("3.8 the estimate is the mean of the replicates", "[3.8][main][points
                               {{means.back()}, "this is the mean of the last replicate"},
                               {{means.front()}, "this is the mean of the first replicate"}},
                  .otherwise = "every point of every replicate counts once"});
+  }
+  for (const double odd : {domain::infinity, -domain::infinity, domain::not_a_number}) {
+    const auto got = MEASURE(estimate_replicated, {0, 1, 0, 2, odd, 1, 0, 1, 0, 1}, 2, 1, 5);
+    require_work(got.call, got.value, 2, 5);
+    expect_that(!std::isfinite(got.value.value), fmt::format("{} = {}", got.call, got.value.value),
+                "no finite value", "",
+                "a mean that is infinite or NaN counts, too: do not drop it");
   }
 }
 
