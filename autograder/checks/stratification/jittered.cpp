@@ -77,13 +77,13 @@ CHECK_CASE("3.1 no point leaves its stratum whatever the bits", "[3.1][edge][poi
 // 3.2 ---------------------------------------------------------------------------------------------
 
 /// The most square grids, and what well-known mistakes give instead: nx, ny, nx, ny, …
-Comparison most_square(const std::vector<std::uint64_t>& n) {
+Comparison most_square(const std::vector<std::uint64_t>& n, const std::string& likely) {
   Comparison grids{
       .exact = {},
       .because = "nx * ny = n with nx >= ny, as close to each other as the factors of n allow",
       .suspects = {{{}, "nx is the larger one"},
                    {{}, "nx * ny must be n: a stratum too few leaves points out"}},
-      .otherwise = "ny is the largest divisor of n that is not above its square root"};
+      .otherwise = likely};
   for (const std::uint64_t cells : n) {
     const Grid best = squarest(cells);
     const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(cells)));
@@ -100,13 +100,14 @@ Comparison most_square(const std::vector<std::uint64_t>& n) {
   return grids;
 }
 
-void compare_grids(const std::vector<std::uint64_t>& n) {
+void compare_grids(const std::vector<std::uint64_t>& n,
+                   const std::string& likely = "ny is the largest divisor of n up to sqrt(n)") {
   const auto got = MEASURE(strata, n);
   Values values;
   for (const Grid grid : got.exactly(n.size(), any_number)) {
     values.insert(values.end(), {static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
   }
-  expect_each({got.call, values}, most_square(n));
+  expect_each({got.call, values}, most_square(n, likely));
 }
 
 CHECK_CASE("3.2 the grid is as square as n allows", "[3.2][main][points:3]") {
@@ -142,6 +143,9 @@ CHECK_CASE("3.2 more cells than 32 bits count", "[3.2][edge][points:1]") {
                 "n has 64 bits", "k * k in 32 bits is never above such an n: make k a std::size_t");
     compare_grids(n);
   }
+  std::uint64_t odd = (1u << 24) + 1 + 2 * (rng() % 1000000);  // a root that float rounds down
+  while (std::sqrt(static_cast<float>(odd * odd)) >= static_cast<double>(odd)) odd += 2;
+  compare_grids({odd * odd}, "a float has 24 bits: compute the root in double");
 }
 
 // 3.3 ---------------------------------------------------------------------------------------------

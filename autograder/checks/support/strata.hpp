@@ -2,6 +2,7 @@
 // Strata of the line, with the edges that double division gives, and grids.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -23,11 +24,9 @@ inline std::optional<std::size_t> stratum_of(double x, std::size_t n) {
 
 /// The most square grid of n cells.
 inline Grid squarest(std::size_t n) {
-  Grid best{n, 1};
-  for (std::size_t ny = 1; ny * ny <= n; ++ny) {
-    if (n % ny == 0) best = {n / ny, ny};
-  }
-  return best;
+  auto ny = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));  // exact below 2^52
+  while (ny > 1 && n % ny != 0) --ny;
+  return {n / std::max<std::size_t>(ny, 1), std::max<std::size_t>(ny, 1)};
 }
 
 /// Permutations of n <= 5 values, one after the other, are not all equally likely: the well-known
