@@ -11,9 +11,9 @@ namespace mc::checks {
 
 using Sets = SampleSets;
 
-/// Of every random test of lab 3. There are 100 of them at most, so that a right answer fails once
+/// Of every random test of lab 3. There are 110 of them at most, so that a right answer fails once
 /// in two million runs.
-constexpr double alpha = 5e-9;
+constexpr double alpha = 4.5e-9;
 
 /// Jitters of task `task` are independent and uniform.
 inline Randomness random_jitters(const std::string& task) {

@@ -31,9 +31,8 @@ std::optional<Failure> test_bits(const Uniforms& numbers, const Randomness& clai
   const std::size_t n = numbers.values.size();
   const std::size_t cells = n >= 3200 ? 32 : n >= 800 ? 8 : 2;
   const int width = static_cast<int>(std::bit_width(cells)) - 1;
-  std::vector<int> shifts;
+  std::vector<int> shifts{0};  // the first bits, too: distances hardly see one value too often
   for (int k = 8; k + width < numbers.bits; k += 5) shifts.push_back(k);
-  if (shifts.empty()) return {};
   Family family(numbers, claim, "bits", shifts.size());
   for (const int k : shifts) {
     std::vector<std::uint32_t> counts(cells);
@@ -52,12 +51,12 @@ std::optional<Failure> test_bits(const Uniforms& numbers, const Randomness& clai
 std::optional<Failure> test_extremes(const Uniforms& numbers, const Randomness& claim) {
   const auto [low, high] = std::minmax_element(numbers.values.begin(), numbers.values.end());
   const auto n = static_cast<double>(numbers.values.size());
-  const double bottom = *low, top = 1 - *high;
   Family family(numbers, claim, "extremes", 2);
-  family.add(std::exp(n * std::log1p(-bottom)), true,
-             [&] { return fmt::format("{} numbers, none below {:.4g}", n, bottom); });
-  family.add(std::exp(n * std::log1p(-top)), true,
-             [&] { return fmt::format("{} numbers, none above 1 - {:.4g}", n, top); });
+  for (const auto& [gap, where] : {std::pair{*low, "below"}, {1 - *high, "above 1 -"}}) {
+    family.add(std::exp(n * std::log1p(-gap)), true, [&, g = gap, w = where] {
+      return fmt::format("{} numbers, none {} {:.4g}", n, w, g);
+    });
+  }
   return family.failure();
 }
 
@@ -233,7 +232,7 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
   const double width = battery::width_of_equal(numbers);
   const std::string and_repeated = claim.repeated.empty() ? "" : "; " + claim.repeated;
   if (*high - *low < 1e-6) {
-    return fmt::format("every number is {:.3g}: draw one at random for each{}", *low, and_repeated);
+    return fmt::format("every number is {:.3g}: draw one at random for each", *low);
   }
   const std::size_t replicates = numbers.replicates(), positions = numbers.positions;
   for (std::size_t p = 0; p < positions && positions > 1 && replicates >= 20; ++p) {
@@ -256,22 +255,17 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
       claim.same.empty() ? "draw a random number for each of them" : claim.same;
   if (positions > 1 && replicates >= 20) {
     for (const auto& [p, q] : battery::compared_pairs(positions)) {
-      const auto always = [&, p = p, q = q](auto f) {
-        const double first = f(numbers.values[p], numbers.values[q]);
-        for (std::size_t r = 1; r < replicates; ++r) {
-          const double here =
-              f(numbers.values[r * positions + p], numbers.values[r * positions + q]);
-          if (std::abs(std::remainder(here - first, 1.0)) > 4 * width) return false;
+      for (const int sign : {-1, 1}) {
+        bool always = true;
+        for (std::size_t r = 0; r < replicates && always; ++r) {
+          const double* const u = &numbers.values[r * positions];
+          const double off = u[p] - numbers.values[p] + sign * (u[q] - numbers.values[q]);
+          always = std::abs(std::remainder(off, 1.0)) <= 4 * width;
         }
-        return true;
-      };
-      if (always([](double u, double v) { return u - v; })) {
-        return fmt::format("{} and {} share one random number: {}", battery::name_of(numbers, p),
-                           battery::name_of(numbers, q), from_one);
-      }
-      if (always([](double u, double v) { return u + v; })) {
-        return fmt::format("{} and {} are u and 1 - u of one random number: {}",
-                           battery::name_of(numbers, p), battery::name_of(numbers, q), from_one);
+        if (!always) continue;
+        return fmt::format("{} and {} {} one random number: {}", battery::name_of(numbers, p),
+                           battery::name_of(numbers, q), sign < 0 ? "share" : "are u and 1 - u of",
+                           from_one);
       }
     }
   }

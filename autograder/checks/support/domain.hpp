@@ -41,19 +41,10 @@ namespace mc::checks::domain {
 /// Sizes of lists, at most `most`: ordinary ones, both sides of powers of two, primes, one random
 /// size; 2 and 1 at the end.
 inline std::vector<std::uint64_t> sizes(std::uint64_t most, Rng& rng) {
-  std::vector<std::uint64_t> all;
-  for (const std::uint64_t n :
-       {std::uint64_t{12},   std::uint64_t{100},  std::uint64_t{37},    std::uint64_t{15},
-        std::uint64_t{16},   std::uint64_t{17},   std::uint64_t{63},    std::uint64_t{64},
-        std::uint64_t{65},   std::uint64_t{127},  std::uint64_t{129},   std::uint64_t{255},
-        std::uint64_t{257},  std::uint64_t{1000}, std::uint64_t{1023},  std::uint64_t{1025},
-        std::uint64_t{4095}, std::uint64_t{4097}, std::uint64_t{65537}, std::uint64_t{999983}}) {
-    if (n <= most) all.push_back(n);
-  }
+  std::vector<std::uint64_t> all{12,  100, 37,  15,   16,   17,   63,   64,   65,    127,
+                                 129, 255, 257, 1000, 1023, 1025, 4095, 4097, 65537, 999983};
   all.push_back(2 + rng() % std::max<std::uint64_t>(most, 3) % 5000);
-  for (const std::uint64_t n : {9, 8, 7, 5, 4, 3, 2, 1}) {
-    if (n <= most) all.push_back(n);
-  }
+  all.insert(all.end(), {9, 8, 7, 5, 4, 3, 2, 1});
   std::erase_if(all, [=](std::uint64_t n) { return n > most; });
   return all;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -15,22 +15,11 @@ namespace {
 
 using Order = std::vector<std::size_t>;
 
-/// The number, below n!, of a permutation (Lehmer's code).
-std::size_t rank_of(std::span<const std::size_t> order) {
-  std::size_t rank = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto smaller = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i), order.end(),
-                                       [&](std::size_t other) { return other < order[i]; });
-    rank = rank * (order.size() - i) + static_cast<std::size_t>(smaller);
-  }
-  return rank;
-}
-
 /// How likely each order of n values is where every value changes places with any of them: of n^n
 /// equally likely ways. Of the order, or of its inverse.
-std::vector<double> chances_of_swaps_with_any(std::size_t n, bool backwards, bool is_inverse) {
+std::map<Order, double> chances_of_swaps_with_any(std::size_t n, bool backwards, bool is_inverse) {
   const double ways = std::pow(n, n);
-  std::vector<double> chances(static_cast<std::size_t>(std::tgamma(n + 1) + 0.5));
+  std::map<Order, double> chances;
   Order order(n), inverse(n);
   for (std::size_t way = 0; static_cast<double>(way) < ways; ++way) {
     std::iota(order.begin(), order.end(), 0);
@@ -38,7 +27,7 @@ std::vector<double> chances_of_swaps_with_any(std::size_t n, bool backwards, boo
       std::swap(order[backwards ? n - 1 - k : k], order[left % n]);
     }
     for (std::size_t k = 0; k < n; ++k) inverse[order[k]] = k;
-    chances[rank_of(is_inverse ? inverse : order)] += 1 / ways;
+    chances[is_inverse ? inverse : order] += 1 / ways;
   }
   return chances;
 }
@@ -48,11 +37,12 @@ std::vector<double> chances_of_swaps_with_any(std::size_t n, bool backwards, boo
 std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
                          const std::string& otherwise) {
   const auto count = static_cast<double>(orders.size() / n);
-  std::vector<std::size_t> of_rank(static_cast<std::size_t>(std::tgamma(n + 1) + 0.5)), stays(n);
+  std::map<Order, double> found;
+  Order stays(n);
   std::size_t rotations = 0;
   for (std::size_t first = 0; first < orders.size(); first += n) {
     const auto order = orders.subspan(first, n);
-    ++of_rank[rank_of(order)];
+    ++found[Order(order.begin(), order.end())];
     bool rotates = true;
     for (std::size_t k = 0; k < n; ++k) {
       stays[k] += order[k] == k ? 1u : 0u;
@@ -78,8 +68,8 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
   for (const unsigned way : {0u, 1u, 2u, 3u}) {
     const auto chances = chances_of_swaps_with_any(n, way % 2 == 1, way / 2 == 1);
     double chi_squared = 0;
-    for (std::size_t i = 0; i < chances.size(); ++i) {
-      const double expected = chances[i] * count, off = static_cast<double>(of_rank[i]) - expected;
+    for (const auto& [order, chance] : chances) {
+      const double expected = chance * count, off = found[order] - expected;
       chi_squared += off * off / expected;
     }
     if (chi_squared_tails(chi_squared, static_cast<double>(chances.size() - 1)).upper > 1e-8) {
