@@ -38,9 +38,8 @@ CHECK_CASE("3.5 one point in each cell of all dimensions", "[3.5][main][points:4
 
 CHECK_CASE("3.5 each point is uniform in its cell and independent", "[3.5][points:2]") {
   Rng rng = check_rng();
-  for (const auto& [per_axis, dims] :
-       {std::pair<std::size_t, std::size_t>{2, 3}, {3, 2}, {2, 9}, {5, 1}, {1, 4}}) {
-    const std::size_t sets = dims == 9 ? 200 : 2000;
+  for (const auto& [per_axis, dims, sets] :
+       {Sizes{2, 3, 2000}, {3, 2, 2000}, {2, 9, 150}, {5, 1, 2000}, {1, 30, 1000}, {2, 12, 2}}) {
     expect_independent_uniforms(
         jitters_of(boxes(per_axis, dims, sets, rng), all_axes(per_axis, dims), digits_of_k),
         random_jitters("3.5"));
@@ -118,7 +117,7 @@ CHECK_CASE("3.6 the axes are independent", "[3.6][points:3][needs:3.1][needs:3.4
   Randomness jitters = random_jitters("3.6");
   jitters.same = "one column is used for two axes: draw each afresh";
   for (const auto& [n, dims, sets] :
-       {std::array<std::size_t, 3>{4, 3, 5000}, {30, 17, 400}, {64, 4, 1000}, {10000, 3, 1}}) {
+       {Sizes{30, 23, 300}, {4, 3, 5000}, {64, 4, 1000}, {10000, 3, 1}}) {
     const Sets got = hypercubes(n, dims, sets, rng);
     const std::vector<Pattern> axes = every_axis(n, dims);
     if (n == 4) expect_independent_uniforms(jitters_of(got, axes, column_of_line), jitters);
@@ -135,20 +134,25 @@ CHECK_CASE("3.6 sums gain everything and products little",
     sum.mean *= 7, sum.variance *= 7, sum.independent *= 7;  // seven of these, independent
     expect_level(hypercubes(n, 7, 1000, rng), sum);
   }
-  const auto product = [](std::string words, double (*h)(double), std::string because) {
+  const auto product = [](auto h, auto a, auto b, std::string words, std::string because) {
     const auto axis = strata_of(h, 64);
     return Level{std::move(words),
-                 product_over_axes(h),
+                 [=](View x) { return h(x[a]) * h(x[b]); },
                  mean_of(axis) * mean_of(axis),
                  shuffled_product_variance(axis, axis),
                  3,
                  independent_variance(product_of(axis, axis), 64),
                  std::move(because)};
   };
-  const Sets plane = hypercubes(64, 2, 1000, rng);
-  expect_level(plane, product("exp(-x^2-y^2)", gaussian,
+  const Sets cubes = hypercubes(64, 5, 1000, rng);
+  expect_level(cubes, product(gaussian, 0, 1, "exp(-x0^2-x1^2)",
                               "nearly a sum: 28 times less variance than independent points"));
-  expect_level(plane, product("(x-1/2)(y-1/2)", centered, "no sum at all: nothing is gained"));
+  for (std::size_t a = 0; a < 5; ++a) {
+    for (std::size_t b = a + 1; b < 5; ++b) {
+      expect_level(cubes, product(centered, a, b, fmt::format("(x{}-1/2)(x{}-1/2)", a, b),
+                                  "no order of two axes is preferred, so that nothing is gained"));
+    }
+  }
 }
 
 }  // namespace

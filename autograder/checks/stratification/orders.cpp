@@ -27,8 +27,7 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
 /// probability n^(1-R), which is below 1e-9 where it is asked.
 void fail_at_fixed_value(const Permutations& orders) {
   if (static_cast<double>(orders.size() - 1) * std::log(orders.n) < 9 * std::log(10.0)) return;
-  for (std::size_t value = 0; value < orders.n; ++value) {
-    std::size_t stays = 0;
+  for (std::size_t value = 0, stays = 0; value < orders.n; ++value, stays = 0) {
     while (stays < orders.size() && orders[stays][value] == value) ++stays;
     if (stays < orders.size()) continue;
     fail(Failure{fmt::format("{}: value {} of {} is in its place in all {} permutations",
@@ -91,7 +90,8 @@ Permutations meetings_of(const Sets& sets, std::span<const Pattern> patterns,
     std::shuffle(turn.begin(), turn.end(), rng);
     for (std::size_t p = 0; p + 1 < turn.size(); p += 2) {
       const auto from = all[first + turn[p]], to = all[first + turn[p + 1]];
-      for (std::size_t k = 0; k < sets.n; ++k) order[from[k]] = to[k];
+      const bool turns = rng() % 2 == 0;  // one may be the other in reverse
+      for (std::size_t k = 0; k < sets.n; ++k) order[from[k]] = to[turns ? sets.n - 1 - k : k];
       meetings.add(order);
     }
   }

@@ -5,7 +5,8 @@
 
 namespace mc::checks {
 
-using Order = std::vector<std::size_t>;  ///< a permutation of 0 … n-1
+using Order = std::vector<std::size_t>;    ///< a permutation of 0 … n-1
+using Sizes = std::array<std::size_t, 3>;  ///< n or n per axis, dimensions, sets
 
 /// Permutations of 0 … n-1, one after the other.
 struct Permutations {
@@ -31,8 +32,8 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
 Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,
                        const std::string& elsewhere);
 
-/// Of each set, patterns put into pairs at random: the order of the second where the first is in
-/// order.
+/// Of each set, patterns put into pairs at random: the order of the second, or its reverse, where
+/// the first is in order.
 Permutations meetings_of(const Sets& sets, std::span<const Pattern> patterns,
                          const std::string& elsewhere, Rng& rng);
 
