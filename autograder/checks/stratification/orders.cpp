@@ -36,7 +36,40 @@ void fail_at_fixed_value(const Permutations& orders) {
   }
 }
 
+/// The hint where keys of few bits were sorted: more than half of all neighbors ascend.
+std::string equal_keys(std::span<const std::size_t> order) {
+  std::size_t ascents = 0;
+  for (std::size_t k = 1; k < order.size(); ++k) ascents += order[k - 1] < order[k] ? 1u : 0u;
+  const double share = static_cast<double>(ascents) / static_cast<double>(order.size());
+  if (order.size() < 10000 || share < 0.6 || share > 0.9) return {};
+  return "equal keys stay in order: random numbers of 16 bits are too few for so many keys";
+}
+
 }  // namespace
+
+void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng) {
+  const std::size_t n = orders.n;
+  Order order(orders[0].begin(), orders[0].end()), inverse(n);
+  claim.expected = "permutations that are all equally likely";
+  for (const unsigned way : {0u, 1u, 2u, 3u}) {
+    Uniforms numbers{orders.call, 1};
+    std::size_t products = 0, rests = 0;  // that 16 bits give
+    for (std::size_t k = 0; k < 5000; ++k) {
+      const std::size_t left = n - k, v = way < 2 ? order[left - 1] : n - 1 - order[k];
+      if (v >= left) continue;
+      numbers.values.push_back(fill_cell(v, left, rng));
+      products += ((v << 16) + left - 1) / left * left < (v + 1) << 16 ? 1u : 0u;
+      rests += v >> 16 == 0 ? 1u : 0u;
+    }
+    claim.explain = [&]() -> std::string {
+      if (10 * std::max(products, rests) < 9 * numbers.values.size()) return equal_keys(orders[0]);
+      return "random numbers of 16 bits are too few to choose among so many values";
+    };
+    expect_independent_uniforms(numbers, claim, true);
+    for (std::size_t k = 0; k < n; ++k) inverse[order[k]] = k;
+    std::swap(order, inverse);
+  }
+}
 
 void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
                                 bool only_repeats) {
@@ -47,6 +80,7 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
   if (only_repeats) return pass();
   Randomness of_numbers = claim;
   of_numbers.expected = "permutations that are all equally likely";
+  of_numbers.explain = [&] { return equal_keys(orders[0]); };
   bool are_equal = true;
   for (std::size_t k = 1; k < orders.size() && are_equal; ++k) {
     are_equal = std::equal(orders[k].begin(), orders[k].end(), orders[0].begin());

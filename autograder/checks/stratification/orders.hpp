@@ -28,6 +28,11 @@ struct Permutations {
 void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
                                 bool only_repeats = false);
 
+/// The first of them, of at least 2^17 values: swaps put one of the n - k values left at place k
+/// from an end. Few of the first 5000 have moved before, so the values tell the choices, of the
+/// order or of its inverse; they are uniform to the last bit.
+void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng);
+
 /// Of each pattern of each set, the order in which its cells come.
 Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,
                        const std::string& elsewhere);
