@@ -21,7 +21,7 @@
 
 namespace mc::checks {
 
-/// Each point of a few sets, and how many candidates it had; thousands of sets show why it is wrong.
+/// Each point of a few sets, and how many candidates it had. Thousands of sets show what is wrong.
 static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng,
                              std::size_t rows = 500) {
   const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
@@ -42,8 +42,8 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
 
 CHECK_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:10][needs:4.1]") {
   Rng rng = check_rng();
-  // c = 1 distinguishes a missing candidate from c i rounded down; other c do not. Just above 1, a c
-  // that is kept as a float, or a tolerance of ceil(c i), loses a candidate.
+  // c = 1 distinguishes a missing candidate from c i rounded down; other c do not. Just above 1, a
+  // c that is kept as a float, or a tolerance of ceil(c i), loses a candidate.
   for (const double c : {1.0, uniform(rng, 2.5, 3), 1 + 1e-12}) judge_candidates(5, c, 400, rng);
   judge_candidates(3, 20, 200, rng);
   judge_candidates(17, 1e-12, 60, rng);

@@ -115,8 +115,8 @@ std::string too_close_hint(View x, View y, double radius, double least) {
 }
 
 /// Every point has a disk of that radius to itself, but for rounding. Of points that keep a
-/// distance too small by a part d, 28 d N pairs are too close (measured for small d): of the 127,000
-/// points of 4.3 and 4.7 together one such pair is missed once in 1,000 runs for d = 2e-6.
+/// distance too small by a part d, 28 d N pairs are too close (measured for small d): of the
+/// 127,000 points of 4.3 and 4.7 together one such pair is missed once in 1,000 runs for d = 2e-6.
 void require_apart(const SampleSets& sets, double radius) {
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const View x = sets.column(set, 0), y = sets.column(set, 1);

@@ -16,7 +16,8 @@ namespace mc::checks {
 /// torus, or where discs end at the edges of the square. Exact along `rows` lines of constant y,
 /// the first at `start` rows; the midpoint rule across them. So the error is that of a
 /// one-dimensional sum: below 1e-4 with 1000 rows, and a few per cent of the area where that is one
-/// gap 20 rows high. Faster where x is in order. On the torus the radius is below sqrt(1/2), or every point covers all.
+/// gap 20 rows high. On the torus the radius is below sqrt(1/2), or every point covers all. Faster
+/// where x is in order.
 inline double uncovered_area(std::span<const double> x, std::span<const double> y, double radius,
                              std::size_t rows, double start = 0.5, bool torus = true) {
   if (torus && radius >= std::sqrt(0.5)) return x.empty() ? 1 : 0;
