@@ -127,19 +127,23 @@ endforeach()
 
 # Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The
 # fuzzing wire comes before the labs' own in the include path.
-set(solution_files)
+function(with_fuzzing_wire target)
+  target_include_directories(${target} BEFORE PRIVATE autograder/tests/fuzz)
+  target_include_directories(${target} PRIVATE labs ${LAB_INCLUDES})
+  target_compile_options(${target} PRIVATE ${PROGRAM_FLAGS} -O1)
+endfunction()
+add_library(fuzz_runner OBJECT EXCLUDE_FROM_ALL labs/runner/main.cpp labs/runner/list.cpp
+  labs/runner/table.cpp labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
+with_fuzzing_wire(fuzz_runner)
 add_custom_target(fuzz_programs)
 foreach(lab ${LABS})
-  list(APPEND solution_files ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)
   if(EXISTS ${CMAKE_SOURCE_DIR}/solutions/${lab}.cpp)
     file(GLOB experiments CONFIGURE_DEPENDS labs/[0-9]*-*/experiments.cpp)
     string(REPLACE "_" "-" dashed ${lab})
     list(FILTER experiments INCLUDE REGEX "/[0-9]+-${dashed}/")
-    add_executable(fuzz_${lab} EXCLUDE_FROM_ALL ${experiments} ${solution_files} labs/runner/main.cpp
-      labs/runner/list.cpp labs/runner/table.cpp labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
-    target_include_directories(fuzz_${lab} BEFORE PRIVATE autograder/tests/fuzz)
-    target_include_directories(fuzz_${lab} PRIVATE labs ${LAB_INCLUDES})
-    target_compile_options(fuzz_${lab} PRIVATE ${PROGRAM_FLAGS})
+    add_executable(fuzz_${lab} EXCLUDE_FROM_ALL ${experiments} $<TARGET_OBJECTS:fuzz_runner>
+      $<TARGET_OBJECTS:solutions>)
+    with_fuzzing_wire(fuzz_${lab})
     target_link_options(fuzz_${lab} PRIVATE ${PROGRAM_LINK_FLAGS})
     add_dependencies(fuzz_programs fuzz_${lab})
     test_of(fuzz/${lab} 20 self_test fuzz ${lab} 6)

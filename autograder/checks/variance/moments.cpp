@@ -132,7 +132,7 @@ CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
   }
 }
 
-CHECK_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2][slow]") {
+CHECK_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2]") {
   Rng rng = check_rng();
   // The same few values over and over: their mean, and their m2 as often as they come.
   const Values x = tame_values(rng, 4 + 2 * (rng() % 3), 4, 16);

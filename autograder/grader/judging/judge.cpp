@@ -31,13 +31,12 @@ Check parse_check(const protocol::CheckEnd& record) {
     if (tag.starts_with("points:")) check.points = std::strtod(tag.data() + 7, nullptr);
     if (tag == "main") check.is_main = true;
     if (tag == "edge") check.is_edge = true;
-    if (tag == "slow") check.is_slow = true;
     if (tag.starts_with("needs:")) check.needs.emplace_back(tag.substr(6));
   }
   return check;
 }
 
-/// Checks by task, those with slow ones first: starting one last would make all others wait for it.
+/// Checks by task.
 std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results) {
   std::vector<std::vector<CheckResult*>> tasks;
   for (CheckResult& result : results) {
@@ -46,9 +45,6 @@ std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results
     });
     (same == tasks.end() ? tasks.emplace_back() : *same).push_back(&result);
   }
-  std::stable_partition(tasks.begin(), tasks.end(), [](const auto& task) {
-    return std::any_of(task.begin(), task.end(), [](auto* one) { return one->check.is_slow; });
-  });
   return tasks;
 }
 

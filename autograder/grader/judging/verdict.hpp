@@ -31,7 +31,6 @@ struct Check {
   double points = 0;
   bool is_main = false;  ///< the main check of its task
   bool is_edge = false;  ///< refusals, edge cases, speed: other tasks do not wait for it
-  bool is_slow = false;  ///< takes much of the lab's time: started first, alongside the others
   /// Shown and judged, without points: tagged [stretch] in place of points.
   bool is_stretch() const { return points == 0; }
 };

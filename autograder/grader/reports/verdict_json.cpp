@@ -59,18 +59,23 @@ Lab lab_in(const Json& json) {
 
 Json json_of(const CheckResult& result) {
   const Check& check = result.check;
-  return {{"name", check.name},       {"task", check.task},
-          {"needs", check.needs},     {"points", check.points},
-          {"main", check.is_main},    {"edge", check.is_edge},
-          {"slow", check.is_slow},    {"status", name_of(result.status)},
-          {"report", result.report},  {"printed", result.printed},
-          {"repeat", result.repeat},  {"by_hand", result.by_hand},
+  return {{"name", check.name},
+          {"task", check.task},
+          {"needs", check.needs},
+          {"points", check.points},
+          {"main", check.is_main},
+          {"edge", check.is_edge},
+          {"status", name_of(result.status)},
+          {"report", result.report},
+          {"printed", result.printed},
+          {"repeat", result.repeat},
+          {"by_hand", result.by_hand},
           {"seconds", result.seconds}};
 }
 CheckResult check_in(const Json& json) {
   CheckResult result;
-  result.check = {json.at("name"), json.at("task"), json.at("needs"), json.at("points"),
-                  json.at("main"), json.at("edge"), json.at("slow")};
+  result.check = {json.at("name"),   json.at("task"), json.at("needs"),
+                  json.at("points"), json.at("main"), json.at("edge")};
   result.status = status_named(json.at("status"));
   result.report = json.at("report");
   result.printed = json.at("printed");

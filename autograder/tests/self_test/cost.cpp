@@ -53,7 +53,7 @@ void prove_cost(const std::string& lab) {
     const Proof proof = proof_of({file});
     if (!proof.built.program) return complain(proof.built.failure);
     for (const CheckResult& result : proof.judge(1).checks) {
-      if (result.check.is_slow || result.costliest.empty()) continue;
+      if (result.costliest.empty()) continue;
       const auto blank = result.costliest.find(' ');
       costs.push_back({seconds_at_least(proof, result), result.costliest.substr(blank + 1),
                        result.check.name, file.filename().string()});

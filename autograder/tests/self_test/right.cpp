@@ -80,7 +80,7 @@ void print_cost(const LabVerdict& verdict) {
   std::string which = "nothing above 0.02";
   for (const CheckResult& result : verdict.checks) {
     const double seconds = std::strtod(result.costliest.c_str(), nullptr);
-    if (result.check.is_slow || seconds <= worst) continue;
+    if (seconds <= worst) continue;
     worst = seconds;
     which = fmt::format("{} in '{}'", result.costliest, result.check.name);
   }
@@ -111,7 +111,6 @@ void prove_right(const Proof& proof) {
   // The first run, with all checks, identifies the random ones.
   const LabVerdict first = proof.judge(1);
   for (const CheckResult& result : first.checks) {
-    if (result.check.is_slow) continue;  // slow checks do not depend on the seed
     (result.p_values.empty() ? fresh : random).insert(result.check.name);
   }
   print_cost(first);

@@ -64,10 +64,8 @@ std::string compare_failures(const LabVerdict& verdict, std::set<std::string> ta
 }
 
 /// The checks that a mistake in these tasks can fail: those of the tasks, and those of others that
-/// do not wait for one of them. A slow check takes longer than all others together: it is included
-/// only if its task has no other check.
-std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::string>& tasks,
-                                      bool slow) {
+/// do not wait for one of them.
+std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::string>& tasks) {
   const auto checks = grader::expected_checks(proof.layout, proof.lab);
   const auto need_one_of = [](const grader::Check& check, const std::set<std::string>& some) {
     return std::any_of(check.needs.begin(), check.needs.end(),
@@ -82,9 +80,7 @@ std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::st
   }
   std::set<std::string> names;
   for (const grader::Check& check : checks) {
-    if (check.is_slow != slow) continue;
-    const bool is_affected =
-        (proof.affected.empty() || proof.affected.contains(check.name)) && !slow;
+    const bool is_affected = proof.affected.empty() || proof.affected.contains(check.name);
     if (tasks.contains(check.task) || (is_affected && !waited_for.contains(check.task))) {
       names.insert(check.name);
     }
@@ -117,11 +113,6 @@ void run_by_hand(const Proof& proof, const LabVerdict& verdict) {
   }
 }
 
-bool has_failed(const LabVerdict& verdict) {
-  return std::any_of(verdict.checks.begin(), verdict.checks.end(),
-                     [](const CheckResult& result) { return result.status == Status::failed; });
-}
-
 /// For each failed check the test that ended it, if it was a random one; `null` names the check.
 std::vector<protocol::PValue> rejections(const LabVerdict& verdict) {
   std::vector<protocol::PValue> found;
@@ -152,10 +143,9 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   }
   const int before = complaints();
   const std::uint64_t seeds = number_from("MC_MISTAKE_SEEDS", 1);
-  const std::set<std::string> checks = checks_to_judge(proof, tasks, false);
+  const std::set<std::string> checks = checks_to_judge(proof, tasks);
   std::uint64_t seed = 1;
   LabVerdict verdict = proof.judge(seed, checks);
-  if (!has_failed(verdict)) verdict = proof.judge(seed, checks_to_judge(proof, tasks, true));
   judge_mistake(subject, verdict, tasks);
   run_by_hand(proof, verdict);
   compare_limits(subject, verdict);
