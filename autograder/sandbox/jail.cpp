@@ -181,11 +181,7 @@ bool read_response(std::string_view bytes, Outcome& outcome) {
   outcome.answered = true;
   outcome.status = header.status;
   outcome.bytes = std::string(bytes);
-  if (header.status != wire::Status::value) {
-    // One short line: 16 MB would bury the check's report, and lines could pass for ours.
-    constexpr std::size_t longest_text = 200;
-    outcome.bytes = printable_line(shortened(bytes, longest_text));
-  }
+  if (header.status != wire::Status::value) outcome.bytes = exception_text(bytes);
   return true;
 }
 
@@ -235,6 +231,11 @@ Outcome interpret(const Watch& child, const Limits& limits) {
 }
 
 }  // namespace
+
+std::string exception_text(std::string_view text) {
+  constexpr std::size_t longest = 200;
+  return printable_line(shortened(text, longest));
+}
 
 Program open_program(const std::string& path) {
 #ifdef O_PATH

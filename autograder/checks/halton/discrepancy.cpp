@@ -154,7 +154,7 @@ double cpu_seconds(Measurement measure, std::size_t n) {
   return std::max(1e-4, least(n) - least(1));
 }
 
-CHECK_CASE("5.6 many points do not take long", "[5.6][points:2][edge]") {
+TEST_CASE("5.6 many points do not take long", "[5.6][points:2][edge]") {
   Rng rng = check_rng();
   const Values x = uniform_values(rng, 1 << 14, 0, 1), y = uniform_values(rng, 1 << 14, 0, 1);
   const auto some = [](const Values& all, std::size_t n) {

@@ -10,4 +10,4 @@ using Catch::Approx;
 #include <catch2/catch.hpp>
 #endif
 
-#include "checks/support/replay.hpp"
+#include "checks/support/calls.hpp"

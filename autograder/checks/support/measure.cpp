@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "checks/support/calls.hpp"
 #include "checks/support/catch.hpp"
-#include "checks/support/replay.hpp"
 #include "checks/support/validation.hpp"
 #include "protocol/environment.hpp"
 #include "sandbox/printable.hpp"
@@ -95,17 +95,6 @@ const PastCall* call_in(const std::string& report) {
   return is_ambiguous ? nullptr : found;
 }
 
-/// A failure of the machine is no verdict on the program: it is reported, and ends the check.
-sandbox::Outcome run_or_tell(std::string_view request, const sandbox::Limits& limits) {
-  const Judged& program = judged();
-  try {
-    return sandbox::run_jailed(program.descriptor, "the program", request, limits);
-  } catch (const std::system_error& error) {
-    record(protocol::RecordKind::machine, error.what());
-    throw;
-  }
-}
-
 /// The message of the library's assertion that ended the program, if one did.
 std::string assertion_in(const std::string& printed) {
   const auto at = printed.find("Assertion '");
@@ -164,7 +153,18 @@ Rng check_rng() {
   return Rng(hash);
 }
 
+sandbox::Outcome run_program(std::string_view request, const sandbox::Limits& limits) {
+  const Judged& program = judged();
+  try {
+    return sandbox::run_jailed(program.descriptor, "the program", request, limits);
+  } catch (const std::system_error& error) {
+    record(protocol::RecordKind::machine, error.what());
+    throw;
+  }
+}
+
 void fail(const std::string& report) {
+  retry_if_sent_ahead();
   if (const PastCall* call = call_in(report)) {
     record(RecordKind::call, call->experiment + call->typed());
   }
@@ -185,8 +185,9 @@ Call ask(std::string_view experiment, std::string call, std::function<std::strin
          std::string request, const sandbox::Limits& limits) {
   if (past_calls.size() == most_past_calls) past_calls.erase(past_calls.begin());
   past_calls.push_back({call, std::string(experiment), std::move(typed)});
-  Call made{std::move(call), run_or_tell(request, limits)};
-  keep_for_replay(made.text, request, made.outcome);
+  auto known = sent_ahead(request);
+  Call made{std::move(call), known ? std::move(*known) : run_program(request, limits)};
+  keep_call(made.text, request, made.outcome);
   static double highest = 0.02;  // lower costs are not reported
   if (made.outcome.cpu_seconds > highest) {
     highest = made.outcome.cpu_seconds;
@@ -196,8 +197,8 @@ Call ask(std::string_view experiment, std::string call, std::function<std::strin
   return made;
 }
 
-Call ask_again(std::string call, std::string request) {
-  return {std::move(call), run_or_tell(request, {})};
+void forget_calls() {
+  past_calls.clear();
 }
 
 void require_value(const Call& call) {

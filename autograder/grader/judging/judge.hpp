@@ -2,6 +2,7 @@
 // From a program to a verdict: runs a lab's checks, one process each, and reads their records.
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <set>
 #include <string>
@@ -22,6 +23,9 @@ struct JudgeOptions {
   unsigned workers = 2;               ///< tasks judged at the same time
   /// The directory or zip, for the command that repeats a check; empty: the student's own.
   std::string submission;
+  /// A directory where checks keep their calls for the next submissions (checks/support/calls.hpp);
+  /// empty: none.
+  std::filesystem::path calls = {};
   Budget* budget = nullptr;  ///< of the whole submission; null: none
   /// The reference's files take the place of the submission's in the labs that a lab depends on.
   bool with_reference = false;

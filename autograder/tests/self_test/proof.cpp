@@ -124,6 +124,10 @@ grader::LabVerdict Proof::judge(std::uint64_t seed, const std::set<std::string>&
   options.checks = checks;
   options.workers = workers;
   options.submission = submission.label;
+  const bool is_mistake = submission.label.find("mistakes/") != std::string::npos;
+  if (seed == 1 && (is_mistake || submission.label.find("/alternatives/") != std::string::npos)) {
+    fs::create_directories(options.calls = layout.build / "calls");
+  }
   return grader::judge_lab(layout, lab, built, options);
 }
 
