@@ -32,7 +32,7 @@ constexpr double most_seconds = 0.01;
 
 // What is sent ahead: a tenth of a second of work for the submission that was asked first. Of one
 // that takes five times as long, calls are made one by one.
-constexpr std::size_t most_bytes = std::size_t{1} << 20;
+constexpr std::size_t most_bytes = std::size_t{4} << 20;
 constexpr double most_seconds_ahead = 0.1;
 constexpr sandbox::Limits limits_ahead{.cpu_seconds = 1, .wall_seconds = 0.5};
 
