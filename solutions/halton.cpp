@@ -134,7 +134,7 @@ namespace definition {
 using Directions = std::array<std::uint32_t, 32>;
 
 /// Number k is what bit k of the index contributes (Bratley, Fox 1988, "Algorithm 659", eq. 2, 3).
-Directions directions_of(const JoeKuo& given) {
+constexpr Directions directions_of(const JoeKuo& given) {
   Directions v{};
   const unsigned s = given.degree;
   for (unsigned k = 0; k < 32; ++k) {
@@ -179,7 +179,7 @@ struct SobolTable {
   std::array<std::uint64_t, 256> words;  ///< of the first indices, with the exponent of 1
 };
 
-const auto sobol_tables = [] {
+constexpr auto sobol_tables = [] {
   std::array<SobolTable, joe_kuo.size()> all{};
   for (std::size_t d = 0; d < all.size(); ++d) {
     auto& [v, words] = all[d];

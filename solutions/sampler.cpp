@@ -165,7 +165,7 @@ void fill_sobol(const SampleDimension& dim, std::size_t place, std::span<double>
 void fill_halton(const SampleDimension& dim, std::size_t place, std::span<double> x,
                  std::uint64_t seed) {
   if (place == 0) return fill_sobol(dim, 0, x, seed);
-  static const std::vector<unsigned> bases = primes(block);
+  constexpr unsigned bases[block] = {2, 3, 5, 7, 11, 13, 17, 19};
   in_order(dim, x,
            [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }

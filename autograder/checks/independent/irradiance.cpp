@@ -212,11 +212,12 @@ CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1
     const auto got = by_area(light, n, rng(), replicates);
     const Values values = values_of(got.call, got.exactly(replicates, any_number));
     const Known known = mean_of(of_area(light), n);
-    expect_mean({got.call, values, n}, known.exact, known.variance,
+    const Replicates sample{got.call, values, static_cast<double>(n)};
+    expect_mean(sample, known.exact, known.variance,
                 {"the area estimate of a light " + placed.where + " has the mean E", alpha},
                 {{}, "at uniform points of the light, x and y from a number each"});
     expect_variance(
-        {got.call, values, n}, known.exact, known.variance, known.kurtosis,
+        sample, known.exact, known.variance, known.kurtosis,
         {"the area estimate of a light " + placed.where + " has its exact variance", alpha},
         {{}, "n independent points, uniform on the light, x and y from a number each"});
   }

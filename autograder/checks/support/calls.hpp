@@ -10,7 +10,8 @@
 // all its submissions the same. Where the grader names a file for it, a check that passed keeps its
 // calls there, and starts with all of them in one process. If anything fails then, what was sent
 // ahead is forgotten and the check runs again, with a process for each call: a check fails only
-// in this way, and its report is the same as without the file.
+// in this way, and its report is the same as without the file. The grader names no file for programs
+// with static variables, which could give other results in one process.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Reads a program's ELF headers.
+// Reads the headers of ELF files: programs and objects.
 
 #include <cstddef>
 #include <filesystem>
@@ -14,5 +14,9 @@ struct Segments {
 
 /// For a 64-bit ELF file; nothing for any other.
 Segments segments_of(const std::filesystem::path& program);
+
+/// Has an object file of the compiler global or static variables? Constants, and lists of functions
+/// to be run at the start, are none. True for what is not a 64-bit ELF file.
+bool has_variables(const std::filesystem::path& object);
 
 }  // namespace mc::grader

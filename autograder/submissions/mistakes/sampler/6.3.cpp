@@ -67,7 +67,7 @@ void two_of_32(const SampleDimension& dim, std::span<double> x, std::span<double
   shuffle(y, again);
 }
 void scrambled_halton(std::size_t dimension, std::span<double> x, Rng& rng) {
-  static const std::vector<unsigned> bases = primes(dimensions);
+  const std::vector<unsigned> bases = primes(dimensions);
   if (dimension > 0) return radical_inverses_scrambled(bases[dimension], 0, x, rng());
   radical_inverses(2, 0, x);
   owen_scramble(x, rng());
@@ -133,7 +133,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 namespace mc::halton_by_digital_shift {
 void permuted(const SampleDimension& dim, std::size_t place, std::span<double> x,
               std::uint64_t seed) {
-  static const std::vector<unsigned> bases = primes(block);
+  const std::vector<unsigned> bases = primes(block);
   in_order(dim, x,
            [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }
@@ -148,7 +148,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 namespace mc::halton_from_one {
 void from_one(const SampleDimension& dim, std::size_t place, std::span<double> x,
               std::uint64_t seed) {
-  static const std::vector<unsigned> bases = primes(block);
+  const std::vector<unsigned> bases = primes(block);
   in_order(dim, x, [&](std::span<double> all) {
     if (place > 0) return radical_inverses_scrambled(bases[place], 1, all, seed);
     radical_inverses(2, 1, all);
