@@ -214,9 +214,9 @@ std::vector<InvalidCall> invalid_plans() {
                    "a pilot of one sample has no standard error"});
   calls.push_back({MEASURE_OUTCOME(samples_for, {0, 0.5, 0}, 0.1), "pilot",
                    "a pilot without samples has no standard error"});
-  for (const double error : {1e3, 1.5e4, domain::infinity}) {  // 2e19, and more
-    const std::uint64_t n = error == 1e3 ? 20 : 1'000'000;
-    calls.push_back({MEASURE_OUTCOME(samples_for, {1, error, n}, 1e-6),
+  // 2^64, the first that does not fit; 2e19; and more.
+  for (const auto& [n, ratio] : {std::pair{1u, 0x1p32}, {20u, 1e9}, {1u << 20, domain::infinity}}) {
+    calls.push_back({MEASURE_OUTCOME(samples_for, {1, ratio, n}, 1),
                      "target|target_error|pilot|samples",
                      "the number of samples does not fit into 64 bits"});
   }
