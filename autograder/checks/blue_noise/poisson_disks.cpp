@@ -134,7 +134,7 @@ CHECK_CASE("4.3 points fall anywhere on the torus", "[4.3][points:1][needs:4.1]"
   require_everywhere(patterns(uniform(rng, 0.05, 0.06), 40, rng));
 }
 
-CHECK_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:3]") {
+CHECK_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:3][needs:4.1]") {
   Rng rng = check_rng();
   for (const double radius : {uniform(rng, 0.72, 0.9), 1.0, uniform(rng, 1, 10), 0.70711,
                               std::nextafter(std::sqrt(0.5), 1), 1e300, infinity}) {

@@ -132,7 +132,7 @@ const Recorded& picture_of(const Measured& got, std::size_t pixels, std::size_t 
   return record;
 }
 
-CHECK_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3]") {
+CHECK_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3][needs:6.5]") {
   Rng rng = check_rng();
   for (const auto& [width, height, spp] : {std::tuple{3 + rng() % 4, 7 + rng() % 4, 2 + rng() % 3},
                                            {129u, 2u, 1u},
@@ -187,7 +187,7 @@ void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
               "all different", claim.because, claim.likely);
 }
 
-CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") {
+CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][needs:6.5]") {
   Rng rng = check_rng();
   const std::uint64_t seed = fresh_seed(rng);
   // A small picture, one that is wide and one that is high. Of 350,005 seeds of 32 bits fourteen
@@ -211,7 +211,8 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3]") 
   check_seeds(by_bit, {because, "seeds have 64 bits: was the seed cut to 32 bits?"});
 }
 
-CHECK_CASE("6.6 the noise of a picture is white across pixels", "[6.6][points:2][needs:6.4]") {
+CHECK_CASE("6.6 the noise of a picture is white across pixels",
+           "[6.6][points:2][needs:6.4][needs:6.5]") {
   Rng rng = check_rng();
   const std::size_t width = 64, height = 100;  // so that pixels one below the other are tested, too
   for (const std::string& kind : sampler_kinds) {

@@ -159,6 +159,10 @@ std::string hint_for(const std::string& kind, const Block& block) {
   }
   return goes_on ? "these are dimensions 8 to 15: after its eight dimensions a block comes again, "
                    "scrambled anew and in another order"
+         : is_uniform && !std::has_single_bit(block.columns[0].size())
+             ? "this is right for 64 samples: the order is one of 2^m >= N numbers, and the "
+               "samples "
+               "take its first N places, whatever numbers those hold; no table may end before"
          : is_uniform
              ? "two samples in a row are two points in a row, in different halves: a uniform "
                "shuffle spreads the first points of a block over all samples; scramble the "

@@ -83,9 +83,10 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
   means.add_digits(of_tiny.call, of_tiny.value, static_cast<double>(tiny.exact.mean),
                    two_pass_floor(100),
                    [&] { return overflows(tiny.x, static_cast<double>(tiny.exact.mean)); });
-  means.expect("a mean lies between the smallest and the largest value, so it is finite",
-               "the sum overflows where the mean does not: notice it, and keep a running mean "
-               "instead; a float ends at 3.4e38 already");
+  means.expect(
+      "a mean lies between the smallest and the largest value, so it is finite",
+      "a sum overflows where the mean does not, and so does value - mean in a running mean: "
+      "keep one of value / count - mean / count; a float ends at 3.4e38 already");
 }
 
 CHECK_CASE("1.1 the mean of infinities and NaNs is not finite", "[1.1][edge][points:1]") {
