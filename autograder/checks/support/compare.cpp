@@ -134,7 +134,8 @@ std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
   bool is_regular = n >= 3;
   for (std::size_t k = 1; k < n; ++k) is_regular = is_regular && wrong[k] - wrong[k - 1] == step;
   if (is_regular && !in_a_row) {
-    return fmt::format("{}{} are wrong: every {}th, from value {} on", n, of_all, step, wrong[0]);
+    return fmt::format("{}{} are wrong: every {}, from value {} on", n, of_all,
+                       step == 2 ? "other" : std::to_string(step) + "th", wrong[0]);
   }
   return fmt::format("{}{} are wrong, the first is value {}", n, of_all, wrong[0]);
 }

@@ -11,7 +11,7 @@ namespace mc::grader {
 /// `word` quoted as one word of a POSIX shell, whatever its content. Unprintable characters are
 /// dropped, so the command may fail but does nothing else.
 inline std::string shell_quoted_value(const std::string& word) {
-  const std::string shown = sandbox::printable_line(word);
+  std::string shown = sandbox::printable_line(word);
   const bool plain = !shown.empty() && std::all_of(shown.begin(), shown.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("/._-+=:,@%").find(c) != std::string_view::npos;

@@ -101,11 +101,11 @@ std::string upgrade(const fs::path& handout, const fs::path& tree) {
       if (hash_of_file(handout / file) != hash) difference.kept.push_back(file);
       continue;
     }
-    const bool is_of_new_lab =
-        std::any_of(difference.labs.begin(), difference.labs.end(), [&](std::string lab) {
-          if (file.find(lab) != std::string::npos) return true;
+    const bool is_of_new_lab = std::any_of(
+        difference.labs.begin(), difference.labs.end(), [&name = file](std::string lab) {
+          if (name.find(lab) != std::string::npos) return true;
           std::replace(lab.begin(), lab.end(), '_', '-');  // of its folder
-          return file.find(lab) != std::string::npos;
+          return name.find(lab) != std::string::npos;
         });
     if (!is_of_new_lab) {
       (is_handout_text(file) ? difference.handouts : difference.others).push_back(file);
@@ -128,7 +128,7 @@ std::string upgrade(const fs::path& handout, const fs::path& tree) {
   fs::copy_file(tree / manifest_file, handout / manifest_file,
                 fs::copy_options::overwrite_existing);
   touched.emplace_back(manifest_file);
-  const std::string message = difference.message(before, now);
+  std::string message = difference.message(before, now);
   commit_files(handout, touched, message);
   return message;
 }

@@ -61,7 +61,7 @@ std::string submit_tasks(const Context& context, const SlurmTasks& tasks) {
   if (!run.succeeded()) {
     throw MachineError("sbatch: " + sandbox::printable_line(trimmed(run.errors)));
   }
-  const std::string job = trimmed(run.output.substr(0, run.output.find(';')));  // 12;cluster
+  std::string job = trimmed(run.output.substr(0, run.output.find(';')));  // 12;cluster
   write_text(place / "job", job + '\n');
   return job;
 }

@@ -63,7 +63,7 @@ fs::path standard_headers(const Layout& layout, const std::vector<std::string>& 
                   fs::last_write_time(layout.compiler).time_since_epoch().count());
   const fs::path place =
       layout.build / "precompiled" / fmt::format("{:016x}", hash_text(text, hash_text(key)));
-  const fs::path header = place / "standard_headers.hpp";
+  fs::path header = place / "standard_headers.hpp";
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   if (!fs::exists(header)) {
