@@ -108,10 +108,11 @@ void keep_for_others() {
   if (file.empty()) return;
   std::vector<std::string> requests;
   std::size_t bytes = 0;
-  double seconds = 0;
+  double to_start = most_seconds, seconds = 0;
+  for (const Kept& one : kept) to_start = std::min(to_start, one.cpu_seconds);
   for (const Kept& one : kept) {
     bytes += one.request.size() + one.bytes.size();
-    seconds += one.cpu_seconds;
+    seconds += one.cpu_seconds - to_start;
     if (bytes > most_bytes || seconds > most_seconds_ahead) break;
     if (is_sendable(one.status)) requests.push_back(one.request);
   }
