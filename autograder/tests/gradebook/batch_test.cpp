@@ -105,7 +105,7 @@ TEST_CASE("a verdict survives a round trip to disk") {
   lab.unfinished = {"3", "1.4"};
   lab.seconds = 1e-9;
   CheckResult result;
-  result.check = {"6.1 a name", "6.1", {"3", "1.1"}, 2.5, true, true, true};
+  result.check = {"6.1 a name", "6.1", {"3", "1.1"}, 2.5, true, true};
   result.report = "measured  \x01 \xff";
   result.printed = "…\n";
   result.repeat = "./lab";
