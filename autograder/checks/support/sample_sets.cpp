@@ -13,14 +13,14 @@ namespace mc::checks {
 namespace {
 
 /// Whether the whole parts of the values are 0 … strata-1, as many of each: strata that were not
-/// divided by their number. Those of another row number, which were, are in order more finely.
+/// divided by their number. Where the row number is wrong, not the division, the values of the first
+/// row are in order.
 bool are_undivided(View x, std::size_t strata) {
   const auto cell = [=](double value) { return std::floor(value * static_cast<double>(strata)); };
-  const View first = x.first(std::min(x.size(), 4 * strata));
-  const bool is_in_order =
-      std::is_sorted(first.begin(), first.end(),
-                     [&](double one, double other) { return cell(one) < cell(other); });
-  if (is_in_order && first.size() > 8) return false;
+  const auto end = std::find_if(x.begin(), x.end(), [](double value) { return !(value < 1); });
+  const bool is_in_order = std::is_sorted(
+      x.begin(), end, [&](double one, double other) { return cell(one) < cell(other); });
+  if (is_in_order && end - x.begin() >= 8) return false;
   std::vector<std::size_t> counts(strata);
   for (const double value : x) {
     if (!(value >= 0 && value < static_cast<double>(strata))) return false;
