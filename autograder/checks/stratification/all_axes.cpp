@@ -134,7 +134,8 @@ CHECK_CASE("3.6 sums gain everything and products little",
     sum.mean *= 7, sum.variance *= 7, sum.independent *= 7;  // seven of these, independent
     expect_level(hypercubes(n, 7, 1000, rng), sum);
   }
-  const auto product = [](auto h, auto a, auto b, std::string words, std::string because) {
+  const auto product = [](auto h, std::size_t a, std::size_t b, std::string words,
+                          std::string because) {
     const auto axis = strata_of(h, 64);
     return Level{std::move(words),
                  [=](View x) { return h(x[a]) * h(x[b]); },

@@ -24,7 +24,7 @@ struct Kept {
   std::string bytes;
   double cpu_seconds;
 };
-std::vector<Kept> kept;
+std::vector<Kept> kept_calls;
 
 // A replay costs a check no more than about one of its measurements.
 constexpr std::size_t most_replayed = 12, largest = std::size_t{1} << 18;
@@ -109,8 +109,8 @@ void keep_for_others() {
   std::vector<std::string> requests;
   std::size_t bytes = 0;
   double to_start = most_seconds, seconds = 0;
-  for (const Kept& one : kept) to_start = std::min(to_start, one.cpu_seconds);
-  for (const Kept& one : kept) {
+  for (const Kept& one : kept_calls) to_start = std::min(to_start, one.cpu_seconds);
+  for (const Kept& one : kept_calls) {
     bytes += one.request.size() + one.bytes.size();
     seconds += one.cpu_seconds - to_start;
     if (bytes > most_bytes || seconds > most_seconds_ahead) break;
@@ -127,7 +127,7 @@ void keep_for_others() {
 
 /// Ends the check where a measurement of it gives another result after others.
 void replay() {
-  std::vector<Kept> calls(kept.rbegin(), kept.rend());
+  std::vector<Kept> calls(kept_calls.rbegin(), kept_calls.rend());
   if (calls.size() > most_replayed) {  // the latest and the first
     calls.erase(calls.begin() + most_replayed / 2, calls.end() - most_replayed / 2);
   }
@@ -169,7 +169,7 @@ void keep_call(const std::string& call, const std::string& request,
                const sandbox::Outcome& outcome) {
   if (!outcome.answered || outcome.cpu_seconds > most_seconds) return;
   if (request.size() > largest || outcome.bytes.size() > largest) return;
-  kept.push_back({call, request, outcome.status, outcome.bytes, outcome.cpu_seconds});
+  kept_calls.push_back({call, request, outcome.status, outcome.bytes, outcome.cpu_seconds});
 }
 
 std::optional<sandbox::Outcome> sent_ahead(std::string_view request) {
@@ -207,7 +207,7 @@ void run_check(void (*body)()) {
     } catch (const Retry&) {
     }
     ahead.clear();
-    kept.clear();
+    kept_calls.clear();
     forget_calls();
   }
   release_records(false);
