@@ -38,7 +38,7 @@ fs::path program_directory() {
 std::string find_compiler() {
   const char* const chosen = std::getenv("CXX");
   const char* const path = std::getenv("PATH");
-  for (const std::string name : {chosen == nullptr ? "" : chosen, "c++", "g++", "clang++"}) {
+  for (std::string name : {chosen == nullptr ? "" : chosen, "c++", "g++", "clang++"}) {
     if (name.find('/') != std::string::npos && access(name.c_str(), X_OK) == 0) return name;
     for (const std::string_view place : text::split(path == nullptr ? "" : path, ':')) {
       const fs::path file = fs::path(place) / name;

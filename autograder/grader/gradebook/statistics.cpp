@@ -37,7 +37,7 @@ std::optional<double> hours_in(const std::string& answer) {
   const auto end = std::min(answer.find_first_not_of("0123456789."), answer.size());
   const std::string unit =
       answer.substr(std::min(answer.find_first_not_of(' ', end), answer.size()));
-  if (unit != "" && unit != "h" && unit != "hours") return {};
+  if (!unit.empty() && unit != "h" && unit != "hours") return {};
   try {
     double hours = 0;
     text::parse(answer.substr(0, end), hours);
