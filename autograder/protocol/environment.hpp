@@ -16,8 +16,8 @@ inline constexpr int records_descriptor = 11;
 // The seed of the run; each check's seed is a hash of it and the check's name.
 inline constexpr const char* seed_variable = "MC_SEED";
 
-// The file for the calls of this check, which next submissions are asked together (calls.hpp); none
-// if it is not set.
+// The file in which a check keeps its calls for the next submission (checks/support/calls.hpp). It
+// may be unset.
 inline constexpr const char* calls_variable = "MC_CALLS";
 
 // For hidden cases: the directory for the data of plots, the file for rows (rows.hpp), the speed

@@ -106,7 +106,7 @@ void judge_points(const SampleSets& set, double c, std::size_t first, std::size_
 
 }  // namespace
 
-CHECK_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][needs:4.2]") {
+TEST_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][needs:4.2]") {
   Rng rng = check_rng();
   const double c = uniform(rng, 0.008, 0.012), candidates = 5e5;
   const auto n = static_cast<std::size_t>(std::sqrt(2 * candidates / c));
@@ -129,8 +129,8 @@ CHECK_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1]
   judge_points(all, c, 1, n, 200, rng);
 }
 
-CHECK_CASE("4.7 the cost of Poisson disks is linear in their number",
-           "[4.7][points:7][needs:4.1][needs:4.3]") {
+TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
+          "[4.7][points:7][needs:4.1][needs:4.3]") {
   Rng rng = check_rng();
   const double n = uniform(rng, 45000, 49000), radius = radius_for(n);
   const Budget budget{n, 36864, "point",

@@ -196,6 +196,9 @@ void retry_if_sent_ahead() {
 }
 
 void run_check(void (*body)()) {
+  kept_calls.clear();  // by hand, several checks run in one process
+  ahead.clear();
+  next_ahead = 0;
   hold_records();
   send_ahead();
   if (!ahead.empty()) {

@@ -9,8 +9,8 @@
 // To start a program takes longer than most calls. A class is judged with one seed, so a check asks
 // all its submissions the same. Where the grader names a file for it, a check that passed keeps its
 // calls there, and starts with all of them in one process. If anything fails then, what was sent
-// ahead is forgotten and the check runs again, with a process for each call: a check fails only
-// in this way, and its report is the same as without the file. The grader names no file for programs
+// ahead is forgotten and the check runs again, with a process for each call: a check fails only in
+// this way, and its report is the same as without the file. The grader names no file for programs
 // with static variables, which could give other results in one process.
 
 #include <optional>
@@ -21,7 +21,7 @@
 
 namespace mc::checks {
 
-/// Keeps a call within the standard limits, if it was cheap enough.
+/// Keeps a call, if it was cheap enough.
 void keep_call(const std::string& call, const std::string& request,
                const sandbox::Outcome& outcome);
 
@@ -37,7 +37,8 @@ void run_check(void (*body)());
 }  // namespace mc::checks
 
 /// A check: CHECK_CASE("1.6 the covariance of pairs", "[1.6][points:6][main]") { … }
-/// A check of time or memory is a TEST_CASE: its calls are neither sent ahead nor replayed.
+/// A check of time or memory is a TEST_CASE: its calls are neither sent ahead, where their own time
+/// is not known, nor replayed.
 #define CHECK_CASE(...) MC_CHECK_CASE_NAMED(__COUNTER__, __VA_ARGS__)
 #define MC_CHECK_CASE_NAMED(number, ...) MC_CHECK_CASE_OF(number, __VA_ARGS__)
 #define MC_CHECK_CASE_OF(number, ...)             \

@@ -13,8 +13,8 @@ namespace mc::checks {
 namespace {
 
 /// Whether the whole parts of the values are 0 … strata-1, as many of each: strata that were not
-/// divided by their number. Where the row number is wrong, not the division, the values of the first
-/// row are in order.
+/// divided by their number. Where the row number is wrong, not the division, the values of the
+/// first row are in order.
 bool are_undivided(View x, std::size_t strata) {
   const auto cell = [=](double value) { return std::floor(value * static_cast<double>(strata)); };
   const auto end = std::find_if(x.begin(), x.end(), [](double value) { return !(value < 1); });
