@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <random>
 #include <stdexcept>
 
+#include "6-sampler/calls.hpp"
 #include "6-sampler/named_scenes.hpp"
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
@@ -68,8 +70,10 @@ Answer answer_of(Sampler& sampler, const Step& step) {
     answer.thrown = 1;
   } catch (const std::invalid_argument&) {
     answer.thrown = 2;
-  } catch (...) {
-    answer.thrown = 3;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::runtime_error("an exception in " + spelled(step) + ": " + error.what());
   }
   return answer;
 }

@@ -28,7 +28,7 @@ struct Step {
 MC_FIELDS(Step, call, samples, seed)
 
 /// What came of it: x of next(), x and y of next2(); `thrown` is 0 where nothing was, 1 a
-/// std::out_of_range, 2 a std::invalid_argument, 3 anything else.
+/// std::out_of_range, 2 a std::invalid_argument. Other exceptions end the measurement.
 struct Answer {
   unsigned thrown = 0;
   double x = 0, y = 0;

@@ -88,6 +88,20 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
   return all;
 }
 
+/// Whether the wrong values have a float's digits, and nearly all are wrong: a float happens to hold
+/// a few. The first value is an ordinary one.
+bool are_of_float(std::span<const double> got, std::span<const double> exact,
+                  const Agreement& agreement) {
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (agreement.agree(got[i], exact[i], i)) continue;
+    const double kept = digits(got[i], exact[i]);
+    if (i == 0 ? kept <= 5 || kept >= 9 : kept <= 2 || kept >= 12) return false;
+    ++wrong;
+  }
+  return 4 * wrong > 3 * got.size();
+}
+
 std::string hint_for(std::span<const double> got, const Comparison& comparison,
                      const Agreement& agreement) {
   std::string found;
@@ -115,6 +129,9 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
     return comparison.otherwise;  // the square, the sum, the reciprocal: whatever overflowed
   }
   if (const auto hint = only_one(generic_suspects(got, comparison))) return *hint;
+  if (comparison.is_tame && are_of_float(got, comparison.exact, agreement)) {
+    return "a float keeps seven digits or so: is anything a float?";
+  }
   return comparison.otherwise;
 }
 
@@ -200,6 +217,7 @@ void Results::add_digits(std::string call, double got, double exact, double floo
 void Results::expect(const std::string& because, const std::string& otherwise) {
   comparison_.because = because;
   comparison_.otherwise = otherwise;
+  comparison_.is_tame = is_tame;
   comparison_.name = [this](std::size_t i) { return calls_[i]; };
   if (!difference({"", values_}, comparison_)) return pass();
   for (const FindSuspects& find : suspects_) {
@@ -210,17 +228,6 @@ void Results::expect(const std::string& because, const std::string& otherwise) {
       comparison_.suspects[k].hint = suspects[k].hint;
     }
   }
-  // All of them, but for a few that a float happens to hold; the first is an ordinary one.
-  std::size_t of_float = 0;
-  bool is_float = is_tame;
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (Agreement(comparison_).agree(values_[i], comparison_.exact[i], i)) continue;
-    const double kept = digits(values_[i], comparison_.exact[i]);
-    is_float = is_float && (i == 0 ? kept > 5 && kept < 9 : kept > 2 && kept < 12);
-    ++of_float;
-  }
-  is_float = is_float && 4 * of_float > 3 * values_.size();
-  if (is_float) comparison_.otherwise = "a float keeps seven digits or so: is anything a float?";
   expect_each({"", values_}, comparison_);
 }
 

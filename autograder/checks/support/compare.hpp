@@ -47,6 +47,7 @@ struct Comparison {
   /// missing, values shifted by one, in reverse) make no sense.
   bool separate_calls = false;
   bool in_digits = false;  ///< the report counts the correct digits instead of saying the tolerance
+  bool is_tame = false;    ///< results with seven digits or so show that a float was used
 };
 
 /// Measured values, one for each exact one.
@@ -76,7 +77,7 @@ class Results {
   /// Every result is within its tolerance. `because` says where the tolerances come from.
   void expect(const std::string& because, const std::string& otherwise);
 
-  bool is_tame = false;  ///< results with seven digits or so show that a float was used
+  bool is_tame = false;  ///< as in Comparison
 
  private:
   std::vector<std::string> calls_;
