@@ -87,7 +87,8 @@ double dependence(std::span<const double> joint, std::size_t columns);
 /// 1.8  The speed task: the moments of `x`, as fast as you can. m2 has at most one and a half
 /// digits fewer than 1.3 has for the same values (or than 15, if 1.3 has more). It is never
 /// negative, and at most n (eps c)^2 for up to 4096 equal values c.
-/// requires: any number of values; Moments{} for none.
+/// requires: any number of values; Moments{} for none. Of finite values beyond 1e150, whose squares
+///   may overflow, only the count is promised.
 /// source: Chan, Golub, LeVeque 1983, on shifted data.
 Moments moments(std::span<const double> x);
 

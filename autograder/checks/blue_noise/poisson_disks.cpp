@@ -178,7 +178,7 @@ CHECK_CASE("4.3 the message for a radius too small for memory contains the numbe
            "[4.3][edge][points:1]") {
   Rng rng = check_rng();
   expect_argument_named(wrong_radii());
-  for (const double radius : {1e-7, uniform(rng, 1, 9) * 1e-9}) {
+  for (const double radius : {1e-7, uniform(rng, 1, 9) * 1e-9, uniform(rng, 1, 9) * 1e-12}) {
     const auto call = MEASURE_OUTCOME(poisson_disk, radius, 1, 1);
     const double squares = 1 / (radius * radius);
     // Discs of half the radius pack a triangular lattice at most; discs of the radius cover by the

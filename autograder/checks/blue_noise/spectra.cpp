@@ -152,22 +152,28 @@ CHECK_CASE("4.4 points whose waves cancel or agree", "[4.4][points:7]") {
   for (const auto& [points, kmax] : cases) compare_power(points, kmax);
 }
 
+/// A power of `size` values and another kmax.
+void add_wrong_sizes(std::vector<InvalidCall>& calls,
+                     const std::function<Call(int kmax, std::uint64_t size)>& made) {
+  for (const auto& [kmax, size] :
+       {std::pair{0, 1u}, {-1, 1u}, {-3, 1u}, {-2, 9u}, {std::numeric_limits<int>::min(), 1u}}) {
+    calls.push_back({made(kmax, size), "kmax", "kmax is 1 at least, whatever (2 kmax + 1)^2 is"});
+  }
+  for (const std::uint64_t size : {0u, 9u, 24u, 26u, 49u}) {
+    calls.push_back({made(2, size), "power", "there are (2 kmax + 1)^2 = 25 values of k"});
+  }
+  calls.push_back({made(1 << 15, 131073), "power",
+                   "there are 65537^2 = 2^32 + 131073 values of k: their number overflows 32 bits",
+                   "(2 kmax + 1)^2 overflows an int: compute it in std::size_t"});
+}
+
 std::vector<InvalidCall> wrong_sizes() {
   std::vector<InvalidCall> calls = without_points([](std::uint64_t x, std::uint64_t y) {
     return MEASURE_OUTCOME(periodogram_into, x, y, 1, 9);
   });
-  for (const auto& [kmax, size] :
-       {std::pair{0, 1u}, {-1, 1u}, {-3, 1u}, {-2, 9u}, {std::numeric_limits<int>::min(), 1u}}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(periodogram_into, 3, 3, kmax, size), "kmax", "kmax is 1 at least"});
-  }
-  for (const std::uint64_t size : {0u, 9u, 24u, 26u, 49u}) {
-    calls.push_back({MEASURE_OUTCOME(periodogram_into, 3, 3, 2, size), "power",
-                     "there are (2 kmax + 1)^2 = 25 values of k"});
-  }
-  calls.push_back({MEASURE_OUTCOME(periodogram_into, 3, 3, 1 << 15, 131073), "power",
-                   "there are 65537^2 = 2^32 + 131073 values of k: their number overflows 32 bits",
-                   "(2 kmax + 1)^2 overflows an int: compute it in std::size_t"});
+  add_wrong_sizes(calls, [](int kmax, std::uint64_t size) {
+    return MEASURE_OUTCOME(periodogram_into, 3, 3, kmax, size);
+  });
   return calls;
 }
 
@@ -241,15 +247,9 @@ CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
 
 std::vector<InvalidCall> wrong_rings() {
   std::vector<InvalidCall> calls;
-  for (const auto& [kmax, size] :
-       {std::pair{0, 1u}, {-1, 1u}, {-2, 1u}, {-2, 9u}, {std::numeric_limits<int>::min(), 1u}}) {
-    calls.push_back({MEASURE_OUTCOME(radial_power, Values(size, 1.0), kmax), "kmax",
-                     "kmax is 1 at least, whatever (2 kmax + 1)^2 is"});
-  }
-  for (const std::size_t size : {0u, 9u, 24u, 26u, 49u}) {
-    calls.push_back({MEASURE_OUTCOME(radial_power, Values(size, 1.0), 2), "power",
-                     "there are (2 kmax + 1)^2 = 25 values of k"});
-  }
+  add_wrong_sizes(calls, [](int kmax, std::uint64_t size) {
+    return MEASURE_OUTCOME(radial_power, Values(size, 1.0), kmax);
+  });
   return calls;
 }
 

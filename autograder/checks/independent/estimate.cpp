@@ -104,6 +104,8 @@ CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:
   judge_one_call(points_of(product, rng), 20'000, 53, rng);
   judge_calls_in_turn(points_of(five, rng), 3, 1000, rng);
   judge_calls_in_turn(points_of(exponential, rng), 33, 300, rng);
+  // Of a million streams, one comes again among these.
+  judge_calls_in_turn(points_of(exponential, rng), 1, 10'000, rng);
 }
 
 }  // namespace

@@ -70,6 +70,10 @@ std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, con
       {of([&](auto i) { return is_usable(of_p[i]) ? w[i] : nan; }),
        "0 · inf, or inf - inf: where the pdf is 0 or infinite, add 0"},
       {of([&](auto i) { return of_g[i] / of_p[i]; }), "where the pdf is 0 or infinite, add 0"},
+      {of([&](auto i) { return of_p[i] > 0 ? of_g[i] / of_p[i] : 0; }),
+       "where the pdf is infinite, add 0: inf / inf is NaN"},
+      {of([&](auto i) { return is_usable(of_p[i]) ? of_g[i] * (1 / of_p[i]) : 0; }),
+       "divide g by the density: the reciprocal of a tiny one overflows"},
       {of([&](auto i) { return g_at(x[i]) / density.pdf(u[i]); }),
        "this divides by p at u: the density belongs to x"},
       {of([&](auto i) { return g_at(u[i]) / density.pdf(x[i]); }),
@@ -160,6 +164,7 @@ CHECK_CASE("2.4 weights of any size and either sign", "[2.4][points:3][needs:2.1
     const double end = uniform(rng, 0.5, 1) / rate;
     cases.push_back({{step, end, uniform(rng, 0.5, 4), 0}, {by_exponential, rate}, 1000});
   }
+  cases.push_back({{step, 1.6e308, uniform(rng, 1, 2) * 1e-300, 0}, {by_exponential, 2.5e-307}, 1000});
   judge_weighed(cases, rng);
   for (const double odd_one : {nan, domain::infinity, -domain::infinity}) {
     const Function g{exponential, 0, 1, odd_one};
@@ -173,6 +178,8 @@ CHECK_CASE("2.4 points without a usable density add nothing", "[2.4][points:1][n
   for (const std::uint64_t n : {1000u, 100u, 4097u}) {
     cases.push_back({fresh(exponential, rng), {by_holes, uniform(rng, 0.2, 0.6)}, n});
   }
+  // g, too, is infinite below 0.49, and the density is 0 or infinite up to 0.6.
+  cases.push_back({{power, -1000, 1e-200, 0}, {by_holes, 0.6}, 1000});
   judge_weighed(cases, rng);
 }
 

@@ -21,7 +21,7 @@ struct Placed {
 Placed above(Rng& rng) {
   RectLight light;
   light.radiance = uniform(rng, 0.5, 5);
-  return {light, "above"};
+  return {light, "above the receiver"};
 }
 
 /// Somewhere else, with a corner near the receiver's normal; not so near that a few points carry
@@ -29,7 +29,7 @@ Placed above(Rng& rng) {
 Placed aside(Rng& rng) {
   RectLight light = light_in({0.1, 0.5}, {0.1, 0.5}, {0.5, 2}, {0.7, 2}, rng);
   light.y0 = -std::exchange(light.y1, -light.y0);
-  return {light, "aside"};
+  return {light, "to one side"};
 }
 
 /// Low and far away: seen, and seeing, at two to three degrees.
@@ -305,8 +305,11 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
          alpha},
         {{{&placed == &lights[0] ? solid_angle(light) / (2 * pi) : nan,
            "these directions are uniform on the hemisphere: steep ones must be more"}},
-         "a uniform point of the unit disk (radius sqrt(u), angle 2 pi v), lifted to the "
-         "hemisphere; u and v are two numbers"});
+         (&placed == &lights[0] ? ""
+                                : "does a direction meet the light where it comes to z = height, "
+                                  "between x0 and x1, and y0 and y1? Is it ") +
+             std::string("a uniform point of the unit disk (radius sqrt(u), angle 2 pi v), lifted "
+                         "to the hemisphere; u and v are two numbers")});
     if (&placed != &lights[0]) continue;
     // The directions of one estimate are independent, too: how many meet is binomial.
     const auto trials = static_cast<double>(n), variance = p * (1 - p) * trials;
@@ -328,19 +331,21 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
   for (const Placed& placed : {above(rng), aside(rng)}) {
     const RectLight& light = placed.light;
     // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.
-    // With two samples, what is wrong about n shows most.
-    const std::uint64_t two = 2, replicates = 20000;
-    const auto got = by_area(light, two, rng(), replicates);
+    // With three samples, what is wrong about n shows most, and each mistake by a factor of its own.
+    const std::uint64_t three = 3, replicates = 20000;
+    const auto got = by_area(light, three, rng(), replicates);
     const Population x = of_area(light);
     Values squares;
     for (const Estimate& one : got.exactly(replicates, any_number)) {
-      squares.push_back(one.standard_error * one.standard_error * two / x.variance);
+      squares.push_back(one.standard_error * one.standard_error * three / x.variance);
     }
     expect_mean(
-        {got.call + ", n standard_error^2 / variance", squares, two}, 1, (x.kurtosis + 1) / 2,
-        {"squared standard errors of a light " + placed.where + " have the mean variance / n",
+        {got.call + ", n standard_error^2 / variance", squares, three}, 1, x.kurtosis / 3,
+        {"the light is " + placed.where + "; squared standard errors have the mean variance / n",
          alpha},
-        {{{2, "s instead of s / sqrt(n)"}, {0.5, "n below s^2, in place of n - 1"}},
+        {{{3, "s instead of s / sqrt(n)"},
+          {1.5, "s / sqrt(n - 1): one n - 1 is enough, in s^2"},
+          {2. / 3, "n below s^2, in place of n - 1"}},
          "s / sqrt(n) of the values of the samples"});
     const std::uint64_t n = 64;
     const auto by_directions = by_hemisphere(light, n, rng(), 100);

@@ -113,9 +113,9 @@ CHECK_CASE("3.6 the axes are independent", "[3.6][points:3][needs:3.1][needs:3.4
       .words = "the permutations of two axes of 3.6 are independent",
       .alpha = alpha,
       .otherwise = "shuffle every column by itself, with the shuffle of 3.4",
-      .repeated = "two axes always meet in the same way: shuffle each of them by itself"};
+      .repeated = "two axes meet in the same way each time: shuffle each of them by itself"};
   Randomness jitters = random_jitters("3.6");
-  jitters.same = "one column is used for two axes: draw each afresh";
+  jitters.same = "one column is used for two axes; draw each afresh";
   for (const auto& [n, dims, sets] :
        {Sizes{30, 23, 300}, {4, 3, 5000}, {64, 4, 1000}, {10000, 3, 1}}) {
     const Sets got = hypercubes(n, dims, sets, rng);

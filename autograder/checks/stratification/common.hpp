@@ -21,10 +21,9 @@ inline Randomness random_jitters(const std::string& task) {
           .alpha = alpha,
           .otherwise = "each point is (i + u) / n with a u of its own, uniform in [0, 1)",
           .repeated =
-              "the same random numbers come again and again, as where each block begins with the "
-              "same ones, or streams that run side by side are copies of each other: draw one "
-              "for every coordinate, all from the generator that is passed in",
-          .same = "the same random number moves both: draw one for every coordinate"};
+              "the same random numbers come again: does each block, or each stream, begin with the "
+              "same ones? Draw one for every coordinate, all from the generator that is passed in",
+          .same = "draw one for every coordinate"};
 }
 
 using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
@@ -110,7 +109,7 @@ inline void expect_level(const Sets& sets, const Level& level, std::size_t used 
       level.mean, level.variance, level.kurtosis,
       {fmt::format("the error of {} over {} points: {}", level.words, used, level.because), alpha},
       {{{level.independent / level.variance,
-         "that is the variance of independent points: nothing is stratified here"}},
+         "that is the variance of as many independent points: what strata gain is lost"}},
        "is each point uniform in its stratum, and independent of the others?"});
 }
 

@@ -265,9 +265,11 @@ CHECK_CASE("3.9 fast numbers are as independent as slow ones",
   Rng rng = check_rng();
   // One long set has no replicates: positions are compared with each other. The size that is timed
   // is judged, too, with replicates: no answer knows a grid by its size.
-  const std::vector<Pattern> line{line_of(32000)};
-  expect_independent_uniforms(jitters_of(lines(32000, 2, fresh_seed(rng)), line, rest),
-                              random_jitters("3.1"));
+  for (const auto& [n, sets] : {std::pair<std::size_t, std::size_t>{32000, 2}, {1000003, 1}}) {
+    const std::vector<Pattern> line{line_of(n)};
+    expect_independent_uniforms(jitters_of(lines(n, sets, fresh_seed(rng)), line, rest),
+                                random_jitters("3.1"));
+  }
   for (const auto& [grid, sets] : {std::pair<Grid, std::size_t>{{32, 32}, 100}, {{200, 160}, 1}}) {
     const std::vector<Pattern> plane{plane_of(grid)};
     expect_independent_uniforms(jitters_of(jittered(grid, sets, fresh_seed(rng)), plane, rest),

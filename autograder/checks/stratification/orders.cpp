@@ -14,12 +14,19 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
     for (const std::size_t value : orders[k]) hash = mix_bits(hash ^ value);
     const auto [first, is_new] = seen.emplace(hash, k);
     if (is_new) continue;
+    const auto step = [&, order = orders[k]](std::size_t i) {
+      return (order[i] + orders.n - order[i - 1]) % orders.n;
+    };
+    bool rotates = true;  // forwards, or backwards
+    for (std::size_t i = 2; i < orders.n; ++i) rotates = rotates && step(i) == step(1);
     fail(Failure{fmt::format("{}: of {} permutations of {}, numbers {} and {} are the same",
                              orders.call, orders.size(), orders.n, first->second, k),
                  "permutations that do not come again",
                  fmt::format("two random permutations of {} are equal with probability 1 / {}!",
                              orders.n, orders.n),
-                 claim.repeated});
+                 rotates ? fmt::format("these are rotations, only {} of the {}! permutations", orders.n,
+                                       orders.n)
+                         : claim.repeated});
   }
 }
 

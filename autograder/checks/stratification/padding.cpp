@@ -127,7 +127,7 @@ CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
   }
   expect_fresh(padded(64, 5, 2, rng), padded(64, 5, 1, rng), padded_patterns(64, 5));
   Randomness claim = random_jitters("3.4");
-  claim.same = "one pattern is used for several pairs of dimensions: draw each afresh";
+  claim.same = "one pattern is used for several pairs of dimensions; draw each afresh";
   for (const auto& [n, dims] : {std::pair<std::size_t, std::size_t>{4, 5}, {6, 9}, {6, 1}}) {
     expect_independent_uniforms(
         jitters_of(padded(n, dims, 2000, rng), padded_patterns(n, dims), pattern_of_each), claim);

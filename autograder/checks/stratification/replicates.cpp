@@ -95,7 +95,8 @@ CHECK_CASE("3.8 the estimate is the mean of the replicates", "[3.8][main][points
                               {{exact * size}, "divide by n too"},
                               {{means.back()}, "this is the mean of the last replicate"},
                               {{means.front()}, "this is the mean of the first replicate"}},
-                 .otherwise = "every point of every replicate counts once"});
+                 .otherwise = "every point of every replicate counts once",
+                 .is_tame = true});
   }
   for (const double odd : {domain::infinity, -domain::infinity, domain::not_a_number}) {
     const auto got = MEASURE(estimate_replicated, {0, 1, 0, 2, odd, 1, 0, 1, 0, 1}, 2, 1, 5);
@@ -137,7 +138,8 @@ CHECK_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:2]
         .otherwise = is_far
                          ? "E{X^2} - E{X}^2 cancels: compute the variance of the means with lab 1"
                          : "the replicates' means are independent of each other: compute "
-                           "their variance with lab 1"};
+                           "their variance with lab 1",
+        .is_tame = !is_far};
     if (dims == 1) {
       comparison.suspects.push_back(
           {{std::sqrt(spread(values) / (size * r - 1) / (size * r))},

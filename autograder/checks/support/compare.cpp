@@ -24,7 +24,9 @@ class Agreement {
   /// A suspect's values are computed in another order than the submission's: nine digits, or the
   /// tolerance. Where few digits are wrong, most suspects have the others.
   bool is_explained(double got, double exact, double suspected, std::size_t i) const {
-    if (!std::isfinite(got) || !std::isfinite(suspected)) return agree(got, suspected, i);
+    if (!std::isfinite(got) || !std::isfinite(suspected)) {  // a running mean makes NaN of inf
+      return agree(got, suspected, i) || (std::isnan(got) && std::isinf(suspected));
+    }
     const double apart = std::abs(got - suspected), error = std::abs(got - exact);
     if (!agree(got, suspected, i) && apart > 1e-9 * std::abs(suspected)) return false;
     return agree(got, exact, i) || !(apart > error / 100);
@@ -148,7 +150,7 @@ std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
   }
   if (in_a_row && wrong[0] == 0) return fmt::format("the first {}{} are wrong", n, of_all);
   const std::size_t step = wrong[1] - wrong[0];
-  bool is_regular = n >= 3;
+  bool is_regular = n >= 3 && wrong[n - 1] + step >= count;
   for (std::size_t k = 1; k < n; ++k) is_regular = is_regular && wrong[k] - wrong[k - 1] == step;
   if (is_regular && !in_a_row) {
     return fmt::format("{}{} are wrong: every {}, from value {} on", n, of_all,

@@ -216,7 +216,9 @@ void require_value(const Call& call) {
                                outcome.status == wire::Status::out_of_range ? "out_of_range"
                                                                             : "invalid_argument",
                                outcome.bytes),
-                   "a value: these arguments are valid"});
+                   "a value: these arguments are valid", "",
+                   "which test of the arguments refuses them? Does it test a result that has "
+                   "overflowed?"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
   }

@@ -50,6 +50,8 @@ std::vector<Suspect> dependence_suspects(const Table& table) {
     sum += std::abs(right[i]);
   }
   const auto [least, most] = std::minmax_element(right.begin(), right.end());
+  Values scaled = joint;
+  for (double& weight : scaled) weight *= 1 / total;
   const std::string one_side = "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
   return {
       {largest_size(differences(joint, table.columns, 1)),
@@ -59,6 +61,8 @@ std::vector<Suspect> dependence_suspects(const Table& table) {
       {*most, one_side},
       {-*least, one_side},
       {of_filled_cells, "the largest difference is in an empty cell, below 0: every cell counts"},
+      {largest_size(differences(scaled, table.columns, 1)),
+       "divide by the total: the reciprocal of a tiny one overflows"},
       {sum, "this is the sum of all cells' differences: the largest one is asked for"}};
 }
 
@@ -100,7 +104,7 @@ CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:4]") {
       tables.back().joint[cell] = 10;
     }
   }
-  for (const double scale : {1e300, 1e-300}) {
+  for (const double scale : {1e300, 1e-300, 1e-310}) {
     tables.push_back(random_table(rng, 4, 3, 0, scale));
   }
   for (const auto& [rows, columns] : {std::pair{1u, 3u}, {3u, 1u}, {1u, 1u}}) {
@@ -161,7 +165,7 @@ std::vector<InvalidCall> invalid_tables() {
     for (const std::size_t cell : {1u, 0u, 3u}) {
       Values joint{5, 4, 3, 2};
       joint[cell] = wrong;
-      add(joint, 2, "joint|weight", "a weight is neither negative nor infinite nor NaN");
+      add(joint, 2, "joint|weight", "a weight must be finite, and not negative");
     }
   }
   add({0, 0, 0, 0}, 2, "joint|total", "a total of 0 cannot be normalized");

@@ -42,8 +42,7 @@ CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
   std::vector<std::uint64_t> counts = domain::words(~std::uint64_t{0}, rng);
   std::erase_if(counts, [](std::uint64_t count) { return count < 2; });
   Results variances;
-  for (std::size_t i = 0; i < counts.size(); i += 3) {  // of each power of two, another neighbor
-    const std::uint64_t count = counts[i];
+  const auto judge = [&](std::uint64_t count) {
     const double m2 = uniform(rng, 1, 9), n = static_cast<double>(count);
     const double exact = m2 / static_cast<double>(count - 1);
     const auto got = MEASURE(variance_of, {count, uniform(rng, -9, 9), m2});
@@ -51,9 +50,12 @@ CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
       return {{m2 / n, "this divides by n; a sample variance divides by n - 1"},
               {m2, "this is m2: divide it by count - 1"}};
     });
-  }
+  };
+  // Of each power of two, another neighbor.
+  for (std::size_t i = 0; i < counts.size(); i += 3) judge(counts[i]);
+  for (const std::uint64_t count : {3u, 2u}) judge(count);
   variances.expect("one division, rounded once or twice",
-                   "m2 / (count - 1); is the count a whole number of 64 bits all the way?");
+                   "m2 / (count - 1) for counts from 2 on; a whole number of 64 bits all the way?");
   for (const double m2 : {domain::not_a_number, domain::infinity}) {
     const auto got = MEASURE(variance_of, {3, 1, m2});
     expect_no_number(got.call, got.value, {m2});
@@ -210,7 +212,7 @@ CHECK_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:3]") 
   judge_moments({List(trend, ", a trend")}, "a shift must be near all of the data");
   judge_moments(lists_of_any_scale(rng), "small is not zero: use no threshold, no float");
   for (const double c : {0.1, uniform(rng, 1e8, 1e9), -uniform(rng, 1, 2)}) {
-    for (const std::size_t n : {4096u, 2u, 63u, 1000u, 1u}) {
+    for (const std::size_t n : {4096u, 2u, 63u, 1000u, 5u, 1u}) {
       const auto got = MEASURE(moments, Values(n, c));
       const double most = static_cast<double>(n) * eps * eps * c * c;  // a variance as 1.3 promises
       expect_that(got.value.m2 >= 0 && got.value.m2 <= most,

@@ -48,7 +48,7 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
 }  // namespace mc::float_jitter_in_all_axes
 
 // mistake: jitters x once per layer of cells, and every other axis likewise
-// hint: the same random number moves both
+// hint: share one random number: draw one for every coordinate
 namespace mc::jitter_by_layers {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
   right_stratified_nd(points, per_axis, rng);

@@ -71,7 +71,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_below_zero_in_lanes
 
 // mistake: limits m2 by std::max(0.0, m2), which is 0 for NaN
-// hint: is it std::max(0.0, NaN), which is 0?
+// hint: std::max(0.0, NaN) is 0
 namespace mc::two_pass_hides_nan {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;

@@ -49,7 +49,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_drop_the_last_block
 
 // mistake: limits m2 by std::max(0.0, m2), which is 0 for NaN
-// hint: is it std::max(0.0, NaN), which is 0?
+// hint: std::max(0.0, NaN) is 0
 namespace mc::moments_hide_nan {
 Moments moments(std::span<const double> x) {
   Moments all = right_moments(x);
