@@ -66,7 +66,8 @@ double pdf_power(double x, double a);
 /// 2.4  The integral of the one-dimensional `g` over the support of `p`, as the mean of g(x) / p(x)
 /// at `n` independent points x = p.sample(u). standard_error and Estimate::n are as in 2.2. A point
 /// at which the pdf is 0 or infinite adds 0 and is counted.
-/// requires: n >= 1; g.dims = 1; p.pdf is the density of p.sample(u) for a uniform u.
+/// requires: n >= 1; g.dims = 1; p.pdf is the density of p.sample(u) for a uniform u, 0
+///   or at least 1e-300.
 /// throws: std::invalid_argument for n = 0.
 /// source: Pharr, Jakob, Humphreys 2023, section 2.2.2; Owen, chapter 9.
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng);

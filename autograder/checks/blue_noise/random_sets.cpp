@@ -155,7 +155,7 @@ void require_fine(const SampleSets& sets) {
   expect_independent_uniforms(rest,
                               {.words = "the lower bits of coordinates are uniform",
                                .alpha = alpha,
-                               .otherwise = "coordinates have 53 random bits: a float has 24",
+                               .otherwise = "coordinates have 53 random bits: is any of them a float, or cut off at an edge?",
                                .expected = "bits that are random, in each coordinate its own"},
                               true);
 }

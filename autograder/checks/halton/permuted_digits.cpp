@@ -130,7 +130,7 @@ void check_large_base(Rng& rng, unsigned base) {
   expect_independent_uniforms(
       choices, {.words = fmt::format("a random permutation of {} digits", base),
                 .alpha = one_alpha,
-                .otherwise = "a random permutation for each position, in large bases too"});
+                .otherwise = "a random permutation for each position: are all equally likely, in large bases too?"});
 }
 
 CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3][main]") {

@@ -59,6 +59,8 @@ std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, con
     for (std::size_t i = 0; i < n; ++i) sum += value(i);
     return sum / static_cast<double>(n);
   };
+  const std::string not_usable =
+      "where the pdf is 0 or infinite, add 0: 0 · inf, inf / inf and inf - inf are NaN";
   std::vector<Suspect> suspects{
       {of([&](auto i) { return of_g[i]; }),
        "this is the mean of g: where p is large, points are many, so each counts 1 / p"},
@@ -68,12 +70,9 @@ std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, con
       {of([&](auto i) { return w[i]; }) * static_cast<double>(n) / hits,
        "divide by all n samples, not by those that counted"},
       {of([&](auto i) { return is_usable(of_p[i]) ? w[i] : nan; }),
-       "0 · inf, or inf - inf: where the pdf is 0 or infinite, add 0"},
-      {of([&](auto i) { return of_g[i] / of_p[i]; }), "where the pdf is 0 or infinite, add 0"},
-      {of([&](auto i) { return of_p[i] > 0 ? of_g[i] / of_p[i] : 0; }),
-       "where the pdf is infinite, add 0: inf / inf is NaN"},
-      {of([&](auto i) { return is_usable(of_p[i]) ? of_g[i] * (1 / of_p[i]) : 0; }),
-       "divide g by the density: the reciprocal of a tiny one overflows"},
+       not_usable},
+      {of([&](auto i) { return of_g[i] / of_p[i]; }), not_usable},
+      {of([&](auto i) { return of_p[i] > 0 ? of_g[i] / of_p[i] : 0; }), not_usable},
       {of([&](auto i) { return g_at(x[i]) / density.pdf(u[i]); }),
        "this divides by p at u: the density belongs to x"},
       {of([&](auto i) { return g_at(u[i]) / density.pdf(x[i]); }),
@@ -164,7 +163,6 @@ CHECK_CASE("2.4 weights of any size and either sign", "[2.4][points:3][needs:2.1
     const double end = uniform(rng, 0.5, 1) / rate;
     cases.push_back({{step, end, uniform(rng, 0.5, 4), 0}, {by_exponential, rate}, 1000});
   }
-  cases.push_back({{step, 1.6e308, uniform(rng, 1, 2) * 1e-300, 0}, {by_exponential, 2.5e-307}, 1000});
   judge_weighed(cases, rng);
   for (const double odd_one : {nan, domain::infinity, -domain::infinity}) {
     const Function g{exponential, 0, 1, odd_one};

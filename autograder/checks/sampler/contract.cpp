@@ -134,6 +134,11 @@ CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:4]
                            advance, next,           next2,   advance, advance,
                            next,    generate(1, 7), next,    advance, next},
                     {"next() and next2() need a sample; advance() never throws", ""});
+    const Call largest = MEASURE_OUTCOME(columns, kind, most_samples, {1}, {});
+    expect_that(largest.outcome.status != wire::Status::invalid_argument,
+                largest.text + " threw std::invalid_argument", "no exception",
+                "there may be most_samples = 2^27 samples",
+                "only more are too many: samples > most_samples");
   }
 }
 
@@ -330,12 +335,12 @@ TEST_CASE("6.8 many samples are right too",
   }
 }
 
-TEST_CASE("6.8 an unused sample dimension costs no memory", "[6.8][edge][points:2]") {
+TEST_CASE("6.8 an unused sample dimension costs no memory", "[6.8][edge][points:2][needs:6.4]") {
   // A column of so many samples is 1 GB, more than a program may have.
   for (const std::string kind : {"independent", "stratified", "halton", "sobol"}) {
     expect_contract(
         kind, {generate(most_samples, 1), advance, advance, generate(4, 1), next, next2},
-        {"none of 2^27 samples was asked for, and then there are 4",
+        {"of 2^27 samples, nothing is asked for; then there are 4 samples",
          "columns are made when they are asked for, of as many numbers as there are samples"});
   }
 }

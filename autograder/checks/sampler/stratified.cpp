@@ -114,7 +114,7 @@ std::string hint_for_orders(const std::vector<Orders>& sets) {
     }
   }
   return "the pattern must be shuffled, by a permutation of its own for each sample dimension and "
-         "each seed";
+         "each seed, all permutations equally likely";
 }
 
 /// Samples, uses, and sets to look at.

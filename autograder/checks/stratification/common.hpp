@@ -21,8 +21,9 @@ inline Randomness random_jitters(const std::string& task) {
           .alpha = alpha,
           .otherwise = "each point is (i + u) / n with a u of its own, uniform in [0, 1)",
           .repeated =
-              "the same random numbers come again: does each block, or each stream, begin with the "
-              "same ones? Draw one for every coordinate, all from the generator that is passed in",
+              "the same random numbers come again: does each block begin with the same ones, or do "
+              "streams that run side by side? Draw one for every coordinate, all from the "
+              "generator that is passed in",
           .same = "draw one for every coordinate"};
 }
 

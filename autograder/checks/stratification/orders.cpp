@@ -17,7 +17,7 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
     const auto step = [&, order = orders[k]](std::size_t i) {
       return (order[i] + orders.n - order[i - 1]) % orders.n;
     };
-    bool rotates = true;  // forwards, or backwards
+    bool rotates = orders[k][0] != 0 && orders[k][0] != orders.n - 1;  // forwards, or backwards
     for (std::size_t i = 2; i < orders.n; ++i) rotates = rotates && step(i) == step(1);
     fail(Failure{fmt::format("{}: of {} permutations of {}, numbers {} and {} are the same",
                              orders.call, orders.size(), orders.n, first->second, k),

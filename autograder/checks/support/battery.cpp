@@ -42,7 +42,9 @@ std::optional<Failure> test_bits(const Uniforms& numbers, const Randomness& clai
       ++counts[static_cast<std::size_t>(rest * static_cast<double>(cells))];
     }
     family.add(p_of_counts(counts), cells >= 8, [&] {
-      return fmt::format("bits {} to {} of the numbers are not uniform", k + 1, k + width);
+      return width == 1 ? fmt::format("bit {} of the numbers is not uniform", k + 1)
+                        : fmt::format("bits {} to {} of the numbers are not uniform", k + 1,
+                                      k + width);
     });
   }
   return family.failure();
@@ -248,7 +250,7 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     }
   }
   if (const auto bits = grid_of(numbers); bits && *bits > 0) {
-    return fmt::format("the random numbers have too few bits: these have {}, to_unit gives 53",
+    return fmt::format("the random numbers have too few bits: these have {} of 53",
                        *bits);
   }
   const std::string from_one =

@@ -24,9 +24,7 @@ class Agreement {
   /// A suspect's values are computed in another order than the submission's: nine digits, or the
   /// tolerance. Where few digits are wrong, most suspects have the others.
   bool is_explained(double got, double exact, double suspected, std::size_t i) const {
-    if (!std::isfinite(got) || !std::isfinite(suspected)) {  // a running mean makes NaN of inf
-      return agree(got, suspected, i) || (std::isnan(got) && std::isinf(suspected));
-    }
+    if (!std::isfinite(got) || !std::isfinite(suspected)) return agree(got, suspected, i);
     const double apart = std::abs(got - suspected), error = std::abs(got - exact);
     if (!agree(got, suspected, i) && apart > 1e-9 * std::abs(suspected)) return false;
     return agree(got, exact, i) || !(apart > error / 100);
@@ -143,7 +141,7 @@ std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
   const std::size_t n = wrong.size();
   if (n == count) return count == 1 ? "" : "all of them are wrong";
   const auto of_all = fmt::format(" of {} values", count);
-  if (n == 1) return fmt::format("value {}{} is wrong", wrong[0], of_all);
+  if (n == 1) return fmt::format("only value {}{} is wrong", wrong[0], of_all);
   const bool in_a_row = wrong[n - 1] - wrong[0] + 1 == n;
   if (in_a_row && wrong[n - 1] == count - 1) {
     return fmt::format("the last {}{} are wrong, from value {} on", n, of_all, wrong[0]);

@@ -60,7 +60,8 @@ void compile_side_by_side(const Context& context, const Submission& submission,
 }
 
 /// Does the submission have full marks in this lab ("3"), or in this task ("1.4")? Judges it if
-/// that is not known yet.
+/// that is not known yet. Yes if the checks of that lab are not built: ./lab check builds those of
+/// its own lab.
 class CompletionCache {
  public:
   CompletionCache(const Context& context, const Submission& submission, const JudgeOptions& options)
@@ -82,6 +83,7 @@ class CompletionCache {
     if (!known_.contains(need)) {
       const auto dot = need.find('.');
       const Lab& lab = find_lab(context_.labs, need.substr(0, dot));
+      if (!std::filesystem::exists(context_.layout.checks(lab.name))) return known_[need] = true;
       options_.only = dot == std::string::npos ? "" : need;
       const auto checks = expected_checks(context_.layout, lab);
       const auto is_about = [&](const Check& check) { return check.task == need; };

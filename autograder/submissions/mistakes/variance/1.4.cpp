@@ -8,7 +8,7 @@
 #undef add
 
 // mistake: converts the count to an int
-// hint: is the count a whole number of 64 bits all the way?
+// hint: a whole number of 64 bits all the way?
 namespace mc::variance_counts_in_int {
 double variance(const Moments& moments) {
   const int count = static_cast<int>(moments.count);
