@@ -90,10 +90,11 @@ inline std::string spelled_call(Spelling, std::string_view, const std::string& k
   std::vector<std::string> calls;
   for (const unsigned use : uses) calls.emplace_back(use == 2 ? "next2()" : "next()");
   const SpelledSeeds spelled_seeds(seeds);
-  return (kind.empty() ? "\"\"" : kind) + ": generate(" + text::print(samples) + ", " + spelled_seeds.one +
-         (uses.empty() ? ")"
-                       : "), then for each sample " +
-                             text::joined(calls, "; ", most_calls, "calls")) +
+  return (kind.empty() ? "\"\"" : kind) + ": generate(" + text::print(samples) + ", " +
+         spelled_seeds.one +
+         (uses.empty()
+              ? ")"
+              : "), then for each sample " + text::joined(calls, "; ", most_calls, "calls")) +
          spelled_seeds.all;
 }
 

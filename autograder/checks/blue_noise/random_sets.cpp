@@ -152,12 +152,14 @@ SampleSets random_sets(const Measured<Patterns>& got, double radius, std::size_t
 void require_fine(const SampleSets& sets) {
   Uniforms rest{sets.call + ", bits of coordinates from the 17th on", 1, {}, 36};
   for (const double x : sets.values()) rest.values.push_back(x * 0x1p16 - std::floor(x * 0x1p16));
-  expect_independent_uniforms(rest,
-                              {.words = "the lower bits of coordinates are uniform",
-                               .alpha = alpha,
-                               .otherwise = "coordinates have 53 random bits: is any of them a float, or cut off at an edge?",
-                               .expected = "bits that are random, in each coordinate its own"},
-                              true);
+  expect_independent_uniforms(
+      rest,
+      {.words = "the lower bits of coordinates are uniform",
+       .alpha = alpha,
+       .otherwise =
+           "coordinates have 53 random bits: is any of them a float, or cut off at an edge?",
+       .expected = "bits that are random, in each coordinate its own"},
+      true);
 }
 
 void require_everywhere(const SampleSets& sets) {

@@ -128,9 +128,11 @@ void check_large_base(Rng& rng, unsigned base) {
               "different ones", "a function of all 64 bits of the seed",
               "does the seed decide, in large bases too?");
   expect_independent_uniforms(
-      choices, {.words = fmt::format("a random permutation of {} digits", base),
-                .alpha = one_alpha,
-                .otherwise = "a random permutation for each position: are all equally likely, in large bases too?"});
+      choices,
+      {.words = fmt::format("a random permutation of {} digits", base),
+       .alpha = one_alpha,
+       .otherwise =
+           "a random permutation for each position: are all equally likely, in large bases too?"});
 }
 
 CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3][main]") {

@@ -74,8 +74,7 @@ CHECK_CASE("5.1 the last digit is added last", "[5.1][points:2]") {
     Indices indices = base < 3 || base > 7 ? Indices{} : hard_indices(rng, base, 3);
     indices.push_back(2419277);  // the handout's, the first in base 3
     for (int i = 0; i < 100; ++i) indices.push_back(rng());
-    check_indices({base, indices,
-                   "each sum is rounded: add the smallest terms first"});
+    check_indices({base, indices, "each sum is rounded: add the smallest terms first"});
   }
 }
 

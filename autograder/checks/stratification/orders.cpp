@@ -24,8 +24,8 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
                  "permutations that do not come again",
                  fmt::format("two random permutations of {} are equal with probability 1 / {}!",
                              orders.n, orders.n),
-                 rotates ? fmt::format("these are rotations, only {} of the {}! permutations", orders.n,
-                                       orders.n)
+                 rotates ? fmt::format("these are rotations, only {} of the {}! permutations",
+                                       orders.n, orders.n)
                          : claim.repeated});
   }
 }

@@ -42,9 +42,9 @@ std::optional<Failure> test_bits(const Uniforms& numbers, const Randomness& clai
       ++counts[static_cast<std::size_t>(rest * static_cast<double>(cells))];
     }
     family.add(p_of_counts(counts), cells >= 8, [&] {
-      return width == 1 ? fmt::format("bit {} of the numbers is not uniform", k + 1)
-                        : fmt::format("bits {} to {} of the numbers are not uniform", k + 1,
-                                      k + width);
+      return width == 1
+                 ? fmt::format("bit {} of the numbers is not uniform", k + 1)
+                 : fmt::format("bits {} to {} of the numbers are not uniform", k + 1, k + width);
     });
   }
   return family.failure();
@@ -250,8 +250,7 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     }
   }
   if (const auto bits = grid_of(numbers); bits && *bits > 0) {
-    return fmt::format("the random numbers have too few bits: these have {} of 53",
-                       *bits);
+    return fmt::format("the random numbers have too few bits: these have {} of 53", *bits);
   }
   const std::string from_one =
       claim.same.empty() ? "draw a random number for each of them" : claim.same;
