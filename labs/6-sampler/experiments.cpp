@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <random>
 #include <stdexcept>
 
@@ -70,8 +69,6 @@ Answer answer_of(Sampler& sampler, const Step& step) {
     answer.thrown = 1;
   } catch (const std::invalid_argument&) {
     answer.thrown = 2;
-  } catch (const std::bad_alloc&) {
-    throw;
   } catch (const std::exception& error) {
     throw std::runtime_error("an exception in " + spelled(step) + ": " + error.what());
   }

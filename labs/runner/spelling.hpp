@@ -18,6 +18,7 @@ namespace mc::text {
 /// Items, separated so; of many the first `most`, and how many more there are.
 inline std::string joined(const std::vector<std::string>& items, const std::string& separator,
                           std::size_t most, const std::string& what) {
+  if (items.size() == most + 1) ++most;  // "1 more" is as long
   std::string all;
   for (std::size_t i = 0; i < items.size() && i < most; ++i) {
     all += (i > 0 ? separator : "") + items[i];

@@ -346,7 +346,7 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
         {{{3, "s instead of s / sqrt(n)"},
           {1.5, "s / sqrt(n - 1): one n - 1 is enough, in s^2"},
           {2. / 3, "n below s^2, in place of n - 1"}},
-         "s / sqrt(n) of the values of the samples"});
+         "s / sqrt(n) of the values of the samples, where these are right"});
     const std::uint64_t n = 64;
     const auto by_directions = by_hemisphere(light, n, rng(), 100);
     const Values met = directions_met(by_directions, light, n, 100);

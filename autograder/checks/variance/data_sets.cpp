@@ -283,6 +283,8 @@ std::vector<Suspect> variance_suspects(const List& list) {
   all.push_back({variance * (n - 1) / n,
                  "this divides by n; a sample variance divides by n - 1 (and n/(n-1) of whole "
                  "numbers is 1)"});
+  all.push_back({variance * (n - 1) / n * std::floor(n / (n - 1)),
+                 "n/(n-1) was divided in whole numbers, which gives 1, or 2 for two values"});
   all.push_back({variance * n / (n - 1), "n/(n-1) is in here twice: once is enough"});
   all.push_back({variance * (n - 1), "this is the sum of squared deviations, not divided yet"});
   all.push_back(

@@ -145,7 +145,7 @@ CHECK_CASE("1.5 merging parts with means of any size", "[1.5][edge][points:1]") 
   // weight times that; and so far apart that their distance is infinite, but not a share of it.
   const std::uint64_t count = std::uint64_t{1} << 60;
   judge_merges({{{count, m, 0}, {count, -m, 0}}, {{count, 0, 0}, {count / 3, m, 0}}},
-               "(mean_b - mean_a)^2 is 0 here, in double: multiply by the weight before squaring",
+               "is (mean_b - mean_a)^2 0 here, in double? Multiply by the weight before squaring",
                0x1p-540);
   for (const auto& [n_a, n_b] : {std::pair{3u, 5u}, {5u, 3u}, {1u, 1u}}) {
     const double a = uniform(rng, 1e308, 1.7e308);

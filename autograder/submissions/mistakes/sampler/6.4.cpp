@@ -47,7 +47,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::columns_begin_late
 
 // mistake: gives fewer samples the first numbers of old, longer columns
-// fails: 6.8
 // hint: columns of that size or of another
 namespace mc::columns_never_shrink {
 struct Wrong : ColumnSampler {
@@ -210,7 +209,6 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::old_order
 
 // mistake: does not go back to sample 0 in generate()
-// fails: 6.8
 // hint: Counters, columns of that size
 namespace mc::old_sample_number {
 struct Wrong : ColumnSampler {
@@ -406,7 +404,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::static_generator
 
 // mistake: stores four numbers per sample; further requests read the next sample's
-// fails: 6.1, 6.8
+// fails: 6.1
 // hint: next() to another sample dimension?
 namespace mc::takes_from_the_next_sample {
 struct Wrong : ColumnSampler {

@@ -151,7 +151,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_uncorrected
 
 // mistake: computes n / (n - 1) as integers, which is 1 from n = 3 on
-// hint: n/(n-1) of whole numbers is 1
+// hint: n/(n-1) was divided in whole numbers
 namespace mc::two_pass_whole_division {
 double variance_two_pass(std::span<const double> x) {
   const std::size_t n = x.size();
