@@ -106,7 +106,8 @@ std::string bench_csv(const Bench& bench);
 std::string bench_json(const Bench& bench);
 /// The page: `outline` (autograder/bench/page.md) with its tables, and its pictures from `pictures`
 /// (a path as the page links it).
-std::string bench_page(const Bench& bench, const std::string& outline, const std::string& pictures);
+std::string bench_page(const Bench& bench, const std::string& outline,
+                       const std::filesystem::path& pictures);
 /// The tables that labs' cases filled (rows of kind "table TITLE"), each below its title.
 std::string bench_tables(const Bench& bench);
 /// The first tables of the page, and those above, for a terminal.

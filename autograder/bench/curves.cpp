@@ -68,8 +68,8 @@ const Curve* independent_of(const std::vector<Curve>& curves, const Curve& curve
   return best;
 }
 
-std::vector<std::string> said(const std::string& line, const std::string& key) {
-  const std::string start = "// " + key + ": ";
+std::vector<std::string> said(const std::string& line, const char* key) {
+  const std::string start = std::string("// ") + key + ": ";
   if (!line.starts_with(start)) return {};
   return {line.substr(start.size())};
 }

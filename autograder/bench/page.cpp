@@ -252,7 +252,7 @@ std::string bench_summary(const Bench& bench) {
 }
 
 std::string bench_page(const Bench& bench, const std::string& outline,
-                       const std::string& pictures) {
+                       const std::filesystem::path& pictures) {
   const std::pair<const char*, std::string> parts[] = {
       {"run",
        fmt::format("{}, {} cores, {}; {}; `{}`; version {}; {:.0f} s.{}", bench.processor,
@@ -267,7 +267,7 @@ std::string bench_page(const Bench& bench, const std::string& outline,
       {"libraries", libraries(bench)},
       {"growth", growth(bench)},
       {"rounds", std::to_string(bench.rounds)},
-      {"pictures", pictures}};
+      {"pictures", pictures.string()}};
   std::string page = outline;
   for (auto [name, text] : parts) {
     while (text.ends_with('\n')) text.pop_back();

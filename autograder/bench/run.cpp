@@ -330,7 +330,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
       fs::copy_file(picture, pictures / picture.filename(), fs::copy_options::overwrite_existing);
     }
     const std::string outline = read_text(context.layout.root / "autograder" / "bench" / "page.md");
-    write_text(file, bench_page(bench, outline, file.stem().string()));
+    write_text(file, bench_page(bench, outline, file.stem()));
     fmt::print("{}\n", file.string());
   }
   return 0;

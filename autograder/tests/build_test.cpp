@@ -21,7 +21,7 @@ struct Labs {
   const Lab& lab = find_lab(labs, "variance");
 
   /// Why `text` as variance.cpp gives no program; empty if it gives one.
-  std::string failure(const std::string& text, const std::string& directory = "scratch") const {
+  std::string failure(const std::string& text, const fs::path& directory = "scratch") const {
     const Scratch scratch(directory);
     scratch.write("variance.cpp", text);
     return build_program(layout, lab, open_submission(labs, scratch.path())).failure;

@@ -116,7 +116,7 @@ std::string objection(const Layout& layout, const std::vector<Lab>& labs, const 
     const Words rest(words.begin() + 2, words.end());
     if (!rest.empty() && rest[0] == "--help") return {};
     const Arguments arguments =
-        parse_arguments(rest, command->options, command->words_before_verbatim);
+        parse_arguments(rest, {command->options, command->words_before_verbatim});
     if (!takes_a_lab(command->name) || arguments.words.empty()) return {};
     if (is_placeholder(arguments.words[0])) return {};
     const LabAndTask meant = lab_and_task(labs, arguments.words);

@@ -25,12 +25,12 @@ std::string explain_link_errors(const std::string& text, const Lab& of) {
   return grader::explain_link_errors(text, of, headers);
 }
 
-const std::string source =
-    "#include \"variance.hpp\"\n"
-    "int unused;\n"
-    "double f() {\n"
-    "\treturn nothing;\n"
-    "}\n";
+const grader::NamedText source{"variance.cpp",
+                               "#include \"variance.hpp\"\n"
+                               "int unused;\n"
+                               "double f() {\n"
+                               "\treturn nothing;\n"
+                               "}\n"};
 
 }  // namespace
 
@@ -38,7 +38,7 @@ TEST_CASE("GCC's errors, with their source lines") {
   CHECK(first_errors("variance.cpp: In function 'double f()':\n"
                      "variance.cpp:4:9: error: 'nothing' was not declared in this scope\n"
                      "compilation terminated due to -fmax-errors=3.\n",
-                     "variance.cpp", source) ==
+                     source) ==
         "variance.cpp: In function 'double f()':\n"
         "variance.cpp:4:9: error: 'nothing' was not declared in this scope\n"
         "| \treturn nothing;\n"
@@ -48,7 +48,7 @@ TEST_CASE("GCC's errors, with their source lines") {
 TEST_CASE("clang's errors, with their source lines") {
   CHECK(first_errors("variance.cpp:4:9: error: use of undeclared identifier 'nothing'\n"
                      "1 error generated.\n",
-                     "variance.cpp", source) ==
+                     source) ==
         "variance.cpp:4:9: error: use of undeclared identifier 'nothing'\n"
         "| \treturn nothing;\n"
         "| \t       ^\n"
@@ -61,7 +61,7 @@ TEST_CASE("warnings and their notes are removed, notes of errors stay") {
       "variance.cpp:2:5: note: of the warning\n"
       "variance.cpp:4:9: error: no match\n"
       "/usr/include/c++/12/vector:64:7: note: candidate\n",
-      "variance.cpp", source);
+      source);
   CHECK(kept.find("unused") == std::string::npos);
   CHECK(kept.find("of the warning") == std::string::npos);
   CHECK(kept.find("no match") != std::string::npos);
@@ -69,7 +69,7 @@ TEST_CASE("warnings and their notes are removed, notes of errors stay") {
 }
 
 TEST_CASE("a missing standard include is named") {
-  const auto note = [](const std::string& text) { return grader::missing_include("a.cpp", text); };
+  const auto note = [](const char* text) { return grader::missing_include({"a.cpp", text}); };
   CHECK(
       note("#include <cmath>\n// std::sort\ndouble x = std::sqrt(std::iota(1));") ==
       "a.cpp uses std::iota without #include <numeric>. It compiles here, but may not elsewhere.");
@@ -86,7 +86,7 @@ TEST_CASE("no solution and no other right answer lacks a standard include") {
       if (!entry.is_regular_file()) continue;
       ++files;
       const std::string name = entry.path().filename().string();
-      CHECK(grader::missing_include(name, grader::read_source(entry.path()).text) == "");
+      CHECK(grader::missing_include({name, grader::read_source(entry.path()).text}) == "");
     }
   }
   CHECK(files >= 40);
@@ -95,11 +95,10 @@ TEST_CASE("no solution and no other right answer lacks a standard include") {
 TEST_CASE("positions outside the file are not quoted") {
   for (const char* place : {"99:1", "4:99", "0:1", "4:0", "-1:1", "99999999999999999999:1", ":"}) {
     const std::string line = std::string("variance.cpp:") + place + ": error: x";
-    CHECK(first_errors(line + "\n", "variance.cpp", source) == line);
+    CHECK(first_errors(line + "\n", source) == line);
   }
   // The text of another file, which a #line may have named, is not known here.
-  CHECK(first_errors("/etc/passwd:1:1: error: x\n", "variance.cpp", source) ==
-        "/etc/passwd:1:1: error: x");
+  CHECK(first_errors("/etc/passwd:1:1: error: x\n", source) == "/etc/passwd:1:1: error: x");
 }
 
 TEST_CASE("errors are few, short and printable") {
@@ -107,7 +106,7 @@ TEST_CASE("errors are few, short and printable") {
   for (int i = 0; i < 1000; ++i) {
     many += "variance.cpp:1:1: error: \x1b[2J" + std::string(5000, 'x') + "\n";
   }
-  const std::string shown = first_errors(many, "variance.cpp", source);
+  const std::string shown = first_errors(many, source);
   CHECK(shown.size() < 12000);
   CHECK(shown.find('\x1b') == std::string::npos);
   CHECK(shown.find("more lines") != std::string::npos);

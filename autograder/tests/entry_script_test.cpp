@@ -200,7 +200,7 @@ TEST_CASE("the zip to hand in", "[script]") {
   REQUIRE_RUN(run, lab({"submit", "variance"}, {.directory = scratch.path()}));
   const fs::path out = scratch.path() / "out", given = read_layout().starter() / "variance.cpp";
   fs::create_directories(out);
-  unpack(scratch.path() / "submission.zip", out);
+  unpack({.zip = scratch.path() / "submission.zip", .to = out});
   CHECK(read_text(out / "variance.cpp") == read_text(given));
   const auto age = fs::last_write_time(given) - fs::last_write_time(out / "variance.cpp");
   CHECK(std::chrono::abs(age) < std::chrono::seconds(2));  // the time when it was written is kept

@@ -151,7 +151,7 @@ fs::path submission_directory(const std::string& name) {
   return directory;
 }
 
-BuildResult build_submission(const std::string& name, const std::string& text) {
+BuildResult build_submission(const char* name, const std::string& text) {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const fs::path directory = submission_directory(name);

@@ -74,7 +74,7 @@ void wrong_number_of_fields(std::string_view names) {
   throw std::invalid_argument("expected the fields " + std::string(names) + ", separated by ':'");
 }
 
-std::string filled(std::string_view text, std::string_view with) {
+std::string filled(std::string_view text, const std::string& with) {
   std::string all(text);
   for (auto at = all.find("{}"); at != std::string::npos; at = all.find("{}", at)) {
     all.replace(at, 2, with);

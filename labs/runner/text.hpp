@@ -50,7 +50,7 @@ template <class T>
 std::string as_typed(const std::vector<T>& values);
 
 /// A text with this in place of each {}.
-std::string filled(std::string_view text, std::string_view with);
+std::string filled(std::string_view text, const std::string& with);
 
 /// The fewest digits that give back the same number.
 std::string print(double value);

@@ -10,7 +10,7 @@ namespace {
 const std::array<std::string, 2> sequences{"sobol", "halton"};
 
 /// These decisions are random, and independent or `only_each`. `likely` is always the hint.
-void check_decisions(const Uniforms& decisions, const std::string& words, const std::string& likely,
+void check_decisions(const std::string& words, const Uniforms& decisions, const std::string& likely,
                      bool only_each = false) {
   expect_independent_uniforms(
       decisions,
@@ -96,8 +96,8 @@ void check_first_blocks(const std::string& kind, const Uses& uses) {
                   "the dimension, scrambled", "this holds for every seed", "");
     }
   }
-  check_decisions(decisions_of(kind, got, rng),
-                  "all flips of bits, and permutations of digits, are random and independent",
+  check_decisions("all flips of bits, and permutations of digits, are random and independent",
+                  decisions_of(kind, got, rng),
                   "a digital shift, or digits permuted in base 2, flips a bit of all points alike; "
                   "nested scrambling depends on the bits before it: owen_scramble of lab 5, with a "
                   "seed for each dimension; larger bases have random permutations (5.9)");
@@ -285,13 +285,13 @@ void check_orders(const std::string& kind, std::size_t n, std::size_t blocks, Rn
       }
     }
   }
-  check_decisions(orders, "the orders of blocks are independent random nested shuffles",
+  check_decisions("the orders of blocks are independent random nested shuffles", orders,
                   is_in_order && n > 4
                       ? "every block but the first needs a shuffle, one for all its dimensions"
                       : "each block needs a random permutation of its own, with every seed; for "
                         "each string of bits before it, a decision of its own flips a bit",
                   n > 16);
-  check_decisions(scrambles, "the scrambles of blocks are independent and nested",
+  check_decisions("the scrambles of blocks are independent and nested", scrambles,
                   "owen_scramble of lab 5, with a seed for each dimension of each block", n > 16);
 }
 

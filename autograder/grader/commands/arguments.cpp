@@ -31,8 +31,7 @@ std::optional<std::uint64_t> Arguments::number(const std::string& option) const 
   return value;
 }
 
-Arguments parse_arguments(const std::vector<std::string>& words,
-                          const std::vector<std::string>& known, std::size_t before_verbatim) {
+Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& syntax) {
   struct OptionSpec {
     std::string name;
     bool takes_value;
@@ -40,7 +39,7 @@ Arguments parse_arguments(const std::vector<std::string>& words,
   };
   std::vector<OptionSpec> options;
   std::string letters = "+:";  // ends at the first word
-  for (const std::string& text : known) {
+  for (const std::string& text : syntax.options) {
     const auto equals = text.find('=');
     const char letter =
         equals != std::string::npos && equals + 1 < text.size() ? text[equals + 1] : '\0';
@@ -62,6 +61,7 @@ Arguments parse_arguments(const std::vector<std::string>& words,
   const int count = static_cast<int>(copies.size());
 
   Arguments arguments;
+  std::size_t before_verbatim = syntax.words_before_verbatim;
   optind = 1;
   opterr = 0;
   while (optind < count) {

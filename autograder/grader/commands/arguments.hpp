@@ -21,15 +21,17 @@ struct Arguments {
   std::optional<std::uint64_t> number(const std::string& option) const;
 };
 
-/// For parse_arguments(): options may be anywhere.
+/// For Syntax: options may be anywhere.
 inline constexpr std::size_t all_words = std::numeric_limits<std::size_t>::max();
 
-/// `known` lists the options: "seed=" takes a value, "no-plots" does not, "jobs=j" has a short
-/// form, "lab=," may be repeated and is then a list. After `before_verbatim` words, everything is a
-/// word, because words may be negative numbers. Throws UsageError for an unknown option, naming the
-/// nearest, or for a missing value.
-Arguments parse_arguments(const std::vector<std::string>& words,
-                          const std::vector<std::string>& known,
-                          std::size_t before_verbatim = all_words);
+/// "seed=" takes a value, "no-plots" does not, "jobs=j" has a short form, "lab=," may be repeated
+/// and is then a list. After `words_before_verbatim`, everything is a word, because words may be
+/// negative numbers.
+struct Syntax {
+  std::vector<std::string> options;
+  std::size_t words_before_verbatim = all_words;
+};
+/// Throws UsageError for an unknown option, naming the nearest, or for a missing value.
+Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& syntax);
 
 }  // namespace mc::grader

@@ -98,7 +98,7 @@ int check(const Context& context, const Arguments& arguments) {
   }
   if (judged.no_program.empty()) {
     const std::string note =
-        missing_include(lab.file(), read_source(submission.files.at(lab.name)).text);
+        missing_include({lab.file(), read_source(submission.files.at(lab.name)).text});
     if (!note.empty()) fmt::print("  {}\n", wrapped(note, this_terminal().width - 2, 2));
   }
   std::fflush(stdout);  // into a pipe, too: the next step takes a while

@@ -87,7 +87,7 @@ int dispatch(char** argv) {
       rest.begin(), rest.end(), [](const std::string& word) { return word.starts_with("--json"); });
   if (wants_json && report_json == nullptr) run_course(context.layout, argv);
   const Arguments arguments =
-      parse_arguments(rest, command->options, command->words_before_verbatim);
+      parse_arguments(rest, {command->options, command->words_before_verbatim});
   context.labs = find_labs(context.layout);
   return command->run(context, arguments);
 }

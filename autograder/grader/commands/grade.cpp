@@ -114,8 +114,7 @@ std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::stri
 class Records {
  public:
   Records(const Context& context, const Arguments& arguments, const std::vector<IntakeEntry>& all,
-          const std::vector<IntakeEntry>& mine, const std::vector<Lab>& asked_for,
-          std::uint64_t seed)
+          const BatchOptions& options, const std::vector<IntakeEntry>& mine)
       : context_(context), mine_(mine), csv_(arguments.get("csv")), html_(arguments.get("html")) {
     if (html_) fs::create_directories(*html_);
     if (html_ && !csv_) {  // pages are made from a table in any case
@@ -131,8 +130,9 @@ class Records {
           const Delivery& delivery = one.submission.delivery;
           return delivery.late || !delivery.submitted.empty();
         });
-    book_.emplace(Book::Setup{*csv_, columns_for(context, all, asked_for),
-                              has_people ? People::shown : People::hidden, std::move(ids), seed,
+    book_.emplace(Book::Setup{*csv_, columns_for(context, all, options.asked_for),
+                              has_people ? People::shown : People::hidden, std::move(ids),
+                              options.judging.judge.seed, context.layout.version,
                               arguments.has("resume")});
   }
 
@@ -336,8 +336,7 @@ int grade(const Context& context, const Arguments& arguments) {
   const bool single =
       intake.entries.size() == 1 && !arguments.has("shard") && !arguments.has("roster");
   const std::vector<IntakeEntry> mine = shard_of(intake.entries, arguments.get("shard"));
-  Records records(context, arguments, intake.entries, mine, options.asked_for,
-                  options.judging.judge.seed);
+  Records records(context, arguments, intake.entries, options, mine);
   precompile_headers(context.layout);
   if (arguments.has("slurm")) {
     return grade_on_slurm(context, arguments, mine.size(), records, options.judging.judge.seed);

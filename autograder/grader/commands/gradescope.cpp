@@ -23,10 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Replaces the line of a shell script that sets this variable.
-void set(std::string& script, const std::string& name, const std::string& value) {
-  const auto at = script.find('\n' + name + '=');
-  if (at == std::string::npos) throw MachineError("run_autograder does not set " + name);
-  const auto begin = at + 1 + name.size() + 1;
+void set(std::string& script, const char* name, const std::string& value) {
+  const std::string start = fmt::format("\n{}=", name);
+  const auto at = script.find(start);
+  if (at == std::string::npos) throw MachineError(fmt::format("run_autograder has no {}=", name));
+  const auto begin = at + start.size();
   script.replace(begin, script.find('\n', begin) - begin, value);
 }
 

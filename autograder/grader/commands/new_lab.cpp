@@ -36,7 +36,7 @@ int new_lab(const Context& context, const Arguments& arguments) {
   const int number = context.labs.back().number + 1;
   const fs::path root = context.layout.root;
   for (const fs::path& file :
-       write_new_lab(root / "autograder" / "new-lab.txt", root, number, lab)) {
+       write_new_lab(root / "autograder" / "new-lab.txt", number, lab, root)) {
     fmt::print("{}\n", file.string());
   }
   fmt::print(
@@ -57,8 +57,8 @@ const RegisterCommand new_lab_command{
 
 }  // namespace
 
-std::vector<fs::path> write_new_lab(const fs::path& skeleton, const fs::path& root, int number,
-                                    const std::string& name) {
+std::vector<fs::path> write_new_lab(const fs::path& skeleton, int number, const std::string& name,
+                                    const fs::path& root) {
   if (name.empty() || name[0] < 'a' || name[0] > 'z' ||
       name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != name.npos) {
     throw UsageError("a lab's name has lower-case letters, digits and _: light_transport");

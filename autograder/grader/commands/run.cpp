@@ -40,7 +40,7 @@ std::string program_of(const Context& context, const Lab& lab, const Submission&
   fmt::print(stderr, "{}{}", built.failure,
              built.failure.empty() ? built.path.string() + "\n" : std::string());
   const std::string note =
-      missing_include(lab.file(), read_source(submission.files.at(lab.name)).text);
+      missing_include({lab.file(), read_source(submission.files.at(lab.name)).text});
   if (built.failure.empty() && !note.empty()) fmt::print(stderr, "{}\n", note);
   setenv("UBSAN_OPTIONS", "print_stacktrace=1:halt_on_error=1", 0);
   return built.path.string();

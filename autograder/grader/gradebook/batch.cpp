@@ -101,8 +101,8 @@ class Batch {
   std::optional<Verdict> known_verdict(const IntakeEntry& one, const std::vector<Lab>& labs) const {
     if (book_ == nullptr) return {};
     try {
-      return book_->known(one.submission.label, everything_in(one, options_.judging.judge),
-                          context_.layout.version, judged_labs(one, labs));
+      return book_->known(one.submission.label, judged_labs(one, labs),
+                          everything_in(one, options_.judging.judge));
     } catch (const std::exception&) {  // judge it again, which reports the error
       return {};
     }

@@ -112,15 +112,15 @@ void Book::begin() {
                                "opening " + setup_.csv.string());
 }
 
-std::optional<Verdict> Book::known(const std::string& id, const std::string& contents,
-                                   const std::string& version, const std::vector<Lab>& labs) const {
+std::optional<Verdict> Book::known(const std::string& id, const std::vector<Lab>& labs,
+                                   const std::string& contents) const {
   if (!setup_.resume) return {};
   auto verdict = read(id);
   if (!verdict) return {};
   const bool same_labs = verdict->labs.size() == labs.size() &&
                          std::equal(labs.begin(), labs.end(), verdict->labs.begin(),
                                     [](auto& lab, auto& one) { return lab.name == one.lab.name; });
-  const bool is_current = verdict->contents == contents && verdict->version == version &&
+  const bool is_current = verdict->contents == contents && verdict->version == setup_.version &&
                           verdict->seed == setup_.seed && same_labs && verdict->not_judged.empty();
   return is_current ? verdict : std::nullopt;
 }

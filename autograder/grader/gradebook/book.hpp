@@ -42,6 +42,7 @@ class Book {
     People people = People::hidden;
     std::vector<std::string> ids;  ///< all submissions, in the order of the rows
     std::uint64_t seed = 0;
+    std::string version;  ///< of the autograder
     bool resume = false;  ///< false: replace an existing table
   };
   /// Throws UsageError if another run is writing the same table, std::system_error if writing
@@ -50,8 +51,8 @@ class Book {
 
   /// The verdict on this id from an earlier run, if it is still valid: for the same contents,
   /// autograder, seed and labs. Submissions that were not judged are judged again.
-  std::optional<Verdict> known(const std::string& id, const std::string& contents,
-                               const std::string& version, const std::vector<Lab>& labs) const;
+  std::optional<Verdict> known(const std::string& id, const std::vector<Lab>& labs,
+                               const std::string& contents) const;
 
   /// Keeps the row of a known verdict.
   void keep(const Verdict& verdict);

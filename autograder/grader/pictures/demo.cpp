@@ -71,10 +71,10 @@ void measure(const Layout& layout, const Lab& lab, const Submission& submission,
 }
 
 /// Replaces a comment by `text`.
-void fill(std::string& page, const std::string& name, const std::string& text) {
-  const std::string mark = "<!--" + name + "-->";
+void fill(std::string& page, const char* name, const std::string& text) {
+  const std::string mark = fmt::format("<!--{}-->", name);
   const auto at = page.find(mark);
-  if (at == std::string::npos) throw MachineError("demo.html has no place for " + name);
+  if (at == std::string::npos) throw MachineError("demo.html has no " + mark);
   page.replace(at, mark.size(), text);
 }
 

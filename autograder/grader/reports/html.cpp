@@ -50,10 +50,10 @@ std::string points_cell(double earned, double points) {
 }
 
 /// The messages of a compilation, "variance.cpp:12:5: error: …", by their lines.
-std::multimap<std::size_t, std::string> messages_in(const std::string& text,
-                                                    const std::string& file) {
+std::multimap<std::size_t, std::string> messages_of(const LabVerdict& lab) {
   std::multimap<std::size_t, std::string> messages;
-  for (const std::string_view line : text::split(text, '\n')) {
+  const std::string file = lab.lab.file();
+  for (const std::string_view line : text::split(lab.no_program, '\n')) {
     if (!line.starts_with(file + ':')) continue;
     const auto parts = text::split(line, ':');
     std::size_t row = 0;
@@ -68,9 +68,8 @@ std::multimap<std::size_t, std::string> messages_in(const std::string& text,
 }
 
 /// The file with its line numbers, and the compiler's messages under the lines they are about.
-std::string code(const std::string& source, const std::string& file,
-                 const std::string& diagnostics) {
-  const auto messages = messages_in(diagnostics, file);
+std::string code(const std::string& source, const LabVerdict& lab) {
+  const auto messages = messages_of(lab);
   std::string all = "<ol class=\"code\">\n";
   std::size_t row = 0;
   for (std::size_t begin = 0; begin <= source.size();) {
@@ -86,7 +85,7 @@ std::string code(const std::string& source, const std::string& file,
     begin = end + 1;
   }
   const std::string list = all + "</ol>\n";
-  const std::string name = html_escaped(file);
+  const std::string name = html_escaped(lab.lab.file());
   return messages.empty() ? fmt::format("<details><summary>{}, {} lines</summary>\n{}</details>\n",
                                         name, row, list)
                           : fmt::format("<h3>{}</h3>\n{}", name, list);
@@ -200,7 +199,7 @@ std::string lab_section(const LabVerdict& lab, std::uint64_t seed, const PageMat
   }
   all += speed_table(lab) + pictures_of(found_or_empty(material.pictures, lab.lab.name));
   const std::string source = found_or_empty(material.sources, lab.lab.name);
-  if (!source.empty()) all += code(source, lab.lab.file(), lab.no_program);
+  if (!source.empty()) all += code(source, lab);
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -40,7 +41,7 @@ std::string report_line(std::string_view line, std::size_t margin, std::size_t w
 
 constexpr std::size_t margin = 9;
 
-std::string check_line(const Terminal& terminal, const char* color, const std::string& mark,
+std::string check_line(const Terminal& terminal, const char* color, const char* mark,
                        const std::string& name, const std::string& right) {
   const std::size_t room = terminal.width > 24 ? terminal.width - 14 : 10;
   std::string text = wrapped(name, room - 9, margin);
@@ -276,22 +277,20 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
 
 std::string report_speed(const LabVerdict& lab) {
   std::string all;
-  const auto line = [&](const std::string& name, const std::string& value,
-                        const std::string& reference) {
-    all += fmt::format("  {:<36}{:>14}", name, value);
-    all += reference.empty() ? "\n" : fmt::format("   (the reference: {})\n", reference);
+  const auto line = [&](const std::string& name, const auto& print, double value,
+                        const std::optional<double>& reference = {}, const char* about = "") {
+    all += fmt::format("  {:<36}{:>14}", name, print(value));
+    all += reference ? fmt::format("   (the reference: {}{})\n", about, print(*reference)) : "\n";
   };
   const auto nanoseconds = [](double value) {
     return value < 1000 ? fmt::format("{:.3g} ns", value) : fmt::format("{:.0f} ns", value);
   };
+  const auto digits = [](double value) { return fmt::format("{:.2g}", value); };
   for (const Speed& one : lab.speed) {
-    line(one.name, nanoseconds(one.nanoseconds),
-         one.reference ? (one.is_estimate ? "about " : "") + nanoseconds(*one.reference)
-                       : std::string());
+    line(one.name, nanoseconds, one.nanoseconds, one.reference, one.is_estimate ? "about " : "");
     if (!one.error) continue;
-    line(fmt::format("    error of {} on {}", one.points, one.integrand),
-         fmt::format("{:.2g}", *one.error),
-         one.reference_error ? fmt::format("{:.2g}", *one.reference_error) : std::string());
+    line(fmt::format("    error of {} on {}", one.points, one.integrand), digits, *one.error,
+         one.reference_error);
   }
   double addition = 0;
   bool is_estimate = false;
@@ -299,7 +298,7 @@ std::string report_speed(const LabVerdict& lab) {
     addition = std::max(addition, one.addition);
     is_estimate = is_estimate || one.is_estimate;
   }
-  if (addition > 0) line("a running sum, to compare", nanoseconds(addition), "");
+  if (addition > 0) line("a running sum, to compare", nanoseconds, addition);
   if (const auto times = lab.times_the_reference()) {
     const bool is_slow = *times < 0.5;
     const double ratio = is_slow ? 1 / *times : *times;

@@ -130,7 +130,7 @@ bool takes_name(const fs::path& file) {
 
 }  // namespace
 
-void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits& limits) {
+void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
   const Utf8Names utf8;
   const std::unique_ptr<archive, ArchiveDeleter> reading(archive_read_new());
   if (!reading) throw std::system_error(ENOMEM, std::generic_category(), "unpacking");
@@ -143,7 +143,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
     throw UnreadableSubmission(what);
   };
   constexpr std::size_t block = std::size_t{1} << 16;
-  if (archive_read_open_filename(reading.get(), zip.c_str(), block) != ARCHIVE_OK) {
+  if (archive_read_open_filename(reading.get(), paths.zip.c_str(), block) != ARCHIVE_OK) {
     damaged("it is no zip");
   }
   std::size_t entries = 0, bytes = 0;
@@ -160,7 +160,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
     const auto type = archive_entry_filetype(entry);
     // A link might lead to the solutions.
     if (place.empty() || (type != AE_IFREG && type != AE_IFDIR)) continue;
-    const fs::path to = directory / place;
+    const fs::path to = paths.to / place;
     if (!make_directory(type == AE_IFDIR ? to : to.parent_path())) continue;
     if (type == AE_IFDIR || !takes_name(to)) continue;
     const bool is_source = to.extension() == ".cpp", is_zip = to.extension() == ".zip";
@@ -189,7 +189,7 @@ void unpack(const fs::path& zip, const fs::path& directory, const ArchiveLimits&
 
 #else
 
-void unpack(const fs::path&, const fs::path&, const ArchiveLimits&) {
+void unpack(const Unpacking&, const ArchiveLimits&) {
   throw UnreadableSubmission(
       "a zip, and this build has no libarchive: run ./lab setup, or unpack it");
 }

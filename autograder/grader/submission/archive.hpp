@@ -20,13 +20,15 @@ struct ArchiveLimits {
   std::ptrdiff_t depth = 14;                   ///< parts of a name; deeper entries are left out
 };
 
-/// Unpacks directories, .cpp files, zips and what tells names and versions into `directory`, which
+struct Unpacking {
+  std::filesystem::path zip, to;
+};
+/// Unpacks directories, .cpp files, zips and what tells names and versions into `to`, which
 /// must be ours and hold no links. Other files are created empty, so that pictures and builds cost
 /// nothing; links, .git, build and what macOS adds are left out. Throws UnreadableSubmission for a
-/// file that is not a zip, escapes `directory`, is encrypted or exceeds the limits;
+/// file that is not a zip, escapes `to`, is encrypted or exceeds the limits;
 /// std::system_error if the disk is full.
-void unpack(const std::filesystem::path& zip, const std::filesystem::path& directory,
-            const ArchiveLimits& limits = {});
+void unpack(const Unpacking& paths, const ArchiveLimits& limits = {});
 
 /// Is this a name that is never handed in on purpose: .git, __MACOSX, build?
 bool is_ignored(const std::filesystem::path& name);

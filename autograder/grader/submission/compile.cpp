@@ -198,7 +198,7 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
   if (may_embed(text)) {  // -H does not list embedded files
     return fmt::format("{} does not compile. Remove the word embed from it to see why.", name);
   }
-  return fmt::format("{} does not compile:\n{}", name, first_errors(messages, name, text));
+  return fmt::format("{} does not compile:\n{}", name, first_errors(messages, {name, text}));
 }
 
 }  // namespace

@@ -100,9 +100,8 @@ std::optional<std::string> quoted_after(std::string_view line, std::string_view 
 
 }  // namespace
 
-std::string first_errors(const std::string& diagnostics, const std::string& file,
-                         const std::string& text) {
-  const std::vector<std::string> source = lines_of(text);
+std::string first_errors(const std::string& diagnostics, const NamedText& file) {
+  const std::vector<std::string> source = lines_of(file.text);
   // Warnings come first but matter less: drop each with its continuation lines.
   std::vector<std::string> kept;
   bool keep = true;
@@ -114,12 +113,13 @@ std::string first_errors(const std::string& diagnostics, const std::string& file
     }
     if (!keep || line.find("compilation terminated") != std::string::npos) continue;
     kept.push_back(line);
-    if (line.starts_with(file + ':')) quote(line, source, kept);
+    if (line.starts_with(file.name + ':')) quote(line, source, kept);
   }
   return joined(kept);
 }
 
-std::string missing_include(const std::string& file, const std::string& text) {
+std::string missing_include(const NamedText& file) {
+  const std::string& text = file.text;
   for (auto at = text.find("std::"); at != text.npos; at = text.find("std::", at + 1)) {
     if (text.find("//", text.rfind('\n', at) + 1) < at) continue;  // in a comment
     const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 5);
@@ -130,8 +130,8 @@ std::string missing_include(const std::string& file, const std::string& text) {
         continue;
       }
       return fmt::format(
-          "{} uses std::{} without #include <{}>. It compiles here, but may not elsewhere.", file,
-          name, header);
+          "{} uses std::{} without #include <{}>. It compiles here, but may not elsewhere.",
+          file.name, name, header);
     }
   }
   return {};

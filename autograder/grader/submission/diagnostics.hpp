@@ -8,14 +8,17 @@
 
 namespace mc::grader {
 
+struct NamedText {
+  std::string name, text;  ///< of a source file
+};
+
 /// The first errors of a compilation with their lines. The compiler is run without quoting source
-/// lines (see build.cpp); this inserts those of `file`, whose text is given.
-std::string first_errors(const std::string& diagnostics, const std::string& file,
-                         const std::string& text);
+/// lines (see build.cpp); this inserts those of `file`.
+std::string first_errors(const std::string& diagnostics, const NamedText& file);
 
 /// The first standard header that a file needs but does not include, as a sentence; empty if there
 /// is none. Every compilation includes a few headers, precompiled, so the compiler does not notice.
-std::string missing_include(const std::string& file, const std::string& text);
+std::string missing_include(const NamedText& file);
 
 /// "Your variance.cpp does not define `mc::covariance` …" and the like. `headers` has the text of
 /// each lab's header, by the lab's name.

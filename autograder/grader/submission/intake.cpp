@@ -235,7 +235,7 @@ class IntakeBuilder {
     if (fs::file_size(zip) == 0)
       throw UnreadableSubmission("the zip is empty, or longer than 64 MB");
     intake_.unpacked.push_back(std::make_unique<ScratchDirectory>(context_.layout));
-    unpack(zip, intake_.unpacked.back()->path());
+    unpack({.zip = zip, .to = intake_.unpacked.back()->path()});
     return intake_.unpacked.back()->path();
   }
 

@@ -90,16 +90,17 @@ TEST_CASE("plot error against N", "[.plot]") {
 
 TEST_CASE("plot time against N", "[.plot]") {
   const Names keys{"best_candidate", "poisson_disk"};
-  plot_table("speed.tsv", "N", powers(64, 4, 65536), keys, [&](double n, std::size_t c) -> Number {
-    if (c == 0 && n > 4096) return {};  // it takes n^2 candidates
-    // Noise of a few per cent is nothing on four decades.
-    const Number round = seconds_of(
-        [&](std::uint64_t rounds) {
-          return method(methods, keys[c]).rounds(static_cast<std::uint64_t>(n), 2, rounds);
-        },
-        0.004);
-    return round ? Number(*round * 1e6 / n) : Number{};
-  });
+  plot_table(
+      "speed.tsv", {"N", powers(64, 4, 65536)}, keys, [&](double n, std::size_t c) -> Number {
+        if (c == 0 && n > 4096) return {};  // it takes n^2 candidates
+        // Noise of a few per cent is nothing on four decades.
+        const Number round = seconds_of(
+            [&](std::uint64_t rounds) {
+              return method(methods, keys[c]).rounds(static_cast<std::uint64_t>(n), 2, rounds);
+            },
+            0.004);
+        return round ? Number(*round * 1e6 / n) : Number{};
+      });
 }
 
 TEST_CASE("demo", "[.demo]") {

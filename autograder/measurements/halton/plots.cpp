@@ -66,7 +66,7 @@ TEST_CASE("plot discrepancy against N", "[.plot]") {
   std::vector<double> sizes;
   for (const double n : powers(16, 2, 4096))
     sizes.insert(sizes.end(), {std::floor(n * 2 / 3) + 1, n});
-  plot_table("discrepancy.tsv", "N", sizes, shown, [](double size, std::size_t c) -> Number {
+  plot_table("discrepancy.tsv", {"N", sizes}, shown, [](double size, std::size_t c) -> Number {
     const auto n = static_cast<Count>(size);
     if (shown[c] == "jittered" && (n & (n - 1)) != 0) return {};  // there is no such grid
     return star_discrepancy_of(method(methods, shown[c]).points(n, 2, 1, n));
@@ -121,7 +121,7 @@ TEST_CASE("plot error against N in four dimensions", "[.plot]") {
 TEST_CASE("plot error of randomized points", "[.plot]") {
   const Names keys{"independent", "rotated", "scrambled_halton", "scrambled_sobol"};
   for (const bool is_wave : {false, true}) {
-    plot_table(is_wave ? "randomized-wave.tsv" : "randomized-smooth.tsv", "N", powers(4, 4, 4096),
+    plot_table(is_wave ? "randomized-wave.tsv" : "randomized-smooth.tsv", {"N", powers(4, 4, 4096)},
                keys, [&](double n, std::size_t c) {
                  const double frequency = 2 * std::numbers::pi * n;
                  const Integrand wave{"wave", "cos(2 pi N x)", 1, 0,
@@ -136,7 +136,7 @@ TEST_CASE("plot error of randomized points", "[.plot]") {
 /// The kurtosis: what the RMSE does not tell.
 TEST_CASE("plot the tails of errors", "[.plot]") {
   ErrorSums errors;
-  plot_table("tails.tsv", "N", powers(16, 4, 4096),
+  plot_table("tails.tsv", {"N", powers(16, 4, 4096)},
              {"scrambled_sobol", "standard_error", "hashed", "its"},
              [&](double size, std::size_t c) -> Number {
                const auto n = static_cast<Count>(size);
@@ -164,7 +164,7 @@ TEST_CASE("plot the first points of a sequence", "[.plot]") {
   for (const double n : powers(1, std::exp2(0.25), 1025)) {
     if (sizes.empty() || std::round(n) > sizes.back()) sizes.push_back(std::round(n));
   }
-  plot_table("early.tsv", "N", sizes, {"independent", "padded", "scrambled_sobol"},
+  plot_table("early.tsv", {"N", sizes}, {"independent", "padded", "scrambled_sobol"},
              [&](double size, std::size_t c) -> Number {
                const auto n = static_cast<Count>(size);
                if (c == 0) return std::sqrt(independent_variance(cells, n));

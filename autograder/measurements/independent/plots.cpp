@@ -29,18 +29,19 @@ double median(std::vector<double> values) {
 
 TEST_CASE("plot error against samples", "[.plot]") {
   const Names columns = columns_of({1, 2, 3, 4, 5});
-  plot_table("error.tsv", "N", powers(4, 4, 65536), columns, [](double n, std::size_t c) -> Number {
-    // Two of three medians of 201 errors are off by 8 % at most, of 101 by 12 %: 4 pixels.
-    const Count replicates = n <= 4096 ? 201 : 101;
-    // Medians: where the variance is infinite, a mean square says how long one waited.
-    const auto& [name, g, mean] = line_integrands[c];
-    const auto all = lists_of(
-        TRY_MEASURE(estimates, g, static_cast<Count>(n), plot_seed, replicates), replicates);
-    if (!all) return {};
-    std::vector<double> errors;
-    for (const auto& one : *all) errors.push_back(std::abs(one.value / mean - 1));
-    return median(errors);
-  });
+  plot_table(
+      "error.tsv", {"N", powers(4, 4, 65536)}, columns, [](double n, std::size_t c) -> Number {
+        // Two of three medians of 201 errors are off by 8 % at most, of 101 by 12 %: 4 pixels.
+        const Count replicates = n <= 4096 ? 201 : 101;
+        // Medians: where the variance is infinite, a mean square says how long one waited.
+        const auto& [name, g, mean] = line_integrands[c];
+        const auto all = lists_of(
+            TRY_MEASURE(estimates, g, static_cast<Count>(n), plot_seed, replicates), replicates);
+        if (!all) return {};
+        std::vector<double> errors;
+        for (const auto& one : *all) errors.push_back(std::abs(one.value / mean - 1));
+        return median(errors);
+      });
 }
 
 TEST_CASE("plot coverage against samples", "[.plot]") {
@@ -49,7 +50,7 @@ TEST_CASE("plot coverage against samples", "[.plot]") {
   columns.push_back("exact");
   const Count replicates = 500;  // a standard error of 1 % at 95 %
   const double level = 0.95, z = normal_quantile((1 + level) / 2);
-  plot_table("coverage.tsv", "N", powers(2, 2, 8192), columns,
+  plot_table("coverage.tsv", {"N", powers(2, 2, 8192)}, columns,
              [&](double n, std::size_t c) -> Number {
                // Of normal values it is known: Student's t within z.
                if (c == 4) return f_tails(z * z, 1, n - 1).lower;

@@ -30,7 +30,7 @@ TEST_CASE("plot names", "[.plot]") {
 /// Of each kind the error, and the CPU time of an estimate in microseconds.
 void plot_scene(const std::string& scene) {
   plot_table(
-      "error-" + scene + ".tsv", "N", powers(16, 4, 4096), two_columns_each("", "_us"),
+      "error-" + scene + ".tsv", {"N", powers(16, 4, 4096)}, two_columns_each("", "_us"),
       [&](double size, std::size_t c) -> Number {
         const auto n = static_cast<std::uint64_t>(size);
         const std::size_t k = c / 2;
@@ -140,7 +140,7 @@ TEST_CASE("plot what a coordinate costs", "[.plot]") {
 
 /// With 256 samples: of each kind by next() and by next2().
 TEST_CASE("plot what a coordinate costs against dimensions", "[.plot]") {
-  plot_table("speed-dims.tsv", "dims", {2, 4, 8}, two_columns_each("_1", "_2"),
+  plot_table("speed-dims.tsv", {"dims", {2, 4, 8}}, two_columns_each("_1", "_2"),
              [](double dims, std::size_t c) {
                return is_blue(c / 2)
                           ? Number{}

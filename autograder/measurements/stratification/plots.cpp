@@ -117,8 +117,8 @@ TEST_CASE("plot the error against N in four dimensions", "[.plot]") {
 
 TEST_CASE("plot what stopping early costs", "[.plot]") {
   const Names keys{"independent", "jittered", "padded"};
-  plot_table("early.tsv", "N", {1,   2,   4,   8,   16,  32,  64,   128,  256,  384,
-                                512, 640, 768, 896, 960, 992, 1008, 1016, 1020, 1024},
+  plot_table("early.tsv", {"N", {1,   2,   4,   8,   16,  32,  64,   128,  256,  384,
+                                 512, 640, 768, 896, 960, 992, 1008, 1016, 1020, 1024}},
              keys, [&](double n, std::size_t c) {
                const auto used = static_cast<Count>(n);
                return rmse_of(

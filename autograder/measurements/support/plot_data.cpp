@@ -64,14 +64,14 @@ void plot_row(std::ostream& file, std::span<const Number> values) {
   file << '\n';
 }
 
-void plot_table(const std::string& name, const std::string& x_name, const std::vector<double>& xs,
-                const Names& columns, const std::function<Number(double, std::size_t)>& cell) {
-  Names all{x_name};
+void plot_table(const std::string& name, const Axis& x, const Names& columns,
+                const std::function<Number(double, std::size_t)>& cell) {
+  Names all{x.name};
   all.insert(all.end(), columns.begin(), columns.end());
   auto file = plot_file(name, all);
-  for (const double x : xs) {
-    Row row{x};
-    for (std::size_t c = 0; c < columns.size(); ++c) row.push_back(cell(x, c));
+  for (const double value : x.values) {
+    Row row{value};
+    for (std::size_t c = 0; c < columns.size(); ++c) row.push_back(cell(value, c));
     plot_row(file, row);
   }
 }

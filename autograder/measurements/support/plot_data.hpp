@@ -27,9 +27,13 @@ inline void plot_row(std::ostream& file, const Row& values) {
   plot_row(file, std::span(values));
 }
 
-/// A row for each x: x itself, and cell(x, c) in column c.
-void plot_table(const std::string& name, const std::string& x_name, const std::vector<double>& xs,
-                const Names& columns, const std::function<Number(double x, std::size_t c)>& cell);
+struct Axis {
+  std::string name;
+  std::vector<double> values;
+};
+/// A row for each value of x: x itself, and cell(x, c) in column c.
+void plot_table(const std::string& name, const Axis& x, const Names& columns,
+                const std::function<Number(double x, std::size_t c)>& cell);
 
 /// from, from times factor, … most
 std::vector<double> powers(double from, double factor, double most);

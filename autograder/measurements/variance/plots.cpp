@@ -26,7 +26,7 @@ TEST_CASE("plot digits kept against the offset", "[.plot]") {
   }
   std::vector<std::vector<double>> kept;
   for (const Method& way : ways) kept.push_back(digits_kept(way, all, n));
-  plot_table("digits.tsv", "offset", offsets, keys_of(ways),
+  plot_table("digits.tsv", {"offset", offsets}, keys_of(ways),
              [&](double x, std::size_t c) -> Number {
                if (kept[c].empty()) return {};
                const auto from = std::find(offsets.begin(), offsets.end(), x) - offsets.begin();

@@ -28,16 +28,19 @@ void demand(bool done, const char* what) {
   std::exit(not_possible);
 }
 
+struct Disk {
+  const char *from, *to, *kilobytes;
+};
 /// A small disk at `to` with the content of `from`, visible to this process only and removed with
 /// it.
-void mount_disk(const char* from, const char* to, const char* kilobytes) {
+void mount_disk(const Disk& disk) {
   demand(unshare(CLONE_NEWNS) == 0, "unshare");
   demand(mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0, "mount /");
-  const std::string size = std::string("size=") + kilobytes + "k";
-  demand(mount("none", to, "tmpfs", 0, size.c_str()) == 0, "mount");
+  const std::string size = std::string("size=") + disk.kilobytes + "k";
+  demand(mount("none", disk.to, "tmpfs", 0, size.c_str()) == 0, "mount");
   const pid_t copier = fork();
   if (copier == 0) {
-    execlp("cp", "cp", "-a", (std::string(from) + "/.").c_str(), to, nullptr);
+    execlp("cp", "cp", "-a", (std::string(disk.from) + "/.").c_str(), disk.to, nullptr);
     _exit(1);
   }
   int status = 1;
@@ -78,7 +81,7 @@ int main(int, char** words) {
   for (;;) {
     const std::string option = *words == nullptr ? "" : *words;
     if (option == "--disk") {
-      mount_disk(words[1], words[2], words[3]);
+      mount_disk({.from = words[1], .to = words[2], .kilobytes = words[3]});
       words += 4;
     } else if (option == "--descriptors") {
       limit(RLIMIT_NOFILE, words[1]);

@@ -310,9 +310,9 @@ TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
 /// solution.
 std::string with_new_lab(const Handout& handout) {
   const fs::path skeleton = handout.layout.root / "autograder" / "new-lab.txt";
-  CHECK_THROWS_AS(write_new_lab(skeleton, handout.root, 2, "../x"), UsageError);
-  CHECK(write_new_lab(skeleton, handout.root, 2, "light_transport").size() > 8);
-  CHECK_THROWS_AS(write_new_lab(skeleton, handout.root, 2, "light_transport"), UsageError);
+  CHECK_THROWS_AS(write_new_lab(skeleton, 2, "../x", handout.root), UsageError);
+  CHECK(write_new_lab(skeleton, 2, "light_transport", handout.root).size() > 8);
+  CHECK_THROWS_AS(write_new_lab(skeleton, 2, "light_transport", handout.root), UsageError);
   const std::string solution = read_text(handout.root / "solutions" / "light_transport.cpp");
   fs::remove_all(handout.root / "solutions");  // a handout has none
   fs::remove_all(handout.root / "autograder" / "submissions");

@@ -31,8 +31,8 @@ struct Place : Scratch {
     return *this;
   }
   /// Zips the content of `directory`, with paths relative to it, and removes the directory.
-  Place& zip(const std::string& directory, const std::string& name) {
-    std::vector<std::string> command{"cmake", "-E", "tar", "cf", path() / name, "--format=zip"};
+  Place& zip(const std::string& directory, const fs::path& file) {
+    std::vector<std::string> command{"cmake", "-E", "tar", "cf", path() / file, "--format=zip"};
     for (const auto& entry : fs::directory_iterator(path() / directory)) {
       command.push_back(entry.path().filename());
     }
@@ -273,14 +273,15 @@ TEST_CASE("a zip never unpacks outside of its own directory") {
 
   place.file("many.zip", raw_zip({{"1", ""}, {"2", ""}, {"3", ""}}));
   const Scratch to;
-  CHECK_THROWS_AS(unpack(place.path() / "many.zip", to.path(), {.entries = 2}),
+  CHECK_THROWS_AS(unpack({.zip = place.path() / "many.zip", .to = to.path()}, {.entries = 2}),
                   UnreadableSubmission);
   place
       .file("z/variance.cpp", std::string(std::size_t{3} << 20, ' '))  // 3 MB of blanks
       .file("z/independent.cpp", std::string(std::size_t{3} << 20, ' '))
       .zip("z", "large.zip");
-  CHECK_THROWS_AS(unpack(place.path() / "large.zip", to.path(), {.bytes = 1'500'000}),
-                  UnreadableSubmission);
+  CHECK_THROWS_AS(
+      unpack({.zip = place.path() / "large.zip", .to = to.path()}, {.bytes = 1'500'000}),
+      UnreadableSubmission);
   // A text is unpacked up to the length at which the compiler rejects it.
   CHECK(fs::file_size(to.path() / "variance.cpp") <= (std::size_t{1} << 20) + 1);
 }
