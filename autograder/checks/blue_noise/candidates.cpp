@@ -94,8 +94,10 @@ static std::vector<InvalidCall> wrong_candidates() {
     return MEASURE_OUTCOME(best_candidate_into, x, y, 1);
   });
   for (const double c : {0.0, -0.0, -1.0, -1e-9, -1e300, nan, infinity, -infinity}) {
-    calls.push_back({MEASURE_OUTCOME(best_candidate_into, 3, 3, c), "c",
-                     "c, the candidates for each earlier point, is positive and finite"});
+    for (const std::uint64_t points : {3u, 1u}) {
+      calls.push_back({MEASURE_OUTCOME(best_candidate_into, points, points, c), "c",
+                       "c, the candidates for each earlier point, is positive and finite"});
+    }
   }
   return calls;
 }

@@ -139,10 +139,12 @@ std::vector<InvalidCall> wrong_tiles() {
     calls.push_back(
         {MEASURE_OUTCOME(tile_of, 3, 2, copies), "copies", "there is one copy at least"});
   }
-  calls.push_back({MEASURE_OUTCOME(tile_of, 0, 2, 3), "pattern", "there are no points"});
-  for (const std::uint64_t dims : {0u, 1u, 3u}) {
-    calls.push_back({MEASURE_OUTCOME(tile_of, 3, dims, 2), "pattern",
-                     "a pattern of the square has two dimensions"});
+  for (const int copies : {2, 1}) {
+    calls.push_back({MEASURE_OUTCOME(tile_of, 0, 2, copies), "pattern", "there are no points"});
+    for (const std::uint64_t dims : {0u, 1u, 3u}) {
+      calls.push_back({MEASURE_OUTCOME(tile_of, 3, dims, copies), "pattern",
+                       "a pattern of the square has two dimensions"});
+    }
   }
   return calls;
 }

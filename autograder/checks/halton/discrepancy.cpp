@@ -206,6 +206,7 @@ std::vector<InvalidCall> no_points_of_the_square() {
                                -domain::infinity, domain::not_a_number}) {
     const std::string because = "a point has coordinates in [0, 1]";
     calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {0.5, outside}), "x", because});
+    calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {outside, 0.5}), "x", because});
     calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {outside}), "x", because});
     calls.push_back(
         {MEASURE_OUTCOME(star_discrepancy_2d, {0.5, 0.1}, {0.2, outside}), "y", because});

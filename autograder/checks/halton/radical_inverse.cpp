@@ -94,6 +94,7 @@ const std::string no_digits = "there are no digits below base 2";
 CHECK_CASE("5.1 a base below 2 is refused", "[5.1][points:1][edge]") {
   expect_refused_by_name({{MEASURE_OUTCOME(radical_inverse, 0, {5}), "base", no_digits},
                           {MEASURE_OUTCOME(radical_inverse, 1, {5}), "base", no_digits},
+                          {MEASURE_OUTCOME(radical_inverse, 0, {0}), "base", no_digits},
                           {MEASURE_OUTCOME(radical_inverse, 1, {0}), "base", no_digits}});
 }
 

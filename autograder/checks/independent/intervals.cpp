@@ -51,8 +51,10 @@ CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]"
 CHECK_CASE("2.5 levels outside 0 to 1 are refused", "[2.5][points:1][edge]") {
   std::vector<InvalidCall> calls;
   for (const double level : {1.5, -0.5, 1.0, 0.0, nan, domain::infinity, -domain::infinity}) {
-    calls.push_back({MEASURE_OUTCOME(confidence_interval, {1, 0.1, 100}, level), "level",
-                     "a level is a probability, and neither 0 nor 1"});
+    for (const double error : {0.1, 0.0}) {
+      calls.push_back({MEASURE_OUTCOME(confidence_interval, {1, error, 100}, level), "level",
+                       "a level is a probability, and neither 0 nor 1"});
+    }
   }
   expect_refused(calls);
 }
@@ -207,13 +209,17 @@ CHECK_CASE("2.6 at least one sample and at most 64 bits", "[2.6][points:1][edge]
 std::vector<InvalidCall> invalid_plans() {
   std::vector<InvalidCall> calls;
   for (const double target : {-0.1, 0.0, nan, -domain::infinity}) {
-    calls.push_back({MEASURE_OUTCOME(samples_for, {1, 0.5, 100}, target), "target|target_error",
-                     "a target is positive"});
+    for (const double error : {0.5, 0.0}) {
+      calls.push_back({MEASURE_OUTCOME(samples_for, {1, error, 100}, target), "target|target_error",
+                       "a target is positive"});
+    }
   }
-  calls.push_back({MEASURE_OUTCOME(samples_for, {1, nan, 1}, 0.1), "pilot",
-                   "a pilot of one sample has no standard error"});
-  calls.push_back({MEASURE_OUTCOME(samples_for, {0, 0.5, 0}, 0.1), "pilot",
-                   "a pilot without samples has no standard error"});
+  for (const double target : {0.1, domain::infinity}) {
+    calls.push_back({MEASURE_OUTCOME(samples_for, {1, nan, 1}, target), "pilot",
+                     "a pilot of one sample has no standard error"});
+    calls.push_back({MEASURE_OUTCOME(samples_for, {0, 0.5, 0}, target), "pilot",
+                     "a pilot without samples has no standard error"});
+  }
   // 2^64, the first that does not fit; 2e19; and more.
   for (const auto& [n, ratio] : {std::pair{1u, 0x1p32}, {20u, 1e9}, {1u << 20, domain::infinity}}) {
     calls.push_back({MEASURE_OUTCOME(samples_for, {1, ratio, n}, 1),

@@ -178,15 +178,19 @@ CHECK_CASE("2.3 the densities of the samples", "[2.3][points:3]") {
 CHECK_CASE("2.3 parameters without a density are refused", "[2.3][points:2][edge]") {
   std::vector<InvalidCall> calls;
   for (const double rate : {-1.0, 0.0, -1e-300, nan, -domain::infinity}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(sample_exponential, {0.5}, rate), "rate", "a rate is positive"});
-    for (const double x : {0.5, -2.0}) {  // also where the density is 0 for any rate
+    for (const double u : {0.5, 0.0}) {  // 0 is the sample for any rate
+      calls.push_back(
+          {MEASURE_OUTCOME(sample_exponential, {u}, rate), "rate", "a rate is positive"});
+    }
+    for (const double x : {0.5, -2.0}) {  // the density is 0 for any rate
       calls.push_back({MEASURE_OUTCOME(pdf_exponential, {x}, rate), "rate", "a rate is positive"});
     }
   }
   const std::string because = "x^a has a finite integral over [0, 1] only for a > -1";
   for (const double a : {-2.0, -1.0, -1 - eps, nan, -domain::infinity}) {
-    calls.push_back({MEASURE_OUTCOME(sample_power, {0.5}, a), "a", because});
+    for (const double u : {0.5, 0.0}) {
+      calls.push_back({MEASURE_OUTCOME(sample_power, {u}, a), "a", because});
+    }
     for (const double x : {0.5, -2.0, 2.0}) {
       calls.push_back({MEASURE_OUTCOME(pdf_power, {x}, a), "a", because});
     }

@@ -163,7 +163,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_many
 
 // mistake: makes coordinates as floats, of 24 bits
-// hint: these have 24, to_unit gives 53
+// hint: these have 24 of 53
 namespace mc::points_of_a_float {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t, std::vector<double>& x) {

@@ -114,7 +114,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::neighbouring_lanes
 
 // mistake: makes its fast numbers as floats, of 24 bits
-// hint: these have 24, to_unit gives 53
+// hint: these have 24 of 53
 namespace mc::numbers_of_a_float {
 void uniforms(Rng& rng, std::span<double> out) {
   for (double& u : out) u = static_cast<float>(rng() >> 40) * 0x1p-24f;
