@@ -24,6 +24,16 @@ inline double two_pass_floor(std::size_t n) {
   return floor_of(static_cast<double>(n) * eps);
 }
 
+/// Of a mean: a sum loses n eps of the sum of absolute values (Higham 2002, section 4.2), which may
+/// be much larger than the sum where values cancel.
+inline double mean_floor(const List& list) {
+  double sum_of_sizes = 0;
+  for (const double value : list.x) sum_of_sizes += std::abs(value);
+  const double sum = std::abs(static_cast<double>(list.exact.mean)) * list.exact.count;
+  const double cancellation = sum > 0 ? std::max(1.0, sum_of_sizes / sum) : 1;
+  return floor_of(list.exact.count * cancellation * eps);
+}
+
 /// Of a mean: n additions, or n roundings of a running mean, of values of this size.
 inline double mean_tolerance(const ExactMoments& exact) {
   const double sigma = exact.count < 2 ? 0 : std::sqrt(exact.variance);
@@ -45,6 +55,8 @@ inline double repeating_floor(double n) {
   return -std::log10(n / 4 * eps) - 1.5;
 }
 
+inline const std::string because_sum =
+    "n additions lose at most n eps of the sum of |x|, in any order; one digit less is enough";
 inline const std::string because_two_pass =
     "n additions lose at most n eps of the sum, in any order; one digit less is enough";
 inline const std::string because_one_pass =
