@@ -32,7 +32,12 @@ std::vector<Curve> wrong_powers(const Points& points, int kmax, const Power& exa
       return ((cosines ? real * real : 0) + (sines ? imaginary * imaginary : 0)) / n;
     };
   };
+  const char* const mirrored = "P(kx, ky) = P(-kx, -ky), but it is not P(kx, -ky)";
   const std::pair<Power, const char*> suspects[] = {
+      {[&](int kx, int ky) { return exact(kx, std::abs(ky)); }, mirrored},
+      {[&](int kx, int ky) { return exact(kx, -std::abs(ky)); }, mirrored},
+      {[&](int kx, int ky) { return exact(std::abs(kx), ky); }, mirrored},
+      {[&](int kx, int ky) { return exact(-std::abs(kx), ky); }, mirrored},
       {[&](int kx, int ky) { return exact(kx, ky) * n; },
        "this is |sum|^2: divide by the number of points"},
       {[&](int kx, int ky) { return exact(kx, ky) / n; }, "this is divided by N twice"},

@@ -105,14 +105,17 @@ Values tiled(const Points& pattern, int copies, int step) {
   return by_place(all);
 }
 
-CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:8]") {
+/// Tilings of random patterns, of which some points lie `at_the_edge`: at 0 or just below 1.
+void judge_tilings(bool at_the_edge) {
   Rng rng = check_rng();
   const std::pair<std::size_t, int> cases[] = {{20, 2},  {20, 3}, {7, 7},  {65, 33}, {1, 100},
                                                {129, 3}, {20, 1}, {3, 33}, {1, 1},   {2, 5}};
   for (const auto& [n, copies] : cases) {
     Points pattern = uniform_points(rng, n);
-    pattern.x[0] = below_one;
-    if (n > 3) pattern.y[1] = below_one, pattern.x[2] = pattern.y[3] = 0;
+    if (at_the_edge) {
+      pattern.x[0] = below_one;
+      if (n > 3) pattern.y[1] = below_one, pattern.x[2] = pattern.y[3] = 0;
+    }
     const auto repeats = static_cast<std::size_t>(copies);
     const auto measured = MEASURE(tile, pattern.x, pattern.y, copies);
     const Values got = by_place(measured.exactly(repeats * repeats * n, unit));
@@ -131,6 +134,14 @@ CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:8]") {
                               i / 2);
          }});
   }
+}
+
+CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:7]") {
+  judge_tilings(false);
+}
+
+CHECK_CASE("4.6 copies of points just below 1 stay below 1", "[4.6][edge][points:1]") {
+  judge_tilings(true);
 }
 
 std::vector<InvalidCall> wrong_tiles() {

@@ -91,8 +91,8 @@ CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]"
   }
   judge_pairs(
       pairs,
-      "small is not zero: use no threshold. Is it taken from Var{X + Y}? There the rounding of "
-      "the larger variance is larger than the covariance");
+      "a covariance scales as x y: no term may scale as x^2 or y^2, as in Var{X + Y} or in a "
+      "correction with the wrong sum; and use no threshold, small is not zero");
 }
 
 CHECK_CASE("1.6 the covariance of one pair or of NaN is not finite", "[1.6][edge][points:1]") {

@@ -174,3 +174,16 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
   }
 }
 }  // namespace mc::waves_in_float
+
+// mistake: mirrors half of the plane with P(kx, ky) = P(kx, -ky)
+// hint: but it is not P(kx, -ky)
+namespace mc::mirrored_half_plane {
+void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
+                 std::span<double> power) {
+  right_periodogram(x, y, kmax, power);
+  const auto side = static_cast<std::size_t>(2 * kmax + 1);
+  for (std::size_t j = 0; j < side / 2; ++j) {
+    for (std::size_t i = 0; i < side; ++i) power[j * side + i] = power[(side - 1 - j) * side + i];
+  }
+}
+}  // namespace mc::mirrored_half_plane

@@ -14,7 +14,7 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::correlation
 
 // mistake: computes the covariance from Var{X + Y}, in which the larger variance swamps the smaller
-// hint: Is it taken from Var{X + Y}?
+// hint: as in Var{X + Y}
 namespace mc::covariance_by_polarisation {
 double covariance(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
