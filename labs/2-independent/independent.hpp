@@ -7,7 +7,8 @@
 //
 // * Undefined results are a quiet NaN. Misuse throws std::invalid_argument with a message that
 //   names the argument. A function without a `throws:` line never throws.
-// * Random numbers come from the generator that is passed in, in any order, and from nowhere else.
+// * Random numbers come from the generator that is passed in, in any order, and from nowhere else;
+//   it moves on, so that the next call takes others.
 // * A function without a `cost:` line takes constant time per number, or time linear in n.
 
 #include <cstdint>

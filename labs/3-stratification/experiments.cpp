@@ -132,10 +132,10 @@ Points one_2d(Pattern2D pattern, std::uint64_t size_x, std::uint64_t size_y, Gri
   return one;
 }
 
+/// `first_words` are those that the generator drew first in its calls, in earlier estimates too.
 Replicated with_counts(const Integrand& g, const Generator& generator, std::uint64_t n,
-                       std::uint64_t replicates, Rng& rng) {
+                       std::uint64_t replicates, Rng& rng, std::set<std::uint64_t>& first_words) {
   Replicated got;
-  std::set<std::uint64_t> first_words;
   const Integrand counted{g.dims, [&](std::span<const double> x) {
                             ++got.evaluated;
                             if (x.size() != g.dims) ++got.misshapen;
@@ -246,7 +246,8 @@ Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std:
     return sum;
   };
   Rng rng(1);
-  return with_counts({dims, weighted}, dealing, n, replicates, rng);
+  std::set<std::uint64_t> first_words;
+  return with_counts({dims, weighted}, dealing, n, replicates, rng, first_words);
 }
 
 ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t dims,
@@ -257,12 +258,13 @@ ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t d
                               return evaluate(g, dims, [&](std::size_t d) { return x[d]; });
                             }};
   ReplicatedTraces all;
+  std::set<std::uint64_t> first_words;
   const Generator generator = [&](PointSet& points, Rng& from) {
     make_points(task, points, from);
     append(all.points, points);
   };
   for (std::uint64_t i = 0; i < times; ++i) {
-    all.estimates.push_back(with_counts(integrand, generator, n, replicates, rng));
+    all.estimates.push_back(with_counts(integrand, generator, n, replicates, rng, first_words));
     all.points.resize(all.estimates.size() * replicates * n * dims);
   }
   return all;

@@ -181,11 +181,11 @@ CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]")
   plans.push_back({{uniform(rng, -9, 9), 1.5 * target, 4 * (250 + rng() % 10000) + 1}, target});
   plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
   judge_plans(plans);
-  plans = {{{1, 0.1, 1000}, 0.7},                  // fewer than the pilot had
-           {{1, 0.5, 5}, 1},                       // 1.25, so two
-           {{1, 0.5, 1}, 0.25},                    // the smallest pilot
-           {{1, 0.5, 4}, 1},                       // one
-           {{1, 0.5, 1000000}, 1e-4}};             // 2.5e13
+  plans = {{{1, 0.1, 1000}, 0.7},       // fewer than the pilot had
+           {{1, 0.5, 5}, 1},            // 1.25, so two
+           {{1, 0.5, 1}, 0.25},         // the smallest pilot
+           {{1, 0.5, 4}, 1},            // one
+           {{1, 0.5, 1000000}, 1e-4}};  // 2.5e13
   for (int i = 0; i < 5; ++i) {
     plans.push_back({{1, uniform(rng, 0.5, 50), rng() >> 24}, uniform(rng, 0.5, 1)});
   }

@@ -203,6 +203,7 @@ CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1
   Rng rng = check_rng();
   judge_formula(rng);
   for (const bool along_x : {true, false}) {
+    judge_calls_in_turn(places_on_a_line(along_x), 1, 5000, rng);
     judge_one_call(places_on_a_line(along_x), 5000, 40, rng);
   }
   const std::uint64_t replicates = 400;
@@ -306,10 +307,10 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
         {{{&placed == &lights[0] ? solid_angle(light) / (2 * pi) : nan,
            "these directions are uniform on the hemisphere: steep ones must be more"}},
          (&placed == &lights[0] ? ""
-                                : "does a direction meet the light where it comes to z = height, "
-                                  "between x0 and x1, and y0 and y1? Is it ") +
-             std::string("a uniform point of the unit disk (radius sqrt(u), angle 2 pi v), lifted "
-                         "to the hemisphere; u and v are two numbers")});
+                                : "a direction meets the light where it comes to z = height, if "
+                                  "that is between x0 and x1, and between y0 and y1; ") +
+             std::string("a direction is a uniform point of the unit disk (radius sqrt(u), angle "
+                         "2 pi v, from two numbers), lifted to the hemisphere")});
     if (&placed != &lights[0]) continue;
     // The directions of one estimate are independent, too: how many meet is binomial.
     const auto trials = static_cast<double>(n), variance = p * (1 - p) * trials;
@@ -345,7 +346,7 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
          alpha},
         {{{3, "s instead of s / sqrt(n)"},
           {1.5, "s / sqrt(n - 1): one n - 1 is enough, in s^2"},
-          {2. / 3, "n below s^2, in place of n - 1"}},
+          {2. / 3, "s^2 divides by n: divide by n - 1"}},
          "s / sqrt(n) of the values of the samples, where these are right"});
     const std::uint64_t n = 64;
     const auto by_directions = by_hemisphere(light, n, rng(), 100);
@@ -354,14 +355,14 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
     Results errors;
     for (std::size_t i = 0; i < met.size(); ++i) {
       const double s2 = each * each * met[i] * (size - met[i]) / (size * (size - 1));
-      errors.add(
-          fmt::format("{}[{}].standard_error", by_directions.call, i),
-          by_directions.exactly(100, any_number)[i].standard_error, std::sqrt(s2 / size),
-          1e-7 * each, [=]() -> std::vector<Suspect> {
-            return {{std::sqrt(s2), "s instead of s / sqrt(n)"},
-                    {s2 / size, "this is its square"},
-                    {std::sqrt(s2 / size * (size - 1) / size), "n below s^2, in place of n - 1"}};
-          });
+      errors.add(fmt::format("{}[{}].standard_error", by_directions.call, i),
+                 by_directions.exactly(100, any_number)[i].standard_error, std::sqrt(s2 / size),
+                 1e-7 * each, [=]() -> std::vector<Suspect> {
+                   return {{std::sqrt(s2), "s instead of s / sqrt(n)"},
+                           {s2 / size, "this is its square"},
+                           {std::sqrt(s2 / size * (size - 1) / size),
+                            "s^2 divides by n: divide by n - 1"}};
+                 });
     }
     errors.expect("as many directions met the light as the value says",
                   "s / sqrt(n) of the values of the samples");

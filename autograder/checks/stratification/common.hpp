@@ -31,12 +31,16 @@ using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
 
 /// What both tasks that fill a grid refuse. nx * ny wraps around to 4 and to 0 in the last ones.
 inline std::vector<InvalidCall> wrong_grids(IntoGrid into) {
-  const std::string grid = "grid|nx|ny", sizes = "x|y|size";
+  // Where the sizes differ, the grid does not fit one of them, and may be named.
+  const std::string grid = "grid|nx|ny", sizes = "x|y|size|grid|nx|ny";
   const std::string wraps = "the product of 64-bit numbers wraps around: divide instead";
   const std::uint64_t half = std::uint64_t{1} << 32;
-  return {{into(6, 5, {3, 2}), sizes, "x and y are the coordinates of the same points"},
-          {into(5, 6, {3, 2}), sizes, "x and y are the coordinates of the same points"},
-          {into(6, 0, {3, 2}), sizes, "x and y are the coordinates of the same points"},
+  const std::string of_points = "x and y are the coordinates of the same points";
+  return {{into(6, 5, {3, 2}), sizes, of_points},
+          {into(6, 7, {3, 2}), sizes, of_points},
+          {into(5, 6, {3, 2}), sizes, of_points},
+          {into(7, 6, {3, 2}), sizes, of_points},
+          {into(6, 0, {3, 2}), sizes, of_points},
           {into(6, 6, {3, 3}), grid, "six points do not fill nine cells"},
           {into(6, 6, {2, 2}), grid, "four cells do not hold six points"},
           {into(6, 6, {6, 2}), grid, "six points do not fill twelve cells"},

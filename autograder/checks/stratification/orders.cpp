@@ -5,6 +5,21 @@
 namespace mc::checks {
 namespace {
 
+/// All of them, forwards or backwards, and not all by nothing.
+bool are_rotations(const Permutations& orders) {
+  bool moves = false;
+  for (std::size_t k = 0; k < orders.size(); ++k) {
+    const auto step = [&, order = orders[k]](std::size_t i) {
+      return (order[i] + orders.n - order[i - 1]) % orders.n;
+    };
+    for (std::size_t i = 2; i < orders.n; ++i) {
+      if (step(i) != step(1)) return false;
+    }
+    moves = moves || (orders[k][0] != 0 && orders[k][0] != orders.n - 1);
+  }
+  return moves;
+}
+
 /// Ends the check where a permutation comes again: of R random ones, with probability R^2 / 2n!,
 /// which is below 1e-9 for n of 20 and more.
 void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
@@ -14,19 +29,15 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
     for (const std::size_t value : orders[k]) hash = mix_bits(hash ^ value);
     const auto [first, is_new] = seen.emplace(hash, k);
     if (is_new) continue;
-    const auto step = [&, order = orders[k]](std::size_t i) {
-      return (order[i] + orders.n - order[i - 1]) % orders.n;
-    };
-    bool rotates = orders[k][0] != 0 && orders[k][0] != orders.n - 1;  // forwards, or backwards
-    for (std::size_t i = 2; i < orders.n; ++i) rotates = rotates && step(i) == step(1);
-    fail(Failure{fmt::format("{}: of {} permutations of {}, numbers {} and {} are the same",
-                             orders.call, orders.size(), orders.n, first->second, k),
+    fail(Failure{fmt::format("{}: permutations {} and {} of {} are the same, of {} values each",
+                             orders.call, first->second, k, orders.size(), orders.n),
                  "permutations that do not come again",
                  fmt::format("two random permutations of {} are equal with probability 1 / {}!",
                              orders.n, orders.n),
-                 rotates ? fmt::format("these are rotations, only {} of the {}! permutations",
-                                       orders.n, orders.n)
-                         : claim.repeated});
+                 are_rotations(orders)
+                     ? fmt::format("these are rotations, only {} of the {}! permutations", orders.n,
+                                   orders.n)
+                     : claim.repeated});
   }
 }
 
@@ -102,9 +113,9 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
       numbers.values.insert(numbers.values.end(), one.begin(), one.end());
     }
     numbers.name = [&, backwards](std::size_t position) {
-      return fmt::format("the rank of value {} among those {} it",
-                         backwards ? orders.n - 1 - position : position,
-                         backwards ? "up to" : "from");
+      const std::size_t at = backwards ? orders.n - 1 - position : position;
+      return fmt::format("the rank of value {} among values {} to {}", at, backwards ? 0 : at,
+                         backwards ? at : orders.n - 1);
     };
     expect_independent_uniforms(numbers, of_numbers);
   }

@@ -66,7 +66,8 @@ void require_work(const std::string& call, const Replicated& got, std::size_t n,
        "the integrand is what costs: once for each point"},
       {"Estimate.n", got.n, n * replicates, "Estimate.n counts evaluations: n * replicates"},
       {"calls of the generator with random numbers that it had before", got.repeated, 0,
-       "replicates must be independent: does each draw fresh points from the same generator?"}};
+       "replicates must be independent, and so must estimates: does each draw fresh points from "
+       "the same generator, rng, and no copy of it?"}};
   for (const auto& [what, count, expected, hint] : counts) {
     expect_that(count == expected, fmt::format("{}: {} = {}", call, what, count),
                 fmt::format("{}", expected), "", hint);

@@ -99,9 +99,9 @@ std::optional<Failure> test_positions(const Uniforms& numbers, const Randomness&
     }
     const double distance = distance_from_uniform(column);
     family.add(kolmogorov_tails(distance, replicates).two_sided(), true, [&] {
-      return fmt::format("{}, {} times: from {:.4g} to {:.4g}, {:.3g} away from uniform",
-                         name_of(numbers, position), replicates, column.front(), column.back(),
-                         distance);
+      return fmt::format(
+          "{}, {} times: from {:.4g} to {:.4g}; the distribution is {:.3g} away from uniform",
+          name_of(numbers, position), replicates, column.front(), column.back(), distance);
     });
   }
   return family.failure();
@@ -138,8 +138,9 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
       const bool in_rows = lag % numbers.positions == 0 && numbers.positions > 1;
       return fmt::format("{} pairs of numbers, the second {} after the first, are not independent",
                          pairs,
-                         in_rows ? fmt::format("{} replicates", lag / numbers.positions)
-                                 : fmt::format("{} numbers", lag));
+                         in_rows    ? fmt::format("{} replicates", lag / numbers.positions)
+                         : lag == 1 ? "next"
+                                    : fmt::format("{} numbers", lag));
     };
     family.add(pairs >= 50 * static_cast<double>(side * side) ? p_of_counts(counts) : 1, false,
                describe);
@@ -234,7 +235,7 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
   const double width = battery::width_of_equal(numbers);
   const std::string and_repeated = claim.repeated.empty() ? "" : "; " + claim.repeated;
   if (*high - *low < 1e-6) {
-    return fmt::format("every number is {:.3g}: draw one at random for each", *low);
+    return fmt::format("every number is {:.3g}: draw one at random for each{}", *low, and_repeated);
   }
   const std::size_t replicates = numbers.replicates(), positions = numbers.positions;
   for (std::size_t p = 0; p < positions && positions > 1 && replicates >= 20; ++p) {
@@ -278,7 +279,7 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
   }
   const auto n = static_cast<double>(numbers.values.size());
   if (n * std::max(*low, 1 - *high) > 40) {
-    return fmt::format("the numbers cover only [{:.2g}, {:.2g}]: u is uniform in [0, 1)", *low,
+    return fmt::format("the numbers cover only [{:.4g}, {:.4g}]: u is uniform in [0, 1)", *low,
                        *high);
   }
   return {};

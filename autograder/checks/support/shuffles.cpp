@@ -65,6 +65,11 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
         "of the {}! permutations",
         n, n);
   }
+  // Each of 120 or fewer is missing among 12,000 with probability exp(-100).
+  const double all = std::tgamma(static_cast<double>(n) + 1);
+  if (static_cast<double>(found.size()) < all && count > 50 * all) {
+    return fmt::format("only {} of the {} permutations ever come", found.size(), all);
+  }
   for (const unsigned way : {0u, 1u, 2u, 3u}) {
     const auto chances = chances_of_swaps_with_any(n, way % 2 == 1, way / 2 == 1);
     double chi_squared = 0;

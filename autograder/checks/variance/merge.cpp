@@ -11,11 +11,21 @@ const std::string merged_mean =
 const std::string merged_m2 =
     "a.m2 + b.m2 + (mean_b - mean_a)^2 n_a n_b / n; do the counts multiply beyond 64 bits?";
 
+const std::string signed_count =
+    "a count was read as a number with a sign: all 64 bits of it count";
+
+double as_signed(std::uint64_t count) {
+  return static_cast<double>(static_cast<std::int64_t>(count));
+}
+
 std::vector<Suspect> merged_mean_suspects(const Moments& a, const Moments& b) {
   const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
   const std::string whole = "is the other part's weight, n_b / n, an integer division, which is 0?";
   return {{(a.mean + b.mean) / 2, "the mean of two means is right only for equal counts"},
           {n_a * a.mean + n_b * b.mean, "this is the sum of all values: divide by n"},
+          {(as_signed(a.count) * a.mean + as_signed(b.count) * b.mean) /
+               (as_signed(a.count) + as_signed(b.count)),
+           signed_count},
           {a.mean, "this is the first part's mean alone: " + whole},
           {b.mean, "this is the second part's mean alone: " + whole}};
 }
@@ -35,6 +45,9 @@ std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, doub
            "the counts were multiplied as 64-bit whole numbers, and overflowed: multiply doubles"},
           {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
            "n_a n_b / n was divided as whole numbers, which cuts it off: divide doubles"},
+          {within + apart * apart * as_signed(a.count) / (as_signed(a.count) + as_signed(b.count)) *
+                        as_signed(b.count),
+           signed_count},
           {within + apart * apart,
            "the squared distance of the means is not multiplied by its weight n_a n_b / n"},
           {within + std::abs(apart) * n_a * n_b / n, "the distance of the means is squared"},
@@ -126,7 +139,7 @@ CHECK_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:3
       {{trillion * 1000, 10, 2.25e16}, {7, 0, 0}},
       {{trillion * 1000, m, 0}, {7, 1e20, 0}},
       {{~std::uint64_t{0} - 1, m, 5}, {1, -m, 0}},
-      {{std::uint64_t{1} << 63, m, 5}, {(std::uint64_t{1} << 63) - 1, 3 * m, 7}}};
+      {{std::uint64_t{1} << 63, m, 5}, {(std::uint64_t{1} << 62) - 1, 3 * m, 7}}};
   for (int bit = 20; bit < 63; ++bit) {  // counts that no int, float or double holds
     const std::uint64_t power = std::uint64_t{1} << bit;
     parts.push_back({some_moments(rng, power + 1 + 2 * (rng() % 1000)),

@@ -132,7 +132,7 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }  // namespace mc::radius_not_rooted
 
 // mistake: uses one number for radius and angle of a direction
-// hint: u and v are two numbers
+// hint: from two numbers
 namespace mc::spiral_of_directions {
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng) {
   return from_directions(light, n, [&] {
