@@ -97,8 +97,8 @@ Values tiled(const Points& pattern, int copies, int step) {
   for (int row = 0; row < copies; ++row) {
     for (int column = 0; column < copies; ++column) {
       for (std::size_t p = 0; p < pattern.x.size(); ++p) {
-        all.x.push_back((step * column + pattern.x[p]) / copies);
-        all.y.push_back((step * row + pattern.y[p]) / copies);
+        all.x.push_back(std::min((step * column + pattern.x[p]) / copies, below_one));
+        all.y.push_back(std::min((step * row + pattern.y[p]) / copies, below_one));
       }
     }
   }
@@ -130,7 +130,7 @@ void judge_tilings(bool at_the_edge) {
                        "all copies are in one place: i / copies of two whole numbers is 0"}},
          .otherwise = "the copies are not alike: nothing is turned, mirrored or moved",
          .name = [&call = measured.call](std::size_t i) {
-           return fmt::format("{}: {} of the {}th point, row by row", call, i % 2 == 0 ? "y" : "x",
+           return fmt::format("{}: {} of point {}, row by row", call, i % 2 == 0 ? "y" : "x",
                               i / 2);
          }});
   }

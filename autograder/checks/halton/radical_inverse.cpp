@@ -159,6 +159,7 @@ CHECK_CASE("5.2 every value of a column is below 1", "[5.2][points:2][needs:5.1]
 }
 
 CHECK_CASE("5.2 a column past the last index is refused", "[5.2][points:1][edge]") {
+  for (const std::uint64_t first : {std::uint64_t{5}, last_index}) check_column(2, first, 0, "");
   const std::string range = "first|column|index|indices";
   expect_refused_by_name(
       {{MEASURE_OUTCOME(radical_inverses, 0, 0, 10), "base", no_digits},

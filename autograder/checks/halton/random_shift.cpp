@@ -24,9 +24,11 @@ Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, st
       const bool inside = to[i] >= 0 && to[i] < 1;
       const double off = std::abs(std::remainder(to[i] - from[i] - shift, 1.0));
       expect_that(inside && off <= shift_tolerance,
-                  fmt::format("{}: coordinate {} of point {} went from {:.6g} to {:.17g}, that of "
-                              "point 0 from {:.6g} to {:.17g}",
-                              measured.call, k % dims, i, from[i], to[i], from[0], to[0]),
+                  fmt::format("{}: coordinate {} of point {} went from {:.6g} to {:.17g}{}",
+                              measured.call, k % dims, i, from[i], to[i],
+                              i == 0 ? ""
+                                     : fmt::format(", that of point 0 from {:.6g} to {:.17g}",
+                                                   from[0], to[0])),
                   "all points moved by the same vector, around the unit cube",
                   "shifted points have the same differences as before, modulo 1",
                   inside && to[i] > 1 - 1e-6 ? "wrap around at 1, not before"

@@ -122,7 +122,7 @@ const Recorded& picture_of(const Measured& got, std::size_t pixels, std::size_t 
   const Recorded& record = got.exactly({pixels, pixels, pixels, 2 * pixels * spp});
   expect_that(record.generates == pixels && record.samples == Seeds(pixels, spp),
               fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
-                          record.generates, record.samples[0]),
+                          record.generates, record.samples.empty() ? 0 : record.samples[0]),
               fmt::format("{}, one for each pixel, with {} samples", pixels, spp),
               "every pixel is an integration of its own", "");
   expect_that(record.evaluations == pixels * spp,
@@ -226,6 +226,12 @@ CHECK_CASE("6.6 the noise of a picture is white across pixels",
   }
 }
 
+CHECK_CASE("6.6 a picture may have no pixels", "[6.6][edge][points:0.5]") {
+  for (const auto& [width, height] : {std::pair{0u, 3u}, {3u, 0u}, {0u, 0u}}) {
+    picture_of(MEASURE(render_recorded, width, height, 1, 7), 0, 1);
+  }
+}
+
 /// Pixels without samples; more pixels than most_samples, whatever their product is in 64 bits.
 std::vector<InvalidCall> impossible_pictures() {
   const std::string pixels = "more pixels than most_samples, whatever their product is in 64 bits";
@@ -243,7 +249,7 @@ std::vector<InvalidCall> impossible_pictures() {
   return calls;
 }
 
-REFUSAL_CASES("6.6", "impossible pictures are refused", "1", "a refusal names the argument", "1",
+REFUSAL_CASES("6.6", "impossible pictures are refused", "0.5", "a refusal names the argument", "1",
               impossible_pictures())
 
 }  // namespace

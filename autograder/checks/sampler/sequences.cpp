@@ -60,7 +60,7 @@ const std::vector<Uses> ways{{1, 2, 1, 2, 2}, {2, 2, 2, 2}, {1, 1, 1, 1, 1, 1, 1
 /// of a bit, of permuted digits the permutations of the first digit.
 Uniforms decisions_of(const std::string& kind, const SampleSets& got, Rng& rng) {
   Uniforms decisions{got.call, 0};
-  decisions.name = [](std::size_t k) { return fmt::format("decision {}", k); };
+  std::vector<std::size_t> coordinates;  // of each decision
   for (std::size_t set = 0; set < got.size(); ++set) {
     for (std::size_t c = 0; c < got.dims; ++c) {
       const Dimension dimension = Dimension::at(kind, c);
@@ -78,9 +78,13 @@ Uniforms decisions_of(const std::string& kind, const SampleSets& got, Rng& rng) 
         more = uniforms_of_permutation(digits, rng);
       }
       decisions.values.insert(decisions.values.end(), more.begin(), more.end());
+      if (set == 0) coordinates.resize(decisions.values.size(), c);
     }
     if (set == 0) decisions.positions = decisions.values.size();
   }
+  decisions.name = [coordinates](std::size_t k) {
+    return fmt::format("a random choice for coordinate {}", coordinates[k]);
+  };
   return decisions;
 }
 
@@ -98,9 +102,9 @@ void check_first_blocks(const std::string& kind, const Uses& uses) {
   }
   check_decisions("all flips of bits, and permutations of digits, are random and independent",
                   decisions_of(kind, got, rng),
-                  "a digital shift, or digits permuted in base 2, flips a bit of all points alike; "
-                  "nested scrambling depends on the bits before it: owen_scramble of lab 5, with a "
-                  "seed for each dimension; larger bases have random permutations (5.9)");
+                  "base 2: owen_scramble of lab 5, with a seed of its own for each dimension (a "
+                  "digital shift, or permuted digits, flips a bit of all points alike); larger "
+                  "bases: random permutations of digits (5.9)");
 }
 
 CHECK_CASE("6.3 the first dimensions of sobol are Sobol' dimensions",

@@ -130,10 +130,8 @@ CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][poin
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, sets), uses);
     Uniforms choices{got.call, uses.size() * (n - 1)};
     choices.name = [n = n](std::size_t position) {
-      return fmt::format(
-          "choice {} of the permutation of the sample dimension that is asked for "
-          "at call {}",
-          position % (n - 1), position / (n - 1));
+      return fmt::format("choice {} of the permutation of sample dimension {} (the first is 0)",
+                         position % (n - 1), position / (n - 1));
     };
     std::vector<Orders> orders;
     for (std::size_t set = 0; set < sets; ++set) {

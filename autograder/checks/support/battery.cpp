@@ -228,6 +228,24 @@ std::optional<int> grid_of(const Uniforms& numbers) {
   return {};
 }
 
+/// The m up to 2^24 for which all numbers are multiples of 1 / m, as nearly as they are known, with
+/// m + 1 numbers or more; 0 for none.
+std::uint64_t multiples_in(const Uniforms& numbers, double width) {
+  std::vector<double> sorted = numbers.values;
+  sort_uniforms(sorted);
+  double gap = 1;
+  for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
+    const double here = sorted[i + 1] - sorted[i];
+    if (here > width) gap = std::min(gap, here);
+  }
+  const double m = std::round(1 / gap);
+  if (m < 2 || m > std::min(0x1p24, static_cast<double>(sorted.size()))) return 0;
+  const bool fits = std::all_of(sorted.begin(), sorted.end(), [=](double u) {
+    return std::abs(std::remainder(u * m, 1.0)) <= m * width;
+  });
+  return fits ? static_cast<std::uint64_t>(m) : 0;
+}
+
 }  // namespace
 
 std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
@@ -252,6 +270,12 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
   }
   if (const auto bits = grid_of(numbers); bits && *bits > 0) {
     return fmt::format("the random numbers have too few bits: these have {} of 53", *bits);
+  }
+  if (const std::uint64_t m = multiples_in(numbers, width); m > 0) {
+    return fmt::format(
+        "the random numbers are multiples of 1/{}: take all 53 bits of a random word, not a "
+        "remainder",
+        m);
   }
   const std::string from_one =
       claim.same.empty() ? "draw a random number for each of them" : claim.same;

@@ -88,6 +88,28 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
   return all;
 }
 
+/// The hint where all values beyond some limit became that limit.
+std::string limit_hint(std::span<const double> got, std::span<const double> exact,
+                       const Agreement& agreement) {
+  std::optional<double> limit;
+  std::size_t wrong = 0, above = 0, right_above = 0, right_below = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (agreement.agree(got[i], exact[i], i)) continue;
+    if (limit && got[i] != *limit) return {};
+    limit = got[i];
+    ++wrong;
+    above += exact[i] > got[i] ? 1u : 0u;
+  }
+  for (std::size_t i = 0; limit && i < got.size(); ++i) {
+    if (!agreement.agree(got[i], exact[i], i)) continue;
+    (exact[i] > *limit ? right_above : right_below) += exact[i] == *limit ? 0u : 1u;
+  }
+  const bool is_upper = above == wrong && right_above == 0;
+  const bool is_lower = above == 0 && right_below == 0;
+  if (wrong < 2 || right_above + right_below < 2 * wrong || !(is_upper || is_lower)) return {};
+  return fmt::format("no value is {} {}: is there a limit?", is_upper ? "above" : "below", *limit);
+}
+
 /// Whether the wrong values have a float's digits, and nearly all are wrong: a float happens to hold
 /// a few. The first value is an ordinary one.
 bool are_of_float(std::span<const double> got, std::span<const double> exact,
@@ -132,7 +154,14 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
   if (comparison.is_tame && are_of_float(got, comparison.exact, agreement)) {
     return "a float keeps seven digits or so: is anything a float?";
   }
+  if (auto limited = limit_hint(got, comparison.exact, agreement); !limited.empty()) return limited;
   return comparison.otherwise;
+}
+
+/// "3rd", "11th", "22nd".
+std::string ordinal(std::size_t number) {
+  const std::size_t last = number / 10 % 10 == 1 ? 0 : number % 10;
+  return fmt::format("{}{}", number, last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
 }
 
 /// Which of `count` values are wrong, in words: "all", "the last 3", "every 4th, from 2 on".
@@ -152,7 +181,7 @@ std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
   for (std::size_t k = 1; k < n; ++k) is_regular = is_regular && wrong[k] - wrong[k - 1] == step;
   if (is_regular && !in_a_row) {
     return fmt::format("{}{} are wrong: every {}, from value {} on", n, of_all,
-                       step == 2 ? "other" : std::to_string(step) + "th", wrong[0]);
+                       step == 2 ? "other" : ordinal(step), wrong[0]);
   }
   return fmt::format("{}{} are wrong, the first is value {}", n, of_all, wrong[0]);
 }

@@ -161,7 +161,7 @@ std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::si
   std::string names;
   for (const Axis& axis : axes) names += (names.empty() ? "" : ", ") + axis.name;
   fail(Failure{
-      fmt::format("{}: {} points with {} in {}", sets.call, points[odd], names, name_of(axes, odd)),
+      fmt::format("{}: {} points in {} ({})", sets.call, points[odd], name_of(axes, odd), names),
       "one point", "one point in each cell, in any order; edges are i / n in double division",
       hint_for(axes, points, elsewhere)});
 }

@@ -68,3 +68,11 @@ double radical_inverse(unsigned base, std::uint64_t index) {
   return (last + mc::radical_inverse(base, index / base)) / base;
 }
 }  // namespace mc::rounds_to_one
+
+// mistake: limits values to 1 - 1e-10
+// hint: no value is above 0.9999999999
+namespace mc::limited {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  return std::min(1 - 1e-10, right_radical_inverse(base, index));
+}
+}  // namespace mc::limited

@@ -53,3 +53,14 @@ void random_shift(PointSet& points, Rng& rng) {
   }
 }
 }  // namespace mc::shift_without_wrapping
+
+// mistake: shifts by a random number of thousandths
+// hint: multiples of 1/1000
+namespace mc::shifts_by_thousandths {
+void random_shift(PointSet& points, Rng& rng) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    const double shift = static_cast<double>(rng() % 1000) / 1000;
+    for (double& value : points.column(d)) value = std::fmod(value + shift, 1.0);
+  }
+}
+}  // namespace mc::shifts_by_thousandths

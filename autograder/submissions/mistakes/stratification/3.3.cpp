@@ -124,3 +124,12 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
   right_stratified_2d(x, y, grid, mine);
 }
 }  // namespace mc::own_generator
+
+// mistake: accepts a y that is longer than x
+// hint: check the arguments first
+namespace mc::y_may_be_longer {
+void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  if (y.size() > x.size()) y = y.first(x.size());
+  right_stratified_2d(x, y, grid, rng);
+}
+}  // namespace mc::y_may_be_longer

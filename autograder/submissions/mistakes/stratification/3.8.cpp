@@ -152,3 +152,13 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
   return right_estimate_replicated(g, same, n, replicates, rng);
 }
 }  // namespace mc::the_same_replicate
+
+// mistake: draws from a copy of the generator, so the next estimate has the same points
+// hint: and no copy of it
+namespace mc::copies_the_generator {
+Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
+                             std::uint64_t replicates, Rng& rng) {
+  Rng copy = rng;
+  return right_estimate_replicated(g, generator, n, replicates, copy);
+}
+}  // namespace mc::copies_the_generator
