@@ -123,7 +123,7 @@ std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> po
         return axis.strata > 1 && is_even(axis.values, axis.strata);
       })) {
     return dims == 2 ? "each row and each column of cells has its points, but not each cell: x and "
-                       "y of a point go together, wherever it is moved"
+                       "y of a point belong together, wherever it is moved"
                      : "each axis has its points, but not each cell: " + elsewhere;
   }
   return elsewhere;
