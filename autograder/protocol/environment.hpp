@@ -16,10 +16,6 @@ inline constexpr int records_descriptor = 11;
 // The seed of the run; each check's seed is a hash of it and the check's name.
 inline constexpr const char* seed_variable = "MC_SEED";
 
-// The file in which a check keeps its calls for the next submission (checks/support/calls.hpp). It
-// may be unset.
-inline constexpr const char* calls_variable = "MC_CALLS";
-
 // For hidden cases: the directory for the data of plots, the file for rows (rows.hpp), the speed
 // tasks to time, and the picture to render (render.hpp).
 inline constexpr const char* plot_data_variable = "MC_PLOT_DATA";

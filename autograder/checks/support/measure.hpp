@@ -115,9 +115,6 @@ Call ask(std::string_view experiment, std::string call, std::function<std::strin
 /// reported, and ends the check.
 sandbox::Outcome run_program(std::string_view request, const sandbox::Limits& limits);
 
-/// Forgets the calls of a check that runs again.
-void forget_calls();
-
 /// Called with each call that gave no value, if values may be missing; set by what draws plots.
 extern void (*on_missing)(std::string_view experiment, const Call& call);
 
@@ -126,9 +123,6 @@ void require_value(const Call& call);
 
 /// Sends a record to the grader.
 void record(protocol::RecordKind kind, const std::string& text);
-/// From here on records are held back, until they are sent, or dropped.
-void hold_records();
-void release_records(bool are_sent);
 
 /// A value as shown in a call: as its lab spells it, lists as {1, 2, 4, …}, with their length
 /// when cut; structs as {count = 3, mean = 0.5}.

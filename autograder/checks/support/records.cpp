@@ -3,8 +3,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -20,18 +18,8 @@
 #endif
 
 namespace mc::checks {
-namespace {
-
-bool are_held = false;
-std::vector<protocol::Record> held;
-
-}  // namespace
 
 void record(protocol::RecordKind kind, const std::string& text) {
-  if (are_held) {
-    held.push_back({kind, text});
-    return;
-  }
   static std::FILE* const records = [] {
     const char* const descriptor = std::getenv(protocol::records_variable);
     return descriptor == nullptr || *descriptor == '\0' ? nullptr
@@ -40,17 +28,6 @@ void record(protocol::RecordKind kind, const std::string& text) {
   if (records == nullptr) return;
   fmt::print(records, "{}\n", protocol::line_of({kind, text}));
   std::fflush(records);
-}
-
-void hold_records() {
-  are_held = true;
-}
-
-void release_records(bool are_sent) {
-  are_held = false;
-  for (const auto& [kind, text] : std::exchange(held, {})) {
-    if (are_sent) record(kind, text);
-  }
 }
 
 namespace {

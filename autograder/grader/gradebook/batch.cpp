@@ -117,7 +117,6 @@ class Batch {
     const IntakeEntry& one = entries_[open_[at]];
     SubmissionOptions options = options_.judging;
     options.judge.workers = 1;
-    options.judge.calls = calls_.path();
     options.with_speed = false;
     options.progress = [&](double done, double all, const std::string&) {
       show_progress(at, all > 0 ? done / all : 0);
@@ -194,7 +193,6 @@ class Batch {
   const Context& context_;
   const std::vector<IntakeEntry>& entries_;
   Book* const book_;
-  const ScratchDirectory calls_{context_.layout};
   const BatchOptions& options_;
   std::size_t widest_ = 10;
   std::vector<std::size_t> open_;  ///< submissions still to be judged

@@ -23,9 +23,6 @@ struct JudgeOptions {
   unsigned workers = 2;               ///< tasks judged at the same time
   /// The directory or zip, for the command that repeats a check; empty: the student's own.
   std::string submission;
-  /// A directory where checks keep their calls for the next submissions (checks/support/calls.hpp);
-  /// empty: none.
-  std::filesystem::path calls = {};
   Budget* budget = nullptr;  ///< of the whole submission; null: none
   /// The reference's files take the place of the submission's in the labs that a lab depends on.
   bool with_reference = false;

@@ -70,12 +70,6 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
     process.environment = {
         {protocol::seed_variable, std::to_string(options.seed)},
         {protocol::program_variable, std::to_string(protocol::program_descriptor)}};
-    if (!options.calls.empty()) {
-      const std::size_t check = std::hash<std::string>()(result->check.name);
-      process.environment.emplace_back(
-          protocol::calls_variable,
-          options.calls / fmt::format("{}-{:x}-{}", lab.name, check, options.seed));
-    }
     process.descriptors = {{program.descriptor.get(), protocol::program_descriptor}};
     process.cpu_seconds = check_cpu_seconds;
     process.memory = layout.sanitized ? 0 : check_memory;

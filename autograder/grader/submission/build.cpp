@@ -52,7 +52,6 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     objects.push_back(object.path);
   }
   if (!built.failure.empty()) return built;
-  built.has_variables = std::any_of(objects.begin(), objects.end(), has_variables);
 
   std::string key =
       fmt::format("{} {}", fmt::join(layout.link_flags, " "), fmt::join(submission.libraries, " "));

@@ -16,8 +16,6 @@ struct BuildResult {
   std::optional<sandbox::Program> program;
   std::string failure;     ///< if there is no program: why, for the student, in a few lines
   double cpu_seconds = 0;  ///< of the compilers and the linker
-  /// Its functions can keep something from one call to the next: they have static variables.
-  bool has_variables = false;
 };
 
 /// Compiles what is new (one translation unit per file) and links. Other builds, of this process or

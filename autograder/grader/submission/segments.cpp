@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "grader/base/text_file.hpp"
 
@@ -25,9 +24,6 @@ class ElfFile {
     }
     return value;
   }
-  bool has_text(std::uint64_t offset, std::string_view text) const {
-    return offset < bytes_.size() && std::string_view(bytes_).substr(offset).starts_with(text);
-  }
 
  private:
   std::string bytes_;
@@ -47,22 +43,6 @@ Segments segments_of(const std::filesystem::path& program) {
     if (type == interpreter) segments.loader = true;
   }
   return segments;
-}
-
-bool has_variables(const std::filesystem::path& object) {
-  const ElfFile file(object);
-  const std::uint64_t headers = file.at(0x28, 8), size = file.at(0x3a, 2), count = file.at(0x3c, 2);
-  if (!file.is_valid() || count == 0) return true;
-  const std::uint64_t names = file.at(headers + file.at(0x3e, 2) * size + 0x18, 8);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t header = headers + i * size, name = names + file.at(header, 4);
-    constexpr unsigned writable = 1, start_functions = 14;
-    const bool is_written =
-        (file.at(header + 8, 8) & writable) != 0 && file.at(header + 4, 4) != start_functions &&
-        !file.has_text(name, ".data.rel.ro") && !file.has_text(name, ".data.rel.local.DW.ref.");
-    if (is_written && file.at(header + 0x20, 8) > 0) return true;
-  }
-  return false;
 }
 
 }  // namespace mc::grader

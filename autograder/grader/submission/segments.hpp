@@ -15,8 +15,4 @@ struct Segments {
 /// For a 64-bit ELF file; nothing for any other.
 Segments segments_of(const std::filesystem::path& program);
 
-/// Has an object file of the compiler global or static variables? Constants, and lists of functions
-/// to be run at the start, are none. True for what is not a 64-bit ELF file.
-bool has_variables(const std::filesystem::path& object);
-
 }  // namespace mc::grader

@@ -88,7 +88,6 @@ class MutantBuilder {
     JudgeOptions options;
     options.seed = seed;
     options.first = true;
-    options.calls = directory_;
     return patiently([&]() -> std::string {
       for (const CheckResult& result : judge_lab(layout_, lab_, built, options).checks) {
         if (result.status == Status::failed) return result.check.name;

@@ -102,7 +102,6 @@ Proof proof_of(const Subject& subject) {
     proof.submission =
         single_file_submission(proof.layout, proof.labs, proof.lab, only, !is_untrusted);
   }
-  proof.shares_calls = kind == "solutions" || kind == "alternatives" || kind == "mistakes";
   // The cost of plain answers is measured as on any x86-64.
   if (kind == "alternatives") setenv("MC_BASELINE", "1", 1);
   precompile_headers(proof.layout);
@@ -125,7 +124,6 @@ grader::LabVerdict Proof::judge(std::uint64_t seed, const std::set<std::string>&
   options.checks = checks;
   options.workers = workers;
   options.submission = submission.label;
-  if (shares_calls && seed <= 3) fs::create_directories(options.calls = layout.build / "calls");
   return grader::judge_lab(layout, lab, built, options);
 }
 

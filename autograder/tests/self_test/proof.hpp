@@ -31,7 +31,6 @@ struct Proof {
   grader::BuildResult built;
   /// For a mistake of a catalog: the checks that it can affect.
   std::set<std::string> affected{};
-  bool shares_calls = false;  ///< its checks send the calls of others ahead, and keep theirs
 
   /// All checks, or those with these names. One worker: ctest runs one proof per core.
   grader::LabVerdict judge(std::uint64_t seed, const std::set<std::string>& checks = {},
