@@ -62,7 +62,11 @@ TEST_CASE("the battery names what is visibly wrong") {
   CHECK(says(fault_of([](Row u, std::size_t) {
                for (double& x : u) x = 0.01 + 0.98 * x;
              }),
-             "cover only [0.01, 0.99]"));
+             "cover only [0.01"));
+  CHECK(says(fault_of([](Row u, std::size_t) {
+               for (double& x : u) x = std::floor(x * 1000) / 1000;
+             }),
+             "multiples of 1/1000"));
   CHECK(says(fault_of([](Row u, std::size_t) {
                for (double& x : u) x = std::floor(x * 0x1p24) * 0x1p-24;
              }),
