@@ -17,15 +17,18 @@ const std::string signed_count =
 double as_signed(std::uint64_t count) {
   return static_cast<double>(static_cast<std::int64_t>(count));
 }
+/// n_b / n of such counts; 0 of none.
+double signed_share(const Moments& a, const Moments& b) {
+  return a.count + b.count == 0 ? 0
+                                : as_signed(b.count) / (as_signed(a.count) + as_signed(b.count));
+}
 
 std::vector<Suspect> merged_mean_suspects(const Moments& a, const Moments& b) {
   const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
   const std::string whole = "is the other part's weight, n_b / n, an integer division, which is 0?";
   return {{(a.mean + b.mean) / 2, "the mean of two means is right only for equal counts"},
           {n_a * a.mean + n_b * b.mean, "this is the sum of all values: divide by n"},
-          {(as_signed(a.count) * a.mean + as_signed(b.count) * b.mean) /
-               (as_signed(a.count) + as_signed(b.count)),
-           signed_count},
+          {a.mean + (b.mean - a.mean) * signed_share(a, b), signed_count},
           {a.mean, "this is the first part's mean alone: " + whole},
           {b.mean, "this is the second part's mean alone: " + whole}};
 }
@@ -45,9 +48,7 @@ std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, doub
            "the counts were multiplied as 64-bit whole numbers, and overflowed: multiply doubles"},
           {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
            "n_a n_b / n was divided as whole numbers, which cuts it off: divide doubles"},
-          {within + apart * apart * as_signed(a.count) / (as_signed(a.count) + as_signed(b.count)) *
-                        as_signed(b.count),
-           signed_count},
+          {within + apart * apart * as_signed(a.count) * signed_share(a, b), signed_count},
           {within + apart * apart,
            "the squared distance of the means is not multiplied by its weight n_a n_b / n"},
           {within + std::abs(apart) * n_a * n_b / n, "the distance of the means is squared"},
