@@ -119,8 +119,8 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
     const Values more = uniforms_of_flips(points, all.column(set, 0), rng);
     decided.values.insert(decided.values.end(), more.begin(), more.end());
   }
-  expect_independent_uniforms(decided,
-                              {.words = independent, .alpha = one_alpha, .otherwise = nested});
+  expect_independent_uniforms(
+      decided, {.words = independent, .alpha = one_alpha, .otherwise = nested, .repeated = nested});
 }
 
 CHECK_CASE("5.8 a value is scrambled alike in any column", "[5.8][points:1][edge]") {

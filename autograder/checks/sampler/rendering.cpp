@@ -179,8 +179,10 @@ void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
   std::sort(seeds.begin(), seeds.end());
   seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
   const auto& [width, height, seed] = pictures[0];
-  const std::string others =
-      pixels == width * height ? "" : fmt::format(", then {} others", pictures.size() - 1);
+  const std::string others = pixels == width * height ? ""
+                             : pictures.size() == 2
+                                 ? ", then another"
+                                 : fmt::format(", then {} others", pictures.size() - 1);
   expect_that(seeds.size() == pixels,
               fmt::format("{} x {} pixels with seed {}{}: {} different seeds for {} pixels", width,
                           height, seed, others, seeds.size(), pixels),
