@@ -162,7 +162,7 @@ TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
     return MEASURE_OUTCOME_WITH(limits, poisson_disk, radius, 1, fresh_seed(rng));
   });
   // If a point costs twice as much as in a fourth of the pattern, is it because of the cache? In
-  // eight times as many points, linear answers stay below twice, quadratic ones come to eight times.
+  // eight times as many points, linear answers stay below twice, quadratic ones reach eight times.
   const double few = seconds_per_point(12'000, 1e-4, rng);
   if (got.cpu_seconds / n > 2 * few) {
     const double many = seconds_per_point(96'000, 4 * few, rng);

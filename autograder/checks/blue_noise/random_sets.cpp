@@ -313,7 +313,7 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
   const Mistake mistakes[] = {
       {all, [=](double i) { return std::ceil(c * i); },
        is_whole ? "these are ceil(c i) candidates: one is missing"
-                : "these are floor(c i) + 1 candidates: c i is rounded up, and c is no float"},
+                : "these are floor(c i) + 1 candidates: c i is rounded up, with c a double"},
       {all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
       {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },  // just above 1 that is the first
        "these are i + 1 candidates: c is not used, or rounded"},

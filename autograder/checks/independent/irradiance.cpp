@@ -307,8 +307,8 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
         {{{&placed == &lights[0] ? solid_angle(light) / (2 * pi) : nan,
            "these directions are uniform on the hemisphere: steep ones must be more"}},
          (&placed == &lights[0] ? ""
-                                : "a direction meets the light where it comes to z = height, if "
-                                  "that is between x0 and x1, and between y0 and y1; ") +
+                                : "a direction meets the light if it reaches z = height between "
+                                  "x0 and x1 and between y0 and y1; ") +
              std::string("a direction is a uniform point of the unit disk (radius sqrt(u), angle "
                          "2 pi v, from two numbers), lifted to the hemisphere")});
     if (&placed != &lights[0]) continue;
@@ -332,7 +332,7 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
   for (const Placed& placed : {above(rng), aside(rng)}) {
     const RectLight& light = placed.light;
     // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.
-    // With three samples, what is wrong about n shows most, and each mistake by a factor of its own.
+    // With three samples, what is wrong about n shows most, and each mistake by its own factor.
     const std::uint64_t three = 3, replicates = 20000;
     const auto got = by_area(light, three, rng(), replicates);
     const Population x = of_area(light);

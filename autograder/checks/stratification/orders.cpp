@@ -5,15 +5,15 @@
 namespace mc::checks {
 namespace {
 
-/// All of them, forwards or backwards, and not all by nothing.
+/// Whether each is a rotation, forwards or backwards, and at least one moves the values.
 bool are_rotations(const Permutations& orders) {
   bool moves = false;
   for (std::size_t k = 0; k < orders.size(); ++k) {
     const auto step = [&, order = orders[k]](std::size_t i) {
       return (order[i] + orders.n - order[i - 1]) % orders.n;
     };
-    for (std::size_t i = 2; i < orders.n; ++i) {
-      if (step(i) != step(1)) return false;
+    for (std::size_t i = 1; i < orders.n; ++i) {
+      if (step(i) != step(1) || (step(i) != 1 && step(i) != orders.n - 1)) return false;
     }
     moves = moves || (orders[k][0] != 0 && orders[k][0] != orders.n - 1);
   }

@@ -136,11 +136,9 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
     }
     const auto describe = [&] {
       const bool in_rows = lag % numbers.positions == 0 && numbers.positions > 1;
-      return fmt::format("{} pairs of numbers, the second {} after the first, are not independent",
-                         pairs,
-                         in_rows    ? fmt::format("{} replicates", lag / numbers.positions)
-                         : lag == 1 ? "next"
-                                    : fmt::format("{} numbers", lag));
+      const std::size_t apart = in_rows ? lag / numbers.positions : lag;
+      return fmt::format("{} pairs of numbers, {} {}{} apart, are not independent", pairs, apart,
+                         in_rows ? "replicate" : "number", apart == 1 ? "" : "s");
     };
     family.add(pairs >= 50 * static_cast<double>(side * side) ? p_of_counts(counts) : 1, false,
                describe);
@@ -228,8 +226,8 @@ std::optional<int> grid_of(const Uniforms& numbers) {
   return {};
 }
 
-/// The m up to 2^24 for which all numbers are multiples of 1 / m, as nearly as they are known, with
-/// m + 1 numbers or more; 0 for none.
+/// The m up to 2^24 for which all numbers are multiples of 1 / m, as nearly as they are known, of m
+/// numbers or more; 0 for none.
 std::uint64_t multiples_in(const Uniforms& numbers, double width) {
   std::vector<double> sorted = numbers.values;
   sort_uniforms(sorted);
@@ -273,9 +271,7 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
   }
   if (const std::uint64_t m = multiples_in(numbers, width); m > 0) {
     return fmt::format(
-        "the random numbers are multiples of 1/{}: take all 53 bits of a random word, not a "
-        "remainder",
-        m);
+        "the random numbers are multiples of 1/{}: take all 53 bits of a random word", m);
   }
   const std::string from_one =
       claim.same.empty() ? "draw a random number for each of them" : claim.same;

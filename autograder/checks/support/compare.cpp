@@ -110,8 +110,8 @@ std::string limit_hint(std::span<const double> got, std::span<const double> exac
   return fmt::format("no value is {} {}: is there a limit?", is_upper ? "above" : "below", *limit);
 }
 
-/// Whether the wrong values have a float's digits, and nearly all are wrong: a float happens to hold
-/// a few. The first value is an ordinary one.
+/// Whether the wrong values have a float's digits, and nearly all are wrong: a float happens to
+/// hold a few. The first value is an ordinary one.
 bool are_of_float(std::span<const double> got, std::span<const double> exact,
                   const Agreement& agreement) {
   std::size_t wrong = 0;

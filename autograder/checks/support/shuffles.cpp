@@ -65,7 +65,7 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
         "of the {}! permutations",
         n, n);
   }
-  // Each of 120 or fewer is missing among 12,000 with probability exp(-100).
+  // Where 50 of each are expected, any is missing with probability n! exp(-50) at most.
   const double all = std::tgamma(static_cast<double>(n) + 1);
   if (static_cast<double>(found.size()) < all && count > 50 * all) {
     return fmt::format("only {} of the {} permutations ever come", found.size(), all);

@@ -1,5 +1,5 @@
 #pragma once
-// Reads the headers of ELF files: programs and objects.
+// Reads the headers of ELF programs.
 
 #include <cstddef>
 #include <filesystem>
