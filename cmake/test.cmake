@@ -7,6 +7,7 @@ set(log ${BUILD}/test.log)
 set(which)
 if(QUICK)
   set(which -L quick)
+  set(ENV{MC_QUICK} 1)
 endif()
 # Only a hanging test reaches this limit, even on a quarter of a core. With a thousand seeds (--full) a
 # submission takes most of an hour.

@@ -72,6 +72,7 @@ test_of(interrupted 95 gradebook_tests "[interrupted]")
 test_of(machine 94 gradebook_tests "[machine]")
 test_of(class 93 gradebook_tests "[class]")
 test_of(descriptors 93 grader_tests "[descriptors]")
+test_of(update 92 gradebook_tests "[update]")
 test_of(numbers 92 grader_tests "[numbers]")
 test_of(demo 91 grader_tests "[demo]")
 test_of(sanitizers 90 grader_tests "[sanitizers]")
@@ -80,9 +81,9 @@ foreach(name ${quick})
   quick(${name})
 endforeach()
 
-# Every submission of the repository, with its expected result; --quick tests the first of each kind and
-# lab. A file named for a task is a catalog: each of its mistakes or attacks is a test. The first test of
-# a catalog compiles it, so it starts before the others, which would wait for it.
+# Every submission of the repository, with its expected result; --quick tests the first of each kind,
+# and a mistake of each lab. A file named for a task is a catalog: each of its mistakes or attacks is a
+# test. The first test of a catalog compiles it, so it starts before the others, which would wait for it.
 foreach(lab ${LABS})
   foreach(who starter solutions)
     if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
@@ -93,7 +94,7 @@ endforeach()
 file(GLOB_RECURSE submissions CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/autograder/submissions
   autograder/submissions/*.cpp)
 list(SORT submissions)
-set(folder_before)
+set(tested)  # by --quick
 foreach(file ${submissions})
   string(REGEX REPLACE "[.]cpp$" "" name ${file})
   get_filename_component(folder ${file} DIRECTORY)
@@ -119,10 +120,11 @@ foreach(file ${submissions})
   else()
     test_of(${name} ${cost} self_test autograder/submissions/${file})
   endif()
-  if(NOT folder STREQUAL folder_before)
+  string(REGEX MATCH "^mistakes/[^/]+|^[^/]+" group ${name})
+  if(NOT group IN_LIST tested)
+    list(APPEND tested ${group})
     quick(${name})
   endif()
-  set(folder_before ${folder})
 endforeach()
 
 # Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The

@@ -142,13 +142,13 @@ TEST_CASE("missing definitions, as three linkers report them") {
       explain_link_errors("unit.o: undefined reference to `mc::to_unit(int)'\n",
                           {4, "blue_noise", "4-blue-noise", {}}) ==
       "Your blue_noise.cpp uses `mc::to_unit`, which independent.cpp defines; lab 4 is linked with "
-      "no other lab. Copy the function into blue_noise.cpp, in a namespace without a name.");
+      "no other lab. Copy the function into blue_noise.cpp, in an unnamed namespace.");
   CHECK(explain_link_errors("unit.o: undefined reference to `helper(int)'\n", lab) ==
-        "Your variance.cpp uses `helper(int)`, which nothing defines.");
+        "Your variance.cpp uses `helper(int)`, which is not defined anywhere.");
 }
 
 TEST_CASE("duplicate definitions, as two linkers report them") {
-  const std::string expected = "Your variance.cpp defines `main`; the labs bring their own.";
+  const std::string expected = "Your variance.cpp defines `main`, but the labs have their own.";
   CHECK(explain_link_errors(
             "/usr/bin/ld: main.cpp.o: in function `main':\n"
             "main.cpp:(.text.startup+0x0): multiple definition of `main'; unit.o:variance.cpp:"

@@ -45,23 +45,24 @@ TEST_CASE("bad usage gives one line with the error and the usage, and exit statu
       {{"check", "variance", "--onyl", "1.3"}, "no option --onyl; did you mean --only?"},
       {{"check", "variance", "--only", "7.7"}, "no task 7.7"},
       {{"check", "1.77"}, "no task 1.77"},
-      {{"check", "variance", "2.3"}, "2.3 is no task of lab variance"},
+      {{"check", "variance", "2.3"}, "2.3 is not a task of lab variance"},
       {{"check", "99.1"}, "no lab '99'"},
       {{"check", "variance", "1.3", "a", "b"}, "usage: ./lab check LAB"},
       {{"check", "variance", "--seed", "-1"}, "whole number"},
       {{"check", "variance", "--seed", "12x"}, "whole number"},
       {{"check", "variance", "--json", "/no/such/place/results.json"}, "no such directory"},
-      {{"check", "variance", "--watch", "--json", "x.json"}, "--watch writes no file"},
+      {{"check", "variance", "--watch", "--json", "x.json"}, "--watch cannot be combined"},
       {{"grade"}, "usage: ./lab grade DIR"},
       {{"grade", "/no/such/place"}, "no such directory"},
-      {{"grade", empty.path().string()}, "no file of any lab"},
+      {{"grade", empty.path().string()}, "contains no lab files"},
       {{"grade", "a", "b", "--json", "x.json"}, "--json takes one DIR"},
-      {{"grade", "a", "--leaderboard"}, "--leaderboard takes --json FILE"},
-      {{"grade", "a", "--slurm"}, "--slurm takes --csv FILE"},
-      {{"grade", "a", "--slurm", "--csv", "x.csv", "--html", "x"}, "--slurm takes no --html"},
+      {{"grade", "a", "--leaderboard"}, "--leaderboard needs --json FILE"},
+      {{"grade", "a", "--slurm"}, "--slurm needs --csv FILE"},
+      {{"grade", "a", "--slurm", "--csv", "x.csv", "--html", "x"},
+       "--slurm cannot be combined with --html"},
       {{"merge"}, "usage: ./lab merge A.csv"},
       {{"stats"}, "usage: ./lab stats grades.csv"},
-      {{"grade", "a", "--visibility", "hidden"}, "--visibility takes --json FILE"},
+      {{"grade", "a", "--visibility", "hidden"}, "--visibility needs --json FILE"},
       {{"gradescope", "1"}, "usage: ./lab gradescope LAB"},
       {{"export", "jplag", "a"}, "usage: ./lab export jplag DIR"},
       {{"plot", "vriance"}, "did you mean 'variance'"},
@@ -94,6 +95,20 @@ TEST_CASE("every command has help", "[script]") {
     CHECK(contains(run.output, "usage: ./lab " + name));
   }
   CHECK(lab({"--help"}).exit_code == 0);
+}
+
+TEST_CASE("the list of commands needs no build", "[script]") {
+  const Scratch empty;
+  const std::string build = (empty.path() / "build").string();
+  const auto run = sandbox::run_process({(read_layout().root / "lab").string(), "--help"},
+                                        {.environment = {{"MC_BUILD", build}}});
+  CHECK(run.succeeded());
+  for (const CommandEntry& command : command_list) {
+    const auto line = fmt::format("  ./lab {:<10} {}\n", command.name, command.description);
+    CAPTURE(line);
+    CHECK(contains(run.output, line));
+  }
+  CHECK(!fs::exists(build));
 }
 
 TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[script]") {
@@ -192,7 +207,7 @@ TEST_CASE("several submissions get one line each", "[script]") {
   const Scratch empty;
   REQUIRE_RUN(run, lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"}));
   CHECK(lines(run.output) == 4);  // the meaning of the words, two rows, a summary
-  CHECK(contains(run.output, "no lab's file in it"));
+  CHECK(contains(run.output, "it contains no lab files"));
 }
 
 TEST_CASE("the zip to hand in", "[script]") {

@@ -85,7 +85,7 @@ TEST_CASE("reset restores the starter and keeps a backup of what was written", "
 
   const auto again = checkout.reset();  // nothing to back up
   CHECK(again.exit_code == 0);
-  CHECK(contains(again.output, "is as it was given to you"));
+  CHECK(contains(again.output, "is the original again"));
   CHECK_FALSE(fs::exists(checkout.file().string() + ".2.bak"));
 
   write_text(checkout.file(), "mine too\n");

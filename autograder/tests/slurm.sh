@@ -115,7 +115,7 @@ scontrol requeue "${job}_4"
 restarted() { scontrol show job "${job}_4" | grep -q 'Restarts=1'; }
 wait_until restarted || fail "task 4 is not requeued"
 grade --resume >early.log 2>&1 && fail "it gathers while the job runs"
-grep -q "job $job is not at its end" early.log || fail "it does not say that the job runs"
+grep -q "job $job is still running" early.log || fail "it does not say that the job runs"
 is_over() { [ -z "$(squeue --noheader --jobs="$job" 2>/dev/null)" ]; }
 wait_until is_over || fail "the job does not end"
 [ ! -e grades-slurm/3-verdicts/eve.json ] || fail "the killed task has a verdict"
@@ -124,9 +124,9 @@ wait_until is_over || fail "the job does not end"
 # Gathered -----------------------------------------------------------------------------------------
 
 grade --resume >gathered.log 2>&1 || fail "it does not gather: $(cat gathered.log)"
-grep -q '4 submissions: 1 judged, 3 were before; seed 7' gathered.log || fail "$(cat gathered.log)"
+grep -q '4 submissions: 1 judged, 3 already judged; seed 7' gathered.log || fail "$(cat gathered.log)"
 [ "$(wc -l <grades.csv)" = 5 ] || fail "not one row for each: $(cat grades.csv)"
 [ "$(grep -c ',judged,0,' grades.csv)" = 4 ] || fail "all have 0 points: $(cat grades.csv)"
 grade --resume >again.log 2>&1
-grep -q '4 submissions: 0 judged, 4 were before; seed 7' again.log || fail "$(cat again.log)"
+grep -q '4 submissions: 0 judged, 4 already judged; seed 7' again.log || fail "$(cat again.log)"
 echo "submitted, killed, requeued, gathered"

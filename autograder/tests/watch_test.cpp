@@ -130,7 +130,7 @@ TEST_CASE("watch judges at once and after each save, for any way of saving", "[s
   CHECK(contains(watching.until_judged(), "does not compile"));
 
   fs::remove(watching.file());  // removed and written anew
-  CHECK(contains(watching.until("waiting for it"), "variance.cpp is not there"));
+  CHECK(contains(watching.until("waiting for it"), "variance.cpp does not exist"));
   watching.save(solution);
   CHECK(contains(watching.until_judged(), "\n10 of 10 points"));
 
@@ -143,7 +143,7 @@ TEST_CASE("a save stops the run in progress, whose verdict is never shown", "[sc
   watching.until(begun);
   watching.save(text_of(read_layout().solutions()));
   const std::string shown = watching.until_judged();
-  CHECK(contains(shown, "what was being judged is stopped"));
+  CHECK(contains(shown, "judging starts over"));
   CHECK(contains(shown, "\n10 of 10 points"));
   CHECK_FALSE(contains(shown, "\n0 of 10 points"));
   CHECK(watching.children().empty());

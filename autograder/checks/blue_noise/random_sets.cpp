@@ -1,5 +1,4 @@
 
-
 #include <tuple>
 
 #include "checks/blue_noise/random_sets.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // Random sets of points of lab 4, as they come from a program, for checks, plots and the bench;
 // what they have in common (the sets differ, and so do their points); and how a best candidate is
-// recognized: by how lonely it is, in terms of probability.
+// recognized: by its nearest-neighbor distance, in terms of probability.
 
 #include "4-blue-noise/experiments.hpp"
 #include "checks/support/checks.hpp"

@@ -159,7 +159,12 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
     return MEASURE(owen_scramble, {0}, seeds);
   };
   expect_all_seeds(rng, 2, "level", of_zero);
-  expect_many_seeds(rng, of_zero);
+  // Numbers that depend on 32 bits of a hash repeat ten times among so many seeds.
+  const Uniforms many = numbers_of(domain::seeds(rng, 300'000), 50'000, of_zero);
+  expect_independent_uniforms(
+      many, {.words = "different seeds give independent numbers",
+             .alpha = one_alpha,
+             .otherwise = "seeds meet in one state: is a hash of the seed cut to 32 bits?"});
 }
 
 CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {

@@ -43,10 +43,10 @@ inline Values values_of(const std::string& call, const std::vector<Estimate>& es
 }
 
 /// An estimate of a g that is infinite or NaN everywhere.
-inline void expect_not_hidden(const Measured<std::vector<experiments::Counted>>& got) {
-  const double value = got.exactly(1, any_number)[0].value;
-  expect_that(!std::isfinite(value), fmt::format("{} = {}", got.call, value), "inf or NaN",
-              "g is infinite or NaN: a finite estimate hides it", "use values of g unchanged");
+inline void expect_not_finite(const Measured<std::vector<experiments::Counted>>& got) {
+  expect_not_finite(got.call, got.exactly(1, any_number)[0].value,
+                    "g is infinite or NaN: a finite estimate hides it",
+                    "use values of g unchanged");
 }
 
 /// The random numbers of `calls` calls for n samples each, one after the other from one generator,
@@ -109,11 +109,11 @@ Traced traced(const Function& g, std::uint64_t n, Rng& rng);
 /// Estimates are the means of their values, but for what n additions lose: `suspects` are those of
 /// one task alone.
 void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects = {});
-void expect_means(Results& means);
+void judge_means(Results& means);
 
 /// Standard errors are s / sqrt(n) of the values, with the digits that a one-pass variance keeps;
 /// NaN for one value.
 void add_error(Results& errors, const Traced& seen, Results::FindSuspects suspects = {});
-void expect_errors(Results& errors);
+void judge_errors(Results& errors);
 
 }  // namespace mc::checks

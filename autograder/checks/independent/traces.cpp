@@ -103,7 +103,7 @@ void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects
             10 * eps * sizes, [=] { return joined(suspects, mean_suspects(seen.values)); });
 }
 
-void expect_means(Results& means) {
+void judge_means(Results& means) {
   means.expect(
       "n additions lose at most n eps of the sum of sizes, in any order; one digit less is enough",
       "the mean of the very values that g gave; NaN comes of 0/0, or of a variable that nothing "
@@ -124,7 +124,7 @@ void add_error(Results& errors, const Traced& seen, Results::FindSuspects suspec
                     [=] { return joined(suspects, error_suspects(seen.values)); });
 }
 
-void expect_errors(Results& errors) {
+void judge_errors(Results& errors) {
   errors.expect(
       "s / sqrt(n) of the values that were seen; lab 1's variances keep so many digits",
       "the square root of (sample variance / n); are the values far from 0 a problem (lab 1)? A "

@@ -1,5 +1,4 @@
 
-
 #include <bit>
 #include <numbers>
 #include <numeric>

@@ -60,15 +60,4 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
                                                 "to 32 bits?"});
 }
 
-/// `measure(seeds)` gives one number for each of 300,000 random seeds, and none comes twice more
-/// often than by chance: of numbers that depend on 32 bits of a hash, ten do.
-template <class Measurement>
-void expect_many_seeds(Rng& rng, Measurement measure) {
-  const Uniforms numbers = numbers_of(domain::seeds(rng, 300'000), 50'000, measure);
-  expect_independent_uniforms(
-      numbers, {.words = "different seeds give independent numbers",
-                .alpha = one_alpha,
-                .otherwise = "seeds meet in one state: is a hash of the seed cut to 32 bits?"});
-}
-
 }  // namespace mc::checks

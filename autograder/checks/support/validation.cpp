@@ -28,6 +28,11 @@ void expect_nan(const std::string& what, double got, const std::string& because)
               "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
 }
 
+void expect_not_finite(const std::string& what, double got, const std::string& because,
+                       const std::string& hint) {
+  expect_that(!std::isfinite(got), fmt::format("{} = {}", what, got), "inf or NaN", because, hint);
+}
+
 void refuse(const std::string& call, const Failure& failure) {
   fail(Failure{call + ' ' + failure.measured, failure.expected, failure.because, failure.likely});
 }

@@ -37,6 +37,10 @@ void expect_that(bool holds, const std::string& measured, const std::string& exp
 /// `got` is NaN, as in numpy and R for what is undefined.
 void expect_nan(const std::string& what, double got, const std::string& because);
 
+/// `got` is infinite or NaN.
+void expect_not_finite(const std::string& what, double got, const std::string& because,
+                       const std::string& hint);
+
 /// Where numbers must lie.
 struct Range {
   double low, high;  ///< both inside, unless `below_high`

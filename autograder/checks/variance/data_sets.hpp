@@ -53,8 +53,8 @@ std::vector<List> lists_of_any_scale(Rng& rng);
 std::vector<Values> without_finite_variance(Rng& rng);
 std::vector<Values> with_a_value_that_is_not_finite(Rng& rng);
 
-/// `got` is infinite or NaN.
-void expect_no_number(const std::string& call, double got, const Values& x);
+/// `got`, a result for `x`, is infinite or NaN.
+void expect_not_finite(const std::string& call, double got, const Values& x);
 
 /// For a mean.
 std::vector<Suspect> mean_suspects(const List& list);

@@ -102,7 +102,7 @@ CHECK_CASE("1.3 two passes keep their digits under a large mean", "[1.3][points:
 
 CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][needs:1.1]") {
   Rng rng = check_rng();
-  const auto expect_not_negative = [](const std::string& call, const Values& variances) {
+  const auto judge_signs = [](const std::string& call, const Values& variances) {
     for (std::size_t k = 0; k < variances.size(); ++k) {
       expect_that(variances[k] >= 0, fmt::format("{}[{}] = {}", call, k, variances[k]),
                   "0, never less", "a variance is a mean of squares", stop_at_zero);
@@ -128,7 +128,7 @@ CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][n
         "a rounded mean may be wrong by n eps |c|, but the correction leaves less than "
         "one rounding of c, squared",
         "measure from the mean, and take back what its rounding adds");
-    expect_not_negative(got.call, variances);
+    judge_signs(got.call, variances);
   }
   // Up to n = 3e5 or so the two parts of eq. 1.7 are whole multiples of ulp(c)^2 and differ by 0.
   // At this n their difference is below 0 for half of all constants where sums are taken one after
@@ -141,7 +141,7 @@ CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][n
                       uniform_values(rng, 3, 1, 2)}) {
     for (double& constant : some) constant *= scale;
     const auto got = MEASURE(two_pass_of_constants, some, 3'000'000);
-    expect_not_negative(got.call, got.exactly(some.size(), any_number));
+    judge_signs(got.call, got.exactly(some.size(), any_number));
   }
 }
 

@@ -27,7 +27,8 @@ fs::path program_directory() {
 #ifdef __APPLE__
   char path[4096];
   std::uint32_t size = sizeof path;
-  if (_NSGetExecutablePath(path, &size) != 0) throw MachineError("where is this program?");
+  if (_NSGetExecutablePath(path, &size) != 0)
+    throw MachineError("cannot find the path of this program");
   return fs::canonical(path).parent_path();
 #else
   return fs::canonical("/proc/self/exe").parent_path();

@@ -66,7 +66,7 @@ int check(const Context& context, const Arguments& arguments) {
     throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));
   }
   if (arguments.has("watch")) {
-    if (json) throw UsageError("--watch writes no file: leave out --json");
+    if (json) throw UsageError("--watch cannot be combined with --json");
     if (!fs::is_directory(directory)) throw UsageError("--watch takes a directory");
     return watch(context, words_for_watched(arguments), files_of(submission, lab));
   }

@@ -35,7 +35,7 @@ int demo(const Context& context, const Arguments& arguments) {
   }();
   for (const std::string& remark : made.remarks) fmt::print("{}\n", remark);
   if (made.page.empty()) {
-    fmt::print("no page: nothing to show is written yet\n");
+    fmt::print("no page: none of the tasks that it shows is written yet\n");
     return 1;
   }
   const fs::path file = out ? fs::path(*out) : layout.build / "demo.html";

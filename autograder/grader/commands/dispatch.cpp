@@ -23,7 +23,7 @@ bool is_here(const Layout& layout, const CommandEntry& command) {
 
 void print_overview(const Layout& layout) {
   const bool is_handout = !std::filesystem::exists(layout.solutions());
-  fmt::print("usage: ./lab COMMAND ...   (./lab COMMAND --help says more)\n\n");
+  fmt::print("usage: ./lab COMMAND ...   (details: ./lab COMMAND --help)\n\n");
   for (const CommandEntry& command : command_list) {
     if ((command.for_instructors && is_handout) || !is_here(layout, command)) continue;
     fmt::print("  ./lab {:<10} {}\n", command.name, command.description);
@@ -73,8 +73,7 @@ int dispatch(char** argv) {
   }
   const CommandEntry& entry = find_entry(find_labs(context.layout), words.empty() ? "" : words[0]);
   if (!is_here(context.layout, entry)) {
-    throw UsageError(
-        fmt::format("./lab {} is about {}, which is not here", entry.name, entry.about));
+    throw UsageError(fmt::format("./lab {} needs {}, which is not here", entry.name, entry.about));
   }
   const Command* const command = find_command(entry.name);
   if (command == nullptr) run_course(context.layout, argv);

@@ -60,13 +60,13 @@ int export_class(const Context& context, const Arguments& arguments) {
     const Submission& submission = one.submission;
     if (!one.unreadable.empty() || submission.files.empty()) {
       fmt::print("left out: {}: {}\n", submission.label,
-                 one.unreadable.empty() ? "no lab's file in it" : one.unreadable);
+                 one.unreadable.empty() ? "it contains no lab files" : one.unreadable);
       continue;
     }
     copy_files(context, submission.files, to / "submissions" / submission.label);
     ++count;
   }
-  if (count == 0) throw UsageError("there is no file of any lab");
+  if (count == 0) throw UsageError("there are no lab files");
   copy_files(context, starters(context), to / "base-code");
   fmt::print("{} submissions: java -jar jplag.jar -l cpp -bc {} {}\n", count,
              shell_quoted((to / "base-code").string()),

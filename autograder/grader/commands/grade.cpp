@@ -91,21 +91,22 @@ std::vector<IntakeEntry> shard_of(std::vector<IntakeEntry> entries,
 std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::string>& csv) {
   const auto given = arguments.number("seed");
   if (!csv) {
-    if (arguments.has("resume")) throw UsageError("--resume takes the --csv that it goes on with");
+    if (arguments.has("resume"))
+      throw UsageError("--resume needs the --csv of the run to continue");
     return seed_of(arguments);
   }
   const BookState state = read_book_state(*csv);
   if (!arguments.has("resume")) {
     if (state.exists && !state.finished && state.verdicts > 0) {
       throw UsageError(
-          fmt::format("{} has {} verdicts of a run that did not end: --resume goes on "
-                      "with it; to begin again, remove it",
+          fmt::format("{} has {} verdicts of an unfinished run: --resume continues "
+                      "it; to start over, remove it",
                       verdict_directory(*csv).string(), state.verdicts));
     }
     return seed_of(arguments);
   }
   if (state.exists && given && *given != state.seed) {
-    throw UsageError(fmt::format("{} was begun with seed {}", *csv, state.seed));
+    throw UsageError(fmt::format("{} was started with seed {}", *csv, state.seed));
   }
   return state.exists ? state.seed : seed_of(arguments);
 }
@@ -166,7 +167,7 @@ int grade_one(const Context& context, const IntakeEntry& entry, Records& records
   const auto labs = labs_of(context, submission, asked_for);
   if (!entry.unreadable.empty() && book == nullptr && !json) throw UsageError(entry.unreadable);
   if (labs.empty() && book == nullptr && !json && entry.unreadable.empty()) {
-    throw UsageError(fmt::format("{} has no file of any lab ({} …)", submission.label,
+    throw UsageError(fmt::format("{} contains no lab files ({} …)", submission.label,
                                  context.labs.empty() ? "" : context.labs[0].file()));
   }
   const Verdict verdict = [&] {
@@ -210,14 +211,14 @@ int grade_many(const Context& context, const std::vector<IntakeEntry>& entries, 
     fmt::print("{}", jail_warning(without));
   }
   fmt::print("{} submissions: {} judged", entries.size(), outcome.judged);
-  if (outcome.known > 0) fmt::print(", {} were before", outcome.known);
+  if (outcome.known > 0) fmt::print(", {} already judged", outcome.known);
   if (outcome.unreadable > 0) fmt::print(", {} unreadable", outcome.unreadable);
   if (outcome.not_judged > 0) fmt::print(", {} not judged", outcome.not_judged);
   fmt::print("; seed {}\n", options.judging.judge.seed);
-  const std::string next = can_resume ? "; once that is mended, go on with --resume" : "";
+  const std::string next = can_resume ? "; after fixing that, continue with --resume" : "";
   if (!outcome.stopped.empty()) {
     throw MachineError(
-        fmt::format("the machine fails at a known program, too ({}): the rest was not "
+        fmt::format("the machine fails for a known program, too ({}): the rest was not "
                     "tried{}",
                     outcome.stopped, next));
   }
@@ -247,18 +248,19 @@ int grade_on_slurm(const Context& context, const Arguments& arguments, std::size
   if (!tasks.go_on) records.book()->begin();
   const std::string job = submit_tasks(context, tasks);
   fmt::print(
-      "job {}: {} tasks, seed {}; once squeue has none of them, the same with --resume and "
-      "without --slurm\ngathers what they judged, and judges here what they did not\n",
+      "job {}: {} tasks, seed {}; when squeue lists none of them, the same with --resume and "
+      "without --slurm\ncollects their verdicts, and judges here what they did not\n",
       job, count, seed);
   return 0;
 }
 
 void check_slurm(const Arguments& arguments) {
   if (!arguments.has("slurm")) return;
-  if (!arguments.has("csv")) throw UsageError("--slurm takes --csv FILE, which --resume gathers");
+  if (!arguments.has("csv")) throw UsageError("--slurm needs --csv FILE");
   for (const char* other : {"json", "html", "shard"}) {
     if (arguments.has(other)) {
-      throw UsageError(fmt::format("--slurm takes no --{}: give it with --resume, later", other));
+      throw UsageError(
+          fmt::format("--slurm cannot be combined with --{}: use it later, with --resume", other));
     }
   }
 }
@@ -305,13 +307,13 @@ int grade(const Context& context, const Arguments& arguments) {
   require_writable(html);
   if (html && fs::exists(*html) && !fs::is_directory(*html)) {
     throw UsageError(
-        fmt::format("--html takes a directory, and {} is none", sandbox::printable_line(*html)));
+        fmt::format("--html takes a directory, but {} is not one", sandbox::printable_line(*html)));
   }
   if (json && arguments.words.size() > 1) {
     throw UsageError("--json takes one DIR; for several there is --csv");
   }
-  if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard takes --json FILE");
-  if (visibility_of(arguments) && !json) throw UsageError("--visibility takes --json FILE");
+  if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard needs --json FILE");
+  if (visibility_of(arguments) && !json) throw UsageError("--visibility needs --json FILE");
   check_slurm(arguments);
   require_known_points(context.layout, context.labs);
   BatchOptions options;
@@ -326,8 +328,8 @@ int grade(const Context& context, const Arguments& arguments) {
   Intake intake = take_in(context, arguments.words, json ? Meaning::one : Meaning::many);
   if (!json && (arguments.words.size() > 1 || intake.entries.size() > 1)) {
     fmt::print("{} submissions: {}\n", intake.entries.size(),
-               intake.each_word_is_one ? "one in each directory or zip that is named"
-                                       : "one in each directory, zip or name in what is named");
+               intake.each_word_is_one ? "one in each of these directories or zip files"
+                                       : "one in each directory, zip file or name in these");
   }
   for (IntakeEntry& one : intake.entries) read_hours(context.labs, one.submission);
   if (const auto roster = arguments.get("roster")) match(*roster, intake.entries);

@@ -96,7 +96,7 @@ int gradescope(const Context& context, const Arguments& arguments) {
   fs::rename(aside, zip);
   fmt::print("{}: {}, version {}\n", sandbox::printable_line(zip.string()), fmt::join(names, ", "),
              context.layout.version);
-  fmt::print("Gradescope takes it as the autograder of an assignment (Ubuntu 22.04).\n");
+  fmt::print("Upload it to Gradescope as the autograder of an assignment (Ubuntu 22.04).\n");
   return 0;
 }
 

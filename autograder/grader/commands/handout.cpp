@@ -175,7 +175,7 @@ int handout(const Context& context, const Arguments& arguments) {
   Manifest manifest = read_manifest(to);
   const bool is_new = manifest.version.empty();
   if (is_new && fs::exists(to) && !fs::is_empty(to)) {
-    throw UsageError(shown + " is not empty, and no handout");
+    throw UsageError(shown + " is not empty, and not a handout");
   }
   // An existing handout keeps its labs, form and hints, unless the options change them.
   if (is_new || arguments.has("labs")) {

@@ -40,7 +40,7 @@ inline LabAndTask lab_and_task(const std::vector<Lab>& labs,
   if (number || meant.rest.empty()) return meant;
   if (const auto owner = lab_of_task(meant.rest[0])) {
     if (*owner != std::to_string(lab.number)) {
-      throw UsageError(fmt::format("{} is no task of lab {}", meant.rest[0], lab.name));
+      throw UsageError(fmt::format("{} is not a task of lab {}", meant.rest[0], lab.name));
     }
     meant.task = meant.rest[0];
     meant.rest.erase(meant.rest.begin());

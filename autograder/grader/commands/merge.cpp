@@ -41,7 +41,7 @@ std::vector<BookState> states_of(const std::vector<Table>& tables) {
   for (const Table& table : tables) {
     states.push_back(read_book_state(table.file));
     if (!states.back().exists || states.back().finished) continue;
-    fmt::print(stderr, "{} is not whole: its run did not end, --resume goes on with it\n",
+    fmt::print(stderr, "{} is incomplete: its run did not finish; --resume continues it\n",
                sandbox::printable_line(table.file.string()));
   }
   return states;

@@ -31,7 +31,7 @@ int new_lab(const Context& context, const Arguments& arguments) {
   if (arguments.words.size() != 1) throw UsageError("usage: ./lab new-lab NAME");
   const std::string& lab = arguments.words[0];
   for (const Lab& other : context.labs) {
-    if (other.name == lab) throw UsageError(fmt::format("lab {} is {} already", other.number, lab));
+    if (other.name == lab) throw UsageError(fmt::format("lab {} is already {}", other.number, lab));
   }
   const int number = context.labs.back().number + 1;
   const fs::path root = context.layout.root;
@@ -42,8 +42,8 @@ int new_lab(const Context& context, const Arguments& arguments) {
   fmt::print(
       "\nLab {0} has one function, check, plot and mistake, and works:\n\n"
       "  ./lab check {0} solutions\n  ./lab plot {0}\n"
-      "  git add .           a handout takes what git knows\n  ./lab test\n\n"
-      "CONTRIBUTING.md says what else a lab can have.\n",
+      "  git add .           a handout has the files in git\n  ./lab test\n\n"
+      "CONTRIBUTING.md lists what else a lab can have.\n",
       number);
   return 0;
 }

@@ -23,7 +23,7 @@ int release(const Context& context, const Arguments& arguments) {
   const std::string shown = sandbox::printable_line(handout.string());
   const Manifest manifest = read_manifest(handout);
   if (manifest.version.empty()) {
-    throw UsageError(shown + " is no handout: ./lab handout writes one");
+    throw UsageError(shown + " is not a handout: ./lab handout writes one");
   }
   if (!manifest.labs.contains(lab.name)) {
     throw UsageError(fmt::format("{} does not have lab {}", shown, lab.name));
@@ -39,7 +39,7 @@ int release(const Context& context, const Arguments& arguments) {
   const std::string answers = lab.folder + ".md";
   add(context.layout.root / "docs" / "answers" / answers, "released/" + answers);
   if (git(handout, {"status", "--porcelain", "--", "released"}).empty()) {
-    fmt::print("{} has it already\n", shown);
+    fmt::print("{} already has it\n", shown);
     return 0;
   }
   commit_files(handout, files, fmt::format("Release the solution of lab {}", lab.name));

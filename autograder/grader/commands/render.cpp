@@ -27,7 +27,7 @@ RenderOptions options_of(const Arguments& arguments, const protocol::RenderList&
     options.pictures = {directories[0]};
     directories.erase(directories.begin());
   } else if (!directories.empty() && !fs::exists(directories[0])) {
-    throw UsageError(fmt::format("no picture and no directory '{}'; the pictures are {}",
+    throw UsageError(fmt::format("'{}' is neither a picture nor a directory; the pictures are {}",
                                  directories[0], fmt::join(list.pictures, ", ")));
   } else {
     options.pictures = list.pictures;
@@ -43,7 +43,7 @@ RenderOptions options_of(const Arguments& arguments, const protocol::RenderList&
   options.spp = arguments.number("spp").value_or(options.spp);
   if (options.spp < 1 || options.spp > most_spp) {
     throw UsageError(
-        fmt::format("--spp takes 1 to {} samples a pixel, not {}", most_spp, options.spp));
+        fmt::format("--spp takes 1 to {} samples per pixel, not {}", most_spp, options.spp));
   }
   return options;
 }

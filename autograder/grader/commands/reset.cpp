@@ -37,7 +37,7 @@ std::string pristine(const Context& context, const std::string& file) {
   }
   if (best.empty()) {
     throw MachineError(
-        fmt::format("git has no starter/{} here: take it from the course's page", file));
+        fmt::format("git has no starter/{} here: download it from the course's page", file));
   }
   return best;
 }
@@ -49,7 +49,7 @@ int reset(const Context& context, const Arguments& arguments) {
   const fs::path file = context.layout.starter() / lab.file();
   if (fs::exists(file)) {
     if (read_text(file) == fresh) {
-      fmt::print("starter/{} is as it was given to you.\n", lab.file());
+      fmt::print("starter/{} is the original again.\n", lab.file());
       return 0;
     }
     fs::path backup;
@@ -60,7 +60,7 @@ int reset(const Context& context, const Arguments& arguments) {
     fmt::print("Your file is kept as {}.\n", backup.string());
   }
   write_text(file, fresh);
-  fmt::print("starter/{} is as it was given to you.\n", lab.file());
+  fmt::print("starter/{} is the original again.\n", lab.file());
   return 0;
 }
 
@@ -68,7 +68,7 @@ const RegisterCommand reset_command{
     {"reset",
      "reset LAB",
      {},
-     "Restores the newest version in git's history in which no task was begun.\n",
+     "Restores the newest version in git's history that has no solved task.\n",
      reset}};
 
 }  // namespace

@@ -82,7 +82,7 @@ const RegisterCommand run_command{
      "run LAB [--dir DIR] [--sanitize | --debug] [EXPERIMENT ARGUMENT...]",
      {"dir=", "sanitize", "debug"},
      "Without EXPERIMENT: list the experiments of the lab. Numbers are written 0.5, lists 1,2,4,\n"
-     "structs 3:0.5:2. Nothing is jailed here: it is your own program, on your own machine.\n"
+     "structs 3:0.5:2. There is no sandbox here: it is your own program, on your own machine.\n"
      "  --dir DIR    use the files of DIR instead of starter/\n"
      "  --sanitize   build with the address and undefined-behavior sanitizers; prints the path of "
      "the\n"

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 /// "It compiles. The last check: 84 of 100 points.", or why it earns nothing.
 std::string state_of(const Context& context, const Lab& lab, const Submission& submission) {
   const BuildResult built = build_program(context.layout, lab, submission);
-  if (!built.program) return built.failure + "\nIn this state it earns 0 points.";
+  if (!built.program) return built.failure + "\nAs it is, it earns 0 points.";
   const auto progress = recall(context.layout, lab);
   if (!progress) return fmt::format("It compiles. It was never checked: ./lab check {}", lab.name);
   return fmt::format(

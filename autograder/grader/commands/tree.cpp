@@ -86,10 +86,10 @@ void compare_with_git(const Context& context, const std::set<std::string>& chose
     (entry.starts_with("??") ? unknown : changed).push_back(file);
   }
   if (!unknown.empty()) {
-    throw UsageError("git does not know these files; add or remove them first:" + list_of(unknown));
+    throw UsageError("these files are not in git; add or remove them first:" + list_of(unknown));
   }
   if (!changed.empty()) {
-    fmt::print(stderr, "lab: handed out with changes that are not committed:{}\n",
+    fmt::print(stderr, "lab: the handout has changes that are not committed:{}\n",
                list_of(changed));
   }
 }

@@ -58,12 +58,12 @@ void keep_both(const Clone& clone, const fs::path& root, const std::vector<std::
   for (const std::string& file : files) {
     const auto mine = clone.run({"show", "stash@{0}:" + file});
     if (!mine.succeeded()) {
-      throw UsageError(fmt::format("{} is in conflict; git stash list has your changes", file));
+      throw UsageError(fmt::format("{} has conflicts; your changes are in git stash list", file));
     }
     write_text(root / (file + ".mine"), mine.output);
     clone.run({"checkout", "-q", "HEAD", "--", file});
     fmt::print(
-        "{0}: you changed it, and so did the course. It is the course's now; yours is "
+        "{0}: you changed it, and so did the course. It is now the course's; yours is "
         "{0}.mine\n",
         sandbox::printable_line(file));
   }
@@ -76,7 +76,7 @@ int update(const Context& context, const Arguments& arguments) {
   const fs::path& root = context.layout.root;
   const Clone clone(root);
   if (!fs::exists(root / ".git")) {
-    throw UsageError("this is no git clone: clone the course's repository to get updates");
+    throw UsageError("this is not a git clone: clone the course's repository to get updates");
   }
   const std::string remote = clone.line({"remote"});
   if (remote.empty()) {

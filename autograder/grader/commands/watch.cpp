@@ -167,7 +167,7 @@ int watch(const Context& context, const std::vector<std::string>& words,
   std::string waits_for;
   while (!interrupted) {
     if (saves.changed()) {
-      if (run) screen.say("saved again: what was being judged is stopped");
+      if (run) screen.say("saved again: judging starts over");
       run.reset();
       is_due = true;
       // An editor may save in several steps: start after a moment without changes.
@@ -180,7 +180,7 @@ int watch(const Context& context, const std::vector<std::string>& words,
       run.emplace(command, screen.terminal());
       is_due = false;
     } else if (is_due && missing != waits_for) {
-      screen.say(fmt::format("{} is not there: waiting for it", missing));
+      screen.say(fmt::format("{} does not exist: waiting for it", missing));
     }
     waits_for = missing;
     wait_for_something(wakes.read.get(), saves.hint(), 1000);

@@ -83,7 +83,7 @@ std::vector<Correction> read_corrections(const fs::path& csv, const std::vector<
     const auto& row = rows[i];
     if (i == 0 && row[0] == "id") continue;
     if (row.size() < 3 || row.size() > 4) {
-      refuse(i + 1, "a correction is id,what,points,comment");
+      refuse(i + 1, "a line must be id,what,points,comment");
     }
     Correction one{row[0], row[1], 0, row.size() == 4 ? sandbox::printable_line(row[3]) : ""};
     try {
@@ -95,7 +95,7 @@ std::vector<Correction> read_corrections(const fs::path& csv, const std::vector<
       refuse(i + 1, fmt::format("'{}' is not a number of points", sandbox::printable_line(row[2])));
     }
     if (!is_check_column(one.what) && lab_called(labs, one.what) == nullptr) {
-      refuse(i + 1, fmt::format("'{}' is neither a lab (variance), a lab's written points "
+      refuse(i + 1, fmt::format("'{}' is not a lab (variance), the written points of a lab "
                                 "(variance written), nor a check (its column)",
                                 sandbox::printable_line(one.what)));
     }

@@ -223,7 +223,7 @@ Roster read_roster(const fs::path& file) {
   }
   if (roster.people.empty()) {
     throw UsageError(fmt::format(
-        "{} is no roster: it needs a row for each student, and a column of ids or e-mail "
+        "{} is not a roster: it needs a row for each student, and a column of ids or e-mail "
         "addresses (id, SIS User ID, SID, ID number, Email)",
         shown));
   }
@@ -244,7 +244,7 @@ RosterReport match_roster(const Roster& roster, std::vector<IntakeEntry>& entrie
         matched.push_back(entry_of(*person, entry));
         continue;
       }
-      report.not_on_roster.push_back(fmt::format("{} (another one of {})", id, person->id));
+      report.not_on_roster.push_back(fmt::format("{} (another submission by {})", id, person->id));
       matched.push_back(entry);
     }
   }

@@ -57,7 +57,7 @@ std::string submit_tasks(const Context& context, const SlurmTasks& tasks) {
       sandbox::run_process({"sbatch", "--parsable", fmt::format("--array=1-{}", tasks.count),
                             "--requeue", "--job-name=grade", "--open-mode=append",
                             "--output=" + (place / "%a.log").string(), script.string()});
-  if (run.exit_code == 127) throw MachineError("there is no sbatch here: is Slurm installed?");
+  if (run.exit_code == 127) throw MachineError("sbatch not found: is Slurm installed?");
   if (!run.succeeded()) {
     throw MachineError("sbatch: " + sandbox::printable_line(trimmed(run.errors)));
   }
@@ -74,7 +74,7 @@ std::size_t gather_tasks(const fs::path& csv) {
   const auto queue = sandbox::run_process({"squeue", "--noheader", "--jobs=" + job});
   if (queue.succeeded() && !trimmed(queue.output).empty()) {
     throw UsageError(
-        fmt::format("job {} is not at its end: wait for it (squeue), or end it "
+        fmt::format("job {} is still running: wait for it (squeue), or cancel it "
                     "(scancel {}) and judge the rest here",
                     job, job));
   }

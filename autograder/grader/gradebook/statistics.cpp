@@ -26,7 +26,7 @@ std::optional<double> points_in(const Table& table, const Row& row, const std::s
     if (std::isfinite(value)) return value;
   } catch (const std::invalid_argument&) {  // reported below
   }
-  throw UsageError(fmt::format("{}: '{}' of {} is no number of points, in column '{}'",
+  throw UsageError(fmt::format("{}: '{}' of {} is not a number of points, in column '{}'",
                                sandbox::printable_line(table.file.string()), text, field(row, "id"),
                                column));
 }

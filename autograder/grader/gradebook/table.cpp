@@ -74,20 +74,20 @@ Table read_table(const fs::path& file) {
   if (text.starts_with(mark)) text.erase(0, mark.size());
   auto rows = csv_rows(text);
   const auto is_no_table = [&](const std::string& why) {
-    throw UsageError(fmt::format("{} is no table of grades: {}", shown(file), why));
+    throw UsageError(fmt::format("{} is not a table of grades: {}", shown(file), why));
   };
   Table table{file, rows.empty() ? std::vector<std::string>() : std::move(rows[0]), {}};
   std::set<std::string> names;
   for (std::string& column : table.columns) {
     column = sandbox::printable_line(column);  // untrusted text that is shown
     if (!names.insert(column).second) {
-      is_no_table(fmt::format("two columns are called '{}'", column));
+      is_no_table(fmt::format("there are two columns '{}'", column));
     }
   }
-  if (!names.contains("id")) is_no_table("it has no column id");
+  if (!names.contains("id")) is_no_table("it has no 'id' column");
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].size() != table.columns.size()) {
-      is_no_table(fmt::format("row {} has {} fields, and the header {}", i + 1, rows[i].size(),
+      is_no_table(fmt::format("row {} has {} fields, but the header has {}", i + 1, rows[i].size(),
                               table.columns.size()));
     }
     Row row;
@@ -97,7 +97,7 @@ Table read_table(const fs::path& file) {
     }
     const std::string id = field(row, "id");
     if (id.empty() || id.find('/') != std::string::npos) {  // it is also a file name
-      is_no_table(fmt::format("'{}' is no id", id));
+      is_no_table(fmt::format("'{}' is not a valid id", id));
     }
     table.rows.push_back(std::move(row));
   }

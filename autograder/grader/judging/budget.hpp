@@ -20,15 +20,14 @@ class Budget {
   void use(double cpu_seconds) { used_ += static_cast<std::int64_t>(1e6 * cpu_seconds); }
   bool is_used_up() const { return 1e-6 * static_cast<double>(used_) >= submission_cpu_seconds; }
   static std::string why() {
-    return fmt::format("the {} s of CPU time that a submission may use in all were used up",
-                       submission_cpu_seconds);
+    return fmt::format("the submission used up its {} s of CPU time", submission_cpu_seconds);
   }
   bool is_late() const {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     return passed.count() >= submission_wall_seconds;
   }
   static std::string why_late() {
-    return fmt::format("the machine is too busy: this submission was not judged in {} s",
+    return fmt::format("the machine is too busy: this submission could not be judged in {} s",
                        submission_wall_seconds);
   }
 

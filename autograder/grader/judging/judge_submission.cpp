@@ -39,7 +39,7 @@ Submission on_reference(const Context& context, Submission submission, const Lab
     const std::filesystem::path file =
         context.layout.solutions() / find_lab(context.labs, name).file();
     if (!std::filesystem::exists(file)) {
-      throw UsageError("--with-reference needs the solutions, and a handout has none");
+      throw UsageError("--with-reference needs the solutions, which a handout does not have");
     }
     submission.files[name] = file;
   }

@@ -48,7 +48,7 @@ std::vector<PointsLine> lines_of_points(const std::filesystem::path& root) {
                          one.what.find_first_not_of("0123456789") == dot &&
                          one.what[dot + 1] >= '0' && one.what[dot + 1] <= '9';
     if (!is_task || !std::isfinite(one.points) || one.points < 0) {
-      refuse_line(number, "a line is a task or a check, a comma, and its points");
+      refuse_line(number, "a line must be a task or a check, a comma, and its points");
     }
     lines.push_back(std::move(one));
   }

@@ -61,8 +61,8 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
     }
     if (left <= 0) {
       result->status = Status::not_run;
-      result->report = fmt::format("the {} s of CPU time of task {} were used up before this check",
-                                   task_cpu_seconds, result->check.task);
+      result->report = fmt::format("task {} used up its {} s of CPU time before this check",
+                                   result->check.task, task_cpu_seconds);
       done();
       continue;
     }
@@ -115,17 +115,19 @@ void run_task(const Layout& layout, const Lab& lab, const sandbox::Program& prog
                                   [&](auto& one) { return one.name == result->check.name; });
     if (run.out_of_time || !machine.empty()) {
       result->status = Status::not_judged;
-      result->report = run.out_of_time
-                           ? fmt::format("the machine is too busy: this check did not end in {} s",
-                                         check_wall_seconds)
-                           : sandbox::printable(machine);
+      result->report =
+          run.out_of_time
+              ? fmt::format("the machine is too busy: this check did not finish in {} s",
+                            check_wall_seconds)
+              : sandbox::printable(machine);
     } else if (end == ends.end()) {
       result->status = Status::internal_error;
       result->report = without_record(run);
     } else if (end->crashed) {
       result->status = Status::internal_error;
-      result->report = fmt::format("the autograder failed in this check: tell your instructor\n{}",
-                                   sandbox::printable(end->message));
+      result->report =
+          fmt::format("the autograder failed during this check: tell your instructor\n{}",
+                      sandbox::printable(end->message));
     } else if (end->passed) {
       result->status = Status::passed;
     } else {

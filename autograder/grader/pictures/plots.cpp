@@ -165,7 +165,7 @@ void look_at(Section& section, const std::vector<Panel>& panels,
 std::string failure_of(const CheckProcess& run) {
   const auto ends = run.ends();
   if (ends.size() == 1 && ends[0].passed) return {};
-  if (ends.empty()) return "its measurement did not end";
+  if (ends.empty()) return "its measurement did not finish";
   const std::string message = sandbox::printable(ends[0].message);
   return message.substr(0, message.find('\n'));
 }
@@ -184,7 +184,7 @@ void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& pan
                           .wall_seconds = 600});
     if (const std::string why = failure_of(run); !why.empty()) {
       const std::lock_guard lock(mutex);
-      remarks.push_back(fmt::format("{}: {} is not whole: {}", panel.label, name, why));
+      remarks.push_back(fmt::format("{}: {} is incomplete: {}", panel.label, name, why));
     }
   });
 }
@@ -220,7 +220,7 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   for (const Panel& panel : panels) data.push_back(panel.data.string());
   std::vector<Section> sections = sections_of(read_text(here / "plots.gp"));
   if (sections.empty()) {
-    plots.remarks.push_back("plots.gp has no picture: each begins with a line \"# Title ---\"");
+    plots.remarks.push_back("plots.gp has no picture: each must begin with a line \"# Title ---\"");
   }
   for (Section& section : sections) look_at(section, panels, plots.remarks);
   // What the lab calls its methods, if it has any: the same for all submissions.

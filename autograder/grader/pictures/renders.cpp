@@ -113,7 +113,7 @@ protocol::RenderList render_list(const Layout& layout, const Lab& lab) {
   std::ifstream file(place);
   file >> list;
   if (list.pictures.empty() || list.kinds.empty()) {
-    throw MachineError(fmt::format("{} does not say what there is to render: build it again",
+    throw MachineError(fmt::format("{} does not list its pictures: build it again",
                                    layout.measurements(lab.name).string()));
   }
   return list;

@@ -41,7 +41,7 @@ std::string status_of(const Verdict& verdict, const Lab& lab, const LabVerdict* 
 std::string reason_of(const Verdict& verdict) {
   if (!verdict.unreadable.empty()) return "unreadable: " + verdict.unreadable;
   if (!verdict.not_judged.empty()) return "not judged: " + verdict.not_judged;
-  return verdict.jail_complete ? "" : "judged without the jail: no seccomp on this machine";
+  return verdict.jail_complete ? "" : "judged without the sandbox: no seccomp on this machine";
 }
 
 }  // namespace

@@ -248,7 +248,8 @@ std::string submission_page(const Verdict& verdict, const PageMaterial& material
     body += "<p class=\"failed\">Unreadable: " + html_escaped(verdict.unreadable) + "</p>\n";
   } else if (!verdict.not_judged.empty()) {
     // The reason may name a path of the grading machine: only the table has it.
-    body += "<p class=\"failed\">Not judged: the grading machine failed. This is no grade.</p>\n";
+    body +=
+        "<p class=\"failed\">Not judged: the grading machine failed. This is not a grade.</p>\n";
   } else {
     body += fmt::format("<p><strong>{:g} of {:g} points</strong></p>\n", verdict.earned(),
                         verdict.points());

@@ -69,7 +69,7 @@ std::string as_results(const Verdict& verdict, const GradescopeOptions& wanted) 
   if (!verdict.unreadable.empty()) {
     output += "This submission cannot be read: " + verdict.unreadable + "\n";
   } else if (verdict.labs.empty())
-    output += "There is no file of any lab in this submission.\n";
+    output += "This submission contains no lab files.\n";
   nlohmann::ordered_json all;
   all["score"] = verdict.earned();
   all["execution_time"] = verdict.seconds;

@@ -179,7 +179,7 @@ Terminal this_terminal() {
 
 std::string jail_warning(const Verdict& verdict) {
   if (verdict.jail_complete) return {};
-  return "WARNING: no seccomp on this machine. The submission ran without the jail: trust this "
+  return "WARNING: no seccomp on this machine. The submission ran without the sandbox: trust this "
          "grade\nno more than you trust its author.\n";
 }
 
@@ -265,7 +265,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
     all += printed_lines(result.printed);
   }
   if (!lab.speed.empty()) all += "\n" + report_speed(lab);
-  if (!is_grade) return all + "\n  not judged: no points, and no zero\n" + jail_warning(verdict);
+  if (!is_grade) return all + "\n  not judged: this is not a zero\n" + jail_warning(verdict);
   all += fmt::format("\n  {} points", points_in_all(terminal, lab));
   if (next != nullptr) {
     all += fmt::format("; next: {}", next->check.task);
@@ -334,7 +334,7 @@ std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t col
                          : lab.no_program.empty() ? points_of(lab.earned(), lab.points())
                                                   : "no program");
     }
-    if (verdict.labs.empty()) all += "  no lab's file in it";
+    if (verdict.labs.empty()) all += "  it contains no lab files";
     if (!verdict.found_in.empty()) all += fmt::format("  found in {}", verdict.found_in);
     all += '\n';
   }

@@ -77,7 +77,7 @@ fs::path place_of(archive_entry* entry) {
   for (const fs::path& part : whole) {
     if (part == ".." || part.is_absolute()) {
       throw UnreadableSubmission(
-          fmt::format("the zip names a place outside of itself, {}",
+          fmt::format("the zip file has a path outside of itself, {}",
                       sandbox::printable_line(sandbox::shortened(name, 100))));
     }
     if (part.empty() || part == ".") continue;
@@ -96,7 +96,7 @@ std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& long
   std::size_t written = 0;
   for (;;) {
     const la_ssize_t got = archive_read_data(from, buffer.data(), buffer.size());
-    if (got < 0) throw UnreadableSubmission("the zip is damaged");
+    if (got < 0) throw UnreadableSubmission("the zip file is damaged");
     if (got == 0) return written;
     longer = written + static_cast<std::size_t>(got) > most;
     const std::size_t part = longer ? most - written : static_cast<std::size_t>(got);
@@ -144,15 +144,17 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
   };
   constexpr std::size_t block = std::size_t{1} << 16;
   if (archive_read_open_filename(reading.get(), paths.zip.c_str(), block) != ARCHIVE_OK) {
-    damaged("it is no zip");
+    damaged("it is not a zip file");
   }
   std::size_t entries = 0, bytes = 0;
   for (archive_entry* entry = nullptr;;) {
     const int next = archive_read_next_header(reading.get(), &entry);
     if (next == ARCHIVE_EOF) return;
-    if (next < ARCHIVE_WARN) damaged(entries == 0 ? "it is no zip" : "the zip is damaged");
+    if (next < ARCHIVE_WARN)
+      damaged(entries == 0 ? "it is not a zip file" : "the zip file is damaged");
     if (++entries > limits.entries) {
-      throw UnreadableSubmission(fmt::format("the zip has more than {} entries", limits.entries));
+      throw UnreadableSubmission(
+          fmt::format("the zip file has more than {} entries", limits.entries));
     }
     const fs::path place = place_of(entry);
     // Too deep for any submission; a name of a thousand parts would create a thousand directories.
@@ -168,7 +170,7 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
     const bool is_metadata =
         to.filename() == "submission_metadata.yml" || to.filename() == "handout.txt";
     if (archive_entry_is_encrypted(entry) != 0 && (is_source || is_zip)) {
-      throw UnreadableSubmission("the zip has a password");
+      throw UnreadableSubmission("the zip file has a password");
     }
     bool longer = false;
     const std::size_t most = is_source ? most_of_a_source : is_zip || is_metadata ? limits.file : 0;
@@ -182,7 +184,8 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
     const timespec times[] = {{0, UTIME_OMIT}, {archive_entry_mtime(entry), 0}};
     if (archive_entry_mtime_is_set(entry) != 0) utimensat(AT_FDCWD, to.c_str(), times, 0);
     if (bytes > limits.bytes) {
-      throw UnreadableSubmission(fmt::format("the zip holds more than {} MB", limits.bytes >> 20));
+      throw UnreadableSubmission(
+          fmt::format("the zip file holds more than {} MB", limits.bytes >> 20));
     }
   }
 }
@@ -191,7 +194,7 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
 
 void unpack(const Unpacking&, const ArchiveLimits&) {
   throw UnreadableSubmission(
-      "a zip, and this build has no libarchive: run ./lab setup, or unpack it");
+      "a zip file, but this build has no libarchive: run ./lab setup, or unpack it");
 }
 
 #endif

@@ -187,13 +187,14 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
   // they hide its own messages and do no other harm.
   if (const auto file = forbidden(unit.layout, unit.trusted, directory, opened)) {
     return fmt::format(
-        "{} does not compile, and nothing is shown of it: its compilation names {}, which is no "
+        "{} does not compile, and its errors are not shown: its compilation reads {}, which is not "
+        "a "
         "header of a lab or of the standard library.",
         name, shown(unit, *file));
   }
   // The assembler quotes files that .include reads, and does not list them.
   if (compiled.errors.find("Assembler messages:") != std::string::npos) {
-    return fmt::format("The assembler does not understand an asm in {}.", name);
+    return fmt::format("The assembler rejects an asm statement in {}.", name);
   }
   if (may_embed(text)) {  // -H does not list embedded files
     return fmt::format("{} does not compile. Remove the word embed from it to see why.", name);
@@ -287,20 +288,20 @@ std::string stopped(const Layout& layout, const sandbox::ProcessResult& run,
     require_sound_machine(layout);
     const std::chrono::duration<double> probe = std::chrono::steady_clock::now() - start;
     if (run.cpu_seconds < 1 && probe.count() < limits.wall_seconds / 10) {
-      return fmt::format("waited for something that never came, for {} s", limits.wall_seconds);
+      return fmt::format("was stopped after waiting {} s", limits.wall_seconds);
     }
-    throw MachineError(fmt::format("the machine is too busy: a compiler did not end in {} s",
+    throw MachineError(fmt::format("the machine is too busy: a compiler did not finish in {} s",
                                    limits.wall_seconds));
   }
   if (run.signal == SIGXCPU || run.cpu_seconds >= limits.cpu_seconds) {
     return fmt::format("was stopped after {} s of CPU time", limits.cpu_seconds);
   }
   if (run.signal == SIGXFSZ || run.written >= limits.file_size) {
-    return fmt::format("wanted to write more than {} MB", limits.file_size >> 20);
+    return fmt::format("tried to write more than {} MB", limits.file_size >> 20);
   }
   // Address space exceeds resident memory.
   if (run.peak_memory >= limits.memory / 2) {
-    return fmt::format("wanted more than {} MB of memory", limits.memory >> 20);
+    return fmt::format("tried to use more than {} MB of memory", limits.memory >> 20);
   }
   if (run.signal != 0) return fmt::format("crashed (signal {})", run.signal);
   constexpr int gcc_lost_a_program =

@@ -168,7 +168,8 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
     const std::string plain = name.substr(0, name.find('('));
     const std::string owner = owner_of(plain);
     if (owner.empty() || !plain.starts_with("mc::")) {
-      lines.push_back(fmt::format("Your {} uses `{}`, which nothing defines.", lab.file(), name));
+      lines.push_back(
+          fmt::format("Your {} uses `{}`, which is not defined anywhere.", lab.file(), name));
     } else if (is_linked(owner)) {
       lines.push_back(fmt::format(
           "Your {0}.cpp does not define `{1}` with the parameters that {0}.hpp declares.", owner,
@@ -176,7 +177,7 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
     } else {
       lines.push_back(fmt::format(
           "Your {0} uses `{1}`, which {2}.cpp defines; lab {3} is linked with {4}. Copy the "
-          "function into {0}, in a namespace without a name.",
+          "function into {0}, in an unnamed namespace.",
           lab.file(), plain, owner, lab.number,
           lab.depends_on.empty() ? "no other lab"
                                  : fmt::format("{} only", fmt::join(lab.depends_on, ", "))));
@@ -185,7 +186,7 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
   for (const std::string& name : doubled) {
     lines.push_back(
         name == "main"
-            ? fmt::format("Your {} defines `main`; the labs bring their own.", lab.file())
+            ? fmt::format("Your {} defines `main`, but the labs have their own.", lab.file())
             : fmt::format("`{}` is defined twice.", name));
   }
   if (lines.empty()) {

@@ -55,7 +55,8 @@ std::string fingerprint(const std::string& command, const fs::path& object) {
 std::vector<std::string> command_for(const Layout& layout, const std::vector<std::string>& flags) {
   if (layout.compiler.empty()) {
     throw MachineError(
-        "there is no C++ compiler: install one that knows C++20 (sudo apt install g++, or sudo dnf "
+        "there is no C++ compiler: install one that supports C++20 (sudo apt install g++, or sudo "
+        "dnf "
         "install gcc-c++ glibc-static libstdc++-static), or set CXX");
   }
   std::vector<std::string> includes{"-I" + layout.root.string(),  // a mistake includes the solution

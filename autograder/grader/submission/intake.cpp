@@ -233,7 +233,7 @@ class IntakeBuilder {
 
   fs::path unpacked(const fs::path& zip) {
     if (fs::file_size(zip) == 0)
-      throw UnreadableSubmission("the zip is empty, or longer than 64 MB");
+      throw UnreadableSubmission("the zip file is empty, or larger than 64 MB");
     intake_.unpacked.push_back(std::make_unique<ScratchDirectory>(context_.layout));
     unpack({.zip = zip, .to = intake_.unpacked.back()->path()});
     return intake_.unpacked.back()->path();
@@ -244,7 +244,8 @@ class IntakeBuilder {
     std::vector<Files> places = places_in(root);
     if (places.empty()) {
       const Listing listing = listing_of(root);
-      if (listing.zips.size() > 1) throw UnreadableSubmission("several zips: which one counts?");
+      if (listing.zips.size() > 1)
+        throw UnreadableSubmission("several zip files: which one counts?");
       if (listing.zips.size() == 1) {
         root = unpacked(listing.zips[0]);
         places = places_in(root);
@@ -353,7 +354,7 @@ class IntakeBuilder {
     for (const PlatformName& one : files) {
       if (one.path.extension() == ".zip") zips.push_back(one.path);
     }
-    if (zips.size() > 1) throw UnreadableSubmission("several zips: which one counts?");
+    if (zips.size() > 1) throw UnreadableSubmission("several zip files: which one counts?");
     if (zips.size() == 1) open(unpacked(zips[0]), entry);
   }
 

@@ -52,7 +52,7 @@ TEST_CASE("bench time", "[.bench-time]") {
 TEST_CASE("bench growth", "[.bench-growth]") {
   for (std::size_t k = 0; k < methods.size(); ++k) {
     if (methods[k].most < 4096) continue;
-    const std::string kind = kinds[k], name = "sampler: " + methods[k].name;
+    const std::string &kind = kinds[k], name = "sampler: " + methods[k].name;
     Method by_next = methods[k];
     by_next.rounds = [=](std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
       return cpu_seconds_of(TRY_MEASURE(repeat, kind, 1, dims, n, rounds, 1));

@@ -23,7 +23,7 @@ inline const std::vector<Method> methods = [] {
       {"best_candidate", "6.7", "blue noise"}, {"scrambled_halton", "6.3", "Halton"},
       {"scrambled_sobol", "6.3", "Sobol'"},    {"lattice", "6.3", "lattice"}};
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const std::string kind = kinds[k];
+    const std::string& kind = kinds[k];
     all[k].most = kind == "blue_noise" ? 1024 : 16384;  // its time grows as n^2
     all[k].points = [=](std::uint64_t n, std::uint64_t dims, std::uint64_t count,
                         std::uint64_t seed) {

@@ -225,17 +225,18 @@ TEST_CASE("only changed submissions are judged again") {
   REQUIRE(course.grade({"--csv", csv, "--seed", "7"}).exit_code == 0);
   course.hand_in("s03", "int another;\n");
   REQUIRE_RUN(again, course.grade({"--csv", csv, "--resume"}));
-  CHECK(again.output.find("6 submissions: 1 judged, 5 were before; seed 7") != std::string::npos);
+  CHECK(again.output.find("6 submissions: 1 judged, 5 already judged; seed 7") !=
+        std::string::npos);
   CHECK(course.grade({"--csv", csv, "--resume", "--seed", "8"}).exit_code == 2);
   // Forgetting --resume does not delete an unfinished run.
   write_text(verdict_directory(csv) / "state", "begun seed 7\n");
   const auto forgotten = course.grade({"--csv", csv});
   CHECK(forgotten.exit_code == 2);
-  CHECK(forgotten.errors.find("--resume goes on") != std::string::npos);
+  CHECK(forgotten.errors.find("--resume continues") != std::string::npos);
   // A row damaged by an editor, a truncated verdict: judged again.
   const fs::path verdict = verdict_file(csv, "s01");
   write_text(verdict, read_text(verdict).substr(0, 100));
-  CHECK(course.grade({"--csv", csv, "--resume"}).output.find("1 judged, 5 were before") !=
+  CHECK(course.grade({"--csv", csv, "--resume"}).output.find("1 judged, 5 already judged") !=
         std::string::npos);
   CHECK(verdicts_of(csv).size() == 6);
 }
@@ -268,7 +269,7 @@ TEST_CASE("rows of a class: a missing file or program gives 0, an unreadable one
   CHECK(cells("s00") == "judged|0|0|");
   CHECK(cells("s01") == "no program|0|0|");
   CHECK(cells("zoe") == "no file|0|0|");
-  CHECK(cells("broken") == "unreadable|||unreadable: it is no zip");
+  CHECK(cells("broken") == "unreadable|||unreadable: it is not a zip file");
 }
 
 TEST_CASE("shards partition a class") {

@@ -127,7 +127,7 @@ TEST_CASE("deep names in a zip are left out") {
   CHECK(std::distance(begin(entries), end(entries)) < 15);
 }
 
-TEST_CASE("files that git does not know are refused, not left out") {
+TEST_CASE("files that are not in git are refused, not left out") {
   const Scratch root;
   const auto git = [&](const std::vector<std::string>& words) {
     REQUIRE_RUN(run, sandbox::run_process(joined({"git", "-C", root.path().string()}, words)));

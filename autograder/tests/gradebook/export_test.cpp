@@ -45,8 +45,8 @@ TEST_CASE("export for JPlag: a folder for each submission, the starters as base 
   CHECK(read_text(out / "submissions" / "bob" / "halton.cpp") == "// bob\n");
   CHECK(files_in(out / "base-code") == files_in(course.layout.starter()));
   CHECK(read_text(out / "base-code" / "variance.cpp") == text_of(course.layout.starter()));
-  CHECK(contains(run.output, "left out: broken: it is no zip"));
-  CHECK(contains(run.output, "left out: fay: no lab's file in it"));
+  CHECK(contains(run.output, "left out: broken: it is not a zip file"));
+  CHECK(contains(run.output, "left out: fay: it contains no lab files"));
   CHECK(contains(run.output, "left out: sly: it is a link"));
   CHECK(contains(run.output, "3 submissions: java -jar jplag.jar -l cpp -bc " + out.string()));
 }

@@ -80,7 +80,7 @@ Texts answers_in(const Layout& layout, const std::string& text,
 
 }  // namespace
 
-TEST_CASE("neither a handout nor its history has an answer") {
+TEST_CASE("neither a handout nor its history has an answer", "[.update]") {
   const Handout handout({"--with-sources"});
   CAPTURE(handout.written.errors);
   REQUIRE(handout.written.exit_code == 0);
@@ -97,7 +97,7 @@ TEST_CASE("neither a handout nor its history has an answer") {
   }
 }
 
-TEST_CASE("a handout's README covers exactly the handout's content") {
+TEST_CASE("a handout's README covers exactly the handout's content", "[.update]") {
   const auto readme = [](const Handout& handout) {
     REQUIRE(handout.written.exit_code == 0);
     const std::string text = read_text(handout.root / "README.md");

@@ -78,7 +78,7 @@ TEST_CASE("grade keeps reported hours, and stats prints their median and quartil
   const char* const said[] = {"4", "10", "5 h", "8 hours", "0", "200.5", "=9", "-1"};
   for (int i = 0; i < 8; ++i) report(fmt::format("s{:02}", i), said[i]);
   const auto again = course.grade({"--csv", csv, "--resume"});
-  CHECK(contains(again.output, "0 judged, 9 were before"));
+  CHECK(contains(again.output, "0 judged, 9 already judged"));
   const Table table = read_table(csv);
   REQUIRE(table.rows.size() == 9);
   CHECK(field(table.rows[2], "variance hours") == "5 h");

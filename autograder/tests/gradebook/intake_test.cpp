@@ -147,7 +147,8 @@ TEST_CASE("a parent directory means its children") {
   fs::create_directory_symlink(place.context.layout.solutions(),
                                place.path() / "class" / "mallory");
   CHECK(summary(place.take()) ==
-        "anna: variance @starter; bob: variance; broken: !it is no zip; mallory: !it is a link; "
+        "anna: variance @starter; bob: variance; broken: !it is not a zip file; mallory: !it is a "
+        "link; "
         "nothing:; two: !variance.cpp is in 1 and in 2: which one counts?; zoe: variance @sub");
 }
 
@@ -261,7 +262,7 @@ TEST_CASE("a zip never unpacks outside of its own directory") {
   };
   CHECK(taken(raw_zip({{"variance.cpp", "int x;\n"}})) == "a: variance");
   for (const char* name : {"../variance.cpp", "/tmp/variance.cpp", "x/../../variance.cpp"}) {
-    CHECK(taken(raw_zip({{name, "int x;\n"}})).find("a: !the zip names a place outside") == 0);
+    CHECK(taken(raw_zip({{name, "int x;\n"}})).find("a: !the zip file has a path outside") == 0);
   }
   CHECK(taken(raw_zip({{"variance.cpp", "/etc/passwd"}}, 0120777)) == "a:");  // a link
   CHECK(taken(raw_zip({{"variance.cpp/x", "1"}, {"variance.cpp", "2"}})) == "a:");
@@ -269,7 +270,7 @@ TEST_CASE("a zip never unpacks outside of its own directory") {
   CHECK(taken(raw_zip({{std::string(300, 'x') + "/variance.cpp", "1"}})) == "a:");
   const std::string whole = raw_zip({{"variance.cpp", std::string(5000, 'x')}});
   CHECK(taken(whole.substr(0, 3000)).find("a: !") == 0);
-  CHECK(taken("").find("a: !the zip is empty") == 0);
+  CHECK(taken("").find("a: !the zip file is empty") == 0);
 
   place.file("many.zip", raw_zip({{"1", ""}, {"2", ""}, {"3", ""}}));
   const Scratch to;

@@ -82,7 +82,7 @@ TEST_CASE("there is a page for each submission, and an index that links to it") 
   CHECK(graded.all_pages().size() == 6);
   const std::string index = read_text(graded.pages / "index.html");
   CHECK(contains(index, "<a href=\"submissions/%3Ci%3E%231%20100%25.html\">&lt;i&gt;#1 100%</a>"));
-  CHECK(contains(index, "unreadable: it is no zip"));
+  CHECK(contains(index, "unreadable: it is not a zip file"));
   CHECK(contains(index, ">0 (no program)<"));
   const std::string eve = read_text(graded.pages / "submissions" / "eve.html");
   CHECK(contains(eve, "<pre>measured"));

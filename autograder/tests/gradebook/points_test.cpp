@@ -83,7 +83,7 @@ TEST_CASE("a section ends at the next heading of its level, not at a comment in 
         "# H\n\n## 1.2\ny\n");
 }
 
-TEST_CASE("a task left out is in no table, report, statistic and handout") {
+TEST_CASE("a task left out is in no table, report, statistic and handout", "[.update]") {
   // A clone of this checkout with the programs of this build.
   Course course;
   const fs::path root = course.path() / "root", build = course.path() / "build";

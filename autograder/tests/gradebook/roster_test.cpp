@@ -79,7 +79,7 @@ TEST_CASE("submissions of every platform find their person, and none is dropped"
   CHECK(matched(canvas, {handed_in("ashanna_4711"), handed_in("zoe_4999"), handed_in("b8")}) ==
         "a7,b8,c9,zoe_4999 | zoe_4999 | c9");
   CHECK(matched(canvas, {handed_in("Anna Ash (ANNA@x.edu) & Cy (cy@x.edu)"), handed_in("lab-1-bob"),
-                         handed_in("a7")}) == "a7,a7 (2),b8,c9 | a7 (another one of a7) | ");
+                         handed_in("a7")}) == "a7,a7 (2),b8,c9 | a7 (another submission by a7) | ");
   CHECK(matched(canvas, {handed_in("Anna Ash (anna@x.edu) & Di (di@x.edu)")}) ==
         "a7,b8,c9 | Di (di@x.edu) | b8,c9");
   // Two people of one name: the name alone does not say which.
@@ -118,7 +118,7 @@ TEST_CASE("a graded roster has a row for everyone") {
   // A corrected name does not judge anyone again.
   write_text(roster, "id,name,email\nanna,Anna Oak,anna@x.edu\nbob,Bob Bo,bob@x.edu\n");
   const auto again = course.grade({"--csv", csv, "--roster", roster.string(), "--resume"});
-  CHECK(contains(again.output, "0 judged, 3 were before"));
+  CHECK(contains(again.output, "0 judged, 3 already judged"));
   CHECK(field(read_table(csv).rows[0], "name") == "Anna Oak");
 }
 

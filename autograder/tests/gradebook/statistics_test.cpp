@@ -263,7 +263,7 @@ TEST_CASE("stats of a graded class, as text and as a page without names") {
     write_text(csv, "id,variance total,1.1 a\nada," + points + ",1\n");
     const auto spoiled = course.run({"stats", csv});
     CHECK(spoiled.exit_code == 2);
-    CHECK(contains(spoiled.errors, "'" + points + "' of ada is no number of points"));
+    CHECK(contains(spoiled.errors, "'" + points + "' of ada is not a number of points"));
   }
 }
 

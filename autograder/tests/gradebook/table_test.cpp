@@ -56,7 +56,7 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
   const std::string before = read_text(merged);
   const std::string pages = (course.path() / "pages").string();
   const auto again = course.grade({"--csv", merged.string(), "--resume", "--html", pages});
-  CHECK(contains(again.output, "7 submissions: 0 judged, 7 were before; seed 1"));
+  CHECK(contains(again.output, "7 submissions: 0 judged, 7 already judged; seed 1"));
   CHECK(read_text(merged) == before);
   CHECK(fs::exists(fs::path(pages) / "submissions" / "s04.html"));
   // Without an output file it is printed, byte by byte the same.
@@ -98,7 +98,7 @@ TEST_CASE("merge reports a table whose run did not finish, and so does its own r
   CHECK(read_book_state(merged).finished);
   write_book_state(part, false, 3);  // the state that a killed run leaves
   REQUIRE_RUN(run, course.run({"merge", part, "--out", merged}));
-  CHECK(contains(run.errors, part + " is not whole: its run did not end"));
+  CHECK(contains(run.errors, part + " is incomplete: its run did not finish"));
   CHECK(read_book_state(merged).seed == 3);
   CHECK(!read_book_state(merged).finished);
 }
@@ -129,12 +129,13 @@ TEST_CASE("a file that is not a table of grades is refused, with the reason") {
     }
     return std::string();
   };
-  CHECK(why("") == " is no table of grades: it has no column id");
-  CHECK(why("id;seed\nada;1\n") == " is no table of grades: it has no column id");
-  CHECK(why("id,seed\nada\n") == " is no table of grades: row 2 has 1 fields, and the header 2");
-  CHECK(why("id,a,a\n") == " is no table of grades: two columns are called 'a'");
-  CHECK(why("id,seed\n../ada,1\n") == " is no table of grades: '../ada' is no id");
-  CHECK(why("id,seed\n,1\n") == " is no table of grades: '' is no id");
+  CHECK(why("") == " is not a table of grades: it has no 'id' column");
+  CHECK(why("id;seed\nada;1\n") == " is not a table of grades: it has no 'id' column");
+  CHECK(why("id,seed\nada\n") ==
+        " is not a table of grades: row 2 has 1 fields, but the header has 2");
+  CHECK(why("id,a,a\n") == " is not a table of grades: there are two columns 'a'");
+  CHECK(why("id,seed\n../ada,1\n") == " is not a table of grades: '../ada' is not a valid id");
+  CHECK(why("id,seed\n,1\n") == " is not a table of grades: '' is not a valid id");
   CHECK(read_table(place.write("e.csv", "id,\x1b[2J\nada,\x1b[2J\n")).columns[1] == "?[2J");
   CHECK(why("\xef\xbb\xbfid,seed\r\nada,1\r\n").empty());  // as a spreadsheet saves it
   CHECK_THROWS_WITH(read_table("/no/such.csv"), "no such table: /no/such.csv");

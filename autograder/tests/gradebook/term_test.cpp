@@ -229,7 +229,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   const fs::path pages = term.path() / "pages";
   REQUIRE_RUN(resumed, term.run(term.grading(grades, {"--resume", "--html", pages.string()})));
   CHECK(contains(resumed.output,
-                 fmt::format("{} judged, {} were before; seed 7", handed_in - before, before)));
+                 fmt::format("{} judged, {} already judged; seed 7", handed_in - before, before)));
   check_grades(term, grades);
   CHECK(contains(resumed.output, "handout of version 0.9, judged by"));
   CHECK(contains(resumed.output, ": student 02, student 05, student 08,"));
@@ -237,7 +237,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   // One student hands in again: the others are not judged again.
   term.hand_in_folder(term.path() / "class" / term.ids[3], term.handed[0]);
   const auto again = term.run(term.grading(grades, {"--resume"}));
-  CHECK(contains(again.output, fmt::format("1 judged, {} were before", handed_in - 1)));
+  CHECK(contains(again.output, fmt::format("1 judged, {} already judged", handed_in - 1)));
   CHECK(field(rows_by_id(grades).at(term.ids[3]), "variance total") == "100");
 
   // With the roster, an absent student has a row, a late one the mark and the time, and no
@@ -252,7 +252,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   const std::vector<std::string> go_on{"--resume", "--roster", roster.string(), "--html",
                                        pages.string()};
   const auto rostered = term.run(term.grading(grades, go_on));
-  CHECK(contains(rostered.output, fmt::format("1 judged, {} were before", handed_in)));
+  CHECK(contains(rostered.output, fmt::format("1 judged, {} already judged", handed_in)));
   CHECK(contains(rostered.output, "without a submission: student 30"));
   CHECK(field(rows_by_id(grades).at("student 30"), "variance status") == "no file");
   for (const auto& [id, row] : rows_by_id(grades)) {
@@ -277,7 +277,7 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
              "student 05," +
                  csv_field(mended) + ",1.5,right idea\n");
   const auto fixed = term.run(term.grading(grades, go_on));
-  CHECK(contains(fixed.output, fmt::format("1 judged, {} were before", handed_in)));
+  CHECK(contains(fixed.output, fmt::format("1 judged, {} already judged", handed_in)));
   const auto rows = rows_by_id(grades);
   REQUIRE(rows.size() == students);
   CHECK(field(rows.at("student 02"), "variance total") == "100");

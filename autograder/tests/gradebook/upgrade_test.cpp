@@ -60,7 +60,7 @@ struct Semester : Handout {
 
 }  // namespace
 
-TEST_CASE("a handout grows by one commit, and leaves alone what others own") {
+TEST_CASE("a handout grows by one commit, and leaves alone what others own", "[.update]") {
   const Semester semester;
   semester.make_older("labs/1-variance/README.md", "An older text.\n");
   // What a teaching assistant or a student has there.
@@ -96,7 +96,8 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own") {
   CHECK(semester.run({"handout", other.string()}).exit_code == 2);
 }
 
-TEST_CASE("a student's update keeps uncommitted work, and both versions of an edited header") {
+TEST_CASE("a student's update keeps uncommitted work, and both versions of an edited header",
+          "[.update]") {
   const Semester semester;
   const std::string work = "// my work\n", header = "labs/1-variance/variance.hpp";
   const std::string given = read_text(semester.root / header);
@@ -126,7 +127,7 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   CHECK(fs::exists(semester.clone / "starter" / "blue_noise.cpp"));
 }
 
-TEST_CASE("an update that cannot be merged changes nothing") {
+TEST_CASE("an update that cannot be merged changes nothing", "[.update]") {
   const Semester semester;
   const std::string header = "labs/1-variance/variance.hpp";
   semester.make_older(header, "// older\n");
@@ -150,7 +151,7 @@ TEST_CASE("an update that cannot be merged changes nothing") {
   CHECK(contains(semester.update().errors, "git remote add origin"));
 }
 
-TEST_CASE("a released lab is one commit, and the next handout keeps it") {
+TEST_CASE("a released lab is one commit, and the next handout keeps it", "[.update]") {
   const Semester semester;
   REQUIRE_RUN(run, semester.run({"release", "1", semester.root.string()}));
   CHECK(contains(semester.git({"log", "-1", "--format=%s"}).output, "solution of lab variance"));

@@ -46,7 +46,8 @@ void prove(const Subject& subject) {
     }
     const int before = complaints();
     prove_kind(proof, subject);
-    if (complaints() == before) passed.keep();
+    const bool is_quick = std::getenv("MC_QUICK") != nullptr;  // fewer seeds
+    if (complaints() == before && !is_quick) passed.keep();
     return;
   }
   complain("no such kind of submission: " + kind);

@@ -2,7 +2,7 @@
 
 //// assembler_include
 // attack: has the assembler quote /etc/passwd in its errors
-// says: The assembler does not understand
+// says: The assembler rejects an asm statement
 // never says: /nologin
 
 asm(".include \"/etc/passwd\"");
@@ -81,7 +81,7 @@ static double attack() {
 //// include_detour
 // attack: leaves a directory of the system by ..
 // says: etc/passwd
-// says: which is no header of a lab
+// says: which is not a header of a lab
 // never says: root:
 
 #include <linux/../../../etc/passwd>
@@ -127,7 +127,7 @@ QUOTE(
 
 //// include_passwd
 // attack: has the compiler quote /etc/passwd in its errors
-// says: its compilation names /etc/passwd
+// says: its compilation reads /etc/passwd
 // never says: root:
 
 #include "/etc/passwd"
@@ -301,7 +301,7 @@ static double attack() {
 
 //// own_main
 // attack: brings a main of its own
-// says: defines `main`; the labs bring their own
+// says: defines `main`, but the labs have their own
 
 int main() {}
 
