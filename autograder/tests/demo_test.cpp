@@ -110,7 +110,7 @@ TEST_CASE("a demo of a partly written lab says why the rest is missing", "[.demo
   const fs::path file = place.path() / "demo.html";
   const auto nothing = lab_demo({"--out", file.string(), "--dir", layout.starter().string()});
   CHECK(nothing.exit_code == 1);
-  CHECK(contains(nothing.output, "no page: nothing to show"));
+  CHECK(contains(nothing.output, "no page: none of the tasks"));
   CHECK(!fs::exists(file));
   for (const char* name : {"variance.cpp", "independent.cpp"}) {
     fs::copy_file(layout.solutions() / name, place.path() / name);

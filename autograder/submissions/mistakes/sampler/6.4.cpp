@@ -405,7 +405,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // mistake: stores four numbers per sample; further requests read the next sample's
 // fails: 6.1
-// hint: next() to another sample dimension?
+// hint: the same numbers come again
 namespace mc::takes_from_the_next_sample {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
