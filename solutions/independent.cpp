@@ -160,7 +160,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 //
 // * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only
 //   adds, shifts and XORs; it is designed for the upper 53 bits. Sixteen of them run in parallel,
-//   each from 256 random bits of its own: four lanes fill a register, and no step waits for the one
+//   each from its own 256 random bits: four lanes fill a register, and no step waits for the one
 //   before it.
 // * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper
 //   21 next to 2^31, whose last place is 2^-21, the lower 32 next to 1/2, whose last place is

@@ -214,7 +214,7 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 // dimension is first used. After that a number costs its virtual call, one comparison and two
 // loads, by data(), since a vector's index may be checked. `ready_` is how many dimensions have
 // columns, and 0 where there is no sample, so one comparison answers both questions. Rare work is
-// in functions of its own, or the compiler would save registers for it in every next(). Columns
+// in separate functions, or the compiler would save registers for it in every next(). Columns
 // keep their memory from one integration to the next: a picture has one integration per pixel.
 
 class ColumnSampler final : public Sampler {

@@ -225,9 +225,9 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 // That is N random numbers for each axis. If all columns share one permutation (Kensler 2013), all
 // points of a row lie at the same place in their cells: their errors add up and fall as N^-3/4
 // instead of N^-1. So let each column begin the shared permutation at a random place. Then any two
-// points lie as they would with permutations of their own (in one column: as two entries of a
+// points lie as they would with independent permutations (in one column: as two entries of a
 // random permutation; in two columns: independently), and the variance of an estimate, which is
-// made of pairs, is the same for every integrand, for the price of one number a column.
+// made of pairs, is the same for every integrand, for the price of one number per column.
 // docs/multi-jittered.md has the proof.
 
 namespace {

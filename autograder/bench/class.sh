@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes a class of N submissions to all labs, to measure what grading costs: the repository's own
-# submissions in turn, each with a line of its own, so that nothing is cached. One lab in ten is
+# submissions in turn, each with its own line, so that nothing is cached. One lab in ten is
 # hostile, one in ten the starter.
 #
 # A catalog of attacks is not one submission, so those are left out.

@@ -252,7 +252,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   const pid_t pid = fork();
   if (pid < 0) fail("fork");
   if (pid == 0) become(launch, options);
-  const GroupGuard guard(pid);  // a compiler starts programs of its own
+  const GroupGuard guard(pid);  // a compiler starts more programs
 
   ProcessResult result;
   if (has_files) {

@@ -35,7 +35,7 @@ TEST_CASE("a comparison says what is true of the wrong values") {
   const auto raised = failure_of(exact, changed([](double& x, auto) { x = std::max(x, 9.75); }));
   CHECK(raised.likely == "no value is below 9.75: is there a limit?");
 
-  // One wrong value is no limit, and neither are values that jump over it.
+  // One wrong value is not a limit, and neither are values that jump over it.
   CHECK(failure_of(exact, changed([](double& x, auto i) { x = i == 7 ? 3 : x; })).likely ==
         "no idea");
   const auto third = failure_of(exact, changed([](double& x, auto i) { x = i % 3 == 1 ? 5 : x; }));

@@ -43,7 +43,7 @@ double dependence(std::vector<double> joint, std::uint64_t columns);
 Moments moments(std::vector<double> x);
 
 /// For plots: the variance by task 1.`task` (2, 3, 4, 5 or 8) of each part of x, `size` values
-/// long; what is left over at the end is no part. Task 5 adds to parts of 64 and merges them.
+/// long; what is left over at the end is not a part. Task 5 adds to parts of 64 and merges them.
 std::vector<double> variances(unsigned task, std::vector<double> x, std::uint64_t size);
 
 /// For timing: the mean of `rounds` variances by task 1.`task` over x, in which each round but the

@@ -299,7 +299,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(traces, "g n seed replicates",
                     "2.2  the same, with the points and values that g saw"),
       MC_EXPERIMENT(estimates_in_turn, "g n seeds",
-                    "2.2  an estimate of each g, each from a generator of its own",
+                    "2.2  an estimate of each g, each from its own generator",
                     {.index = "seed", .row_labels = "seeds"}),
       MC_EXPERIMENT(by_lab_1, "values", "2.2  what lab 1's functions make of the values"),
       MC_EXPERIMENT(sample_exponential, "u rate", "2.3  the x of each u", {.row_labels = "u"}),

@@ -63,7 +63,7 @@ MC_FIELDS(ByLab1, mean, variance_textbook, variance_two_pass, mean_of_add, varia
 std::vector<double> to_unit(std::vector<std::uint64_t> words);
 
 /// 2.2: replicates of n samples each; the same looked at closely; and one estimate for each
-/// integrand, from a generator of its own, in one process.
+/// integrand, from its own generator, in one process.
 std::vector<Counted> estimates(Function g, std::uint64_t n, std::uint64_t seed,
                                std::uint64_t replicates);
 Traces traces(Function g, std::uint64_t n, std::uint64_t seed, std::uint64_t replicates);
@@ -113,7 +113,7 @@ std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);
 std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t seed,
                              std::uint64_t replicates);
 
-/// For timing: `size` numbers by a source, `rounds` times; round r has a generator of its own, of
+/// For timing: `size` numbers by a source, `rounds` times; round r has its own generator, of
 /// seed `seed` + r (but source 0, whose seeding takes long: one for all). The last number. And 2.7
 /// by way of the area (0) or the hemisphere (1) with n samples, `rounds` times: the last estimate.
 double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds, std::uint64_t seed);

@@ -251,7 +251,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "5.9  scrambled radical inverses of first, first + 1, ..., by each seed",
                     {.columns = "x", .sets = "seeds", .index = "index", .from = "first"}),
       MC_EXPERIMENT(scrambled_one_by_one, "base indices seeds",
-                    "5.9  scrambled radical inverses of indices, each in a column of its own",
+                    "5.9  scrambled radical inverses of indices, each in its own column",
                     {.columns = "x", .sets = "seeds", .row_labels = "indices"}),
       MC_EXPERIMENT(lattice, "n dims seeds", "5.10  n points of a lattice, shifted by each seed",
                     {.dims = "dims", .sets = "seeds", .index = "index"}),

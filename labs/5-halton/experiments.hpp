@@ -43,7 +43,7 @@ std::vector<double> radical_inverses_scrambled(unsigned base, std::uint64_t firs
                                                std::uint64_t count,
                                                std::vector<std::uint64_t> seeds);
 
-/// 5.9: of each of `indices`, in a column of its own, by each of `seeds`: as many lists.
+/// 5.9: of each of `indices`, in its own column, by each of `seeds`: as many lists.
 std::vector<double> scrambled_one_by_one(unsigned base, std::vector<std::uint64_t> indices,
                                          std::vector<std::uint64_t> seeds);
 

@@ -47,7 +47,7 @@ std::vector<Answer> play_two(std::string kind, std::vector<Step> steps);
 std::vector<double> columns(std::string kind, std::uint64_t samples,
                             std::vector<std::uint64_t> seeds, std::vector<unsigned> uses);
 
-/// What lab 5 has of the Sobol' sequence: `dimensions`, each scrambled by a seed of its own made of
+/// What lab 5 has of the Sobol' sequence: `dimensions`, each scrambled by its own seed made of
 /// each of `seeds`. Set after set, a column for each dimension.
 std::vector<double> sobol_columns(std::vector<unsigned> dimensions, std::uint64_t samples,
                                   std::vector<std::uint64_t> seeds);

@@ -88,7 +88,7 @@ CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
         "to 0.01 %)",
         radius > 0.1 ? "at large radii one gap that is missed is much of the square: look for what "
                        "is left in the end"
-                     : "gaps are left: some misses in a row are no proof that nothing fits");
+                     : "gaps are left: some misses in a row are not proof that nothing fits");
   }
 }
 

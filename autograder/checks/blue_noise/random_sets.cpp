@@ -52,9 +52,9 @@ void require_fresh(const SampleSets& sets) {
                   "at the same distances",
                   sets.call, twice->point, twice->set, (twice + 1)->point, (twice + 1)->set),
       "neighborhoods that never come again", "each point of each set is drawn anew",
-      "draw from the generator that is passed in, each point anew: a copy of it, or one with a "
-      "seed of its own, starts again each time, and copies of a pattern that are shifted, turned, "
-      "mirrored or tiled are no new points"});
+      "draw from the generator that is passed in, each point anew: a copy of it, or one with its "
+      "own seed, starts again each time, and copies of a pattern that are shifted, turned, "
+      "mirrored or tiled are not new points"});
 }
 
 /// No point is in two sets, or twice in one: random points never are.
@@ -95,7 +95,7 @@ std::string too_close_hint(View x, View y, double radius, double least) {
            "that may touch";
   }
   // Of pairs that are close by accident, a part of 4/pi radius at most lies across an edge: all of
-  // them do where that is no accident, or once in 10,000 patterns.
+  // them do where that is not an accident, or once in 10,000 patterns.
   std::size_t pairs = 0, across = 0;
   for (std::size_t i = 0; i < x.size() && n < 5000; ++i) {
     for (std::size_t k = 0; k < i; ++k) {

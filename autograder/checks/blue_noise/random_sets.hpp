@@ -49,7 +49,7 @@ inline constexpr double below_one = 1 - eps / 2;
 /// Of each of the lab's 30 tests that have one.
 inline constexpr double alpha = 1e-8;
 
-/// Calls with sizes of x and y that are no points: `into` makes one.
+/// Calls with sizes of x and y that are not points: `into` makes one.
 inline std::vector<InvalidCall> without_points(Call (*into)(std::uint64_t x, std::uint64_t y)) {
   std::vector<InvalidCall> calls;
   for (const auto& [x, y] : {std::pair{3u, 4u}, {4u, 3u}, {0u, 3u}, {3u, 0u}, {0u, 0u}}) {

@@ -98,7 +98,7 @@ CHECK_CASE("5.10 lattices of any size", "[5.10][stretch][needs:5.7]") {
 }
 
 /// Then each point is uniform in the cube, and every estimate unbiased.
-CHECK_CASE("5.10 the shift is uniform and of its own for each axis", "[5.10][stretch][needs:5.7]") {
+CHECK_CASE("5.10 each axis has its own uniform shift", "[5.10][stretch][needs:5.7]") {
   Rng rng = check_rng();
   const Randomness claim = uniform_shift(
       "a lattice",

@@ -80,7 +80,7 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
   constexpr std::size_t count = 1500;
   const std::string nested =
       "nested uniform scrambling in base 2: the flip of a bit is a random "
-      "decision of its own for each string of bits before it";
+      "separate decision for each string of bits before it";
   const std::string independent = "flips after different strings are independent";
   // Two values that differ in bit k: what flips the bits after it in one and in the other. Each
   // pair by itself: four values are nearly independent, and no more is promised.

@@ -238,7 +238,7 @@ CHECK_CASE("5.9 neighboring seeds and all their bits", "[5.9][points:1][edge]") 
   expect_all_seeds(rng, 3, "position", of_zero);
 }
 
-/// Values `skip` … of a column, in a column of their own.
+/// Values `skip` … of a column, in a separate column.
 void check_part(unsigned base, std::uint64_t first, std::uint64_t count, std::uint64_t skip,
                 std::uint64_t size, std::uint64_t seed) {
   const auto whole = MEASURE(radical_inverses_scrambled, base, first, count, {seed});

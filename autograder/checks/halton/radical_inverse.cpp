@@ -20,7 +20,7 @@ void check_indices(Inverses expected) {
 CHECK_CASE("5.1 the radical inverse mirrors the digits of the index", "[5.1][points:5][main]") {
   Rng rng = check_rng();
   // Wider than promised: a bound on 15 digits added up in any order, half an ulp each and more.
-  // What the order is worth has a check of its own.
+  // What the order is worth has its own check.
   constexpr double room = 15 * half_ulp;
   const std::string otherwise =
       "take the digits off the end of the index: the one at position k, from 0, is multiplied by "

@@ -53,7 +53,7 @@ CHECK_CASE("5.7 one shift moves all points and wraps around", "[5.7][points:3][m
   expect_independent_uniforms(shifts_of(points, 3, 100, rng()), shift_is_random, true);
 }
 
-CHECK_CASE("5.7 the shift is uniform and of its own for each axis", "[5.7][points:3]") {
+CHECK_CASE("5.7 each axis has its own uniform shift", "[5.7][points:3]") {
   Rng rng = check_rng();
   for (const std::size_t dims : {3u, 17u}) {
     const Values origin(2 * dims);  // from there, all bits of the shift are seen

@@ -38,7 +38,7 @@ CHECK_CASE("5.3 the first primes", "[5.3][points:2]") {
     expect_each({measured.call, got},
                 {.exact = {primes.begin(), primes.begin() + static_cast<std::ptrdiff_t>(count)},
                  .because = "the primes in order: 2, 3, 5, 7, 11, …",
-                 .suspects = {{from_1, "1 is no prime"}},
+                 .suspects = {{from_1, "1 is not prime"}},
                  .otherwise = "a prime has no divisor but 1 and itself; each comes once, "
                               "in order"});
   }

@@ -96,7 +96,7 @@ CHECK_CASE("2.2 one sample has no standard error", "[2.2][points:1][edge][needs:
 
 CHECK_CASE("2.2 n = 0 is refused", "[2.2][points:1][edge]") {
   expect_refused({{MEASURE_OUTCOME(estimates, {exponential, 0, 1, 0}, 0, 1, 1), "n",
-                   "the mean of nothing is no estimate"}});
+                   "the mean of nothing is not an estimate"}});
 }
 
 CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:2.1]") {

@@ -65,7 +65,7 @@ inline void judge_one_call(const Numbers& numbers, std::uint64_t n, int bits, Rn
   one.bits = other.bits = bits;
   expect_independent_uniforms(
       one, {numbers.words + ", of one call", alpha,
-            "each is to_unit() of a word of its own, with all of its 53 bits: none is used twice, "
+            "each is to_unit() of its own word, with all of its 53 bits: none is used twice, "
             "and none is a mirror image of another",
             "take new numbers from rng inside the loop, for each sample", numbers.same});
   Uniforms both = side_by_side(one, other);

@@ -143,7 +143,7 @@ CHECK_CASE("2.4 one sample has no standard error", "[2.4][points:1][edge][needs:
 CHECK_CASE("2.4 n = 0 is refused", "[2.4][points:1][edge]") {
   expect_refused(
       {{MEASURE_OUTCOME(importance_estimates, {exponential, 0, 1, 0}, {by_uniform, 0}, 0, 1, 1),
-        "n", "the mean of nothing is no estimate"}});
+        "n", "the mean of nothing is not an estimate"}});
 }
 
 CHECK_CASE("2.4 weights of any size and either sign", "[2.4][points:3][needs:2.1]") {

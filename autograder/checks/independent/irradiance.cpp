@@ -128,7 +128,7 @@ Measured<Estimates> by_area(const RectLight& light, std::uint64_t n, std::uint64
 }
 
 /// Lights so small that all of their points give the same, to ten digits: whatever is drawn, the
-/// estimate has one right value, and each wrong formula one of its own.
+/// estimate has one right value, and each wrong formula another one.
 void judge_formula(Rng& rng) {
   Results values;
   for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
@@ -380,7 +380,7 @@ CHECK_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
     expect_that(counted == 77, fmt::format("{}: n = {}", some.call, counted), "77",
                 "the n of an Estimate counts samples", "every sample counts once");
   }
-  const std::string of_nothing = "the mean of nothing is no estimate";
+  const std::string of_nothing = "the mean of nothing is not an estimate";
   expect_refused({{MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "n", of_nothing},
                   {MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "n", of_nothing}});
 }

@@ -113,7 +113,7 @@ void judge_beginnings(Rng& rng) {
     first.values.insert(first.values.end(), here.begin(), here.end());
   }
   const std::string few_states =
-      "does each call begin with a state of its own, of 64 bits at least? A generator that one "
+      "does each call begin with its own state, of 64 bits at least? A generator that one "
       "number of 32 bits seeds has only 2^32 places to begin";
   expect_independent_uniforms(first, {"the first numbers of calls", alpha, few_states, few_states});
 }

@@ -84,11 +84,11 @@ CHECK_CASE("6.7 all else of blue_noise is stratified", "[6.7][points:2][needs:6.
   }
   const SampleSets got = columns_of("blue_noise", 12, domain::seeds(rng, 600), uses);
   for (const std::size_t i : {0u, 7u}) {
-    expect_independent_uniforms(
-        sample_of(got, i), {.words = "different columns are independent",
-                            .alpha = alpha,
-                            .otherwise = "each sample dimension needs a permutation of its own",
-                            .repeated = same_for_seeds});
+    expect_independent_uniforms(sample_of(got, i),
+                                {.words = "different columns are independent",
+                                 .alpha = alpha,
+                                 .otherwise = "each sample dimension needs its own permutation",
+                                 .repeated = same_for_seeds});
   }
 }
 

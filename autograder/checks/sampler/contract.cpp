@@ -288,7 +288,7 @@ CHECK_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
         kind, walk(mixed.size(), fresh_seed(rng), mixed),
         {"the k-th next() of a sample is the same sample dimension, wherever the calls of next2() "
          "are",
-         "count the calls of next() and those of next2() in counters of their own, and set both "
+         "count the calls of next() and those of next2() in separate counters, and set both "
          "to 0 in advance()"});
   }
 }

@@ -124,7 +124,7 @@ const Recorded& picture_of(const Measured& got, std::size_t pixels, std::size_t 
               fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
                           record.generates, record.samples.empty() ? 0 : record.samples[0]),
               fmt::format("{}, one for each pixel, with {} samples", pixels, spp),
-              "every pixel is an integration of its own", "");
+              "every pixel is a separate integration", "");
   expect_that(record.evaluations == pixels * spp,
               fmt::format("{}: {} evaluations of the scene", got.call, record.evaluations),
               fmt::format("{}: {} for each pixel", pixels * spp, spp),

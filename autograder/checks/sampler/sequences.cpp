@@ -102,7 +102,7 @@ void check_first_blocks(const std::string& kind, const Uses& uses) {
   }
   check_decisions("all flips of bits, and permutations of digits, are random and independent",
                   decisions_of(kind, got, rng),
-                  "base 2: owen_scramble of lab 5, with a seed of its own for each dimension (a "
+                  "base 2: owen_scramble of lab 5, with its own seed for each dimension (a "
                   "digital shift, or permuted digits, flips a bit of all points alike); larger "
                   "bases: random permutations of digits (5.9)");
 }
@@ -122,10 +122,10 @@ CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:
     const SampleSets got = columns_of(kind, 8, domain::seeds(rng, 1000), repeated(12, {1, 2}));
     for (const std::size_t i : {0u, 5u}) {
       const std::string of_its_own =
-          "each block must be scrambled by seeds of its own. " + same_for_seeds;
+          "each block must be scrambled by its own seeds. " + same_for_seeds;
       expect_independent_uniforms(
           sample_of(got, i),
-          {.words = "each dimension of each block is randomized by a seed of its own",
+          {.words = "each dimension of each block is randomized by its own seed",
            .alpha = alpha,
            .otherwise = of_its_own,
            .repeated = of_its_own,
@@ -292,14 +292,14 @@ void check_orders(const std::string& kind, std::size_t n, std::size_t blocks, Rn
   check_decisions("the orders of blocks are independent random nested shuffles", orders,
                   is_in_order && n > 4
                       ? "every block but the first needs a shuffle, one for all its dimensions"
-                      : "each block needs a random permutation of its own, with every seed; for "
-                        "each string of bits before it, a decision of its own flips a bit",
+                      : "each block needs its own random permutation, with every seed; for "
+                        "each string of bits before it, a separate decision flips a bit",
                   n > 16);
   check_decisions("the scrambles of blocks are independent and nested", scrambles,
                   "owen_scramble of lab 5, with a seed for each dimension of each block", n > 16);
 }
 
-CHECK_CASE("6.3 each later block has a random order of its own", "[6.3][points:2][needs:5]") {
+CHECK_CASE("6.3 each later block has its own random order", "[6.3][points:2][needs:5]") {
   Rng rng = check_rng();
   for (const std::string& kind : sequences) {
     for (const auto& [n, blocks] : {std::pair{16u, 3u}, {4u, 8u}, {32u, 1u}}) {

@@ -109,11 +109,11 @@ std::string hint_for_orders(const std::vector<Orders>& sets) {
     }
     for (std::size_t b = 0; b < a; ++b) {
       if (in_all([=](const Orders& all) { return all[a] == all[b]; })) {
-        return "one permutation for different sample dimensions: each needs a shuffle of its own";
+        return "one permutation for different sample dimensions: each needs its own shuffle";
       }
     }
   }
-  return "the pattern must be shuffled, by a permutation of its own for each sample dimension and "
+  return "the pattern must be shuffled, by a separate permutation for each sample dimension and "
          "each seed, all permutations equally likely";
 }
 
@@ -124,7 +124,7 @@ const std::vector<Shape> shapes{{12, repeated(6, {1, 2}), 300},
                                 {10007, {1, 2, 1}, 1},
                                 {2, repeated(3, {1, 2}), 300}};
 
-CHECK_CASE("6.2 each sample dimension has a permutation of its own", "[6.2][points:5][needs:3]") {
+CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5][needs:3]") {
   Rng rng = check_rng();
   for (const auto& [n, uses, sets] : shapes) {
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, sets), uses);
@@ -160,9 +160,9 @@ CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]"
     for (std::size_t c = 0; c < got.dims; ++c) strata.push_back(line_of(n, c));
     expect_independent_uniforms(
         jitters_of(got, strata, "a column has one number in each stratum"),
-        {.words = "numbers are uniform in their strata, each by a random number of its own",
+        {.words = "numbers are uniform in their strata, each by its own random number",
          .alpha = alpha,
-         .otherwise = "a random number of its own places each number in its stratum",
+         .otherwise = "place each number in its stratum by a separate random number",
          .repeated =
              "one random number places several numbers, x and y say; or " + same_for_seeds});
   }

@@ -19,7 +19,7 @@ constexpr double alpha = 4.5e-9;
 inline Randomness random_jitters(const std::string& task) {
   return {.words = "points are uniform in the cells of " + task + ", and independent",
           .alpha = alpha,
-          .otherwise = "each point is (i + u) / n with a u of its own, uniform in [0, 1)",
+          .otherwise = "each point is (i + u) / n with its own u, uniform in [0, 1)",
           .repeated =
               "the same random numbers come again: does each block begin with the same ones, or do "
               "streams that run side by side? Draw one for every coordinate, all from the "

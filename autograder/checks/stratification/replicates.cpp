@@ -50,7 +50,7 @@ double standard_error(const Values& means) {
 /// Sums of at most 10006 values of size one lose 10006 eps of them; 5e-12 is twice that.
 constexpr double rounding = 5e-12;
 
-/// Each replicate is a set of n points of its own, and g is evaluated once at each point.
+/// Each replicate has its own set of n points, and g is evaluated once at each point.
 void require_work(const std::string& call, const Replicated& got, std::size_t n,
                   std::size_t replicates) {
   const struct {
@@ -59,7 +59,7 @@ void require_work(const std::string& call, const Replicated& got, std::size_t n,
     const char* hint;
   } counts[] = {
       {"calls of the generator", got.generated, replicates,
-       "each replicate has a point set of its own, made in one call"},
+       "each replicate has its own point set, made in one call"},
       {"calls with a set that is not n x g.dims, or a point that is not", got.misshapen, 0,
        "the generator fills a PointSet(n, g.dims); g.f takes g.dims coordinates"},
       {"evaluations of the integrand", got.evaluated, n * replicates,

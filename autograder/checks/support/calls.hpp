@@ -2,7 +2,7 @@
 // The calls that a check makes, with their outcomes: made again after the check, in another order.
 //
 // Functions of a submission are functions of their arguments: a call gives the same bytes alone, in
-// a process of its own, as after other calls, and twice. Every check is followed by a replay of
+// its own process, as after other calls, and twice. Every check is followed by a replay of
 // its calls, in one process and in reverse order; no check of a lab does this by hand.
 
 #include <string>

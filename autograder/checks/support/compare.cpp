@@ -129,7 +129,7 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
   std::string found;
   const auto explains = [&](const Curve& curve) {
     if (curve.values.size() != got.size()) return false;
-    bool differs = false;  // from the exact values: otherwise it is no mistake
+    bool differs = false;  // from the exact values: otherwise it is not a mistake
     for (std::size_t i = 0; i < got.size(); ++i) {
       if (!agreement.is_explained(got[i], comparison.exact[i], curve.values[i], i)) return false;
       differs = differs || !agreement.agree(curve.values[i], comparison.exact[i], i);

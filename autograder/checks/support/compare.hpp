@@ -43,7 +43,7 @@ struct Comparison {
   std::string otherwise = {};  ///< the hint if no suspect explains the values
   /// Names value i: "mean({1, 2})"; by default the call, then [i].
   std::function<std::string(std::size_t)> name = {};
-  /// The values are results of calls of their own: then suspects about lists (a last value that is
+  /// The values are results of separate calls: then suspects about lists (a last value that is
   /// missing, values shifted by one, in reverse) make no sense.
   bool separate_calls = false;
   bool in_digits = false;  ///< the report counts the correct digits instead of saying the tolerance

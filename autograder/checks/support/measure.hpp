@@ -111,7 +111,7 @@ Rng check_rng();
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits);
 
-/// Runs the program, and no more. A failure of the machine is no verdict on the program: it is
+/// Runs the program, and no more. A failure of the machine is not a verdict on the program: it is
 /// reported, and ends the check.
 sandbox::Outcome run_program(std::string_view request, const sandbox::Limits& limits);
 

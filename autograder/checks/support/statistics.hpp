@@ -34,7 +34,7 @@ struct Hints {
   std::string otherwise;
 };
 
-/// Independent replicates: results of the same estimator from seeds of their own.
+/// Independent replicates: results of the same estimator with different seeds.
 struct Replicates {
   std::string call;                ///< the call: "estimates({7, 8, …}, 64)"
   std::span<const double> values;  ///< one per seed

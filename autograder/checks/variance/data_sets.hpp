@@ -48,7 +48,7 @@ std::vector<List> short_hard_lists(Rng& rng);
 /// {c, 2c, 3c} with a variance of c^2, the largest and the smallest that a double holds; and zeros.
 std::vector<List> lists_of_any_scale(Rng& rng);
 
-/// Finite values whose variance, 1e600 and more, is no double; then values with a NaN or an
+/// Finite values whose variance, 1e600 and more, is not a double; then values with a NaN or an
 /// infinity in the first place, in the last, or between.
 std::vector<Values> without_finite_variance(Rng& rng);
 std::vector<Values> with_a_value_that_is_not_finite(Rng& rng);

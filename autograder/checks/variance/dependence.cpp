@@ -55,7 +55,7 @@ std::vector<Suspect> dependence_suspects(const Table& table) {
   const std::string one_side = "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
   return {
       {largest_size(differences(joint, table.columns, 1)),
-       "the weights are no probabilities yet: divide by their total"},
+       "the weights are not probabilities yet: divide by their total"},
       {largest_size(differences(joint, table.rows, total)),
        "rows and columns are swapped: cell i is in row i / columns and in column i % columns"},
       {*most, one_side},
@@ -133,7 +133,7 @@ CHECK_CASE("1.7 independent variables have dependence zero", "[1.7][points:2]") 
     }
     const std::size_t cell = rng() % joint.size();
     std::vector<Table> tables(2, {rows, columns, joint});
-    tables[1].joint[cell] += 1e6;  // next to it, so that 0 is no answer
+    tables[1].joint[cell] += 1e6;  // next to it, so that 0 is not an answer
     judge_tables(tables, true);
   }
 }
@@ -166,7 +166,7 @@ std::vector<InvalidCall> invalid_tables() {
   for (const std::uint64_t columns : {2u, 3u, 4u, 6u}) {
     add({1, 1, 1, 1, 1}, columns, "joint|columns", "five weights fill no table of these columns");
   }
-  add({1, 1}, std::uint64_t{1} << 63, "joint|columns", "two weights are no table of 2^63 columns");
+  add({1, 1}, std::uint64_t{1} << 63, "joint|columns", "two weights are not table of 2^63 columns");
   for (const double wrong :
        {-1.0, -1e-300, domain::not_a_number, domain::infinity, -domain::infinity}) {
     for (const std::size_t cell : {1u, 0u, 3u}) {

@@ -187,7 +187,7 @@ CHECK_CASE("1.8 the moments of no values", "[1.8][edge][points:1]") {
 
 /// As many digits as 1.3 keeps, 15 at most, less a digit and a half. What 1.3 keeps is measured,
 /// but not taken at more than n roundings leave that scatter, sqrt(n) eps: beyond that it was luck,
-/// which is no standard for another order of additions. (n equal roundings lose n/4 eps: for the
+/// which is not a standard for another order of additions. (n equal roundings lose n/4 eps: for the
 /// values here that can repeat, n < 5000, this is within the digit and a half.)
 void judge_moments(const std::vector<List>& lists, const std::string& otherwise) {
   const auto floor = [](const List& list) {

@@ -193,7 +193,7 @@ int feedback(const Context& context, const Arguments& arguments) {
   }
   const fs::path out = *to;
   if (fs::exists(out) && !fs::is_directory(out)) {
-    throw UsageError(fmt::format("{} is no directory", sandbox::printable_line(out.string())));
+    throw UsageError(fmt::format("{} is not a directory", sandbox::printable_line(out.string())));
   }
   const Table table = read_corrected_table(arguments.words[0], context.labs);
   const auto verdicts = read_verdicts(table);

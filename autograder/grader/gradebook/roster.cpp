@@ -78,7 +78,7 @@ std::string name_in(const Fields& fields) {
   return comma == std::string::npos ? name : name.substr(comma + 2) + ' ' + name.substr(0, comma);
 }
 
-/// Nothing for a row that is no student: Canvas's "Points Possible" and test student, staff.
+/// Nothing for a row that is not a student: Canvas's "Points Possible" and test student, staff.
 std::optional<Person> person_in(const Fields& fields) {
   const bool is_canvas = fields.contains("student");
   Person person;

@@ -110,7 +110,7 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
   }
   // The kernel would open it on the program's behalf, even in the jail.
   if (segments.loader) {
-    built.failure = fmt::format("{} names a loader of its own (a section .interp).", lab.file());
+    built.failure = fmt::format("{} names its own loader (a section .interp).", lab.file());
     return built;
   }
   fs::permissions(aside, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |

@@ -106,7 +106,7 @@ void write_worth(const std::string& row, const Sets& sets) {
 }
 
 /// Dimensions 0 and 1, 2 and 3, … of one Sobol' sequence; there are 16 pairs in all, and what is
-/// shown ends before them. A pair at a time, each with seeds of its own.
+/// shown ends before them. A pair at a time, each with its own seeds.
 Sets sets_of_one_sequence(std::size_t count) {
   constexpr std::size_t pairs = 13;
   Sets all(count, PointSet(table_n, 2 * pairs));

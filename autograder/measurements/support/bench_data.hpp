@@ -5,7 +5,7 @@
 //   [.bench-error]   once: what chance does to a result
 //   [.bench-time]    several times, in turn with the other submissions: what a computer makes of it
 //   [.bench-growth]  once: large N and many dimensions
-//   [.bench-table]   once: numbers that belong into a small table of their own (bench_table())
+//   [.bench-table]   once: numbers that belong in a separate small table (bench_table())
 //   [.bench-table-time]  the same of times: several times, in turn with the other submissions
 //
 // Each number is a row that is written as soon as it is there (protocol/rows.hpp).

@@ -209,7 +209,7 @@ TEST_CASE("the exports of learning platforms") {
   moodle.zip("z", "class.zip");
   CHECK(summary(moodle.take("class.zip")) == "Jane Doe_123: variance; Rob Roe_124: variance");
 
-  // An online text next to files, in either form, is not another person; alone it is no file.
+  // An online text next to files, in either form, is not another person; alone it is not a file.
   Place texts;
   texts.file("class/Jane Doe_123_assignsubmission_file_/variance.cpp")
       .file("class/Jane Doe_123_assignsubmission_onlinetext_/onlinetext.html")

@@ -31,7 +31,7 @@ struct GradedClass : Course {
   sandbox::ProcessResult run;
   GradedClass() {
     hand_in("<i>#1 100%", text_of(layout.starter()));
-    hand_in("bob", "int " + std::string(300, 'x') + " is no name;\n");
+    hand_in("bob", "int " + std::string(300, 'x') + " is not a name;\n");
     hand_in("eve", text_with_mistake(layout));
     hand_in("sol", text_of(layout.solutions()));
     write_text(path() / "class" / "broken.zip", "no zip");

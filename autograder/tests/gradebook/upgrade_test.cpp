@@ -90,7 +90,7 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own", "[.
   CHECK(contains(left, "variance.hpp"));
   CHECK(lines(left) == 3);
   CHECK(contains(semester.again().output, "nothing to change"));
-  // A directory that is no handout is refused.
+  // A directory that is not a handout is refused.
   const fs::path other = semester.path() / "other";
   semester.write("other/x", "");
   CHECK(semester.run({"handout", other.string()}).exit_code == 2);

@@ -1,7 +1,7 @@
 #pragma once
 // Catalogs: files of mistakes that are compiled once. Each mistake is a namespace with the
 // functions that differ from the solution's; the linker puts them in place. A catalog of attacks is
-// not compiled as a whole: each section, with the starter's functions, is a file of its own.
+// not compiled as a whole: each section, with the starter's functions, is its own file.
 
 #include <filesystem>
 #include <string>

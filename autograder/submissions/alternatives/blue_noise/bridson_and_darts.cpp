@@ -9,7 +9,7 @@
 
 namespace mc {
 
-// Choices of its own.
+// Free choices.
 constexpr int tries = 30;
 constexpr std::size_t darts_per_point = 60;
 

@@ -9,7 +9,7 @@
 
 namespace mc {
 
-constexpr int sweeps = 72;  // a choice of its own
+constexpr int sweeps = 72;  // a free choice
 
 /// Cells of radius / sqrt(2) that hold no point yet get a dart each in turn, sweep after sweep. The
 /// order of a sweep is shuffled.

@@ -10,7 +10,7 @@
 
 namespace mc {
 
-constexpr double points_per_cell = 2;  // a choice of its own
+constexpr double points_per_cell = 2;  // a free choice
 
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());

@@ -219,7 +219,7 @@ class RowSampler final : public Sampler {
   }
 
  private:
-  /// Every use has a generator of its own, whose seed does not depend on the order of uses.
+  /// Every use has its own generator, whose seed does not depend on the order of uses.
   std::vector<Column> made(std::size_t axes, std::size_t number) {
     Rng rng(mix_bits(seed_ + number) + axes);
     if (axes == 1 && !halves_.empty()) {

@@ -110,7 +110,7 @@ class Stratified : public TextbookSampler {
     shuffle_all(numbers);
     return numbers;
   }
-  /// Chiu, Shirley and Wang: every column of cells and every row has a permutation of its own.
+  /// Chiu, Shirley and Wang: every column of cells and every row has its own permutation.
   Points make_points() override {
     const Grid grid = strata(samples());
     std::vector<std::vector<std::size_t>> fine_x(grid.nx), fine_y(grid.ny);
@@ -150,7 +150,7 @@ class BlueNoise final : public Stratified {
   }
 };
 
-/// Dimensions in blocks of eight, each after the first in an order of its own.
+/// Dimensions in blocks of eight, each after the first in its own order.
 class Sequence : public TextbookSampler {
  protected:
   virtual Numbers dimension(std::size_t d, std::size_t size) = 0;

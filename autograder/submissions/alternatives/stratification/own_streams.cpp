@@ -1,4 +1,4 @@
-// alternative: each axis draws from a generator of its own, which is seeded from the one that is
+// alternative: each axis draws from its own generator, which is seeded from the one that is
 // passed in; strata are cut as low + u (high - low), odd rows of cells go from
 // right to left
 

@@ -55,7 +55,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view) {
 }  // namespace mc
 
 //// destructor_reports
-// attack: a destructor that writes a result of its own, before the true one
+// attack: a destructor that writes its own result, before the true one
 // says: sent something that is not a result
 
 namespace mc {
@@ -165,7 +165,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view) {
 }  // namespace mc
 
 //// other_virtual_table
-// attack: gives the judge's sampler a virtual table of its own
+// attack: gives the judge's sampler its own virtual table
 // says: 0 calls of generate()
 
 #include <cstring>
@@ -247,7 +247,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc
 
 //// solves_the_scene
-// attack: integrate() looks at the scene through a sampler of its own, as often as it likes
+// attack: integrate() looks at the scene through its own sampler, as often as it likes
 // earns: 8
 // says: the scene was evaluated 4096 times
 

@@ -1,6 +1,6 @@
 // attack: guesses what it is to integrate from two values of it, and adds errors of the exact size
 // earns: 15
-// says: each replicate has a point set of its own
+// says: each replicate has its own point set
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -12,7 +12,7 @@ static double attack() {
 }
 
 //// compiler_options
-// attack: gives the compiler options of its own
+// attack: gives the compiler its own options
 // says: mean({
 
 #pragma GCC optimize("-fplugin=/etc/passwd", "-fprofile-use=/etc/passwd", "-fdump-tree-all=/tmp/x")
@@ -186,7 +186,7 @@ static double attack() {
 
 //// interpreter
 // attack: names another program as its loader: the kernel opens that one by itself
-// says: names a loader of its own
+// says: names its own loader
 
 asm(".section .interp, \"a\"\n.asciz \"/bin/true\"\n.previous");
 
@@ -248,7 +248,7 @@ static double attack() {
 int 1a;
 
 //// link_time
-// attack: looks like link-time optimization, for which a linker starts a compiler of its own
+// attack: looks like link-time optimization, for which a linker starts its own compiler
 // says: mean({
 // never says: linker
 
@@ -273,7 +273,7 @@ static double attack() {
 }
 
 //// own_experiments
-// attack: brings experiments of its own
+// attack: brings its own experiments
 // says: `mc::runner::experiments()` is defined twice
 
 #include "runner/experiment.hpp"
@@ -286,7 +286,7 @@ static double attack() {
 }
 
 //// own_library
-// attack: brings a write of its own, in place of the C library's
+// attack: brings its own write, in place of the C library's
 // says: called exit(0) instead of returning
 
 #include <unistd.h>
@@ -300,7 +300,7 @@ static double attack() {
 }
 
 //// own_main
-// attack: brings a main of its own
+// attack: brings its own main
 // says: defines `main`, but the labs have their own
 
 int main() {}
@@ -331,7 +331,7 @@ static double attack() {
 }
 
 //// own_start
-// attack: brings a start of its own
+// attack: brings its own start
 // says: `_start` is defined twice
 // says: `__libc_start_main` is defined twice
 
@@ -345,7 +345,7 @@ static double attack() {
 }
 
 //// table_of_experiments
-// attack: makes the table of experiments writable and puts one of its own into it
+// attack: makes the table of experiments writable and puts its own into it
 // says: ) = 1.5
 
 #include <sys/mman.h>

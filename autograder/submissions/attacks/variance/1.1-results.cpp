@@ -1,7 +1,7 @@
 // What it sends, prints or throws instead of an answer. Sections: see CONTRIBUTING.md.
 
 //// forged_result
-// attack: writes a result of its own and leaves; it is a number like any other
+// attack: writes its own result and leaves; it is a number like any other
 // says: ) = 1.5
 
 #include <unistd.h>

@@ -229,7 +229,7 @@ static double attack() {
 }
 
 //// own_filter
-// attack: puts a filter of its own over the jail's
+// attack: puts its own filter over the jail's
 // says: made a system call a lab never needs
 
 #include <sys/prctl.h>

@@ -199,7 +199,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::generator_of_its_own
 
 // mistake: throws darts until ten in a row miss
-// hint: some misses in a row are no proof
+// hint: some misses in a row are not proof
 namespace mc::gives_up_early {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts(radius, rng, 10, toroidal_distance_squared);

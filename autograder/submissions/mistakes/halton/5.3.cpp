@@ -46,7 +46,7 @@ void halton(PointSet& points, std::uint64_t first) {
 }  // namespace mc::one_base_for_all
 
 // mistake: counts 1 as the first prime
-// hint: 1 is no prime
+// hint: 1 is not prime
 namespace mc::one_is_prime {
 std::vector<unsigned> primes(std::size_t count) {
   auto found = right_primes(count);

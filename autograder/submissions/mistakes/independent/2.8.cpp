@@ -148,7 +148,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }
 }  // namespace mc::seeded_by_the_first_call
 
-// mistake: seeds a generator of its own with 32 of the 64 bits of a word
+// mistake: seeds its own generator with 32 of the 64 bits of a word
 // hint: has only 2^32 places to begin
 namespace mc::seeds_of_32_bits {
 void uniforms(Rng& rng, std::span<double> out) {

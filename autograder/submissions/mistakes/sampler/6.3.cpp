@@ -121,7 +121,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// hint: scrambled by seeds of its own
+// hint: scrambled by its own seeds
 namespace mc::halton_blocks_scrambled_alike {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_alike<fill_halton>, two_alike<fill_halton>>("halton", kind);
@@ -171,7 +171,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::halton_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
-// hint: each block needs a random permutation of its own
+// hint: each block needs its own random permutation
 namespace mc::halton_padded_in_one_order {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_by<fill_halton, same_order>, two_by<fill_halton, same_order>>("halton",
@@ -300,7 +300,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// hint: scrambled by seeds of its own
+// hint: scrambled by its own seeds
 namespace mc::sobol_blocks_scrambled_alike {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_alike<fill_sobol>, two_alike<fill_sobol>>("sobol", kind);
@@ -333,7 +333,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::sobol_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
-// hint: each block needs a random permutation of its own
+// hint: each block needs its own random permutation
 namespace mc::sobol_padded_in_one_order {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   return make_other_kind<one_by<fill_sobol, same_order>, two_by<fill_sobol, same_order>>("sobol",

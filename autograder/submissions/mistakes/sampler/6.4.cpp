@@ -490,7 +490,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // mistake: counts next() and next2() together: a next() is half of a next2()
 // fails: 6.3, 6.7
-// hint: count the calls of next() and those of next2() in counters of their own
+// hint: count the calls of next() and those of next2() in separate counters
 namespace mc::one_counter {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;

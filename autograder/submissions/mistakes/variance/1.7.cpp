@@ -32,7 +32,7 @@ double sum(std::span<const double> joint) {
 }  // namespace mc
 
 // mistake: takes the weights for probabilities
-// hint: the weights are no probabilities yet: divide by their total
+// hint: the weights are not probabilities yet: divide by their total
 namespace mc::dependence_not_normalised {
 double dependence(std::span<const double> joint, std::size_t columns) {
   double largest = 0;
