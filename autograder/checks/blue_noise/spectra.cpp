@@ -42,7 +42,7 @@ std::vector<Curve> wrong_powers(const Points& points, int kmax, const Power& exa
        "this is |sum|^2: divide by the number of points"},
       {[&](int kx, int ky) { return exact(kx, ky) / n; }, "this is divided by N twice"},
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky) * n); },
-       "this is |sum|: its square over N is asked for"},
+       "this is |sum|: the task asks for its square over N"},
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky) / n); },
        "this is |sum| / N: the sum is squared, then divided by N"},
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky)); },
@@ -214,7 +214,7 @@ std::vector<Curve> wrong_means(const Values& power, int kmax, const RingOf& near
   return {
       {means([](int, int, double k) { return std::floor(k); }),
        "abs(k) is cut here: round it to the nearest ring"},
-      {sum, "this is the sum over the ring: its mean is asked for"},
+      {sum, "this is the sum over the ring: the task asks for its mean"},
       {by_length, "this is the sum over 2 pi r: divide by how many (kx, ky) there are in the ring"},
       {means([=](int, int ky, double k) { return ky >= 0 ? std::round(k) : infinity; }),
        "this is the mean over ky >= 0 alone"},

@@ -48,7 +48,7 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
       .because = "coordinates are rounded to eps / 2, differences too",
       .suspects = {{{},
                     "this is the distance within the square: the way across an edge is shorter"},
-                   {{}, "this is the distance: its square is asked for"},
+                   {{}, "this is the distance: the task asks for its square"},
                    {{}, "x goes round the torus, y does not"},
                    {{}, "y goes round the torus, x does not"},
                    {{}, "this is the sum of both ways: their squares are added"}},

@@ -153,17 +153,18 @@ void judge_plans(const std::vector<Plan>& plans) {
     samples.add(got.call, is_one_more ? fewest : value, fewest, slack + is_huge,
                 [=]() -> std::vector<Suspect> {
                   const std::string up = "this many do not quite do it: round up";
-                  return {{std::floor(exact), up},
-                          {std::round(exact), up},
-                          {std::ceil(n * plain),
-                           "half the error costs four times the samples: square the ratio"},
-                          {std::ceil(plain * plain),
-                           "the pilot's standard error is that of n samples: times n"},
-                          {std::ceil(exact) - n, "all of them are asked for, not how many more"},
-                          {std::ceil(n / plain / plain),
-                           "the ratio is upside down: a smaller target costs more"},
-                          {std::ceil(n * n * plain * plain),
-                           "s is standard_error · sqrt(n), not standard_error · n"}};
+                  return {
+                      {std::floor(exact), up},
+                      {std::round(exact), up},
+                      {std::ceil(n * plain),
+                       "half the error costs four times the samples: square the ratio"},
+                      {std::ceil(plain * plain),
+                       "the pilot's standard error is that of n samples: times n"},
+                      {std::ceil(exact) - n, "the task asks for all of them, not how many more"},
+                      {std::ceil(n / plain / plain),
+                       "the ratio is upside down: a smaller target costs more"},
+                      {std::ceil(n * n * plain * plain),
+                       "s is standard_error · sqrt(n), not standard_error · n"}};
                 });
   }
   samples.expect("the error falls as 1 / sqrt(n)", "n (standard error / target)^2, rounded up");

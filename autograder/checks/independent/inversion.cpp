@@ -77,7 +77,7 @@ CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
             {[=](double at) { return rate * std::exp(-rate * at); },
              "this is the density at u: inversion solves P(x) = u for x"},
             {[=](double at) { return -std::expm1(-rate * at); },
-             "this is P(u): its inverse is asked for"}},
+             "this is P(u): the task asks for its inverse"}},
            "solve 1 - exp(-rate x) = u for x, with log1p"});
     }
   }

@@ -106,7 +106,8 @@ void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects
 void judge_means(Results& means) {
   means.expect(
       "n additions lose at most n eps of the sum of sizes, in any order; one digit less is enough",
-      "the mean of the very values that g gave; NaN comes of 0/0, or of a variable that nothing "
+      "the mean of the very values that g gave; NaN comes from 0/0, or from a variable that "
+      "nothing "
       "was written to");
 }
 

@@ -271,7 +271,7 @@ CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][main][poi
     }
     expect_contract(
         kind, walk(n, seed, growing),
-        {"a sample dimension may first be asked for by a later sample: its values are the same",
+        {"a later sample may be the first to ask for a sample dimension: its values are the same",
          "make a whole column, also for the samples before, and return this sample's"});
   }
 }
@@ -343,10 +343,10 @@ TEST_CASE("6.8 many samples are right too",
 TEST_CASE("6.8 an unused sample dimension costs no memory", "[6.8][edge][points:2][needs:6.4]") {
   // A column of so many samples is 1 GB, more than a program may have.
   for (const std::string kind : {"independent", "stratified", "halton", "sobol"}) {
-    expect_contract(
-        kind, {generate(most_samples, 1), advance, advance, generate(4, 1), next, next2},
-        {"of 2^27 samples, nothing is asked for; then there are 4 samples",
-         "columns are made when they are asked for, of as many numbers as there are samples"});
+    expect_contract(kind,
+                    {generate(most_samples, 1), advance, advance, generate(4, 1), next, next2},
+                    {"of 2^27 samples, nothing is asked for; then there are 4 samples",
+                     "make a column when it is first used, with one number per sample"});
   }
 }
 

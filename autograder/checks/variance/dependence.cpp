@@ -63,7 +63,7 @@ std::vector<Suspect> dependence_suspects(const Table& table) {
       {of_filled_cells, "the largest difference is in an empty cell, below 0: every cell counts"},
       {largest_size(differences(scaled, table.columns, 1)),
        "divide by the total: the reciprocal of a tiny one overflows"},
-      {sum, "this is the sum of all cells' differences: the largest one is asked for"}};
+      {sum, "this is the sum of all cells' differences: the task asks for the largest one"}};
 }
 
 /// Of each table, by the definition, or 0 where it is known to be independent.

@@ -6,7 +6,7 @@
 #undef toroidal_distance_squared
 
 // mistake: returns the distance, not its square
-// hint: this is the distance: its square is asked for
+// hint: this is the distance: the task asks for its square
 namespace mc::distance_not_squared {
 double toroidal_distance_squared(Point2 a, Point2 b) {
   return std::sqrt(right_toroidal_distance_squared(a, b));

@@ -6,7 +6,7 @@
 #undef samples_for
 
 // mistake: returns how many more samples are needed, not how many in all
-// hint: all of them are asked for, not how many more
+// hint: the task asks for all of them, not how many more
 namespace mc::counts_more_samples {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   right_samples_for(pilot, target_error);  // for what it refuses

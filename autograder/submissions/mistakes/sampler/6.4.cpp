@@ -455,7 +455,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::throws_at_the_end
 
 // mistake: makes columns only for the requests of the first sample
-// hint: a sample dimension may first be asked for by a later sample
+// hint: a later sample may be the first to ask for a sample dimension
 namespace mc::uses_of_the_first_sample {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
