@@ -252,7 +252,7 @@ namespace {
 
 /// A directory that is always the same, so that six labs are compiled only once.
 fs::path copy_of_solutions(const Layout& layout, const std::string& name) {
-  const fs::path copy = layout.build / "tests" / name;
+  fs::path copy = layout.build / "tests" / name;
   fs::create_directories(copy);
   for (const auto& entry : fs::directory_iterator(layout.solutions())) {
     write_text(copy / entry.path().filename(), read_whole_text(entry.path()));

@@ -146,7 +146,7 @@ std::string whole_source() {
 
 /// A directory with the same name in every run, so that its programs are built only once.
 fs::path submission_directory(const std::string& name) {
-  const fs::path directory = read_layout().build / "tests" / name;
+  fs::path directory = read_layout().build / "tests" / name;
   fs::create_directories(directory);
   return directory;
 }

@@ -5,6 +5,6 @@
 
 /// Names the result of a program that must end with status 0. A later failure shows its output.
 #define REQUIRE_RUN(run, ...)      \
-  const auto run = __VA_ARGS__;    \
+  auto run = __VA_ARGS__;          \
   CAPTURE(run.output, run.errors); \
   REQUIRE(run.succeeded())

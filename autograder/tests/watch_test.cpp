@@ -66,7 +66,7 @@ class WatchProcess {
     const auto end = std::chrono::steady_clock::now() + patience;
     for (;;) {
       if (const auto at = unread_.find(text); at != std::string::npos) {
-        const std::string all = unread_.substr(0, at + text.size());
+        std::string all = unread_.substr(0, at + text.size());
         unread_.erase(0, at + text.size());
         return all;
       }

@@ -41,8 +41,8 @@ std::string report_line(std::string_view line, std::size_t margin, std::size_t w
 
 constexpr std::size_t margin = 9;
 
-std::string check_line(const Terminal& terminal, const char* color, const char* mark,
-                       const std::string& name, const std::string& right) {
+std::string check_line(const std::string& name, const Terminal& terminal, const char* color,
+                       const char* mark, const std::string& right) {
   const std::size_t room = terminal.width > 24 ? terminal.width - 14 : 10;
   std::string text = wrapped(name, room - 9, margin);
   const auto last = text.rfind('\n');
@@ -219,9 +219,8 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
         ++last;
       }
       all += check_line(
-          terminal, grey, "?",
           last > i ? fmt::format("{} and {} more", result.check.name, last - i) : result.check.name,
-          "not judged");
+          terminal, grey, "?", "not judged");
       all += report_line("because   " + result.report, margin, terminal.width);
       i = last;
       continue;
@@ -230,11 +229,11 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
         is_grade ? points_or_stretch(result.earned(), result.check.points) : std::string();
     if (result.is_open() && next == nullptr) next = &result;
     if (result.status == Status::passed) {
-      all += check_line(terminal, green, "✓", result.check.name, points);
+      all += check_line(result.check.name, terminal, green, "✓", points);
       continue;
     }
     if (result.status == Status::failed || result.status == Status::internal_error) {
-      all += check_line(terminal, red, "✗", result.check.name, points);
+      all += check_line(result.check.name, terminal, red, "✗", points);
       const bool is_first = explained.insert(result.check.task).second;
       if (is_first || result.status != Status::failed) {
         all += full_report(lab, result, terminal);
@@ -255,7 +254,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
       const std::string what = last > i
                                    ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
                                    : result.check.name;
-      all += check_line(terminal, grey, "·", what + ": " + describe(result, lab),
+      all += check_line(what + ": " + describe(result, lab), terminal, grey, "·",
                         is_grade ? points_or_stretch(0, together) : std::string());
       if (result.status == Status::not_run) {
         all += report_line("because   " + result.report, margin, terminal.width);

@@ -291,7 +291,7 @@ TEST_CASE("unused programs are swept, recently used ones stay") {
   const Scratch build;
   layout.build = build.path();
   const auto slot = [&](const char* name, int minutes) {
-    const fs::path place = build.path() / "programs" / name;
+    fs::path place = build.path() / "programs" / name;
     build.write(std::string("programs/") + name + "/x.program", std::string(1000, 'x'));
     fs::last_write_time(place / "x.program",
                         fs::file_time_type::clock::now() - std::chrono::minutes(minutes));

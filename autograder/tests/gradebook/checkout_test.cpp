@@ -316,7 +316,7 @@ std::string with_new_lab(const Handout& handout) {
   CHECK_THROWS_AS(write_new_lab(skeleton, 2, "../x", handout.root), UsageError);
   CHECK(write_new_lab(skeleton, 2, "light_transport", handout.root).size() > 8);
   CHECK_THROWS_AS(write_new_lab(skeleton, 2, "light_transport", handout.root), UsageError);
-  const std::string solution = read_text(handout.root / "solutions" / "light_transport.cpp");
+  std::string solution = read_text(handout.root / "solutions" / "light_transport.cpp");
   fs::remove_all(handout.root / "solutions");  // a handout has none
   fs::remove_all(handout.root / "autograder" / "submissions");
   return solution;

@@ -100,7 +100,7 @@ TEST_CASE("neither a handout nor its history has an answer", "[.update]") {
 TEST_CASE("a handout's README covers exactly the handout's content", "[.update]") {
   const auto readme = [](const Handout& handout) {
     REQUIRE(handout.written.exit_code == 0);
-    const std::string text = read_text(handout.root / "README.md");
+    std::string text = read_text(handout.root / "README.md");
     for (auto at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
       const std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
       CAPTURE(link);

@@ -73,7 +73,7 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
 }
 
 std::string kind_of(const fs::path& file) {
-  const std::string top = file.parent_path().filename().string();
+  std::string top = file.parent_path().filename().string();
   if (top == "starter" || top == "solutions") return top;
   return file.parent_path().parent_path().filename().string();
 }
