@@ -123,10 +123,10 @@ const RegisterCommand check_command{
     {"check",
      "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE] [--with-reference]",
      {"only=", "first", "watch", "seed=", "json=", "with-reference"},
-     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, only its checks:\n"
-     "./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
-     "  --first       stop at the first task that is not right\n"
-     "  --watch       judge again after each save; the first open task is on top; Ctrl-C ends\n"
+     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, only its\n"
+     "checks: ./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
+     "  --first       stop at the first task that fails\n"
+     "  --watch       judge again after each save, the first unsolved task on top; Ctrl-C ends\n"
      "  --seed S      repeat the run with that seed; every report names its seed\n"
      "  --json FILE   also write Gradescope's results.json\n"
      "  --with-reference  use the solutions of the labs that this one depends on\n"

@@ -100,7 +100,7 @@ const RegisterCommand completion_command{
      "completion bash|zsh",
      {},
      "Prints a script: eval \"$(./lab completion bash)\" completes commands, labs, tasks,\n"
-     "experiments and options on TAB, in this shell; in ~/.bashrc, in each.\n",
+     "experiments and options on TAB in this shell; put it into ~/.bashrc for every shell.\n",
      completion}};
 
 }  // namespace

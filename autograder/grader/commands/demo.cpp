@@ -50,7 +50,7 @@ const RegisterCommand demo_command{
      {"out=", "dir="},
      "One self-contained page with an interactive figure per lab: digits, error bars, strata,\n"
      "spectra, elementary intervals, pictures. Measures the solutions if the checkout has them,\n"
-     "else starter/.\n"
+     "otherwise starter/.\n"
      "  --out F.html  the file (build/demo.html)\n"
      "  --dir DIR     measure this submission instead\n",
      demo}};

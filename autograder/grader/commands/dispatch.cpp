@@ -1,6 +1,7 @@
 #include "grader/commands/dispatch.hpp"
 
 #include <unistd.h>
+#include <cctype>
 
 #include <algorithm>
 #include <cstdio>
@@ -79,7 +80,9 @@ int dispatch(char** argv) {
   if (command == nullptr) run_course(context.layout, argv);
   const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
   if (!rest.empty() && (rest[0] == "--help" || rest[0] == "-h")) {
-    fmt::print("usage: ./lab {}\n\n{}.\n{}", command->usage, entry.description, command->details);
+    std::string description(entry.description);
+    description[0] = static_cast<char>(std::toupper(description[0]));
+    fmt::print("usage: ./lab {}\n\n{}.\n{}", command->usage, description, command->details);
     return 0;
   }
   const bool wants_json = std::any_of(

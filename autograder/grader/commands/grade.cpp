@@ -354,12 +354,11 @@ const RegisterCommand grade_command{
      "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--roster FILE] [--html DIR] ...",
      {"lab=,", "roster=", "with-reference", "json=", "leaderboard", "visibility=", "csv=", "resume",
       "html=", "shard=", "slurm", "seed=", "jobs=j", "speed", "no-plots"},
-     "Grades every lab that DIR has a file of: at its top, in starter/, or anywhere below. A\n"
-     "directory or zip of several people's work, as Gradescope, Canvas and Moodle export it,\n"
-     "means each of them. One submission gets a report of each check, and plots; several get one\n"
-     "line each.\n"
-     "  --lab LAB     that lab; a missing file earns 0 points (several: --lab "
-     "1,2)\n"
+     "Grades every lab that has a file in DIR: at its top, in starter/, or anywhere below. A\n"
+     "directory or zip file with the work of several people, as Gradescope, Canvas and Moodle\n"
+     "export it, counts as one submission per person. One submission gets a report of each\n"
+     "check, and plots; several get one line each.\n"
+     "  --lab LAB     grade only this lab; a missing file earns 0 points (several: --lab 1,2)\n"
      "  --csv FILE    write a row for each submission as soon as it is judged, and its full "
      "verdict\n"
      "                to FILE-verdicts/\n"
@@ -378,9 +377,9 @@ const RegisterCommand grade_command{
      "  --seed S      use this seed\n"
      "  -j N          run N jobs at once: submissions, or checks of a single one (all cores)\n"
      "  --speed       also measure the speed tasks; for several submissions, at the end, in turn\n"
-     "  --shard k/n   every n-th submission from the k-th on, for n machines; ./lab merge joins\n"
+     "  --shard k/n   every n-th submission from the k-th on, for n machines; ./lab merge merges\n"
      "                the tables\n"
-     "  --slurm       with --csv: submit a cluster task per submission; --resume gathers them\n"
+     "  --slurm       with --csv: submit a cluster task per submission; --resume collects them\n"
      "  --no-plots    no plots\n"
      "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some submissions are not\n"
      "judged and have no points.\n",

@@ -104,12 +104,13 @@ const RegisterCommand gradescope_command{
     {"gradescope",
      "gradescope LAB... --out FILE.zip [--visibility V] [--leaderboard]",
      {"out=", "visibility=", "leaderboard"},
-     "An assignment that grades these labs; a missing file earns 0 points. The zip has all that\n"
-     "the labs need, with setup.sh and run_autograder at its top, but no solutions.\n"
+     "Writes the autograder of an assignment with these labs; a missing file earns 0 points. The\n"
+     "zip file has everything that the labs need, with setup.sh and run_autograder at its top,\n"
+     "but no solutions.\n"
      "  --out FILE.zip  where to write it\n"
      "  --visibility V  when students see the checks: visible, hidden, after_due_date,\n"
      "                  after_published\n"
-     "  --leaderboard   a leaderboard of speed for the whole class; the zip then has the "
+     "  --leaderboard   a leaderboard of speed for the whole class; the zip file then has the "
      "reference\n",
      gradescope}};
 

@@ -204,11 +204,11 @@ const RegisterCommand handout_command{
     {"handout",
      "handout DIR [--labs 1,2,…] [--hints N] [--with-sources]",
      {"labs=", "hints=", "with-sources"},
-     "Labs, starters, the autograder as programs, and a README for students, as a git repository\n"
-     "with one commit. No solutions, no checks, no tests of the repository. Includes an editor's\n"
-     "tasks, a dev container, and a workflow that grades each push. Students need Linux on this\n"
-     "machine's architecture, and a compiler. On a handout that exists, adds a commit with what\n"
-     "changed; starter/, answers/ and edited files are never changed.\n"
+     "Writes a git repository with one commit: the labs, the starters, the autograder as\n"
+     "programs, a README for students, an editor's tasks, a dev container, and a workflow that\n"
+     "grades each push. It has no solutions, checks or tests. Students need Linux on this\n"
+     "machine's architecture, and a compiler. If DIR is a handout already, adds a commit with\n"
+     "the changes; starter/, answers/ and edited files stay as they are.\n"
      "  --labs LIST   only these labs and those that they depend on\n"
      "  --hints N     only the first N steps of each task's hints, 0 to 3\n"
      "  --with-sources  the autograder's sources in place of its programs, for other systems and\n"

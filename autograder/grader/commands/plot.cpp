@@ -38,7 +38,7 @@ const RegisterCommand plot_command{
     {"plot",
      "plot LAB [DIR...] [--alone]",
      {"alone"},
-     "starter/ without DIR; next to it the solutions, if the checkout has them.\n"
+     "Draws starter/ if no DIR is named, next to the solutions if the checkout has them.\n"
      "  --alone   without the solutions\n",
      plot}};
 

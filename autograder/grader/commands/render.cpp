@@ -93,9 +93,9 @@ const RegisterCommand render_command{
     {"render",
      "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
      {"sampler=", "spp="},
-     "Draws two sheets of each picture in build/render: with N samples per pixel (16), and with\n"
-     "as many as a sampler makes in the time of N independent ones. Draws all pictures without\n"
-     "PICTURE; an unknown name prints a list of them. DIR as in plot.\n"
+     "Draws two sheets of each picture into build/render: one with N samples per pixel (16), one\n"
+     "with as many as each sampler makes in the time of N independent ones. Draws all pictures\n"
+     "if none is named; an unknown name prints a list of them. DIR is as in plot.\n"
      "  --sampler KIND   only this kind of sampler\n",
      render}};
 

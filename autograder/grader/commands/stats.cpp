@@ -33,7 +33,7 @@ const RegisterCommand stats_command{
      "many passed each check, failed it, did not write its task, or were not judged; its\n"
      "discrimination, the point-biserial correlation of passing it with the points of the lab's\n"
      "other checks; the hours that students report; and the most frequent hints. Unwritten tasks\n"
-     "and hints are known from the verdicts next to the table.\n"
+     "and hints are read from the verdicts next to the table.\n"
      "  --html F      write the same as a page, without names\n",
      stats}};
 
