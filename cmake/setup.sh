@@ -84,9 +84,9 @@ install_things() {
     command -v sudo >/dev/null 2>&1 && as_root="sudo "
   fi
   case $manager in
-    apt) command="${as_root}apt-get install -y --no-install-recommends$packages" ;;
-    dnf) command="${as_root}dnf install -y$packages" ;;
-    brew) command="brew install$packages" ;;
+    apt) install="${as_root}apt-get install -y --no-install-recommends$packages" ;;
+    dnf) install="${as_root}dnf install -y$packages" ;;
+    brew) install="brew install$packages" ;;
     *)
       echo "lab: missing: $*. There is no apt, dnf or brew here: install them by hand." >&2
       only_gnuplot "$@" || exit 3
@@ -94,7 +94,7 @@ install_things() {
       ;;
   esac
   echo "Missing: $*" >&2
-  echo "  $command" >&2
+  echo "  $install" >&2
   if [ -t 0 ] && [ -t 2 ] && [ "${CI:-}" != true ]; then
     printf 'Run this? [Y/n] ' >&2
     read -r answer
@@ -108,7 +108,7 @@ install_things() {
   log=$build/setup.log
   export DEBIAN_FRONTEND=noninteractive
   if [ "$manager" = apt ]; then ${as_root}apt-get update >"$log" 2>&1 || true; fi
-  if ! $command >>"$log" 2>&1 </dev/null; then
+  if ! $install >>"$log" 2>&1 </dev/null; then
     tail -n 5 "$log" >&2
     echo "lab: that failed (the whole of it: $log)" >&2
     only_gnuplot "$@" || case " $* " in *" compiler "* | *" cmake "* | *" make "*) exit 3 ;; esac

@@ -1,6 +1,7 @@
-// A checkout that was moved or copied with its build. A stub replaces what the entry script builds:
-// it says where it was configured.
+// A checkout that was moved or copied with its build, and one on a machine that lacks a package. A stub
+// replaces what the entry script builds: it says where it was configured.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -27,11 +28,15 @@ file(WRITE ${CMAKE_BINARY_DIR}/layout.txt "root=${CMAKE_SOURCE_DIR}\n")
 file(WRITE ${CMAKE_BINARY_DIR}/bin/grader "#!/bin/sh\necho ${CMAKE_SOURCE_DIR}\n")
 file(CHMOD ${CMAKE_BINARY_DIR}/bin/grader PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 add_custom_target(grader COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/built)
+add_custom_target(checks_variance COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/checks)
 )";
 
-sandbox::ProcessResult run_lab(const fs::path& checkout) {
-  return sandbox::run_process({(checkout / "lab").string(), "--version"},
-                              {.environment = {{"MC_BUILD", ""}, {"CI", "true"}}});
+sandbox::ProcessResult run_lab(const fs::path& checkout,
+                               std::vector<std::string> words = {"--version"},
+                               const std::string& search_path = std::getenv("PATH")) {
+  words.insert(words.begin(), (checkout / "lab").string());
+  return sandbox::run_process(
+      words, {.environment = {{"MC_BUILD", ""}, {"CI", "true"}, {"PATH", search_path}}});
 }
 
 /// A checkout in which ./lab has been called once.
@@ -42,7 +47,7 @@ struct Checkout : Scratch {
     const fs::path here = fs::canonical(path());
     first = here / "first", other = here / "the other";
     fs::create_directories(first / "cmake");
-    fs::create_directories(first / "labs");
+    fs::create_directories(first / "labs" / "1-variance");
     const fs::path root = read_layout().root;
     fs::copy_file(root / "lab", first / "lab");
     fs::copy_file(root / "cmake" / "setup.sh", first / "cmake" / "setup.sh");
@@ -119,6 +124,36 @@ TEST_CASE("a checkout called through a link keeps its build", "[script]") {
   CHECK(run.output == checkout.first.string() + '\n');
   CHECK(run.errors.empty());
   CHECK(configured(checkout.first) == 1);
+}
+
+TEST_CASE("the first call installs what is missing and builds what its command needs", "[script]") {
+  const Checkout checkout;
+  fs::remove_all(checkout.first / "build");
+  // A search path without gnuplot, whose apt-get installs it.
+  const fs::path programs = checkout.path() / "programs";
+  fs::create_directories(programs);
+  for (const char* directory : {"/usr/bin", "/bin", "/usr/local/bin"}) {
+    if (!fs::exists(directory)) continue;
+    for (const auto& program : fs::directory_iterator(directory)) {
+      const fs::path name = program.path().filename();
+      if (name == "gnuplot" || name == "apt-get" || name == "sudo") continue;
+      if (fs::exists(fs::symlink_status(programs / name))) continue;
+      fs::create_symlink(program.path(), programs / name);
+    }
+  }
+  const auto script = [&](const std::string& name, const std::string& text) {
+    write_text(programs / name, "#!/bin/sh\n" + text);
+    fs::permissions(programs / name, fs::perms::owner_all);
+  };
+  script("apt-get", "[ $1 = update ] || cp " + (programs / "true").string() + " " +
+                        (programs / "gnuplot").string() + "\n");
+  const auto run = run_lab(checkout.first, {"check", "variance"}, programs.string());
+  CAPTURE(run.errors);
+  CHECK(run.exit_code == 0);
+  CHECK(contains(run.errors, "Missing: gnuplot"));
+  CHECK(contains(run.errors, "apt-get install -y --no-install-recommends gnuplot-nox"));
+  CHECK(fs::exists(programs / "gnuplot"));
+  CHECK(fs::exists(checkout.first / "build" / "checks"));
 }
 
 }  // namespace mc::tests::moved
