@@ -67,8 +67,8 @@ double pdf_power(double x, double a);
 /// 2.4  The integral of the one-dimensional `g` over the support of `p`, as the mean of g(x) / p(x)
 /// at `n` independent points x = p.sample(u). standard_error and Estimate::n are as in 2.2. A point
 /// at which the pdf is 0 or infinite adds 0 and is counted.
-/// requires: n >= 1; g.dims = 1; p.pdf is the density of p.sample(u) for a uniform u, 0
-///   or at least 1e-300.
+/// requires: n >= 1; g.dims = 1; p.pdf is the density of p.sample(u) for a uniform u, 0 or at least
+///   1e-300.
 /// throws: std::invalid_argument for n = 0.
 /// source: Pharr, Jakob, Humphreys 2023, section 2.2.2; Owen, chapter 9.
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng);
@@ -83,8 +83,8 @@ Interval confidence_interval(const Estimate& estimate, double level);
 /// 2.6  How many samples reduce the standard error to `target_error`, according to a pilot run:
 /// n (standard error / target)^2, rounded up, and at least 1. One sample too many is accepted.
 /// requires: a pilot with samples and a standard error; target_error > 0.
-/// throws: std::invalid_argument if target_error is not positive, or NaN; if the pilot has n = 0
-///   or its standard error is NaN; and if the answer does not fit into 64 bits.
+/// throws: std::invalid_argument if target_error is not positive, or NaN; if the pilot has n = 0 or
+///   its standard error is NaN; and if the answer does not fit into 64 bits.
 /// source: Owen, chapter 2.
 std::uint64_t samples_for(const Estimate& pilot, double target_error);
 

@@ -11,7 +11,7 @@ namespace mc {
 /// random word again, with log2(n) bits less. A word is used while the n multiply to 2^24 at most, or
 /// for one choice: probabilities are wrong by a factor of 1 ± 2^-40 at most, or 1 ± n 2^-64 where n
 /// is above 2^24.
-/// source:   Brackett-Rozinsky, Lemire 2024, "Batched ranged random integer generation".
+/// source: Brackett-Rozinsky, Lemire 2024, "Batched ranged random integer generation".
 class Choices {
  public:
   explicit Choices(Rng& rng) : rng_(rng) {}

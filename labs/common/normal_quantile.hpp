@@ -12,7 +12,7 @@ namespace mc {
 ///
 /// A first guess, good to 4.5e-4, and two steps of Halley's method, which triples the digits: 3,
 /// 10, all.
-/// source:   Abramowitz, Stegun 1964, "Handbook of mathematical functions", 26.2.23.
+/// source: Abramowitz, Stegun 1964, "Handbook of mathematical functions", 26.2.23.
 inline double normal_quantile(double p) {
   if (!(p >= 0 && p <= 1)) return std::numeric_limits<double>::quiet_NaN();
   if (p > 0.5) return -normal_quantile(1 - p);

@@ -34,7 +34,7 @@ class PointSet {
   std::size_t dims() const { return dims_; }
 
   /// Coordinate `d` of every point, d from 0: a span of size() values.
-  /// throws:   std::out_of_range where d >= dims().
+  /// throws: std::out_of_range where d >= dims().
   std::span<double> column(std::size_t d) {
     require(d);
     return {values_.data() + d * size_, size_};

@@ -6,8 +6,8 @@
 namespace mc {
 
 /// Mixes all bits of `z` into all bits of the result: a bijection of 64-bit words.
-/// source:   Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the
-///           finaliser of SplitMix64, with variant 13 of Stafford's constants.
+/// source: Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the finaliser
+///   of SplitMix64, with variant 13 of Stafford's constants.
 constexpr std::uint64_t mix_bits(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;

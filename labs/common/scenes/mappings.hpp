@@ -34,8 +34,8 @@ inline Vector uniform_direction(Point2 u) {
 
 /// A direction of the hemisphere around z, with density cos / pi: a uniform point of the disk,
 /// lifted onto the sphere.
-/// source:   Malley's method: Pharr, Jakob, Humphreys 2023, "Physically based rendering", appendix
-///           A.5.3.
+/// source: Malley's method: Pharr, Jakob, Humphreys 2023, "Physically based rendering", appendix
+///   A.5.3.
 inline Vector cosine_direction(Point2 u) {
   return direction(std::sqrt(1 - u.x), u.y);
 }
