@@ -5,6 +5,40 @@
 #include "solutions/blue_noise.cpp"
 #undef periodogram
 
+namespace mc {
+namespace {
+
+/// The right power of n points, changed: change(power, n).
+template <class Change>
+void changed(std::span<const double> x, std::span<const double> y, int kmax,
+             std::span<double> power, Change change) {
+  right_periodogram(x, y, kmax, power);
+  for (double& value : power) value = change(value, static_cast<double>(x.size()));
+}
+
+/// The power from of_wave(turns), turns = kx x + ky y of each point: a cosine and a sine, of which
+/// Real is the type of the sums.
+template <class Real, class Wave>
+void by_waves(std::span<const double> x, std::span<const double> y, int kmax,
+              std::span<double> power, Wave of_wave) {
+  right_periodogram(x, y, kmax, power);  // for its exceptions
+  std::size_t k = 0;
+  for (int ky = -kmax; ky <= kmax; ++ky) {
+    for (int kx = -kmax; kx <= kmax; ++kx, ++k) {
+      Real real = 0, imaginary = 0;
+      for (std::size_t p = 0; p < x.size(); ++p) {
+        const std::complex<Real> wave = of_wave(kx * x[p] + ky * y[p]);
+        real += wave.real();
+        imaginary += wave.imag();
+      }
+      power[k] = (real * real + imaginary * imaginary) / static_cast<double>(x.size());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: adds to the previous contents of the output
 // hint: or it was added to what was there
 namespace mc::adds_to_the_output {
@@ -21,9 +55,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 namespace mc::amplitude {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
-  right_periodogram(x, y, kmax, power);
-  const auto n = static_cast<double>(x.size());
-  for (double& value : power) value = std::sqrt(value * n);
+  changed(x, y, kmax, power, [](double p, double n) { return std::sqrt(p * n); });
 }
 }  // namespace mc::amplitude
 
@@ -32,10 +64,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 namespace mc::amplitude_over_n {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
-  right_periodogram(x, y, kmax, power);
-
-  const auto n = static_cast<double>(x.size());
-  for (double& value : power) value = std::sqrt(value * n) / n;
+  changed(x, y, kmax, power, [](double p, double n) { return std::sqrt(p * n) / n; });
 }
 }  // namespace mc::amplitude_over_n
 
@@ -59,18 +88,9 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 namespace mc::cosines_alone {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
-  right_periodogram(x, y, kmax, power);  // for its exceptions
-  std::size_t k = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++k) {
-      double real = 0;
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        const double angle = 2 * std::numbers::pi * (kx * x[p] + ky * y[p]);
-        real += std::cos(angle);
-      }
-      power[k] = real * real / static_cast<double>(x.size());
-    }
-  }
+  by_waves<double>(x, y, kmax, power, [](double turns) {
+    return std::complex(std::cos(2 * std::numbers::pi * turns));
+  });
 }
 }  // namespace mc::cosines_alone
 
@@ -79,19 +99,8 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 namespace mc::half_a_turn {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
-  right_periodogram(x, y, kmax, power);  // for its exceptions
-  std::size_t k = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++k) {
-      double real = 0, imaginary = 0;
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        const double angle = std::numbers::pi * (kx * x[p] + ky * y[p]);
-        real += std::cos(angle);
-        imaginary -= std::sin(angle);
-      }
-      power[k] = (real * real + imaginary * imaginary) / static_cast<double>(x.size());
-    }
-  }
+  by_waves<double>(x, y, kmax, power,
+                   [](double turns) { return std::polar(1.0, -std::numbers::pi * turns); });
 }
 }  // namespace mc::half_a_turn
 
@@ -111,10 +120,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 namespace mc::over_n_twice {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
-  right_periodogram(x, y, kmax, power);
-
-  const auto n = static_cast<double>(x.size());
-  for (double& value : power) value /= n;
+  changed(x, y, kmax, power, [](double p, double n) { return p / n; });
 }
 }  // namespace mc::over_n_twice
 
@@ -123,9 +129,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 namespace mc::power_not_over_n {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
-  right_periodogram(x, y, kmax, power);
-  const auto n = static_cast<double>(x.size());
-  for (double& value : power) value *= n;
+  changed(x, y, kmax, power, [](double p, double n) { return p * n; });
 }
 }  // namespace mc::power_not_over_n
 
@@ -159,19 +163,9 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 namespace mc::waves_in_float {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
-  right_periodogram(x, y, kmax, power);  // for its exceptions
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      float real = 0, imaginary = 0;
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        const auto angle = static_cast<float>(2 * std::numbers::pi * (kx * x[p] + ky * y[p]));
-        real += std::cos(angle);
-        imaginary -= std::sin(angle);
-      }
-      power[i] = (real * real + imaginary * imaginary) / static_cast<double>(x.size());
-    }
-  }
+  by_waves<float>(x, y, kmax, power, [](double turns) {
+    return std::polar(1.0f, static_cast<float>(-2 * std::numbers::pi * turns));
+  });
 }
 }  // namespace mc::waves_in_float
 

@@ -5,26 +5,53 @@
 #include "solutions/blue_noise.cpp"
 #undef radial_power
 
+namespace mc {
+namespace {
+
+constexpr std::size_t no_ring = ~std::size_t{0};
+
+std::size_t rounded(int kx, int ky) {
+  return static_cast<std::size_t>(std::lround(std::hypot(kx, ky)));
+}
+
+/// The sums and the counts of rings, ring_of(kx, ky) the ring of a frequency; beyond kmax: none.
+struct Rings {
+  std::vector<double> sum, count;
+};
+template <class RingOf>
+Rings rings_by(std::span<const double> power, int kmax, RingOf ring_of) {
+  right_radial_power(power, kmax);  // for its exceptions
+  Rings rings;
+  rings.sum.resize(static_cast<std::size_t>(kmax) + 1);
+  rings.count.resize(rings.sum.size());
+  std::size_t i = 0;
+  for (int ky = -kmax; ky <= kmax; ++ky) {
+    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
+      const std::size_t ring = ring_of(kx, ky);
+      if (ring >= rings.sum.size()) continue;
+      rings.sum[ring] += power[i];
+      ++rings.count[ring];
+    }
+  }
+  rings.sum[0] = std::numeric_limits<double>::quiet_NaN();
+  return rings;
+}
+
+std::vector<double> means(Rings rings) {
+  for (std::size_t r = 0; r < rings.sum.size(); ++r) rings.sum[r] /= rings.count[r];
+  return rings.sum;
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: counts the corners in the last ring
 // hint: the corners are in the last ring
 namespace mc::corners_kept {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
-  std::vector<double> rings = right_radial_power(power, kmax);
-  std::vector<double> count(rings.size());
-  rings.assign(rings.size(), 0);
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      const auto rounded = static_cast<std::size_t>(std::lround(std::hypot(kx, ky)));
-      const std::size_t ring = std::min(rounded, rings.size() - 1);
-      if (ring >= rings.size()) continue;
-      rings[ring] += power[i];
-      ++count[ring];
-    }
-  }
-  for (std::size_t ring = 0; ring < rings.size(); ++ring) rings[ring] /= count[ring];
-  rings[0] = std::numeric_limits<double>::quiet_NaN();
-  return rings;
+  return means(rings_by(power, kmax, [=](int kx, int ky) {
+    return std::min(rounded(kx, ky), static_cast<std::size_t>(kmax));
+  }));
 }
 }  // namespace mc::corners_kept
 
@@ -42,21 +69,10 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 // hint: this is the sum over 2 pi r
 namespace mc::over_two_pi_r {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
-  std::vector<double> rings = right_radial_power(power, kmax);
-  rings.assign(rings.size(), 0);
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      const auto ring = static_cast<std::size_t>(std::lround(std::hypot(kx, ky)));
-      if (ring >= rings.size()) continue;
-      rings[ring] += power[i];
-    }
-  }
-  for (std::size_t ring = 1; ring < rings.size(); ++ring) {
-    rings[ring] /= 2 * std::numbers::pi * static_cast<double>(ring);
-  }
-  rings[0] = std::numeric_limits<double>::quiet_NaN();
-  return rings;
+  std::vector<double> sum = rings_by(power, kmax, rounded).sum;
+  for (std::size_t r = 1; r < sum.size(); ++r)
+    sum[r] /= 2 * std::numbers::pi * static_cast<double>(r);
+  return sum;
 }
 }  // namespace mc::over_two_pi_r
 
@@ -64,21 +80,8 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 // hint: abs(k) is cut here
 namespace mc::rings_cut {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
-  std::vector<double> rings = right_radial_power(power, kmax);
-  std::vector<double> count(rings.size());
-  rings.assign(rings.size(), 0);
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      const auto ring = static_cast<std::size_t>(std::hypot(kx, ky));
-      if (ring >= rings.size()) continue;
-      rings[ring] += power[i];
-      ++count[ring];
-    }
-  }
-  for (std::size_t ring = 0; ring < rings.size(); ++ring) rings[ring] /= count[ring];
-  rings[0] = std::numeric_limits<double>::quiet_NaN();
-  return rings;
+  return means(rings_by(
+      power, kmax, [](int kx, int ky) { return static_cast<std::size_t>(std::hypot(kx, ky)); }));
 }
 }  // namespace mc::rings_cut
 
@@ -86,18 +89,7 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 // hint: this is the sum over the ring
 namespace mc::sum_over_rings {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
-  std::vector<double> rings = right_radial_power(power, kmax);
-  rings.assign(rings.size(), 0);
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      const auto ring = static_cast<std::size_t>(std::lround(std::hypot(kx, ky)));
-      if (ring >= rings.size()) continue;
-      rings[ring] += power[i];
-    }
-  }
-  rings[0] = std::numeric_limits<double>::quiet_NaN();
-  return rings;
+  return rings_by(power, kmax, rounded).sum;
 }
 }  // namespace mc::sum_over_rings
 
@@ -105,20 +97,7 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 // hint: this is the mean over ky >= 0 alone
 namespace mc::upper_half {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
-  std::vector<double> rings = right_radial_power(power, kmax);
-  std::vector<double> count(rings.size());
-  rings.assign(rings.size(), 0);
-  std::size_t i = 0;
-  for (int ky = -kmax; ky <= kmax; ++ky) {
-    for (int kx = -kmax; kx <= kmax; ++kx, ++i) {
-      const auto ring = static_cast<std::size_t>(std::lround(std::hypot(kx, ky)));
-      if (ring >= rings.size() || ky < 0) continue;
-      rings[ring] += power[i];
-      ++count[ring];
-    }
-  }
-  for (std::size_t ring = 0; ring < rings.size(); ++ring) rings[ring] /= count[ring];
-  rings[0] = std::numeric_limits<double>::quiet_NaN();
-  return rings;
+  return means(
+      rings_by(power, kmax, [](int kx, int ky) { return ky < 0 ? no_ring : rounded(kx, ky); }));
 }
 }  // namespace mc::upper_half

@@ -52,6 +52,13 @@ void require(unsigned base, std::uint64_t first, std::size_t size) {
   require_indices(first, size, last_index);
 }
 
+/// The digits of all indices, mapped by the rows that permute(row, position) makes.
+template <class Permute>
+void by_rows(unsigned base, std::uint64_t first, std::span<double> column, Permute permute) {
+  require(base, first, column.size());
+  fill(column, first, base, rows_of(base, permute));
+}
+
 }  // namespace
 }  // namespace mc
 
@@ -60,12 +67,10 @@ void require(unsigned base, std::uint64_t first, std::size_t size) {
 namespace mc::digits_rotated {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require(base, first, column.size());
   Rng rng(seed ^ mix_bits(base));
-  const auto rows = rows_of(base, [&](Row row, std::size_t) {
+  by_rows(base, first, column, [&](Row row, std::size_t) {
     std::rotate(row, row + static_cast<unsigned>(rng() % base), row + base);
   });
-  fill(column, first, base, rows);
 }
 }  // namespace mc::digits_rotated
 
@@ -100,12 +105,10 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::naive_shuffle {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require(base, first, column.size());
-  const auto rows = rows_of(base, [&](Row row, std::size_t position) {
+  by_rows(base, first, column, [&](Row row, std::size_t position) {
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(0, base, rng)]);
   });
-  fill(column, first, base, rows);
 }
 }  // namespace mc::naive_shuffle
 
@@ -114,12 +117,10 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::no_digit_stays {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require(base, first, column.size());
-  const auto rows = rows_of(base, [&](Row row, std::size_t position) {
+  by_rows(base, first, column, [&](Row row, std::size_t position) {
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i + 1, base, rng)]);
   });
-  fill(column, first, base, rows);
 }
 }  // namespace mc::no_digit_stays
 
@@ -128,12 +129,10 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::one_permutation {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require(base, first, column.size());
-  const auto rows = rows_of(base, [&](Row row, std::size_t) {
+  by_rows(base, first, column, [&](Row row, std::size_t) {
     Rng rng(seed ^ mix_bits(base));
     std::shuffle(row, row + base, rng);
   });
-  fill(column, first, base, rows);
 }
 }  // namespace mc::one_permutation
 
@@ -142,12 +141,10 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 namespace mc::position_added_to_seed {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
-  require(base, first, column.size());
-  const auto rows = rows_of(base, [&](Row row, std::size_t position) {
+  by_rows(base, first, column, [&](Row row, std::size_t position) {
     Rng rng(seed + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
   });
-  fill(column, first, base, rows);
 }
 }  // namespace mc::position_added_to_seed
 

@@ -7,6 +7,35 @@
 #include "solutions/independent.cpp"
 #undef uniforms
 
+namespace mc {
+namespace {
+
+/// Four lanes of xoshiro256+, all from one seed that spoil(state, lane) changes.
+template <class Spoil>
+void four_lanes(Rng& rng, std::span<double> out, Spoil spoil) {
+  std::array<std::array<std::uint64_t, 4>, 4> state;
+  std::array<std::uint64_t, 4> seed;
+  for (std::uint64_t& word : seed) word = rng();
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    state[lane] = seed;
+    spoil(state[lane], lane);
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {  // xoshiro256+
+    auto& [a, b, c, d] = state[i % 4];
+    out[i] = to_unit(a + d);
+    const std::uint64_t shifted = b << 17;
+    c ^= a;
+    d ^= b;
+    b ^= c;
+    a ^= d;
+    c ^= shifted;
+    d = std::rotl(d, 45);
+  }
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: adds each number to the previous contents of the span
 // hint: write = instead of +=
 namespace mc::adds_to_what_is_there {
@@ -34,24 +63,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 // hint: Lanes want states that have nothing in common
 namespace mc::lanes_nearly_alike {
 void uniforms(Rng& rng, std::span<double> out) {
-  std::array<std::array<std::uint64_t, 4>, 4> state;
-  std::array<std::uint64_t, 4> seed;
-  for (std::uint64_t& word : seed) word = rng();
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    state[lane] = seed;
-    state[lane][3] ^= lane << 20;
-  }
-  for (std::size_t i = 0; i < out.size(); ++i) {  // xoshiro256+
-    auto& [a, b, c, d] = state[i % 4];
-    out[i] = to_unit(a + d);
-    const std::uint64_t shifted = b << 17;
-    c ^= a;
-    d ^= b;
-    b ^= c;
-    a ^= d;
-    c ^= shifted;
-    d = std::rotl(d, 45);
-  }
+  four_lanes(rng, out, [](auto& state, std::size_t lane) { state[3] ^= lane << 20; });
 }
 }  // namespace mc::lanes_nearly_alike
 
@@ -92,24 +104,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 // hint: Lanes want states that have nothing in common
 namespace mc::neighbouring_lanes {
 void uniforms(Rng& rng, std::span<double> out) {
-  std::array<std::array<std::uint64_t, 4>, 4> state;
-  std::array<std::uint64_t, 4> seed;
-  for (std::uint64_t& word : seed) word = rng();
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    state[lane] = seed;
-    state[lane][0] += lane;
-  }
-  for (std::size_t i = 0; i < out.size(); ++i) {  // xoshiro256+
-    auto& [a, b, c, d] = state[i % 4];
-    out[i] = to_unit(a + d);
-    const std::uint64_t shifted = b << 17;
-    c ^= a;
-    d ^= b;
-    b ^= c;
-    a ^= d;
-    c ^= shifted;
-    d = std::rotl(d, 45);
-  }
+  four_lanes(rng, out, [](auto& state, std::size_t lane) { state[0] += lane; });
 }
 }  // namespace mc::neighbouring_lanes
 

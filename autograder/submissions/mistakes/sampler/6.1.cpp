@@ -37,9 +37,7 @@ struct Wrong : ColumnSampler {
   Rng first_{0};
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::one_generator_for_every_use
 
 // mistake: treats an unknown kind as "independent"
@@ -61,7 +59,5 @@ void mirrored(const SampleDimension& dim, std::span<double> x, Rng& rng) {
   for (std::size_t i = 0; i < half; ++i) x[half + i] = 1 - 0x1p-53 - x[i];
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<mirrored, independent2>("independent", kind);
-}
+MAKE_SAMPLER(make_other_kind<mirrored, independent2>("independent", kind))
 }  // namespace mc::antithetic_half

@@ -7,9 +7,7 @@ namespace mc::canonical_points_for_next2 {
 void in_order(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
 }
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, in_order>("stratified", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, in_order>("stratified", kind))
 }  // namespace mc::canonical_points_for_next2
 
 // mistake: stores stratified columns as floats, to save memory
@@ -30,9 +28,7 @@ void two_columns(const SampleDimension& dim, std::span<double> x, std::span<doub
   keep_floats(y);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_column, two_columns>("stratified", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_column, two_columns>("stratified", kind))
 }  // namespace mc::columns_of_floats
 
 // mistake: shuffles x and y of a multi-jittered pattern separately
@@ -44,7 +40,5 @@ void apart(const SampleDimension&, std::span<double> x, std::span<double> y, Rng
   shuffle(y, rng);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, apart>("stratified", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, apart>("stratified", kind))
 }  // namespace mc::shuffled_apart

@@ -103,9 +103,7 @@ void two(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
   two_of<fill_sobol>({dim.number, 2 * dim.number, dim.order, dim.tables}, x, y, rng);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one, two>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one, two>("sobol", kind))
 }  // namespace mc::dimensions_counted_apart
 
 // mistake: does not permute the digits of the Halton sequence
@@ -115,17 +113,13 @@ void plain(const SampleDimension& dim, std::size_t place, std::span<double> x, s
   in_order(dim, x, [&](std::span<double> all) { radical_inverses(primes(block)[place], 0, all); });
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of<plain>, two_of<plain>>("halton", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of<plain>, two_of<plain>>("halton", kind))
 }  // namespace mc::halton_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
 // hint: scrambled by its own seeds
 namespace mc::halton_blocks_scrambled_alike {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_alike<fill_halton>, two_alike<fill_halton>>("halton", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_alike<fill_halton>, two_alike<fill_halton>>("halton", kind))
 }  // namespace mc::halton_blocks_scrambled_alike
 
 // mistake: permutes the digits in base 2 too, which is a digital shift
@@ -138,9 +132,7 @@ void permuted(const SampleDimension& dim, std::size_t place, std::span<double> x
            [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of<permuted>, two_of<permuted>>("halton", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of<permuted>, two_of<permuted>>("halton", kind))
 }  // namespace mc::halton_by_digital_shift
 
 // mistake: starts with point 1 of the sequence, not point 0
@@ -156,44 +148,35 @@ void from_one(const SampleDimension& dim, std::size_t place, std::span<double> x
   if (place == 0) owen_scramble(x, seed);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of<from_one>, two_of<from_one>>("halton", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of<from_one>, two_of<from_one>>("halton", kind))
 }  // namespace mc::halton_from_one
 
 // mistake: starts again with dimension 0 after the eighth, without a permutation
 // hint: every block but the first needs a shuffle
 namespace mc::halton_goes_round {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_by<fill_halton, nullptr>, two_by<fill_halton, nullptr>>("halton",
-                                                                                     kind);
-}
+MAKE_SAMPLER(make_other_kind<one_by<fill_halton, nullptr>, two_by<fill_halton, nullptr>>("halton",
+                                                                                         kind))
 }  // namespace mc::halton_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
 // hint: each block needs its own random permutation
 namespace mc::halton_padded_in_one_order {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_by<fill_halton, same_order>, two_by<fill_halton, same_order>>("halton",
-                                                                                           kind);
-}
+MAKE_SAMPLER(make_other_kind<one_by<fill_halton, same_order>, two_by<fill_halton, same_order>>(
+    "halton", kind))
 }  // namespace mc::halton_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
 // hint: all dimensions of a block share one order
 namespace mc::halton_shuffled_apart {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_by<fill_halton, own_order>, two_by<fill_halton, own_order>>("halton",
-                                                                                         kind);
-}
+MAKE_SAMPLER(
+    make_other_kind<one_by<fill_halton, own_order>, two_by<fill_halton, own_order>>("halton", kind))
 }  // namespace mc::halton_shuffled_apart
 
 // mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
 // hint: these are dimensions 8 to 15
 namespace mc::halton_without_blocks {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of_32<scrambled_halton>, two_of_32<scrambled_halton>>("halton", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of_32<scrambled_halton>, two_of_32<scrambled_halton>>("halton",
+                                                                                       kind))
 }  // namespace mc::halton_without_blocks
 
 // mistake: takes dimension after dimension: after a next(), a next2() has halves of two pairs
@@ -215,9 +198,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "sobol" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "sobol"))
 }  // namespace mc::last_dimension_and_first
 
 // mistake: takes dimensions 0 to 7 of the Sobol' sequence, with bad pairs among them
@@ -228,17 +209,13 @@ void eight(const SampleDimension& dim, std::size_t place, std::span<double> x, s
   owen_scramble(x, seed);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of<eight>, two_of<eight>>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of<eight>, two_of<eight>>("sobol", kind))
 }  // namespace mc::sobol_dimensions_in_order
 
 // mistake: shuffles later blocks uniformly, so they cannot be stopped early
 // hint: a uniform shuffle spreads the first points of a block
 namespace mc::blocks_shuffled_uniformly {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_shuffled<fill_sobol>, two_shuffled<fill_sobol>>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_shuffled<fill_sobol>, two_shuffled<fill_sobol>>("sobol", kind))
 }  // namespace mc::blocks_shuffled_uniformly
 
 // mistake: leaves out the second half of a pair that a next() has begun
@@ -252,9 +229,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "halton" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "halton"))
 }  // namespace mc::halves_left_out
 
 // mistake: throws where the sequence has no more dimensions
@@ -268,9 +243,7 @@ void two(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
   scrambled_sobol(dim.of_sequence + 1, y, rng);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one, two>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one, two>("sobol", kind))
 }  // namespace mc::no_more_than_32_dimensions
 
 // mistake: scrambles both axes of a next2() with the same seed
@@ -282,9 +255,7 @@ void same_seed(const SampleDimension& dim, std::span<double> x, std::span<double
   fill_sobol(dim, dim.of_sequence % block + 1, y, again());
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of<fill_sobol>, same_seed>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of<fill_sobol>, same_seed>("sobol", kind))
 }  // namespace mc::one_scramble_for_both_axes
 
 // mistake: does not scramble the Sobol' sequence
@@ -294,17 +265,13 @@ void plain(const SampleDimension& dim, std::size_t place, std::span<double> x, s
   in_order(dim, x, [&](std::span<double> all) { sobol(sobol_block[place], 0, all); });
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of<plain>, two_of<plain>>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of<plain>, two_of<plain>>("sobol", kind))
 }  // namespace mc::sobol_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
 // hint: scrambled by its own seeds
 namespace mc::sobol_blocks_scrambled_alike {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_alike<fill_sobol>, two_alike<fill_sobol>>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_alike<fill_sobol>, two_alike<fill_sobol>>("sobol", kind))
 }  // namespace mc::sobol_blocks_scrambled_alike
 
 // mistake: flips the same bits of all points of a dimension
@@ -319,41 +286,32 @@ void shifted(const SampleDimension& dim, std::size_t place, std::span<double> x,
   }
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of<shifted>, two_of<shifted>>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of<shifted>, two_of<shifted>>("sobol", kind))
 }  // namespace mc::sobol_by_digital_shift
 
 // mistake: starts again with dimension 0 after the eighth, without a permutation
 // hint: every block but the first needs a shuffle
 namespace mc::sobol_goes_round {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_by<fill_sobol, nullptr>, two_by<fill_sobol, nullptr>>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_by<fill_sobol, nullptr>, two_by<fill_sobol, nullptr>>("sobol",
+                                                                                       kind))
 }  // namespace mc::sobol_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
 // hint: each block needs its own random permutation
 namespace mc::sobol_padded_in_one_order {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_by<fill_sobol, same_order>, two_by<fill_sobol, same_order>>("sobol",
-                                                                                         kind);
-}
+MAKE_SAMPLER(
+    make_other_kind<one_by<fill_sobol, same_order>, two_by<fill_sobol, same_order>>("sobol", kind))
 }  // namespace mc::sobol_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
 // hint: all dimensions of a block share one order
 namespace mc::sobol_shuffled_apart {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_by<fill_sobol, own_order>, two_by<fill_sobol, own_order>>("sobol",
-                                                                                       kind);
-}
+MAKE_SAMPLER(make_other_kind<one_by<fill_sobol, own_order>, two_by<fill_sobol, own_order>>("sobol",
+                                                                                           kind))
 }  // namespace mc::sobol_shuffled_apart
 
 // mistake: uses 32 dimensions; beyond them, the first one or two again, shuffled
 // hint: these are dimensions 8 to 15
 namespace mc::sobol_without_blocks {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<one_of_32<scrambled_sobol>, two_of_32<scrambled_sobol>>("sobol", kind);
-}
+MAKE_SAMPLER(make_other_kind<one_of_32<scrambled_sobol>, two_of_32<scrambled_sobol>>("sobol", kind))
 }  // namespace mc::sobol_without_blocks

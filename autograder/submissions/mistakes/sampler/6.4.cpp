@@ -16,9 +16,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::clock_decides
 
 // mistake: starts a sample dimension at the sample that first requests it
@@ -41,9 +39,7 @@ struct Wrong : ColumnSampler {
   std::vector<std::size_t> begins_;
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::columns_begin_late
 
 // mistake: gives fewer samples the first numbers of old, longer columns
@@ -65,9 +61,7 @@ struct Wrong : ColumnSampler {
   std::size_t wanted_ = 0, most_ = 0;
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::columns_never_shrink
 
 // mistake: puts the first point of blue noise in the middle of the square
@@ -83,9 +77,7 @@ void centered(const SampleDimension& dim, std::span<double> x, std::span<double>
   }
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, centered>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, centered>("blue_noise", kind))
 }  // namespace mc::first_point_in_the_middle
 
 // mistake: seeds its generator in the first generate() only
@@ -101,9 +93,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::goes_on_with_its_generator
 
 // mistake: does not limit the number of samples, and allocates
@@ -118,9 +108,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::memory_decides
 
 // mistake: accepts 0 samples
@@ -134,9 +122,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::no_samples_are_fine
 
 // mistake: keeps the columns if the number of samples did not change
@@ -154,9 +140,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::old_columns
 
 // mistake: does not reset the counters in generate(): an unfinished sample continues
@@ -171,9 +155,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "stratified" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
 }  // namespace mc::old_counters
 
 // mistake: reuses a column's permutation in the next integration with as many samples
@@ -203,9 +185,7 @@ struct Wrong : ColumnSampler {
   std::vector<double> orders_[4];
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "stratified" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
 }  // namespace mc::old_order
 
 // mistake: does not go back to sample 0 in generate()
@@ -220,9 +200,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::old_sample_number
 
 // mistake: keeps one blue-noise pattern for all seeds
@@ -235,9 +213,7 @@ void kept(const SampleDimension& dim, std::span<double> x, std::span<double> y, 
   best_candidate(x, y, 1, always);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, kept>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, kept>("blue_noise", kind))
 }  // namespace mc::one_blue_pattern
 
 // mistake: draws all numbers from one generator, as random() does
@@ -255,9 +231,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::one_stream
 
 // mistake: starts again with the first sample after the last one
@@ -271,9 +245,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::round_and_round
 
 // mistake: takes one step of a linear congruential generator from the seed as the first number
@@ -295,9 +267,7 @@ struct Wrong : ColumnSampler {
   double first_ = 0;
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::seed_is_the_state
 
 // mistake: loses the upper half of the seed
@@ -310,9 +280,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seed_of_32_bits
 
 // mistake: seeds with a hash of the seed plus a counter
@@ -339,9 +307,7 @@ struct Wrong : ColumnSampler {
   std::uint64_t seed_ = 0;
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::seed_plus_counter
 
 // mistake: seeds a sample dimension with the integration's seed plus its index
@@ -366,9 +332,7 @@ struct Wrong : ColumnSampler {
   std::uint64_t seed_ = 0;
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seed_plus_use
 
 // mistake: shares one generator among all samplers, which generate() seeds
@@ -398,9 +362,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::static_generator
 
 // mistake: stores four numbers per sample; further requests read the next sample's
@@ -433,9 +395,7 @@ struct Wrong : ColumnSampler {
   std::size_t used_ = 0;
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "independent" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::takes_from_the_next_sample
 
 // mistake: throws in advance() after the last sample
@@ -449,9 +409,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::throws_at_the_end
 
 // mistake: makes columns only for the requests of the first sample
@@ -469,9 +427,7 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::uses_of_the_first_sample
 
 // mistake: returns 0 after the last sample
@@ -483,9 +439,7 @@ struct Wrong : ColumnSampler {
   Point2 next2() override { return sample_ < samples_ ? ColumnSampler::next2() : Point2{}; }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::zero_after_the_end
 
 // mistake: counts next() and next2() together: a next() is half of a next2()
@@ -497,9 +451,7 @@ struct Wrong : ColumnSampler {
   double next() override { return next2().x; }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::one_counter
 
 // mistake: resets the counter of next() in advance(), but not that of next2()
@@ -516,7 +468,5 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_spoiled<Wrong>(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::counter_goes_on

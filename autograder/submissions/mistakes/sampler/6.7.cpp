@@ -12,9 +12,7 @@ void blue(const SampleDimension& dim, std::span<double> x, std::span<double> y, 
   shuffle(y, again);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, blue>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, blue>("blue_noise", kind))
 }  // namespace mc::blue_in_every_use
 
 // mistake: shuffles x and y of a blue-noise pattern separately
@@ -25,9 +23,7 @@ void apart(const SampleDimension& dim, std::span<double> x, std::span<double> y,
   if (dim.number == 0) shuffle(y, rng);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, apart>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, apart>("blue_noise", kind))
 }  // namespace mc::blue_shuffled_apart
 
 // mistake: uses blue noise only if a next2() is the very first request
@@ -38,9 +34,7 @@ void blue(const SampleDimension& dim, std::span<double> x, std::span<double> y, 
   best_candidate(x, y, 1, rng);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, blue>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, blue>("blue_noise", kind))
 }  // namespace mc::blue_where_it_is_first
 
 // mistake: shifts each pattern so that its last point is the middle of the square
@@ -56,9 +50,7 @@ void anchored(const SampleDimension& dim, std::span<double> x, std::span<double>
   }
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, anchored>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, anchored>("blue_noise", kind))
 }  // namespace mc::blue_with_a_fixed_point
 
 // mistake: makes the last two points of blue noise equal
@@ -71,9 +63,7 @@ void twins(const SampleDimension& dim, std::span<double> x, std::span<double> y,
   y.back() = y[y.size() - 2];
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, twins>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, twins>("blue_noise", kind))
 }  // namespace mc::blue_with_a_twin
 
 // mistake: makes a Poisson-disk pattern of too many points, and keeps any N
@@ -95,9 +85,7 @@ void cut(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
   std::copy_n(points.column(1).begin(), y.size(), y.begin());
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, cut>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, cut>("blue_noise", kind))
 }  // namespace mc::poisson_disk_cut
 
 // mistake: makes a Poisson-disk pattern of too few points, and adds random ones
@@ -114,9 +102,7 @@ void filled(const SampleDimension& dim, std::span<double> x, std::span<double> y
   }
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, filled>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, filled>("blue_noise", kind))
 }  // namespace mc::poisson_disk_filled
 
 // mistake: uses ten candidates for each point, whatever their number
@@ -140,7 +126,5 @@ void ten(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
   }
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return make_other_kind<stratified1, ten>("blue_noise", kind);
-}
+MAKE_SAMPLER(make_other_kind<stratified1, ten>("blue_noise", kind))
 }  // namespace mc::ten_candidates

@@ -13,7 +13,5 @@ struct Wrong : ColumnSampler {
   }
 };
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  return kind == "stratified" ? make_spoiled<Wrong>(kind) : right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
 }  // namespace mc::eager_columns

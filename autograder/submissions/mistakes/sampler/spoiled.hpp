@@ -1,5 +1,6 @@
 #pragma once
-// The solution with its sampler laid open: a mistake derives from it and does one thing wrong.
+// The solution with its private members accessible. A mistake derives from the solution's sampler and
+// does one thing wrong.
 
 #include <array>
 #include <stdexcept>
@@ -16,14 +17,21 @@
 #undef final
 #undef make_sampler
 
+/// The make_sampler() of a mistake: MAKE_SAMPLER(make_spoiled<Wrong>(kind))
+#define MAKE_SAMPLER(...)                                        \
+  std::unique_ptr<Sampler> make_sampler(std::string_view kind) { \
+    return __VA_ARGS__;                                          \
+  }
+
 namespace mc {
 namespace {
 
-/// A Wrong sampler, which derives from ColumnSampler, of one of the kinds of the solution.
+/// A Wrong sampler, which derives from ColumnSampler, of one of the kinds of the solution: of every
+/// kind, or only of one.
 template <class Wrong>
-std::unique_ptr<Sampler> make_spoiled(std::string_view kind) {
+std::unique_ptr<Sampler> make_spoiled(std::string_view kind, std::string_view only = "") {
   for (const Kind& known : kinds) {
-    if (known.name == kind) return std::make_unique<Wrong>(known);
+    if (known.name == kind && (only.empty() || only == kind)) return std::make_unique<Wrong>(known);
   }
   return right_make_sampler(kind);
 }
