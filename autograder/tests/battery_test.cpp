@@ -70,11 +70,11 @@ TEST_CASE("the battery names what is visibly wrong") {
   CHECK(says(fault_of([](Row u, std::size_t) {
                for (double& x : u) x = std::floor(x * 0x1p24) * 0x1p-24;
              }),
-             "too few bits: these have 24"));
+             "too few bits: only 24"));
   CHECK(says(fault_of([](Row u, std::size_t) {
                for (double& x : u) x = std::floor(x * 0x1p32) * 0x1p-32;
              }),
-             "too few bits: these have 32"));
+             "too few bits: only 32"));
   CHECK(says(fault_of([](Row u, std::size_t) { u[15] = u[3]; }),
              "position 3 and position 15 share one random number"));
   CHECK(says(fault_of([](Row u, std::size_t) { u[15] = 1 - 0x1p-53 - u[3]; }),

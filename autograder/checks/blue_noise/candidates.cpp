@@ -1,8 +1,8 @@
 // 4.2
 //
-// Blue is judged by bounds on means over at least 40 sets of about 256 points. Where they lie
-// between right and wrong, in standard deviations of the judged mean (200 sets of each kind
-// measured; for Poisson disks see poisson_disks.cpp):
+// "Blue" is judged by bounds on means over at least 40 sets of about 256 points. Their distances
+// from correct and wrong answers, in standard deviations of the judged mean (from 200 sets of each
+// kind; for Poisson disks see poisson_disks.cpp):
 //
 //                             best candidate   fixed 10   jittered   Halton   bound
 //   low band, mean            .0890            .1912      .3254      .2654    < .13
@@ -14,14 +14,14 @@
 //   to the bound              37 sigma         28 sigma
 //   Poisson disks have .76, and are not best candidates: < .72, 29 sigma away
 //
-// At 7 sigma a Gaussian errs once in 10^12.
+// A Gaussian exceeds 7 sigma once in 10^12.
 
 #include "checks/blue_noise/random_sets.hpp"
-#include "checks/support/discs.hpp"
+#include "checks/support/disks.hpp"
 
 namespace mc::checks {
 
-/// Each point of a few sets, and how many candidates it had. Thousands of sets show what is wrong.
+/// Tests the number of candidates of each point in a few sets. The hint needs thousands of sets.
 static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng,
                              std::size_t rows = 500) {
   const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
@@ -29,8 +29,8 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
   if (n == 5) require_fine(all);
   const Nearness parts = nearness(all, later_points(n), rows, rng);
   Randomness claim = best_of_candidates(
-      "for each of the ceil(c i) + 1 candidates, however many, its nearest point, of all points "
-      "before; keep the candidate for which that is farthest");
+      "for each of the ceil(c i) + 1 candidates, find the nearest earlier point; keep the "
+      "farthest");
   claim.explain = [&]() -> std::string {
     constexpr std::size_t more = 4000;
     if (n != 5) return {};
@@ -41,26 +41,23 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
 }
 
 CHECK_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:10][needs:4.1]") {
-  Rng rng = check_rng();
-  // c = 1 distinguishes a missing candidate from c i rounded down; other c do not. Just above 1, a
-  // c that is kept as a float, or a tolerance of ceil(c i), loses a candidate.
+  // Only c = 1 distinguishes a missing candidate from c i rounded down. Just above 1, a float c or
+  // a tolerance in ceil(c i) loses a candidate.
   for (const double c : {1.0, uniform(rng, 2.5, 3), 1 + 1e-12}) judge_candidates(5, c, 400, rng);
   judge_candidates(3, 20, 200, rng);
   judge_candidates(17, 1e-12, 60, rng);
   judge_candidates(65, 0.1, 12, rng);
   judge_candidates(2, 1, 400, rng);
-  judge_candidates(2, 4999, 60, rng, 20000);  // they leave 1/5000 of the square: finer rows
+  judge_candidates(2, 4999, 60, rng, 20000);  // finer rows: 1/5000 of the square is left
   const auto got = MEASURE(best_candidate, 1, 1, 2000, fresh_seed(rng));
   const SampleSets first = random_sets(got, 1, 2000);
   expect_independent_uniforms(
       {got.call, 2, first.values()},
       {.words = "the first point is uniform in the square",
-       .alpha = alpha,
-       .otherwise = "the first point has one candidate, anywhere in the square"});
+       .otherwise = "the first point has one candidate, uniform in the square"});
 }
 
 CHECK_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
-  Rng rng = check_rng();
   constexpr std::size_t n = 256, sets = 64;
   const SampleSets all = in_four_calls([&] {
     return random_sets(MEASURE(best_candidate, n, 1, sets / 4, fresh_seed(rng)), n, sets / 4);
@@ -72,19 +69,17 @@ CHECK_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
   const Spectrum mean = mean_spectrum(all, n);
   const double low = low_band(mean, n);
   const std::string likely =
-      "each point is the farthest of ceil(c i) + 1 candidates from all points before, round the "
-      "torus, also where there are many of them";
+      "each point is the candidate, of ceil(c i) + 1, that is farthest from all earlier points";
   expect_that(
       low < 0.13,
       fmt::format("{}: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", all.call, low, sets),
       "less than 0.13; 0.088 on average",
       "independent points have 1, jittered ones 0.32, ten candidates for every point 0.19", likely);
-  expect_that(radius > 0.6 && radius < 0.72,
-              fmt::format("{}: the closest two are {:.3f} of the densest pattern's distance apart, "
-                          "mean of {} sets",
-                          all.call, radius, sets),
-              "0.6 to 0.72; 0.67 on average",
-              "a fixed number of candidates lets the last points come close: 0.46", likely);
+  expect_that(
+      radius > 0.6 && radius < 0.72,
+      fmt::format("{}: the relative radius is {:.3f}, mean of {} sets", all.call, radius, sets),
+      "0.6 to 0.72; 0.67 on average",
+      "with a fixed number of candidates, the last points come close: 0.46", likely);
   expect_no_lattice(all.call, mean, sets);
   require_everywhere(all);
 }

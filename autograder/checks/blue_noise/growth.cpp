@@ -1,11 +1,11 @@
 // 4.7
 //
-// Cost is judged in a unit that a submission cannot change: the CPU time of one distance on the
-// torus, which the judge measures on the same machine at the same time. The sizes are so large that
-// the limits are far from both sides; each cost is measured up to three times. In distances, the
-// reference, the slowest alternative, the limit, and the fastest algorithm of the next order (an
-// estimate for points: 60 tries each, which stop at the first of 47,000 points that is too near).
-// The first two numbers of patterns are of 12,000 points:
+// The unit of cost is the CPU time of one distance on the torus, which the judge measures on the
+// same machine at the same time. The sizes are so large that the limits are far from correct and
+// wrong answers; each cost is measured up to three times. The costs of the reference, the slowest
+// alternative, the limit, and the fastest algorithm of the next order (for patterns an estimate: 60
+// tries each, which stop at the first of 47,000 points that is too close). The first two for
+// patterns are from 12,000 points:
 //
 //   one of 500,000 best candidates        28      35      512     2,400
 //   one of 47,000 points of a pattern  1,400   9,000   36,864   900,000
@@ -13,13 +13,13 @@
 #include <ctime>
 
 #include "checks/blue_noise/random_sets.hpp"
-#include "checks/support/discs.hpp"
+#include "checks/support/disks.hpp"
 
 namespace mc::checks {
 namespace {
 
-/// CPU time of one squared distance on the torus, in a loop that looks for the least of a thousand:
-/// the median of five measurements. On a busy virtual machine one in a hundred is far too short.
+/// CPU time of one squared distance on the torus, in a loop that finds the least of a thousand: the
+/// median of five, because on a busy virtual machine one measurement in a hundred is far too short.
 double seconds_per_distance() {
   Rng rng = check_rng();
   const Points points = uniform_points(rng, 1000);
@@ -39,11 +39,11 @@ double seconds_per_distance() {
     }
     time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / rounds / 1000;
   }
-  std::sort(times.begin(), times.end());
-  return sum > 0 ? times[2] : 0;  // the sum is used: no loop is left out
+  std::ranges::sort(times);
+  return sum > 0 ? times[2] : 0;  // uses the sum, so that no loop is optimized away
 }
 
-/// What may be spent: `most` distances for each of `count` things.
+/// A limit: `most` distances for each of `count` items.
 struct Budget {
   double count, most;
   std::string what;     ///< "candidate"
@@ -51,12 +51,11 @@ struct Budget {
   std::string hint;
 };
 
-/// The first answer to a request whose cost is within its budget in one of three attempts.
-/// `request` makes one, with given limits.
+/// The answer to a request, whose cost must be within the budget in one of three attempts.
 template <class Result, class Request>
 Measured<Result> within_budget(const Budget& budget, Request request) {
-  const std::string expected =
-      fmt::format("at most the time of {} distances for each {}", budget.most, budget.what);
+  const auto expected =
+      fmt::format("the time of {} distances per {}, at most", budget.most, budget.what);
   for (int attempt = 0;; ++attempt) {
     const double unit_cost = seconds_per_distance() * budget.count;
     sandbox::Limits limits;
@@ -79,7 +78,7 @@ Measured<Result> within_budget(const Budget& budget, Request request) {
   }
 }
 
-/// The points of a pattern in a corner, a 64th of the square, as points of the square.
+/// The points of a pattern in a corner of the square, scaled by 8.
 SampleSets corner_of(const SampleSets& pattern) {
   Points corner;
   for (std::size_t i = 0; i < pattern.n; ++i) {
@@ -90,8 +89,8 @@ SampleSets corner_of(const SampleSets& pattern) {
   return sets_from_xy(pattern.call + ", an eighth of each axis", corner.x, corner.y, {&size, 1});
 }
 
-/// `count` points from `first` on and before `last`, spread over them, are the best of ceil(c i) +
-/// 1 candidates. Half as many candidates as are needed show in 350 points once in 1,000 not.
+/// `count` points, spread over first … last - 1, are the best of ceil(c i) + 1 candidates. Half the
+/// required candidates are missed in 350 points only once in 1,000 runs.
 void judge_points(const SampleSets& set, double c, std::size_t first, std::size_t last,
                   std::size_t count, Rng& rng) {
   std::vector<std::size_t> points;
@@ -100,8 +99,8 @@ void judge_points(const SampleSets& set, double c, std::size_t first, std::size_
   u.positions = 1;  // one set: its points are the replicates
   u.name = {};
   expect_independent_uniforms(
-      u, best_of_candidates("near points are missed, or far ones called near: a search ends when "
-                            "nothing that was not looked at can be nearer, round the torus"));
+      u, best_of_candidates(
+             "the search misses the nearest point: search all cells that can contain it"));
 }
 
 }  // namespace
@@ -110,18 +109,15 @@ TEST_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][
   Rng rng = check_rng();
   const double c = uniform(rng, 0.008, 0.012), candidates = 5e5;
   const auto n = static_cast<std::size_t>(std::sqrt(2 * candidates / c));
-  const Budget budget{candidates, 512, "candidate",
-                      fmt::format("a candidate costs the same whatever the number of points, up to "
-                                  "{} here; a grid needs about 30 distances",
-                                  n),
-                      "each candidate is compared with all points: lay a grid over the square and "
-                      "look at the cells around the candidate"};
+  const Budget budget{
+      candidates, 512, "candidate",
+      fmt::format("a candidate costs the same whatever the number of points, up to {}", n),
+      "each candidate is compared with all points: search only the cells of a grid around it"};
   const auto large = within_budget<Points>(budget, [&](const sandbox::Limits& limits) {
     return MEASURE_OUTCOME_WITH(limits, best_candidate, n, c, 1, fresh_seed(rng));
   });
-  const SampleSets small =
-      random_sets(MEASURE(best_candidate, 2048, 1, 1, fresh_seed(rng)), 2048, 1);
-  judge_points(small, 1, 3, 203, 200, rng);  // in a grid for all, these find most cells empty
+  const auto small = random_sets(MEASURE(best_candidate, 2048, 1, 1, fresh_seed(rng)), 2048, 1);
+  judge_points(small, 1, 3, 203, 200, rng);  // in a grid for all points, most cells are empty here
   judge_points(small, 1, 203, 1024, 200, rng);
   judge_points(small, 1, 1024, 2048, 350, rng);
   const SampleSets all = random_sets(large, n, 1);
@@ -131,8 +127,7 @@ TEST_CASE("4.7 thousands of best candidates", "[4.7][main][points:7][needs:4.1][
 
 namespace {
 
-/// The CPU time per point of a pattern of about n points, the less of two runs; infinite if it is
-/// more than `most`.
+/// The CPU time per point of a pattern of about n points, in the faster of two runs.
 double seconds_per_point(double n, double most, Rng& rng) {
   double least = infinity;
   for (int run = 0; run < 2; ++run) {
@@ -152,35 +147,33 @@ TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
           "[4.7][points:7][needs:4.1][needs:4.3]") {
   Rng rng = check_rng();
   const double n = uniform(rng, 45000, 49000), radius = radius_for(n);
-  const Budget budget{n, 36864, "point",
-                      "the time per point does not depend on the number of points: some hundred "
-                      "tries of some cells each are a tenth of this",
-                      "compare a new point only with those in the cells around it (a cell of width "
-                      "radius / sqrt(2) holds one point at most), and do not throw darts at the "
-                      "whole square until the last gaps are hit"};
+  const Budget budget{
+      n, 36864, "point", "the time per point does not depend on the number of points",
+      "compare a new point only with those in the cells around it (a cell of width radius / "
+      "sqrt(2) holds at most one point); do not fill the last gaps by darts at the whole square"};
   const auto got = within_budget<Patterns>(budget, [&](const sandbox::Limits& limits) {
     return MEASURE_OUTCOME_WITH(limits, poisson_disk, radius, 1, fresh_seed(rng));
   });
-  // If a point costs twice as much as in a fourth of the pattern, is it because of the cache? In
-  // eight times as many points, linear answers stay below twice, quadratic ones reach eight times.
+  // A point that costs twice as much as for a quarter of the points may be due to the cache. For
+  // eight times as many points, linear answers stay below twice the cost.
   const double few = seconds_per_point(12'000, 1e-4, rng);
   if (got.cpu_seconds / n > 2 * few) {
     const double many = seconds_per_point(96'000, 4 * few, rng);
-    expect_that(many < 4 * few,
-                fmt::format("poisson_disk: each of 96,000 points takes {} the CPU time of each of "
-                            "12,000",
-                            std::isfinite(many) ? fmt::format("{:.1f} times", many / few)
-                                                : "more than 4 times"),
-                "less than 4 times", budget.because,
-                "does anything move or visit all that is stored, as erase() in a vector does?");
+    expect_that(
+        many < 4 * few,
+        fmt::format(
+            "poisson_disk: each of 96,000 points takes {} the CPU time of each of 12,000",
+            std::isfinite(many) ? fmt::format("{:.1f} times", many / few) : "more than 4 times"),
+        "less than 4 times", budget.because,
+        "avoid operations that move or visit all points, such as erase() in a vector");
   }
   const SampleSets set = random_sets(got, radius, 1);
-  // Darts until 1,000 in a row have missed leave 0.54 % +- 0.11 % of 12,000 points, more of these.
+  // Darts until 1,000 misses in a row leave 0.54 % +- 0.11 % uncovered for 12,000 points.
   const double uncovered =
       uncovered_area(set.column(0, 0), set.column(0, 1), radius, 1500, uniform(rng));
   expect_that(uncovered <= 0.003,
               fmt::format("{}: {:.3g} % of the square is uncovered", set.call, 100 * uncovered),
-              "0.3 % at most", "", "a limit on tries must grow with the number of points");
+              "0.3 % at most", "", "the number of tries must grow with the number of points");
   const SampleSets corner = corner_of(set);
   expect_no_lattice(corner.call, mean_spectrum(corner, n / 64), 1);
   require_everywhere(set);

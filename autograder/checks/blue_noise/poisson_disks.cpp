@@ -1,7 +1,6 @@
 // 4.3
-//
-// Where the bounds of "blue" lie between right and wrong, in standard deviations of the judged
-// mean (200 patterns of each kind measured; the reference keeps going until nothing fits):
+// The distances of the bounds of "blue" from correct and wrong answers, in standard deviations of
+// the judged mean (from 200 patterns of each kind; those of the reference are maximal):
 //
 //                             reference      Bridson, gaps filled   lattice   bound
 //   low band, mean            .0741          .10                    0         < .13
@@ -10,12 +9,12 @@
 //   peak of 160 sets, sd      1.752, .019    1.53                   3 or more 1.4 to 1.9
 //   to the bounds             18 and 8 sigma 7 sigma
 //
-// At 7 sigma a Gaussian errs once in 10^12.
+// A Gaussian exceeds 7 sigma once in 10^12.
 
 #include <cstdlib>
 
 #include "checks/blue_noise/random_sets.hpp"
-#include "checks/support/discs.hpp"
+#include "checks/support/disks.hpp"
 
 namespace mc::checks {
 
@@ -28,11 +27,9 @@ static double mean_size(const SampleSets& sets) {
 }
 
 CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7][needs:4.1]") {
-  Rng rng = check_rng();
-  // Two points may be rare (0.6); many (0.025); or fit into one cell of a grid whose side is
-  // rounded: of 1 / (cells along the square), radius / sqrt(2) rounded up. Just above sqrt(2) / 3
-  // that is a third too large; it forgets a point in 11 % of the patterns or more, so 200 show it
-  // but once in 10^10.
+  // Radii with one or two points (0.6), with many (0.025), and just above sqrt(2) / 3: if the
+  // cells' width radius / sqrt(2) is rounded up to 1 / integer there, cells are a third too large
+  // and may hold two points. A point is lost in 11 % of such patterns: 200 miss it once in 10^10.
   const double just_above = uniform(rng, 1 + 1e-9, 1 + 1e-6);
   const std::pair<double, std::size_t> cases[] = {{uniform(rng, 0.05, 0.06), 40},
                                                   {uniform(rng, 0.2, 0.4), 400},
@@ -44,12 +41,12 @@ CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7
                                                   {uniform(rng, 0.025, 0.03), 1}};
   for (const auto& [radius, sets] : cases) {
     const SampleSets all = patterns(radius, sets, rng);
-    // How full is asked for by the next check; a tenth of 1 / radius^2 is hardly begun.
+    // The next check tests how full the pattern is; this one, that it was begun.
     const double size = mean_size(all);
     expect_that(size > 0.1 / radius / radius,
-                fmt::format("{}: {:.1f} points a set on average", all.call, size),
+                fmt::format("{}: {:.1f} points per set on average", all.call, size),
                 fmt::format("about {:.0f}", 0.7 / radius / radius),
-                "there is room for about 0.7 / radius^2 points", "go on until no point fits");
+                "there is room for about 0.7 / radius^2 points", "add points until no more fit");
     if (sets != 40) continue;
     require_fine(all);
     expect_no_lattice(all.call, mean_spectrum(all, size), sets);
@@ -57,14 +54,12 @@ CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:7
 }
 
 CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
-  Rng rng = check_rng();
-  // Means over so many patterns that their errors are small against the distance of right and wrong
-  // from 0.3 %. Bridson's algorithm with 30 tries leaves 0.9 to 1.1 % between radius 0.61 and 0.65,
-  // in one pattern +- 1.8 % at most: 200 of them are 5 sigma or more above. A quarter dropped where
-  // only its center is covered leaves 0.6 % at 0.65, but 0.46 % at 0.63. Of smaller radii Bridson
-  // leaves too little to be judged: 0.17 % at 0.3 (up to 2.6 % in one pattern of 4,000), 0.12 %
-  // below 0.1. Darts until 1,000 in a row have missed leave 0.19 % of 230 points, +- 0.09 %, and
-  // 0.5 % of 10,000: they fail in 4.7.
+  // Means over enough patterns that correct and wrong answers are far from 0.3 %. Bridson's
+  // algorithm with 30 tries leaves 0.9 to 1.1 % for radii from 0.61 to 0.65, with at most +- 1.8 %
+  // per pattern: 200 patterns are 5 sigma above. Dropping a quarter cell of which only the center
+  // is covered leaves 0.6 % at 0.65, and 0.46 % at 0.63. For smaller radii Bridson leaves too
+  // little to detect: 0.17 % at 0.3 (up to 2.6 % in one of 4,000 patterns), 0.12 % below 0.1. Darts
+  // until 1,000 misses in a row leave 0.19 % +- 0.09 % for 230 points, 0.5 % for 10,000: see 4.7.
   const std::pair<double, std::size_t> cases[] = {{uniform(rng, 0.05, 0.06), 40},
                                                   {uniform(rng, 0.28, 0.32), 60},
                                                   {uniform(rng, 0.14, 0.16), 40},
@@ -80,85 +75,77 @@ CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:7][needs:4.1]") {
     }
     expect_that(
         uncovered <= 0.003,
-        fmt::format("{}: {:.3g} % of the square is farther than the radius from every point, mean "
-                    "of {} sets of {:.4g} points",
+        fmt::format("{}: {:.3g} % of the square is uncovered, mean of {} sets of {:.4g} points",
                     all.call, 100 * uncovered, sets, mean_size(all)),
         "0.3 % at most",
-        "where no disk reaches there is room for another point (computed along 1000 lines; right "
-        "to 0.01 %)",
-        radius > 0.1 ? "at large radii one gap that is missed is much of the square: look for what "
-                       "is left in the end"
-                     : "gaps are left: some misses in a row are not proof that nothing fits");
+        "another point fits where no disk reaches (computed with an error of 0.01 %)",
+        radius > 0.1
+            ? "for a large radius one missed gap is a large part of the square: search all gaps"
+            : "gaps are left: a number of misses in a row does not prove that nothing fits");
   }
 }
 
 CHECK_CASE("4.3 Poisson disks are blue", "[4.3][points:4][needs:4.1]") {
-  Rng rng = check_rng();
-  constexpr std::size_t sets = 160;  // so many that the peak of the mean is known well
+  constexpr std::size_t sets = 160;  // enough for the peak of the mean
   const double radius = radius_for(256);
   const SampleSets all = in_four_calls([&] { return patterns(radius, sets / 4, rng); });
   const double size = mean_size(all);
-  // The densest pattern has 422 points here; a spectrum beyond that is not of a Poisson disk.
+  // The densest pattern has 422 points here.
   expect_that(size > 100 && size < 500,
-              fmt::format("{}: {:.1f} points a set on average", all.call, size), "about 256",
-              "disks of half the radius cannot overlap, disks of the radius must cover",
+              fmt::format("{}: {:.1f} points per set on average", all.call, size), "about 256",
+              "disks of half the radius do not overlap, and disks of the radius cover the square",
               "no two points closer than radius, and no room for another");
   const Spectrum mean = mean_spectrum(all, size);
   const double low = low_band(mean, size), top = peak(mean, size);
   expect_that(low < 0.13,
               fmt::format("{}: mean power {:.4f} over 0 < |k| <= sqrt(N)/2", all.call, low),
               "less than 0.13; 0.076 on average", "independent points have 1, jittered ones 0.32",
-              "is the distance kept, and the square filled, everywhere alike?");
-  expect_that(top > 1.4 && top < 1.9,
-              fmt::format("{}: the largest mean power of a ring is {:.3f}", all.call, top),
-              "1.4 to 1.9; 1.75 on average",
-              "points just outside each other's disks are common, but not the rule",
-              top < 1.4 ? "the pattern is loose: too few neighbors at the radius"
-                        : "too regular: new points lie at the rim of a disk, or on a lattice, and "
-                          "not anywhere they fit");
+              "keep the distance and fill the square equally everywhere");
+  expect_that(
+      top > 1.4 && top < 1.9,
+      fmt::format("{}: the largest mean power of a ring is {:.3f}", all.call, top),
+      "1.4 to 1.9; 1.75 on average", "distances just above the radius are common, but not dominant",
+      top < 1.4
+          ? "the pattern is too loose: too few neighbors at the radius"
+          : "too regular: new points must fall anywhere, not only on rims of disks or a lattice");
   expect_no_lattice(all.call, mean, sets);
 }
 
 CHECK_CASE("4.3 points fall anywhere on the torus", "[4.3][points:1][needs:4.1]") {
-  Rng rng = check_rng();
   const double radius = uniform(rng, 0.2, 0.4);
   const SampleSets all = patterns(radius, 400, rng);
-  Uniforms places{all.call + ": one point of each pattern", 2};
+  Uniforms places{all.call + ", one point of each pattern", 2};
   for (std::size_t set = 0; set < all.size(); ++set) {
     const std::size_t point = rng() % all.points(set);
     for (const std::size_t d : {0u, 1u}) places.values.push_back(all.column(set, d)[point]);
   }
   expect_independent_uniforms(
-      places, {.words = "one point of each pattern, whichever, is uniform in the square",
-               .alpha = alpha,
-               .otherwise = "points may fall anywhere on the torus, each place is like any other"});
+      places, {.words = "a random point of each pattern is uniform in the square",
+               .otherwise = "points must fall anywhere on the torus with equal probability"});
   require_everywhere(all);
   require_everywhere(patterns(uniform(rng, 0.05, 0.06), 40, rng));
 }
 
 CHECK_CASE("4.3 a radius too large for two gives one point", "[4.3][edge][points:3][needs:4.1]") {
-  Rng rng = check_rng();
   for (const double radius : {uniform(rng, 0.72, 0.9), 1.0, uniform(rng, 1, 10), 0.70711,
                               std::nextafter(std::sqrt(0.5), 1), 1e300, infinity}) {
     const SampleSets all = patterns(radius, 5, rng);
     expect_that(all.values().size() == 10,
                 fmt::format("{}: {} points in 5 sets", all.call, all.values().size() / 2),
-                "one in each", "no two points of the torus are farther apart than sqrt(1/2)",
-                "two points must not be nearer than radius, round the torus");
+                "one in each", "no two points on the torus are farther apart than sqrt(1/2)",
+                "two points must not be closer than the radius on the torus");
   }
-  // Just below, a second point fits in one place, which need not be found.
-  for (const double radius : {0.7071, std::nextafter(std::sqrt(0.5), 0)}) {
-    patterns(radius, 5, rng);
-  }
+  // Just below, a second point fits in a single place, which need not be found.
+  for (const double radius : {0.7071, std::nextafter(std::sqrt(0.5), 0)}) patterns(radius, 5, rng);
 }
 
-/// Distances are positive, and memory has an end.
+/// Radii that are not positive, or need too many points.
 static std::vector<InvalidCall> wrong_radii() {
   std::vector<InvalidCall> calls;
   for (const double radius : {-1.0, 0.0, -0.0, -1e-9, nan, -infinity, 1e-200, 5e-324, 1e-7, 1e-9,
                               std::nextafter(1e-5, 0)}) {
     calls.push_back({MEASURE_OUTCOME(poisson_disk, radius, 1, 1), "radius",
-                     radius > 0 ? "memory would not hold the points" : "a distance is positive"});
+                     radius > 0 ? "the points do not fit into memory" : "a distance is positive"});
   }
   return calls;
 }
@@ -167,7 +154,7 @@ CHECK_CASE("4.3 a radius that makes no sense is refused", "[4.3][edge][points:2]
   expect_refused(wrong_radii());
 }
 
-/// The first number of a text that lies between low and high.
+/// The first number in a text that lies between low and high.
 static std::optional<double> number_between(const std::string& text, double low, double high) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     const double number = std::strtod(text.c_str() + at, nullptr);
@@ -178,22 +165,20 @@ static std::optional<double> number_between(const std::string& text, double low,
 
 CHECK_CASE("4.3 the message for a radius too small for memory contains the number of points",
            "[4.3][edge][points:1]") {
-  Rng rng = check_rng();
   expect_argument_named(wrong_radii());
   for (const double radius : {1e-7, uniform(rng, 1, 9) * 1e-9, uniform(rng, 1, 9) * 1e-12}) {
     const auto call = MEASURE_OUTCOME(poisson_disk, radius, 1, 1);
     const double squares = 1 / (radius * radius);
-    // Discs of half the radius pack a triangular lattice at most; discs of the radius cover by the
-    // thinnest covering at least (Kershner 1939).
+    // Disks of half the radius are at most as dense as a triangular lattice; disks of the radius
+    // cover, so there are at least as many as in the thinnest covering (Kershner 1939).
     expect_that(
         number_between(call.outcome.bytes, 0.384 * squares, 1.155 * squares).has_value(),
         fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, call.outcome.bytes),
-        fmt::format("a text that says how many points it would be: about {:.2g}", 0.7 * squares),
-        "between 0.385 / radius^2 (fewer discs do not cover) and 1.155 / radius^2 (more "
-        "do not fit)",
+        fmt::format("a message with the number of points: about {:.2g}", 0.7 * squares),
+        "between 0.385 / radius^2 (fewer do not cover) and 1.155 / radius^2 (more do not fit)",
         number_between(call.outcome.bytes, squares / 1000, 1000 * squares)
-            ? "this is another number of points: about 0.7 / radius^2 fit"
-            : "std::to_string or %g will do: 1.5e+12");
+            ? "this number of points is wrong: about 0.7 / radius^2 fit"
+            : "use std::to_string or %g: 1.5e+12");
   }
 }
 

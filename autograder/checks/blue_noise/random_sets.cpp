@@ -2,26 +2,26 @@
 #include <tuple>
 
 #include "checks/blue_noise/random_sets.hpp"
-#include "checks/support/discs.hpp"
+#include "checks/support/disks.hpp"
 
 namespace mc::checks {
 namespace {
 
-/// The distances of a point to its three nearest, in units of 1e-9: those of a copy are the same,
-/// wherever it was moved, turned or mirrored.
+/// The distances of a point to its three nearest neighbors, in units of 1e-9: a copy that was
+/// moved, rotated or mirrored has the same ones.
 struct Neighborhood {
   std::array<std::int64_t, 3> distances;
   std::size_t set, point;
 };
 
-/// Of all points of small sets and of some 1,000 of large ones, but for those with two equal
-/// distances (see expect_no_lattice()) and for two points in one place (see below).
+/// For all points of small sets and about 1,000 of large ones, except those with two equal
+/// distances (see expect_no_lattice()) or at the place of another point (see below).
 void add_neighborhoods(const SampleSets& sets, std::size_t set, std::vector<Neighborhood>& all) {
   const View x = sets.column(set, 0), y = sets.column(set, 1);
   const std::size_t n = x.size();
   for (std::size_t p = 0; p < n && n > 3; ++p) {
     if (n > 4096 && mix_bits(p) % (n / 1024) != 0) continue;
-    std::array<double, 4> least{1, 1, 1, 0};  // squared, in rising order, and a place for the next
+    std::array<double, 4> least{1, 1, 1, 0};  // squared, ascending, and a place for the next
     for (std::size_t q = 0; q < n; ++q) {
       const double dx = short_way(x[q] - x[p]), dy = short_way(y[q] - y[p]);
       least[3] = dx * dx + dy * dy;
@@ -36,28 +36,25 @@ void add_neighborhoods(const SampleSets& sets, std::size_t set, std::vector<Neig
   }
 }
 
-/// No neighborhood comes again, in this set or in another: three continuous numbers agree to eight
-/// digits. Among 40,000 random points that happens once in 10^12 runs.
+/// No neighborhood occurs twice, in one set or two: among 40,000 random points, three continuous
+/// numbers agree to eight digits only once in 10^12 runs.
 void require_fresh(const SampleSets& sets) {
   std::vector<Neighborhood> all;
   for (std::size_t set = 0; set < sets.size(); ++set) add_neighborhoods(sets, set, all);
-  std::sort(all.begin(), all.end(),
-            [](const auto& a, const auto& b) { return a.distances < b.distances; });
-  const auto twice = std::adjacent_find(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.distances == b.distances;
-  });
+  std::ranges::sort(all, [](const auto& a, const auto& b) { return a.distances < b.distances; });
+  const auto twice = std::ranges::adjacent_find(
+      all, [](const auto& a, const auto& b) { return a.distances == b.distances; });
   if (twice == all.end()) return;
   fail(Failure{
-      fmt::format("{}: point {} of set {} and point {} of set {} have their three nearest points "
-                  "at the same distances",
+      fmt::format("{}: point {} of set {} and point {} of set {} have the same neighborhood",
                   sets.call, twice->point, twice->set, (twice + 1)->point, (twice + 1)->set),
-      "neighborhoods that never come again", "each point of each set is drawn anew",
-      "draw from the generator that is passed in, each point anew: a copy of it, or one with its "
-      "own seed, starts again each time, and copies of a pattern that are shifted, turned, "
-      "mirrored or tiled are not new points"});
+      "different neighborhoods", "every point of every set is random",
+      "draw every point from the generator that is passed in: a copy of it, or a generator with "
+      "its own seed, starts again each time; copies of a pattern, even mirrored, are not new "
+      "points"});
 }
 
-/// No point is in two sets, or twice in one: random points never are.
+/// No two points, of one set or two, are equal.
 void require_distinct(const SampleSets& sets) {
   std::vector<std::tuple<double, double, std::size_t, std::size_t>> all;  // x, y, set, index
   for (std::size_t set = 0; set < sets.size(); ++set) {
@@ -65,8 +62,8 @@ void require_distinct(const SampleSets& sets) {
       all.emplace_back(sets.column(set, 0)[i], sets.column(set, 1)[i], set, i);
     }
   }
-  std::sort(all.begin(), all.end());
-  const auto twice = std::adjacent_find(all.begin(), all.end(), [](const auto& a, const auto& b) {
+  std::ranges::sort(all);
+  const auto twice = std::ranges::adjacent_find(all, [](const auto& a, const auto& b) {
     return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
   });
   if (twice == all.end()) return;
@@ -74,11 +71,10 @@ void require_distinct(const SampleSets& sets) {
   const auto& [same_x, same_y, other_set, other_index] = *(twice + 1);
   fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
                            sets.call, index, set, other_index, other_set, x, y),
-               "points that are all different", "random points never fall on each other",
-               x == 0 && y == 0                 ? "a point that was never written lies at (0, 0)"
-               : index == 0 && other_index == 0 ? "the first point of a set is as random as any "
-                                                  "other"
-                                                : "every point is drawn anew, and kept once"});
+               "points that are all different", "random points are never equal",
+               x == 0 && y == 0                 ? "a point at (0, 0) was never written"
+               : index == 0 && other_index == 0 ? "the first point of a set must be random, too"
+                                                : "draw every point anew, and keep it once"});
 }
 
 SampleSets require_random(SampleSets sets) {
@@ -87,15 +83,14 @@ SampleSets require_random(SampleSets sets) {
   return sets;
 }
 
-/// Why two points are closer than the radius, as far as the points show.
+/// The hint if two points are closer than the radius.
 std::string too_close_hint(View x, View y, double radius, double least) {
   const auto n = static_cast<double>(x.size());
   if (least >= radius / 2 - 4 * eps && n * radius * radius > 1.155) {
-    return "half the radius is kept: it is the distance of two points, and not the radius of disks "
-           "that may touch";
+    return "half the radius is kept: it is the distance of points, not a disk's radius";
   }
-  // Of pairs that are close by accident, a part of 4/pi radius at most lies across an edge: all of
-  // them do where that is not an accident, or once in 10,000 patterns.
+  // Of pairs that are close by chance, at most a fraction of 4/pi radius lies across an edge: if
+  // all of them do, it is by chance once in 10,000 patterns.
   std::size_t pairs = 0, across = 0;
   for (std::size_t i = 0; i < x.size() && n < 5000; ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -105,17 +100,16 @@ std::string too_close_hint(View x, View y, double radius, double least) {
       across += std::hypot(dx, dy) >= radius - 4 * eps;
     }
   }
-  const double by_accident = 4 / std::numbers::pi * radius;
-  if (across == pairs && static_cast<double>(pairs) * std::log(by_accident) < std::log(1e-4)) {
-    return "they are close only across an edge: the square is a torus";
+  const double by_chance = 4 / std::numbers::pi * radius;
+  if (across == pairs && static_cast<double>(pairs) * std::log(by_chance) < std::log(1e-4)) {
+    return "they are close only across an edge: measure distances on the torus";
   }
-  return "is each new point compared with all near it, round the torus? Where a cell of a grid "
-         "remembers one point, it must not have room for two";
+  return "compare each new point with all points near it; a grid cell must not have room for two";
 }
 
-/// Every point has a disk of that radius to itself, but for rounding. Of points that keep a
-/// distance too small by a part d, 28 d N pairs are too close (measured for small d): of the
-/// 127,000 points of 4.3 and 4.7 together one such pair is missed once in 1,000 runs for d = 2e-6.
+/// No two points are closer than the radius, except for rounding. If the distance is too small by a
+/// fraction d, 28 d N pairs are too close (measured for small d): with the 127,000 points of 4.3
+/// and 4.7 together, d = 2e-6 is missed once in 1,000 runs.
 void require_apart(const SampleSets& sets, double radius) {
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const View x = sets.column(set, 0), y = sets.column(set, 1);
@@ -123,7 +117,7 @@ void require_apart(const SampleSets& sets, double radius) {
     const bool holds = least >= radius - 4 * eps;
     expect_that(holds, fmt::format("{}: two points {} apart", sets.call, least),
                 fmt::format("{} or more", radius),
-                "no two points are closer than the radius, but for rounding (4 eps of the square)",
+                "no two points are closer than the radius, except for rounding (4 eps)",
                 holds ? "" : too_close_hint(x, y, radius, least));
   }
 }
@@ -139,11 +133,12 @@ SampleSets random_sets(const Measured<Patterns>& got, double radius, std::size_t
   const auto empty = std::find(all.sizes.begin(), all.sizes.end(), 0u);
   expect_that(empty == all.sizes.end(),
               fmt::format("{}: set {} has no points", got.call, empty - all.sizes.begin()),
-              "one point at least", "", "there is always room for the first point");
+              "at least one point", "", "the first point always fits");
   SampleSets patterns = patterns_in(got.call, all);
-  expect_that(patterns.size() == sets,
-              fmt::format("{}: {} points in all, and other sizes", got.call, all.x.size()),
-              "sizes that add up", "", "");
+  expect_that(
+      patterns.size() == sets,
+      fmt::format("{}: {} points, but the sizes do not add up to this", got.call, all.x.size()),
+      "sizes that add up to the number of points", "", "");
   require_apart(patterns, radius);
   return require_random(std::move(patterns));
 }
@@ -154,10 +149,8 @@ void require_fine(const SampleSets& sets) {
   expect_independent_uniforms(
       rest,
       {.words = "the lower bits of coordinates are uniform",
-       .alpha = alpha,
-       .otherwise =
-           "coordinates have 53 random bits: is any of them a float, or cut off at an edge?",
-       .expected = "bits that are random, in each coordinate its own"},
+       .otherwise = "all 53 bits must be random: use no float, and do not clamp",
+       .expected = "independent random bits in each coordinate"},
       true);
 }
 
@@ -168,7 +161,7 @@ void require_everywhere(const SampleSets& sets) {
       const View column = sets.column(set, d);
       all.insert(all.end(), column.begin(), column.end());
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     const double most = 40 / static_cast<double>(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
       const double next = k + 1 < all.size() ? all[k + 1] : all[0] + 1;
@@ -176,8 +169,8 @@ void require_everywhere(const SampleSets& sets) {
       fail(Failure{fmt::format("{}: none of {} points has {} between {} and {}", sets.call,
                                all.size(), d == 0 ? "x" : "y", all[k], next),
                    fmt::format("a point at least every {:.3g}", most),
-                   "over many points or sets, every place is like any other",
-                   "points may fall anywhere on the torus, also along its edges"});
+                   "over many points or sets, all places are equally likely",
+                   "points must fall anywhere on the torus, including near the edges"});
     }
   }
 }
@@ -212,15 +205,13 @@ void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_
               fmt::format("{}: power {:.1f} at k = ({}, {}), mean of {} sets", call, most.first,
                           most.second[0], most.second[1], sets),
               fmt::format("less than {:.1f} at every k", limit),
-              "random points have no period: one that comes again in every set adds up, all others "
-              "average out (to 1.9 at most)",
-              "points on a lattice are not random, wherever it lies");
+              "random points have no period; without one, powers average to 1.9 at most",
+              "points on a lattice are not random, even if it is shifted");
 }
 
 namespace {
 
-/// Whether each of the points is the best of so many candidates: one of 10,000 right ones is
-/// missed.
+/// Whether each of the points is the best of this number of candidates; wrong once in 10,000 times.
 bool explains(const Nearness& all, const Count& count) {
   const Uniforms u = by_candidates("", all, count);
   for (std::size_t position = 0; position < u.positions; ++position) {
@@ -241,9 +232,9 @@ Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::
   Nearness all{std::move(points)};
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const View all_x = sets.column(set, 0), all_y = sets.column(set, 1);
-    std::vector<std::size_t> by_x(all_x.size());  // lines are covered faster in order
+    std::vector<std::size_t> by_x(all_x.size());  // uncovered_area() is faster in this order
     std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-    std::sort(by_x.begin(), by_x.end(), [&](auto a, auto b) { return all_x[a] < all_x[b]; });
+    std::ranges::sort(by_x, [&](auto a, auto b) { return all_x[a] < all_x[b]; });
     for (const std::size_t i : all.points) {
       const std::size_t first = metric.to_last_only ? i - 1 : 0;
       Values x, y;
@@ -262,7 +253,7 @@ Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::
 }
 
 Uniforms by_candidates(const std::string& call, const Nearness& all, const Count& candidates) {
-  // Areas are right to three digits or so.
+  // Areas are accurate to about three digits.
   Uniforms u{call, all.points.size(), {}, 12, [points = all.points](std::size_t position) {
                return fmt::format("nearness of point {}", points[position]);
              }};
@@ -284,10 +275,7 @@ Count promised(double c) {
 }
 
 Randomness best_of_candidates(const std::string& otherwise) {
-  return {.words =
-              "the fraction of the square that is nearer to an earlier point than point i, to "
-              "the power of ceil(c i) + 1, is uniform",
-          .alpha = alpha,
+  return {.words = "the nearness of point i, to the power of ceil(c i) + 1, is uniform",
           .otherwise = otherwise,
           .expected = "each point i is the best of ceil(c i) + 1 uniform candidates"};
 }
@@ -299,11 +287,11 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
   const Nearness all = measured({});
   Nearness opposite = all;
   for (double& part : opposite.parts) part = 1 - part;
-  // Were it the same number m for all points, -1 / mean(log(part)) would estimate it.
+  // If all points had the same number of candidates, -1 / mean(log(part)) would estimate it.
   double logarithms = 0;
   for (const double part : all.parts) logarithms -= std::log(std::max(part, 1e-300));
   const double constant = std::round(static_cast<double>(all.parts.size()) / logarithms);
-  const bool is_whole = c == std::floor(c);  // then one candidate missing is not c i rounded down
+  const bool is_whole = c == std::floor(c);  // then a missing candidate does not come from rounding
   struct Mistake {
     Nearness seen;
     Count count;
@@ -311,21 +299,23 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
   };
   const Mistake mistakes[] = {
       {all, [=](double i) { return std::ceil(c * i); },
-       is_whole ? "these are ceil(c i) candidates: one is missing"
-                : "these are floor(c i) + 1 candidates: c i is rounded up, with c a double"},
+       is_whole ? "there are only ceil(c i) candidates: one is missing"
+                : "there are floor(c i) + 1 candidates: round c i up, with c a double"},
       {all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
-      {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },  // just above 1 that is the first
-       "these are i + 1 candidates: c is not used, or rounded"},
+      {all,
+       [=](double i) {
+         return c < 1.5 ? 0 : i + 1;
+       },  // just above 1 the first mistake gives the same
+       "there are i + 1 candidates: c is unused, or rounded"},
       {all, [=](double) { return constant; },
-       constant == 1 ? "these are uniform points: of several candidates, keep the farthest"
-                     : "the number of candidates hardly grows with i: point i has ceil(c i) + 1"},
+       constant == 1 ? "these are uniform points: keep the farthest of several candidates"
+                     : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
       {opposite, promised(c),
-       "this keeps the candidate that is nearest to the others: keep the farthest"},
+       "this keeps the candidate that is nearest to earlier points: keep the farthest"},
       {measured({.on_torus = false}), promised(c),
-       "these are the best candidates within the square, so points crowd at its edges: measure "
-       "distances round the torus"},
+       "distances are measured within the square: measure them on the torus"},
       {measured({.to_last_only = true}), promised(c),
-       "these candidates are far from the last point: they must be far from all points before"}};
+       "the candidates are far from the last point: they must be far from all earlier points"}};
   std::string found;
   for (const Mistake& mistake : mistakes) {
     if (!explains(mistake.seen, mistake.count)) continue;

@@ -9,7 +9,7 @@ namespace {
 
 using Power = std::function<double(int, int)>;  ///< at (kx, ky)
 
-/// Its values for k in [-kmax, kmax]^2, ky outer.
+/// The values for k in [-kmax, kmax]^2, ky outer.
 Values values_of(int kmax, const Power& power) {
   Values all;
   for (int ky = -kmax; ky <= kmax; ++ky) {
@@ -18,7 +18,6 @@ Values values_of(int kmax, const Power& power) {
   return all;
 }
 
-/// What well-known mistakes give for these points, of the exact power.
 std::vector<Curve> wrong_powers(const Points& points, int kmax, const Power& exact) {
   const auto n = static_cast<double>(points.x.size());
   const auto sums = [&](double wave, bool cosines, bool sines) {  // of waves `wave` times as long
@@ -44,24 +43,23 @@ std::vector<Curve> wrong_powers(const Points& points, int kmax, const Power& exa
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky) * n); },
        "this is |sum|: the task asks for its square over N"},
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky) / n); },
-       "this is |sum| / N: the sum is squared, then divided by N"},
+       "this is |sum| / N: square |sum| before dividing by N"},
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky)); },
        "this is an amplitude: power is its square"},
       {[&](int kx, int ky) { return exact(ky, kx); },
-       "kx and ky are exchanged: ky is the outer index"},
+       "kx and ky are swapped: ky is the outer index"},
       {[&](int kx, int ky) { return kx == 0 && ky == 0 ? 0 : exact(kx, ky); },
-       "k = 0 is power like any other here: N"},
-      {sums(1, true, false), "this is the sum of cosines alone: the sum of sines is missing"},
-      {sums(1, false, true), "this is the sum of sines alone: the sum of cosines is missing"},
-      {sums(2 * std::numbers::pi, true, true), "2 pi is missing in the angle"},
+       "the power at k = 0 belongs to the result: N"},
+      {sums(1, true, false), "this is the sum of cosines only: the sum of sines is missing"},
+      {sums(1, false, true), "this is the sum of sines only: the sum of cosines is missing"},
+      {sums(2 * std::numbers::pi, true, true), "the angle lacks the factor 2 pi"},
       {sums(2, true, true), "the angle is 2 pi k x, not pi k x"}};
   std::vector<Curve> curves;
   for (const auto& [power, hint] : suspects) curves.push_back({values_of(kmax, power), hint});
   return curves;
 }
 
-/// The definition in extended precision (where the machine has it): right to some of the least bits
-/// of a double even where waves cancel.
+/// The definition in extended precision (if available): accurate even if waves cancel.
 Power exact_power(const Points& points, int kmax) {
   using Real = long double;
   const auto side = static_cast<std::size_t>(2 * kmax + 1);
@@ -84,9 +82,9 @@ Power exact_power(const Points& points, int kmax) {
   };
 }
 
-/// How wrong a periodogram may be. A wave's angle, 2 pi (kx x + ky y) <= 4 pi kmax, is rounded a
-/// few times, and so a wave is wrong by less than 32 (kmax + 1) eps; n additions lose n eps of n
-/// waves. So the sum of n waves is wrong by n delta, and its square over n by the two terms here.
+/// The tolerance of a periodogram. A wave's angle, 2 pi (kx x + ky y) <= 4 pi kmax, is rounded a
+/// few times, so a wave has an error below 32 (kmax + 1) eps; n additions lose n eps. So the sum of
+/// n waves has an error of n delta, and its square over n that of the two terms here.
 double power_tolerance(double exact, double n, int kmax) {
   const double delta = (32.0 * (kmax + 1) + n) * eps;
   return 2 * std::sqrt(n * exact) * delta + n * delta * delta;
@@ -97,36 +95,33 @@ void compare_power(const Points& points, int kmax) {
   const Power exact = exact_power(points, kmax);
   const auto measured = MEASURE(periodogram, points.x, points.y, 1, kmax);
   const auto side = static_cast<std::size_t>(2 * kmax + 1);
-  Comparison powers{.exact = values_of(kmax, exact),
-                    .tolerance = {},
-                    .because = "waves are right to 32 (kmax + 1) eps, sums to N eps",
-                    .otherwise =
-                        "sum exp(-2 pi i (kx x + ky y)) over the points, in double; its squared "
-                        "absolute value over N",
-                    .name = [&](std::size_t i) {
-                      return fmt::format("{}: power at k = ({}, {})", measured.call,
-                                         static_cast<int>(i % side) - kmax,
-                                         static_cast<int>(i / side) - kmax);
-                    }};
+  Comparison powers{
+      .exact = values_of(kmax, exact),
+      .tolerance = {},
+      .because = "waves are accurate to 32 (kmax + 1) eps, sums to N eps",
+      .otherwise = "sum exp(-2 pi i (kx x + ky y)) in double, and divide its squared size by N",
+      .name = [&](std::size_t i) {
+        return fmt::format("{}: power at k = ({}, {})", measured.call,
+                           static_cast<int>(i % side) - kmax, static_cast<int>(i / side) - kmax);
+      }};
   for (const double power : powers.exact) {
     powers.tolerance.push_back(power_tolerance(power, static_cast<double>(points.x.size()), kmax));
   }
   const View got = measured.exactly(side * side, any_number);
-  if (difference({measured.call, got}, powers)) {  // only then: they are expensive
+  if (difference({measured.call, got}, powers)) {  // expensive
     powers.suspects = wrong_powers(points, kmax, exact);
   }
   expect_each({measured.call, got}, powers);
 }
 
 CHECK_CASE("4.4 random points by the definition", "[4.4][main][points:8]") {
-  Rng rng = check_rng();
   const std::pair<std::size_t, int> cases[] = {{17, 3},  {2, 1},    {100, 12},  {1000, 4},
                                                {3, 60},  {1025, 2}, {65537, 1}, {65, 7},
                                                {15, 16}, {1, 33},   {1, 1}};
   for (const auto& [n, kmax] : cases) compare_power(uniform_points(rng, n), kmax);
 }
 
-/// Columns x rows points, at any place: N where both waves fit, else 0.
+/// A shifted grid of columns x rows points: the power is N if both waves fit, else 0.
 Points grid_of(int columns, int rows, Rng& rng) {
   const double left = uniform(rng, 0, 0.1), low = uniform(rng, 0, 0.1);
   Points grid;
@@ -138,10 +133,9 @@ Points grid_of(int columns, int rows, Rng& rng) {
 }
 
 CHECK_CASE("4.4 points whose waves cancel or agree", "[4.4][points:7]") {
-  Rng rng = check_rng();
-  // Pairs at a distance of exactly 1/2, where all odd waves cancel; of next to nothing; and at the
-  // ends of the square, with waves short enough for every digit of a coordinate to matter, or so
-  // short that an angle is some hundred turns. Points in one place: N at any k.
+  // Pairs at a distance of exactly 1/2, whose odd waves cancel, or of one ulp; pairs at the ends of
+  // the square, with waves so short that every digit of a coordinate matters, or that an angle is
+  // hundreds of turns; equal points, whose power is N for every k.
   const double x = uniform(rng, 0, 0.5), y = uniform(rng, 0, 0.5);
   const std::pair<Points, int> cases[] = {{{{x, x + 0.5}, {y, y}}, 7},
                                           {{{x, x + 0.5}, {y + 0.5, y}}, 7},
@@ -157,18 +151,18 @@ CHECK_CASE("4.4 points whose waves cancel or agree", "[4.4][points:7]") {
   for (const auto& [points, kmax] : cases) compare_power(points, kmax);
 }
 
-/// A power of `size` values and another kmax.
+/// Calls in which the size of `power` does not fit kmax.
 void add_wrong_sizes(std::vector<InvalidCall>& calls,
                      const std::function<Call(int kmax, std::uint64_t size)>& made) {
   for (const auto& [kmax, size] :
        {std::pair{0, 1u}, {-1, 1u}, {-3, 1u}, {-2, 9u}, {std::numeric_limits<int>::min(), 1u}}) {
-    calls.push_back({made(kmax, size), "kmax", "kmax is 1 at least, whatever (2 kmax + 1)^2 is"});
+    calls.push_back({made(kmax, size), "kmax", "kmax is at least 1"});
   }
   for (const std::uint64_t size : {0u, 9u, 24u, 26u, 49u}) {
-    calls.push_back({made(2, size), "power", "there are (2 kmax + 1)^2 = 25 values of k"});
+    calls.push_back({made(2, size), "power", "(2 kmax + 1)^2 = 25 values are needed"});
   }
   calls.push_back({made(1 << 15, 131073), "power",
-                   "there are 65537^2 = 2^32 + 131073 values of k: their number overflows 32 bits",
+                   "65537^2 = 2^32 + 131073 values are needed: the number overflows 32 bits",
                    "(2 kmax + 1)^2 overflows an int: compute it in std::size_t"});
 }
 
@@ -185,7 +179,7 @@ std::vector<InvalidCall> wrong_sizes() {
 REFUSAL_CASES("4.4", "misuse of periodogram is refused", "2", "a refusal names the argument", "1",
               wrong_sizes())
 
-/// The ring of (kx, ky), whose length is k; none beyond the last.
+/// The ring of (kx, ky), whose length is k; no ring beyond the last.
 using RingOf = std::function<double(int kx, int ky, double k)>;
 
 Rings sums_over(const Values& power, int kmax, const RingOf& ring_of) {
@@ -200,7 +194,6 @@ Values means_over(const Values& power, int kmax, const RingOf& ring_of) {
   return sum;
 }
 
-/// What well-known mistakes give.
 std::vector<Curve> wrong_means(const Values& power, int kmax, const RingOf& nearest) {
   Values sum = sums_over(power, kmax, nearest).sum, by_length = sum;
   for (std::size_t r = 1; r < sum.size(); ++r) {
@@ -211,35 +204,30 @@ std::vector<Curve> wrong_means(const Values& power, int kmax, const RingOf& near
   with_center[0] = power[power.size() / 2];
   with_zero[0] = 0;
   const auto means = [&](const RingOf& ring_of) { return means_over(power, kmax, ring_of); };
-  return {
-      {means([](int, int, double k) { return std::floor(k); }),
-       "abs(k) is cut here: round it to the nearest ring"},
-      {sum, "this is the sum over the ring: the task asks for its mean"},
-      {by_length, "this is the sum over 2 pi r: divide by how many (kx, ky) there are in the ring"},
-      {means([=](int, int ky, double k) { return ky >= 0 ? std::round(k) : infinity; }),
-       "this is the mean over ky >= 0 alone"},
-      {means([=](int, int, double k) { return std::min<double>(std::round(k), kmax); }),
-       "the corners are in the last ring: they belong to none"},
-      {with_center, "the power at k = 0 is still in here: ring 0 has no meaning, so NaN"},
-      {with_zero, "ring 0 has no meaning, so NaN, not 0"}};
+  return {{means([](int, int, double k) { return std::floor(k); }),
+           "|k| is truncated: round it to the nearest ring"},
+          {sum, "this is the sum over the ring: the task asks for its mean"},
+          {by_length, "this is the sum over 2 pi r: divide by the number of (kx, ky) in the ring"},
+          {means([=](int, int ky, double k) { return ky >= 0 ? std::round(k) : infinity; }),
+           "this is the mean over ky >= 0 only"},
+          {means([=](int, int, double k) { return std::min<double>(std::round(k), kmax); }),
+           "the corners are in the last ring: they belong to no ring"},
+          {with_center, "ring 0 has the power at k = 0: it must be NaN, because it has no meaning"},
+          {with_zero, "ring 0 is 0: it must be NaN, because it has no meaning"}};
 }
 
 CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
-  Rng rng = check_rng();
   for (const int kmax : {5, 2, 24, 3, 63, 129, 300, 1}) {
     const auto side = static_cast<std::size_t>(2 * kmax + 1);
     const Values power = uniform_values(rng, side * side, 0, 3);
-    // k + 1/2 is the root of no whole number: never halfway.
+    // k + 1/2 is not the root of an integer, so nothing is halfway.
     const RingOf nearest = [](int, int, double k) { return std::round(k); };
     const Values count = sums_over(power, kmax, nearest).count;
-    Comparison rings{.exact = means_over(power, kmax, nearest),
-                     .tolerance = {},
-                     .because =
-                         "n additions of positive numbers lose n eps at most; the power at k = 0 "
-                         "is N for any points, so ring 0 is NaN",
-                     .otherwise =
-                         "the mean of all (kx, ky) whose sqrt(kx^2 + ky^2) rounds to this ring, of "
-                         "negative k too"};
+    Comparison rings{
+        .exact = means_over(power, kmax, nearest),
+        .tolerance = {},
+        .because = "n positive terms lose at most n eps; the power at k = 0 is N, so ring 0 is NaN",
+        .otherwise = "the mean over all (kx, ky), also negative ones, whose length rounds to r"};
     for (std::size_t r = 0; r < count.size(); ++r) {
       rings.tolerance.push_back((count[r] + 2) * eps * rings.exact[r]);
     }

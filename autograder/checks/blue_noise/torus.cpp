@@ -13,8 +13,8 @@ struct Pairs {
   }
 };
 
-/// First pairs whose both ways lead across an edge, where all mistakes differ; then any; then ways
-/// equally long, equal points, and coordinates at the ends of their range.
+/// First pairs that are closest across edges in x and y, for which all mistakes differ; then random
+/// ones; then coordinates at the ends of their range, equal points, and ties.
 Pairs pairs(Rng& rng) {
   Pairs all;
   for (int i = 0; i < 20; ++i) {
@@ -24,9 +24,7 @@ Pairs pairs(Rng& rng) {
     all.add({right ? high_x : low_x, top ? high_y : low_y},
             {right ? low_x : high_x, top ? low_y : high_y});
   }
-  for (int i = 0; i < 400; ++i) {
-    all.add({uniform(rng), uniform(rng)}, {uniform(rng), uniform(rng)});
-  }
+  for (int i = 0; i < 400; ++i) all.add({uniform(rng), uniform(rng)}, {uniform(rng), uniform(rng)});
   const double edges[] = {0, below_one, 0.5, 0.25, 0.75, uniform(rng), 1e-300, eps};
   for (const double x : edges) {
     for (const double y : edges) all.add({x, y}, {y, uniform(rng) < 0.5 ? x : 0});
@@ -40,18 +38,17 @@ Pairs pairs(Rng& rng) {
 }
 
 CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
-  Rng rng = check_rng();
   const auto [a, b] = pairs(rng);
   Comparison distances{
       .exact = {},
       .tolerance = {},
-      .because = "coordinates are rounded to eps / 2, differences too",
+      .because = "coordinates and differences are rounded to eps / 2",
       .suspects = {{{},
-                    "this is the distance within the square: the way across an edge is shorter"},
+                    "this is the distance in the square: the distance across an edge is shorter"},
                    {{}, "this is the distance: the task asks for its square"},
-                   {{}, "x goes round the torus, y does not"},
-                   {{}, "y goes round the torus, x does not"},
-                   {{}, "this is the sum of both ways: their squares are added"}},
+                   {{}, "x wraps around the torus, y does not"},
+                   {{}, "y wraps around the torus, x does not"},
+                   {{}, "this is |dx| + |dy|: add the squares"}},
       .otherwise = "along each axis, take the shorter of |difference| and 1 - |difference|",
       .name =
           [&, &a = a, &b = b](std::size_t i) {
@@ -62,10 +59,10 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
   for (std::size_t i = 0; i < a.x.size(); ++i) {
     const long double dx = static_cast<long double>(a.x[i]) - b.x[i];
     const long double dy = static_cast<long double>(a.y[i]) - b.y[i];
-    const long double x = dx - std::round(dx), y = dy - std::round(dy);  // the shortest way
+    const long double x = dx - std::round(dx), y = dy - std::round(dy);  // the shortest difference
     const auto exact = static_cast<double>(x * x + y * y);
-    // Each shortest way is rounded twice, by eps / 4 at most, and so is wrong by eps / 2: its
-    // square by eps |way|, both by 1.5 eps times the distance; the rest is relative to its square.
+    // Each difference is rounded twice, by at most eps / 4: its error is eps / 2, that of its
+    // square eps |difference|, that of the sum 1.5 eps times the distance.
     distances.exact.push_back(exact);
     distances.tolerance.push_back(4 * eps * std::sqrt(exact) + eps * eps);
     const long double wrong[] = {dx * dx + dy * dy, std::sqrt(exact), x * x + dy * dy,
@@ -78,12 +75,11 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
   expect_each({measured.call, measured.exactly(a.x.size(), any_number)}, distances);
 }
 
-/// Points by their places, in an order that does not depend on rounding by less than 1e-9: y and x
-/// of each.
+/// y and x of each point, in an order that does not depend on rounding errors below 1e-9.
 Values by_place(const Points& points) {
   std::vector<std::pair<double, double>> all;
   for (std::size_t i = 0; i < points.x.size(); ++i) all.emplace_back(points.y[i], points.x[i]);
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+  std::ranges::sort(all, [](const auto& a, const auto& b) {
     return std::abs(a.first - b.first) > 1e-9 ? a.first < b.first : a.second < b.second;
   });
   Values values;
@@ -91,7 +87,7 @@ Values by_place(const Points& points) {
   return values;
 }
 
-/// Copies of a pattern at 1/copies of its size, copy (i, j) at (i, j) * step / copies.
+/// Copies of a pattern, scaled by 1/copies, copy (i, j) at (i, j) * step / copies.
 Values tiled(const Points& pattern, int copies, int step) {
   Points all;
   for (int row = 0; row < copies; ++row) {
@@ -105,9 +101,8 @@ Values tiled(const Points& pattern, int copies, int step) {
   return by_place(all);
 }
 
-/// Tilings of random patterns, of which some points lie `at_the_edge`: at 0 or just below 1.
-void judge_tilings(bool at_the_edge) {
-  Rng rng = check_rng();
+/// Tilings of random patterns, with some points `at_the_edge`: at 0 or just below 1.
+void judge_tilings(Rng& rng, bool at_the_edge) {
   const std::pair<std::size_t, int> cases[] = {{20, 2},  {20, 3}, {7, 7},  {65, 33}, {1, 100},
                                                {129, 3}, {20, 1}, {3, 33}, {1, 1},   {2, 5}};
   for (const auto& [n, copies] : cases) {
@@ -123,12 +118,10 @@ void judge_tilings(bool at_the_edge) {
         {measured.call, got},
         {.exact = tiled(pattern, copies, 1),
          .tolerance = {eps},  // the sum is rounded to eps copies / 2, the quotient to eps / 4
-         .because =
-             "a point of the copy (i, j) lies at ((i + x) / copies, (j + y) / copies): every "
-             "copy is the pattern at 1/copies of its size",
+         .because = "a point of the copy (i, j) lies at ((i + x) / copies, (j + y) / copies)",
          .suspects = {{tiled(pattern, copies, 0),
-                       "all copies are in one place: i / copies of two whole numbers is 0"}},
-         .otherwise = "the copies are not alike: nothing is turned, mirrored or moved",
+                       "all copies are in one place: i / copies of two integers is 0"}},
+         .otherwise = "the copies differ: do not rotate, mirror or move the pattern",
          .name = [&call = measured.call](std::size_t i) {
            return fmt::format("{}: {} of point {}, row by row", call, i % 2 == 0 ? "y" : "x",
                               i / 2);
@@ -137,21 +130,22 @@ void judge_tilings(bool at_the_edge) {
 }
 
 CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:7]") {
-  judge_tilings(false);
+  judge_tilings(rng, false);
 }
 
 CHECK_CASE("4.6 copies of points just below 1 stay below 1", "[4.6][edge][points:1]") {
-  judge_tilings(true);
+  judge_tilings(rng, true);
 }
 
 std::vector<InvalidCall> wrong_tiles() {
   std::vector<InvalidCall> calls;
   for (const int copies : {0, -1, -7}) {
     calls.push_back(
-        {MEASURE_OUTCOME(tile_of, 3, 2, copies), "copies", "there is one copy at least"});
+        {MEASURE_OUTCOME(tile_of, 3, 2, copies), "copies", "there is at least one copy"});
   }
   for (const int copies : {2, 1}) {
-    calls.push_back({MEASURE_OUTCOME(tile_of, 0, 2, copies), "pattern", "there are no points"});
+    calls.push_back(
+        {MEASURE_OUTCOME(tile_of, 0, 2, copies), "pattern", "the pattern has no points"});
     for (const std::uint64_t dims : {0u, 1u, 3u}) {
       calls.push_back({MEASURE_OUTCOME(tile_of, 3, dims, copies), "pattern",
                        "a pattern of the square has two dimensions"});

@@ -1,5 +1,4 @@
-// 5.6: star discrepancies, compared with the definition: over all boxes, and over some boxes only,
-// as a mistake has it.
+// 5.6: star discrepancies, compared with the definition, and with that over too few boxes.
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
@@ -7,22 +6,20 @@
 namespace mc::checks {
 namespace {
 
-/// Which boxes are looked at.
 struct Boxes {
   bool open = true, closed = true;
-  bool to_1 = true;  ///< also those that end at 1, not at a point
+  bool to_1 = true;  ///< includes boxes that end at 1, not at a point
 };
 
-/// The worst of the boxes of these heights that end on x of points or on 1, open and closed: for
-/// each height, the points below it from left to right.
+/// The largest difference over boxes of these heights that end at the x of a point or at 1.
 double worst_box(View x, View y, const Values& heights, Boxes boxes) {
   const auto n = static_cast<double>(x.size());
   std::vector<std::size_t> order(x.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return x[i] < x[j]; });
+  std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return x[i] < x[j]; });
   double worst = 0;
   for (const double b : heights) {
-    double inside = 0, at_most = 0;  // of those before the i-th, or equal to it, from the left
+    double inside = 0, at_most = 0;  // points in the open box and in the closed box
     const auto look = [&](double a, bool open, bool closed) {
       if (boxes.open && open) worst = std::max(worst, a * b - inside / n);
       if (boxes.closed && closed) worst = std::max(worst, at_most / n - a * b);
@@ -41,26 +38,24 @@ double worst_box(View x, View y, const Values& heights, Boxes boxes) {
   return worst;
 }
 
-/// A measured discrepancy is that of all boxes; `of` gives that of some of them.
+/// A measured discrepancy is that of all boxes; `of(boxes)` is the exact one of a set of boxes.
 template <class Of>
 void check_discrepancy(const Measured<double>& got, Of of) {
   Results results;
   const double exact = of(Boxes{});
   results.add(got.call, got.value, exact, 1e-14, [&]() -> std::vector<Suspect> {
-    return {{of(Boxes{true, false, true}),
-             "only open boxes were looked at: those that include the points on their border count "
-             "too"},
-            {of(Boxes{false, true, true}),
-             "only closed boxes were looked at: those that exclude the points on their border "
-             "count too"},
-            {of(Boxes{true, true, false}),
-             "only boxes that end at points were looked at: those that end at 1 count too"}};
+    return {
+        {of(Boxes{true, false, true}),
+         "only open boxes were used: boxes that include the points on their border count, too"},
+        {of(Boxes{false, true, true}),
+         "only closed boxes were used: boxes that exclude the points on their border count, too"},
+        {of(Boxes{true, true, false}),
+         "only boxes that end at points were used: boxes that end at 1 count, too"}};
   });
-  results.expect(
-      "the largest of |volume - fraction of the points inside| over all boxes; rounding costs a "
-      "few eps",
-      got.value < exact ? "D* is too small: some box was not looked at"
-                        : "the box may end at a point or at 1, with or without the points there");
+  results.expect("the largest of |volume - fraction of the points inside| over all boxes",
+                 got.value < exact
+                     ? "D* is too small: some boxes are missing"
+                     : "the box may end at a point or at 1, with or without the points there");
 }
 
 void check_line(const Values& x) {  // boxes of height 1, points at 0
@@ -76,7 +71,7 @@ void check_plane(const Values& x, const Values& y) {
   });
 }
 
-/// Points that share coordinates, and lie on the border too.
+/// Coordinates with many ties, including 0 and 1.
 Values on_a_grid(Rng& rng, std::size_t n) {
   Values x(n);
   for (double& value : x) value = static_cast<double>(rng() % 6) / 5;
@@ -84,14 +79,12 @@ Values on_a_grid(Rng& rng, std::size_t n) {
 }
 
 CHECK_CASE("5.6 the star discrepancy of points of the line", "[5.6][points:4][main]") {
-  Rng rng = check_rng();
   check_line(uniform_values(rng, 60, 0, 1));
   for (const double place : {0.875, 0.125, 0.5}) {
-    // One point in each stratum: late in them the worst interval ends just before a point, early
-    // just after it.
+    // One point per stratum: the worst interval ends just before a point if it lies late.
     Values x = steps(20);
     for (double& value : x) value += place / 20;
-    std::shuffle(x.begin(), x.end(), rng);
+    std::ranges::shuffle(x, rng);
     check_line(x);
   }
   for (const std::size_t n : domain::sizes(1025, rng)) {
@@ -100,16 +93,13 @@ CHECK_CASE("5.6 the star discrepancy of points of the line", "[5.6][points:4][ma
 }
 
 CHECK_CASE("5.6 the star discrepancy of points of the plane", "[5.6][points:4]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {30u, 100u, 5u, 300u}) {
-    // Nothing on the left and at the top: the worst box is empty and ends at y = 1, and what ends
-    // at a point is better by a fifth. Wrong sets of boxes give different numbers here, which they
-    // need not elsewhere.
+    // The left and the top are empty, so that wrong sets of boxes give different results.
     check_plane(uniform_values(rng, n, 0.6, 1), uniform_values(rng, n, 0, 0.8));
     check_plane(uniform_values(rng, n, 0, 0.8), uniform_values(rng, n, 0.6, 1));
     check_plane(uniform_values(rng, n, 0, 1), uniform_values(rng, n, 0, 1));
   }
-  // Low-discrepancy points, at 2^k, after it, and where their binary digits are 10101…
+  // Low-discrepancy points: N = 2^k, 2^k + 1, and binary 10101…
   for (const std::size_t n : {64u, 171u, 256u, 341u, 513u}) {
     check_plane(inverses(2, 1, n), inverses(3, 1, n));
     check_plane(steps(n), inverses(2, 0, n));
@@ -121,7 +111,6 @@ CHECK_CASE("5.6 the star discrepancy of points of the plane", "[5.6][points:4]")
 }
 
 CHECK_CASE("5.6 points that share coordinates or lie on the border", "[5.6][points:2][edge]") {
-  Rng rng = check_rng();
   Values x, y;
   for (int i = 0; i < 64; ++i) {  // corners of a grid
     x.push_back(i % 8 / 8.0);
@@ -145,13 +134,12 @@ CHECK_CASE("5.6 points that share coordinates or lie on the border", "[5.6][poin
 }
 
 double cpu_of(const Call& call) {
-  if (call.outcome.over_limit()) return domain::infinity;
+  if (call.outcome.over_limit()) return infinity;
   require_value(call);
   return call.outcome.cpu_seconds;
 }
 
-/// Of a program that returns points' discrepancy: the least of three, without what it takes to
-/// start.
+/// The least CPU time of three runs, minus that for a single point.
 template <class Measurement>
 double cpu_seconds(Measurement measure, std::size_t n) {
   const auto least = [&](std::size_t size) {
@@ -166,9 +154,9 @@ TEST_CASE("5.6 many points do not take long", "[5.6][points:2][edge]") {
   const auto some = [](const Values& all, std::size_t n) {
     return Values(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
   };
-  // Four times as many points: N log N takes 4.6 times as long and N^2 16 times; N^2 log N in the
-  // plane 20 times and N^3 64 times. A plain answer takes 3 ms and 30 ms, far from 0.1 s; only
-  // beyond that counts how the time grows, which is the same on every machine.
+  // For four times as many points N log N takes 4.6 times as long and N^2 16 times; in the plane,
+  // N^2 log N 20 times and N^3 64 times. A plain answer takes 3 ms and 30 ms; only above 0.1 s the
+  // growth matters, which does not depend on the machine.
   const auto check_growth = [](const char* what, auto measure, std::size_t n, double most,
                                const std::string& cost) {
     const double few = cpu_seconds(measure, n / 4), many = cpu_seconds(measure, n);
@@ -177,8 +165,7 @@ TEST_CASE("5.6 many points do not take long", "[5.6][points:2][edge]") {
         fmt::format("{}: {} points took {} of CPU time, {} took {:.3g} s", what, n,
                     std::isinf(many) ? "too much" : fmt::format("{:.3g} s", many), n / 4, few),
         fmt::format("at most {} times as long", most), "the header promises " + cost,
-        "count the points inside by sorting them, not box by box: that is one power of N "
-        "more");
+        "count the points inside by sorting, not separately for each box");
   };
   check_growth(
       "star_discrepancy(x)",
@@ -193,17 +180,16 @@ TEST_CASE("5.6 many points do not take long", "[5.6][points:2][edge]") {
 }
 
 std::vector<InvalidCall> no_points_of_the_square() {
-  const std::string none = "without points there is no fraction inside a box";
+  const std::string none = "there are no points";
   std::vector<InvalidCall> calls{
       {MEASURE_OUTCOME(star_discrepancy_1d, {}), "x|point|empty", none},
       {MEASURE_OUTCOME(star_discrepancy_2d, {}, {}), "x|y|point|empty", none}};
   for (const auto& [x, y] :
        {std::pair{Values{0.1, 0.2}, Values{0.3}}, {{0.1}, {0.3, 0.4}}, {{}, {0.3}}, {{0.3}, {}}}) {
     calls.push_back({MEASURE_OUTCOME(star_discrepancy_2d, x, y), "x|y|size|point",
-                     "each point has two coordinates"});
+                     "x and y must have the same size"});
   }
-  for (const double outside : {1.5, -0.1, -1e-300, 1 + 2 * half_ulp, domain::infinity,
-                               -domain::infinity, domain::not_a_number}) {
+  for (const double outside : {1.5, -0.1, -1e-300, 1 + 2 * half_ulp, infinity, -infinity, nan}) {
     const std::string because = "a point has coordinates in [0, 1]";
     calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {0.5, outside}), "x", because});
     calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {outside, 0.5}), "x", because});

@@ -1,6 +1,5 @@
 #pragma once
-// Radical inverses, primes and Sobol' points by their definitions, to judge by; and what well-known
-// mistakes give in place of radical inverses.
+// Radical inverses, primes and Sobol' points by their definitions, and results of mistakes.
 
 #include "checks/support/checks.hpp"
 #include "checks/support/sobol_exact.hpp"
@@ -8,25 +7,23 @@
 namespace mc::checks {
 
 inline constexpr double half_ulp = 0x1p-53;  // half a unit in the last place of 1
-/// The bound of the header, and what rounding the exact fraction to a double adds.
+/// The header's bound, plus the rounding error of the exact value.
 inline constexpr double inverse_tolerance = 4.5 * half_ulp;
 inline constexpr std::uint64_t last_index = std::numeric_limits<std::uint64_t>::max();
 
-/// Modulo 1.
 inline double wrapped(double x) {
   return x - std::floor(x);
 }
 
-/// A shift of `what` is uniform, and independent for each axis; `repeated` is the hint if it comes
-/// again.
+/// The claim that the shift of `what` is uniform and independent for each axis.
 inline Randomness uniform_shift(const std::string& what, const std::string& repeated) {
   return {.words = "the shift of " + what + " is uniform in the unit cube",
-          .otherwise = "a uniform number in [0, 1) for each axis",
+          .otherwise = "draw a uniform number in [0, 1) for each axis",
           .repeated = repeated,
-          .same = "one shift for every axis moves points along the diagonal"};
+          .same = "the same shift on every axis moves points along the diagonal"};
 }
 
-/// The radical inverse, right to 100 bits: from the first digit of the index to the last.
+/// The radical inverse, accurate to 100 bits.
 inline Exact exact_inverse(unsigned base, std::uint64_t index) {
   std::array<unsigned, 64> digits;
   std::size_t count = 0;
@@ -40,12 +37,11 @@ inline double inverse(unsigned base, std::uint64_t index) {
   return static_cast<double>(exact_inverse(base, index));
 }
 
-/// Of first, first + 1, …
 inline Values inverses(unsigned base, std::uint64_t first, std::size_t n) {
   return each(domain::in_a_row(first, n), [=](std::uint64_t i) { return inverse(base, i); });
 }
 
-/// i/N: the first axis of Hammersley points.
+/// i / N: the first axis of Hammersley points.
 inline Values steps(std::size_t n) {
   const auto size = static_cast<double>(n);
   return each(domain::in_a_row(0, n),
@@ -72,11 +68,10 @@ inline Values sobol_points(unsigned dimension, std::uint64_t first, std::size_t 
   return each(domain::in_a_row(first, n), [&](std::uint64_t i) { return sobol_value(v, i); });
 }
 
-inline const std::string past_the_end = "the last index is 2^64 - 1: no index comes after it";
-inline const char* const never_written =
-    "this value was never written, or only added to: columns are filled with NaN before the call";
+inline const std::string past_the_end = "the last index is 2^64 - 1";
+inline const char* const never_written = "this value was never written, or only added to (+=)";
 
-/// The radical inverses that a call should give, and of a column its first index.
+/// The expected radical inverses of a call.
 struct Inverses {
   unsigned base = 2;
   std::vector<std::uint64_t> indices = {};
@@ -85,7 +80,7 @@ struct Inverses {
   bool separate_calls = false;
 };
 
-/// The digits of an index, from the last on, put together as a whole number over base^digits.
+/// The digits of an index, from the last on, combined into an integer and divided by base^digits.
 template <class Number, class Append>
 double put_together(unsigned base, std::uint64_t index, Append append) {
   Number number = 0;
@@ -96,7 +91,7 @@ double put_together(unsigned base, std::uint64_t index, Append append) {
   return static_cast<double>(number) / size;
 }
 
-/// What well-known mistakes give, of those that agree with the last value at least.
+/// The well-known mistakes that give the last value.
 inline std::vector<Curve> inverse_suspects(std::span<const double> got, const Inverses& expected) {
   const auto& indices = expected.indices;
   const unsigned base = expected.base;
@@ -114,18 +109,18 @@ inline std::vector<Curve> inverse_suspects(std::span<const double> got, const In
         return put_together<double>(base, i,
                                     [](double a, double d, double s) { return a + d * s; });
       },
-      "the digits are not mirrored: the last digit of the index comes first after the point");
+      "the digits are not mirrored: the last digit of the index must come first after the point");
   suspect(
       [=](std::uint64_t i) {
         return put_together<Word>(base, i, [=](Word a, Word d, Word) { return a * base + d; });
       },
-      "the mirrored digits do not fit in 32 bits: 64 are not enough for every index");
+      "the mirrored digits do not fit in 32 bits; for some indices not even in 64");
   other_index([](std::uint64_t i) { return i + 1; }, "this begins one index too late");
   other_index([](std::uint64_t i) { return i - 1; }, "this begins one index too early");
   other_index([](std::uint64_t i) { return i & 0xffffffffu; },
-              "an index has 64 bits, of which 32 were kept");
+              "the index was truncated to 32 bits");
   if (expected.separate_calls) return all;
-  // Columns from elsewhere on (0, the beginning of a block, 32 bits of `first`), or in other bases.
+  // Columns with a wrong first index (0, the beginning of a block, 32 bits), or in another base.
   std::vector<std::uint64_t> firsts{0};
   for (std::uint64_t block = base; block <= indices[0]; block *= base) {
     firsts.push_back(indices[0] - indices[0] % block);
@@ -133,29 +128,28 @@ inline std::vector<Curve> inverse_suspects(std::span<const double> got, const In
   }
   firsts.erase(std::unique(firsts.begin(), firsts.end()), firsts.end());
   for (const std::uint64_t first : firsts) {
-    other_index([shift = indices[0] - first](std::uint64_t i) { return i - shift; },
-                fmt::format("these are the radical inverses from index {} on, not from {}", first,
-                            indices[0]));
+    other_index(
+        [shift = indices[0] - first](std::uint64_t i) { return i - shift; },
+        fmt::format("these radical inverses start at index {}, not at {}", first, indices[0]));
   }
   other_index([=](std::uint64_t i) { return (indices[0] & 0xffffffffu) + (i - indices[0]); },
-              "an index has 64 bits, of which 32 were kept");
+              "the index was truncated to 32 bits");
   for (unsigned other = 2; other < 300; ++other) {
     suspect([=](std::uint64_t i) { return inverse(other, i); },
-            fmt::format("these are in base {}, not in base {}", other, base));
+            fmt::format("these are in base {} instead of {}", other, base));
   }
   return all;
 }
 
-/// Every value is the radical inverse of its index. Where that it stays below 1 has a check of its
-/// own, 1 counts as the number before it.
+/// Every value is the radical inverse of its index. Another check tests that values are below 1;
+/// here 1 counts as the largest number below it.
 inline void expect_inverses(const MeasuredValues& measured, const Inverses& expected) {
   std::vector<double> got(measured.values.begin(), measured.values.end());
-  std::replace(got.begin(), got.end(), 1.0, 1 - half_ulp);
+  std::ranges::replace(got, 1.0, 1 - half_ulp);
   Comparison comparison{
       each(expected.indices, [&](std::uint64_t i) { return inverse(expected.base, i); }),
       {expected.tolerance},
-      fmt::format("the exact fraction, {} * 2^-53 at most away from it; Horner's rule keeps the "
-                  "error to 2 * 2^-53",
+      fmt::format("the tolerance is {} * 2^-53; Horner's rule has an error of at most 2 * 2^-53",
                   expected.tolerance / half_ulp)};
   comparison.separate_calls = expected.separate_calls;
   comparison.name = [&](std::size_t k) {
@@ -170,9 +164,9 @@ inline void expect_inverses(const MeasuredValues& measured, const Inverses& expe
                  std::abs(got[i] - comparison.exact[i]) < 1e-6;
   }
   comparison.suspects = inverse_suspects(got, expected);
-  comparison.otherwise = std::any_of(got.begin(), got.end(), [](double x) { return std::isnan(x); })
+  comparison.otherwise = std::ranges::any_of(got, [](double x) { return std::isnan(x); })
                              ? never_written
-                         : are_floats ? "this is a float: it has 24 bits, not 53"
+                         : are_floats ? "this is a float: it has only 24 bits of 53"
                                       : expected.otherwise;
   expect_each(held, comparison);
 }

@@ -1,4 +1,4 @@
-// 5.8: which bits of a value are flipped, what decides about it, and the errors of scrambled nets.
+// 5.8: nested uniform scrambling: the flips of bits, and the errors of scrambled nets.
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
@@ -26,12 +26,10 @@ SampleSets scrambled(const Values& x, const std::vector<std::uint64_t>& seeds) {
 }
 
 std::string flips_hint(const Uniforms& of_zero) {
-  const auto all_are = [&](auto is) {
-    return std::all_of(of_zero.values.begin(), of_zero.values.end(), is);
-  };
+  const auto all_are = [&](auto is) { return std::ranges::all_of(of_zero.values, is); };
   if (all_are([](double u) { return u == 0; })) return "0 stays 0: nothing is flipped";
   if (all_are([](double u) { return u == 0 || u == 1 - half_ulp; })) {
-    return "all bits of 0 are flipped alike: 0, 00 and 000 before a bit are different strings";
+    return "all bits of 0 are flipped in the same way: 0 and 00 are different strings before a bit";
   }
   if (all_are([](double u) { return u * 0x1p32 == std::floor(u * 0x1p32); })) {
     return "only 32 bits were scrambled; scramble all 53";
@@ -40,7 +38,6 @@ std::string flips_hint(const Uniforms& of_zero) {
 }
 
 CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][points:2][main]") {
-  Rng rng = check_rng();
   const Values x = pairs_that_share(rng);
   const SampleSets got = scrambled(x, domain::seeds(rng, 3));
   for (std::size_t set = 0; set < 3; ++set) {
@@ -55,35 +52,30 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
           fmt::format("{}: {:.17g} and {:.17g} became {:.17g} and {:.17g}, which share {} bits",
                       got.call, x[2 * k], x[2 * k + 1], a, b, shared_bits(a, b)),
           fmt::format("{} bits, of 53, as the values themselves", k),
-          "the flip of a bit depends on the bits before it: those two share; they differ in the "
-          "next, which is flipped in both or in neither. So a net stays a net",
+          "the flip of a bit depends only on the bits before it, which are the same here",
           !is_multiple(half_ulp)            ? "there is no bit after the 53rd"
           : k >= 31 && is_multiple(0x1p-32) ? "only 32 bits were scrambled; scramble all 53"
-          : a == b                          ? "two values became one: their last bits were lost"
-                                            : "the flip of a bit must not depend on the bits "
-                                              "after it");
+          : a == b                          ? "two values became equal: their last bits were lost"
+                   : "the flip of a bit must not depend on the bits after it");
     }
   }
-  // What is not scrambled at all shares everything.
+  // Unscrambled values pass this, too.
   const SampleSets of_zero = scrambled({0}, domain::seeds(rng, 400));
   const Uniforms zeros{of_zero.call, 1, {of_zero.values().begin(), of_zero.values().end()}};
   expect_independent_uniforms(zeros,
                               {.words = "a scrambled value is uniform",
-                               .alpha = one_alpha,
-                               .otherwise = "each bit of 53 is flipped with probability 1/2",
+                               .otherwise = "flip each of the 53 bits with probability 1/2",
                                .explain = [&] { return flips_hint(zeros); }},
                               true);
 }
 
 CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:4]") {
-  Rng rng = check_rng();
   constexpr std::size_t count = 1500;
   const std::string nested =
-      "nested uniform scrambling in base 2: the flip of a bit is a random "
-      "separate decision for each string of bits before it";
+      "nested uniform scrambling: a separate flip for each string of bits before a bit";
   const std::string independent = "flips after different strings are independent";
-  // Two values that differ in bit k: what flips the bits after it in one and in the other. Each
-  // pair by itself: four values are nearly independent, and no more is promised.
+  // The flips of the bits after bit k, of two values that differ in bit k. Each pair is tested
+  // separately: four values need only be nearly independent.
   const Values pairs = pairs_that_share(rng);
   const SampleSets got = scrambled(pairs, domain::in_a_row(rng() >> 1, count));
   for (std::size_t k = 0; k < 52; ++k) {
@@ -100,15 +92,14 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
       apart.values.push_back(value_of(both << (k + 1) | (rng() >> (63 - k))));
     }
     expect_independent_uniforms(
-        apart, {.words = independent, .alpha = one_alpha / 52, .otherwise = "", .explain = [&] {
+        apart, {.words = independent, .alpha = 1e-8 / 52, .otherwise = "", .explain = [&] {
                   return is_shift
-                             ? "every bit is flipped alike for all strings before it: that is a "
-                               "digital shift, one flip per level; draw one for each string of "
-                               "bits before"
+                             ? "every bit is flipped in the same way for all strings before it: "
+                               "that is a digital shift; draw a flip for each string of bits before"
                              : nested;
                 }});
   }
-  // The first 32 points: all flips that they decide.
+  // All flips that the first 32 points show.
   const Values points = sobol_points(0, 0, 32);
   const SampleSets all = scrambled(points, domain::in_a_row(rng() >> 1, count));
   Uniforms decided{all.call, 32};
@@ -116,18 +107,16 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
     return fmt::format("the flips that value {} shows first", i);
   };
   for (std::size_t set = 0; set < count; ++set) {
-    const Values more = uniforms_of_flips(points, all.column(set, 0), rng);
-    decided.values.insert(decided.values.end(), more.begin(), more.end());
+    append(decided.values, uniforms_of_flips(points, all.column(set, 0), rng));
   }
-  expect_independent_uniforms(
-      decided, {.words = independent, .alpha = one_alpha, .otherwise = nested, .repeated = nested});
+  expect_independent_uniforms(decided,
+                              {.words = independent, .otherwise = nested, .repeated = nested});
 }
 
-CHECK_CASE("5.8 a value is scrambled alike in any column", "[5.8][points:1][edge]") {
-  Rng rng = check_rng();
+CHECK_CASE("5.8 a value is scrambled the same way in any column", "[5.8][points:1][edge]") {
   for (const std::size_t n : domain::sizes(65537, rng)) {
     Values x(n);
-    for (double& value : x) {  // every 7th with bits after the 32nd, on average
+    for (double& value : x) {  // on average every 7th has bits after the 32nd
       value = rng() % 7 == 0 ? value_of(rng() >> 11) : static_cast<double>(rng() >> 32) * 0x1p-32;
     }
     const std::uint64_t seed = rng();
@@ -139,41 +128,37 @@ CHECK_CASE("5.8 a value is scrambled alike in any column", "[5.8][points:1][edge
     expect_each(
         {there.call, {column.rbegin().base() - static_cast<std::ptrdiff_t>(n), column.end()}},
         {.exact = {all.rbegin(), all.rend()},
-         .because = "a function of value and seed alone: the same values, in the reverse "
-                    "order and after some others",
-         .otherwise = "the place of a value in its column must not matter"});
+         .because = "a function of value and seed only: the same values in reverse, after others",
+         .otherwise = "the result must not depend on the place of a value in its column"});
     const std::size_t skip = rng() % n, size = 1 + (rng() % (n - skip) >> rng() % 8);
     const View some = View(x).subspan(skip, size), exact = all.subspan(skip, size);
     const SampleSets part = scrambled({some.begin(), some.end()}, {seed});
     expect_each(
         {part.call, part.values()},
         {.exact = {exact.begin(), exact.end()},
-         .because = "a function of value and seed alone: a part of the column of " + got.call,
-         .otherwise = "the length of a column must not matter"});
+         .because = "a function of value and seed only: a part of the column of " + got.call,
+         .otherwise = "the result must not depend on the length of a column"});
   }
 }
 
 CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
-  Rng rng = check_rng();
   const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
     return MEASURE(owen_scramble, {0}, seeds);
   };
   expect_all_seeds(rng, 2, "level", of_zero);
-  // Numbers that depend on 32 bits of a hash repeat ten times among so many seeds.
+  // Numbers that depend on 32 bits of a hash have ten repeats among this many seeds.
   const Uniforms many = numbers_of(domain::seeds(rng, 300'000), 50'000, of_zero);
   expect_independent_uniforms(
-      many, {.words = "different seeds give independent numbers",
-             .alpha = one_alpha,
-             .otherwise = "seeds meet in one state: is a hash of the seed cut to 32 bits?"});
+      many,
+      {.words = "different seeds give independent numbers",
+       .otherwise = "different seeds give the same state: do not truncate a hash to 32 bits"});
 }
 
 CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
-  // N points of the line, scrambled, are one in each of N strata: if they are independent, the
-  // error of the integral of exp(x) is the sum of N independent ones, hence Gaussian, with the
-  // variance (e^2 - 1)/(24 N^3), up to N^-2 of it. Half of all errors are below the quartile then,
-  // 0.6745 of its root. Where pairs are independent, but not triples, the variance is the same: a
-  // few huge errors, and all others small.
-  Rng rng = check_rng();
+  // N scrambled points of the line lie one in each of N strata. If they are independent, the error
+  // of the integral of exp(x) is a sum of N independent terms, hence Gaussian, with the variance
+  // (e^2 - 1)/(24 N^3), up to N^-2 of it. Then half of all errors are below the quartile, 0.6745
+  // standard deviations. If only pairs are independent, most errors are small.
   constexpr std::size_t n = 1024, sets = 250, replicates = 1000;
   const double deviation = std::sqrt((std::exp(2.) - 1) / 24 / (double{n} * n * n));
   const double quartile = 0.6744897501960817 * deviation;
@@ -190,11 +175,10 @@ CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
       huge += std::abs(sum / n) > 5 * deviation ? 1u : 0u;
     }
   }
-  // Of a Gaussian half are below: 500 of 1,000, and 634 once in 1e17 runs. So small an alpha leaves
-  // room for hashes that are not quite independent: one whose errors have the kurtosis 4.6 (two
-  // random multiply-and-adds with one mixing step between them: 548) fails once in 1e8 runs. One
-  // that is right in pairs only does not pass: 743 with one multiply-and-add and a mixing step
-  // (kurtosis 50), and more with less; power 1 - 1e-14.
+  // For a Gaussian 500 of 1,000 are below, and 634 once in 1e17 runs. This small alpha accepts
+  // hashes that are not quite independent: one with the kurtosis 4.6 (two random multiply-and-adds
+  // with a mixing step between them: 548 on average) fails once in 1e8 runs. Hashes that are
+  // correct only in pairs fail: one multiply-and-add with a mixing step has 743; power 1 - 1e-14.
   expect_proportion(
       call + ", the average of exp(x)",
       fmt::format("the error was below {:.3g}, the quartile of a Gaussian with Owen's variance",
@@ -202,12 +186,12 @@ CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
       below, replicates, 0.5, {"the errors of scrambled points of the line are Gaussian", 1e-17},
       {{},
        below <= replicates / 2
-           ? "each point must be scattered in its stratum, independently of the others"
-           : fmt::format("are pairs of values scrambled independently, but not triples and "
-                         "quadruples? {} errors are above 5 standard deviations, where a Gaussian "
-                         "has 1 in 1,700,000, and the others are small; mix more, before and after "
-                         "what depends on the seed",
-                         huge)});
+           ? "each point must be random in its stratum, independently of the others"
+           : fmt::format(
+                 "pairs of values are scrambled independently, but not triples and quadruples: {} "
+                 "errors are above 5 standard deviations (1 in 1,700,000 for a Gaussian), and the "
+                 "others are small; mix more, before and after using the seed",
+                 huge)});
 }
 
 }  // namespace

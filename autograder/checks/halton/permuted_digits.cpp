@@ -1,4 +1,4 @@
-// 5.9: what the permutation at each position does to a value, and that permutations are random.
+// 5.9: the effect of each position's permutation on a value, and the permutations' randomness.
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
@@ -7,15 +7,13 @@
 namespace mc::checks {
 namespace {
 
-const std::string one_each = "one permutation for each position, whatever the other digits are";
-const std::string zeros_too =
-    "the zeros after the last digit are digits too: permute them, to 2^-53";
+const std::string one_each = "use one permutation per position, whatever the other digits are";
+const std::string zeros_too = "the zeros after the last digit are digits, too: permute them";
 
-/// Of consecutive values from a multiple of their number on, one lies in each of as many parts of
-/// [0, 1), all at the same place in their part.
+/// Each of n intervals has one of n consecutive values from a multiple of n on, at the same place.
 void check_bijection(const std::string& call, View x) {
   const auto parts = static_cast<double>(x.size());
-  const double least = *std::min_element(x.begin(), x.end());
+  const double least = *std::ranges::min_element(x);
   std::vector<int> points(x.size());
   for (const double value : x) {
     const double part = (value - least) * parts;
@@ -23,24 +21,22 @@ void check_bijection(const std::string& call, View x) {
     if (std::abs(part - std::round(part)) < 1e-6 && whole < x.size()) ++points[whole];
   }
   expect_that(
-      least < 1 / parts + 1e-9 &&
-          std::all_of(points.begin(), points.end(), [](int k) { return k == 1; }),
-      fmt::format("{}: not one value in each of {} parts", call, parts),
-      fmt::format("one value in each of {} parts, all at the same place in their part", parts),
-      "the last digits take all their combinations, and so do their permutations",
-      "a permutation is a bijection, one for each position and not one for each digit before "
-      "it");
+      least < 1 / parts + 1e-9 && std::ranges::all_of(points, [](int k) { return k == 1; }),
+      fmt::format("{}: not one value in each of {} intervals", call, parts),
+      fmt::format("one value in each of {} intervals, all at the same place in their interval",
+                  parts),
+      "the last digits have all combinations, and so do their permutations",
+      "a permutation is a bijection; use one for each position, not one for each digit before it");
 }
 
 /// An index with one digit that is not 0.
 struct Digit {
   std::uint64_t index;  ///< the digit times base^position
   unsigned position;
-  double counts;  ///< base^-(position+1): what the position counts in a value
+  double counts;  ///< base^-(position+1): the unit of the position
 };
 
-/// At every position that a value shows: where two values may be wrong by a sixteenth of what it
-/// counts.
+/// Digits at every position whose unit is at least 16 times the error of two values.
 std::vector<Digit> single_digits(Rng& rng, unsigned base) {
   std::vector<Digit> digits;
   std::uint64_t power = 1;
@@ -58,8 +54,7 @@ std::vector<Digit> single_digits(Rng& rng, unsigned base) {
   return digits;
 }
 
-/// Each digit moves the value of index 0 by whole units of its position, never by 0; several digits
-/// at once move it by their sum.
+/// A digit moves the value of index 0 by a nonzero multiple of its unit; several, by the sum.
 void check_digits(Rng& rng, unsigned base) {
   const auto digits = single_digits(rng, base);
   std::vector<std::uint64_t> indices{0};
@@ -81,22 +76,20 @@ void check_digits(Rng& rng, unsigned base) {
   for (std::size_t k = 0; k < digits.size(); ++k) {
     const auto& [index, position, counts] = digits[k];
     const double move = (got[1 + k] - got[0]) / counts, whole = std::round(move);
-    expect_that(std::abs(move - whole) * counts <= 2 * inverse_tolerance && whole != 0 &&
-                    std::abs(whole) < base,
-                fmt::format("{}: index 0 gave {:.17g}, index {} gave {:.17g}: {:.6g} times {}^-{} "
-                            "more",
-                            measured.call, got[0], index, got[1 + k], move, base, position + 1),
-                fmt::format("a whole multiple of {}^-{}, and not 0", base, position + 1),
-                fmt::format("the indices differ at position {} only, counted from 0, and its "
-                            "permutation maps them to two different digits",
-                            position),
-                (got[0] == 0  ? zeros_too
-                 : whole == 0 ? "this position has no permutation: indices that differ there get "
-                                "the same number"
-                              : one_each) +
-                    (index > 0xffffffffu ? "; up to 2^32 all is right: are all 64 bits of an index "
-                                           "kept?"
-                                         : ""));
+    expect_that(
+        std::abs(move - whole) * counts <= 2 * inverse_tolerance && whole != 0 &&
+            std::abs(whole) < base,
+        fmt::format("{}: index 0 gave {:.17g}, index {} gave {:.17g}, {:.6g} times {}^-{} more",
+                    measured.call, got[0], index, got[1 + k], move, base, position + 1),
+        fmt::format("a nonzero integer times {}^-{}", base, position + 1),
+        fmt::format("the permutation of position {} (from 0) gives the indices different digits",
+                    position),
+        (got[0] == 0 ? zeros_too
+         : whole == 0
+             ? "this position has no permutation: indices that differ there get the same value"
+             : one_each) +
+            (index > 0xffffffffu ? "; up to 2^32 all is correct: keep all 64 bits of an index"
+                                 : ""));
     moves.push_back(whole * counts);
   }
   for (std::size_t i = 0; i < several.size(); ++i) {
@@ -104,15 +97,15 @@ void check_digits(Rng& rng, unsigned base) {
     for (const std::size_t k : several[i]) sum += moves[k];
     const std::size_t at = 1 + digits.size() + i;
     const double most = 2 * inverse_tolerance + static_cast<double>(several[i].size()) * half_ulp;
-    expect_that(
-        std::abs(got[at] - sum) <= most,
-        fmt::format("{}: index {} gave {:.17g}", measured.call, indices[at], got[at]),
-        fmt::format("{:.17g}, what its digits do one by one, give or take {:.3g}", sum, most),
-        "a digit moves a value by its position alone; each value is within 4 * 2^-53", one_each);
+    expect_that(std::abs(got[at] - sum) <= most,
+                fmt::format("{}: index {} gave {:.17g}", measured.call, indices[at], got[at]),
+                fmt::format("{:.17g} ± {:.3g}, the sum of its digits' effects", sum, most),
+                "a digit's effect depends only on its position; values have errors of 4 * 2^-53",
+                one_each);
   }
 }
 
-/// All single digits of a large base, with two seeds: random permutations, and not the same.
+/// All single digits of a large base, with two seeds: different random permutations.
 void check_large_base(Rng& rng, unsigned base) {
   const auto measured = MEASURE(radical_inverses_scrambled, base, 0, base, {rng(), rng()});
   const SampleSets got = sets_from_columns(measured, base, 1, 2);
@@ -121,22 +114,17 @@ void check_large_base(Rng& rng, unsigned base) {
   for (std::size_t set = 0; set < 2; ++set) {
     check_bijection(got.call, got.column(set, 0));
     for (const double x : got.column(set, 0)) digits[set].push_back(*stratum_of(x, base));
-    const Values more = uniforms_of_permutation(digits[set], rng);
-    choices.values.insert(choices.values.end(), more.begin(), more.end());
+    append(choices.values, uniforms_of_permutation(digits[set], rng));
   }
   expect_that(digits[0] != digits[1], got.call + ": the same digits with both seeds",
-              "different ones", "a function of all 64 bits of the seed",
-              "does the seed decide, in large bases too?");
+              "different digits", "a function of all 64 bits of the seed",
+              "use the seed in large bases, too");
   expect_independent_uniforms(
-      choices,
-      {.words = fmt::format("a random permutation of {} digits", base),
-       .alpha = one_alpha,
-       .otherwise =
-           "a random permutation for each position: are all equally likely, in large bases too?"});
+      choices, {.words = fmt::format("a random permutation of {} digits", base),
+                .otherwise = "all permutations must be equally likely, in large bases too"});
 }
 
 CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3][main]") {
-  Rng rng = check_rng();
   for (const unsigned base : {3u, 5u, 29u, 31u, 2u, 4u, 257u}) {
     const std::uint64_t n = base * base, first = n * (rng() % 1000000);
     const auto column = MEASURE(radical_inverses_scrambled, base, first, n, {rng()});
@@ -146,24 +134,24 @@ CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3]
   for (const unsigned base : {7919u, 257u, 4099u, 40009u, 65535u, 65536u}) {
     check_large_base(rng, base);
   }
-  // Digits that stay what they are do all that, too.
+  // Unpermuted digits pass all this, too.
   for (const unsigned base : {3u, 2u, 29u}) {
     const auto zeros = MEASURE(radical_inverses_scrambled, base, 0, 1, domain::seeds(rng, 400));
     Values values = zeros.exactly(400, unit);
-    const bool stay = std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
-    const Randomness claim{.words = "the scrambled value of index 0 is uniform",
-                           .alpha = one_alpha,
-                           .otherwise = "a random digit for each of the zeros of index 0, to 2^-53",
-                           .explain = [&] { return stay ? zeros_too : ""; }};
+    const bool stay = std::ranges::all_of(values, [](double x) { return x == 0; });
+    const Randomness claim{
+        .words = "the scrambled value of index 0 is uniform",
+        .otherwise = "use a random digit for each of the zeros of index 0, down to 2^-53",
+        .explain = [&] { return stay ? zeros_too : ""; }};
     expect_independent_uniforms({zeros.call, 1, values}, claim, true);
-    // The digits from the 40th bit on; what the last ones leave is rounded.
+    // The digits from the 40th bit on, to 6 bits: the last digits are rounded.
     const double power = std::pow(base, std::ceil(40 / std::log2(base)));
     for (double& x : values) x = std::min(x * power - std::floor(x * power), 1 - half_ulp);
     expect_independent_uniforms({zeros.call, 1, values, 6}, claim, true);
   }
 }
 
-/// Permutations in `base` at some positions, by seeds in a row: the uniform numbers they came from.
+/// Permutations in `base` at some positions, for consecutive seeds, are random.
 void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& positions,
                         std::size_t seeds) {
   std::vector<std::uint64_t> indices{0};
@@ -172,18 +160,11 @@ void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& po
     for (unsigned k = 0; k < position; ++k) power *= base;
     for (unsigned digit = 1; digit < base; ++digit) indices.push_back(digit * power);
   }
-  // 2,000 values at a time: an answer may seed a large generator for every digit of each.
-  const auto all_seeds = domain::in_a_row(rng() >> 1, seeds);
-  const std::size_t most = 2000 / indices.size();
-  Values got;
-  std::string call;
-  for (std::size_t first = 0; first < seeds; first += most) {
-    const auto part = std::span(all_seeds).subspan(first, std::min(most, seeds - first));
-    const auto measured = MEASURE(scrambled_one_by_one, base, indices, {part.begin(), part.end()});
-    const Values& more = measured.exactly(indices.size() * part.size(), unit);
-    call = measured.call;
-    got.insert(got.end(), more.begin(), more.end());
-  }
+  const auto measure = [&](const std::vector<std::uint64_t>& part) {
+    return MEASURE(scrambled_one_by_one, base, indices, part);
+  };
+  const auto [call, per_seed, got, bits, name] = numbers_of(
+      domain::in_a_row(rng() >> 1, seeds), 2000 / indices.size(), measure, indices.size());
   Uniforms numbers{call, positions.size() * (base - 1)};
   numbers.name = [=](std::size_t k) {
     return fmt::format("choice {} of the permutation at position {}", k % (base - 1),
@@ -194,67 +175,60 @@ void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& po
   for (std::size_t r = 0; r < seeds; ++r) {
     std::vector<std::size_t> before;
     for (std::size_t p = 0; p < positions.size(); ++p) {
-      Values row{got[r * indices.size()]};  // of the digits 0 … base - 1 there
-      const auto others = View(got).subspan(r * indices.size() + 1 + p * (base - 1), base - 1);
-      row.insert(row.end(), others.begin(), others.end());
+      Values row{got[r * per_seed]};  // of the digits 0 … base - 1 there
+      append(row, View(got).subspan(r * per_seed + 1 + p * (base - 1), base - 1));
       std::vector<std::size_t> order(base);
       for (std::size_t k = 0; k < base; ++k) {
         order[k] = static_cast<std::size_t>(
-            std::count_if(row.begin(), row.end(), [&](double x) { return x < row[k]; }));
+            std::ranges::count_if(row, [&](double x) { return x < row[k]; }));
       }
-      const Values more = uniforms_of_permutation(order, rng);
-      numbers.values.insert(numbers.values.end(), more.begin(), more.end());
-      orders.insert(orders.end(), order.begin(), order.end());
+      append(numbers.values, uniforms_of_permutation(order, rng));
+      append(orders, order);
       alike += p > 0 && order == before ? 1u : 0u;
       before = order;
     }
   }
-  const std::string each =
-      "a random permutation for each position, from a hash of seed and position";
+  const auto each = "use a random permutation for each position, from a hash of seed and position";
   expect_independent_uniforms(
-      numbers, {.words = fmt::format(
-                    "the permutations of {} digits are random, for each position and seed", base),
-                .alpha = one_alpha,
-                .otherwise = alike == seeds * (positions.size() - 1)
-                                 ? "one permutation for all positions: each has its own"
-                             : base == 3 ? shuffle_hint(orders, 3, each)
-                                         : each});
+      numbers,
+      {.words = fmt::format("the permutations of {} digits are random, for each position and seed",
+                            base),
+       .otherwise = alike == seeds * (positions.size() - 1)
+                        ? "one permutation is used for all positions: use a different one for each"
+                    : base == 3 ? shuffle_hint(orders, 3, each)
+                                : each});
 }
 
 CHECK_CASE("5.9 permutations are random for every position and seed", "[5.9][points:4]") {
-  Rng rng = check_rng();
   check_permutations(rng, 3, {0, 1, 2, 9, 25}, 2000);
   check_permutations(rng, 2, {0, 1, 2, 3, 17, 31, 32, 40}, 1000);
   check_permutations(rng, 7, {0, 13, 14, 16}, 1000);
   check_permutations(rng, 29, {0, 1, 6, 8}, 200);
-  check_permutations(rng, 257, {0, 1, 2, 3}, 3);  // equal ones show 256 numbers apart
+  check_permutations(rng, 257, {0, 1, 2, 3}, 3);  // equal ones give repeats 256 numbers apart
 }
 
 CHECK_CASE("5.9 neighboring seeds and all their bits", "[5.9][points:1][edge]") {
-  Rng rng = check_rng();
   const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
     return MEASURE(radical_inverses_scrambled, 3, 0, 1, seeds);
   };
   expect_all_seeds(rng, 3, "position", of_zero);
 }
 
-/// Values `skip` … of a column, in a separate column.
+/// A part of a column, computed separately, has the same values.
 void check_part(unsigned base, std::uint64_t first, std::uint64_t count, std::uint64_t skip,
                 std::uint64_t size, std::uint64_t seed) {
   const auto whole = MEASURE(radical_inverses_scrambled, base, first, count, {seed});
   const auto part = MEASURE(radical_inverses_scrambled, base, first + skip, size, {seed});
   const View exact = View(whole.exactly(count, unit)).subspan(skip, size);
-  expect_each({part.call, part.exactly(size, unit)},
-              {.exact = {exact.begin(), exact.end()},
-               .because = "a function of base, index and seed alone, to the last bit: the same "
-                          "indices as in " +
-                          whole.call,
-               .otherwise = "where a column begins and ends must not matter, not even for the "
-                            "rounding: use the same steps for every column"});
+  expect_each(
+      {part.call, part.exactly(size, unit)},
+      {.exact = {exact.begin(), exact.end()},
+       .because = "a function of base, index and seed only: the same indices as in " + whole.call,
+       .otherwise =
+           "a value must not depend on where its column begins and ends, not even by rounding"});
 }
 
-CHECK_CASE("5.9 a scrambled value depends on index and seed alone", "[5.9][points:3]") {
-  Rng rng = check_rng();
+CHECK_CASE("5.9 a scrambled value depends only on index and seed", "[5.9][points:3]") {
   const auto words = domain::words(last_index - 3000, rng);
   for (const unsigned base : {3u, 2u, 4u, 5u, 6u, 7u, 29u, 257u, 7919u, 65535u, 65536u}) {
     for (int i = 0; i < 4; ++i) {
@@ -268,7 +242,7 @@ CHECK_CASE("5.9 a scrambled value depends on index and seed alone", "[5.9][point
     const unsigned base = n % 2 == 0 ? 2 : 5;
     check_part(base, rng() % 70, 5100, rng() % 100, n, rng());
   }
-  for (int bit = 5; bit < 64; ++bit) {  // on both sides of a power of two
+  for (int bit = 5; bit < 64; ++bit) {  // below and above a power of two
     check_part(bit % 2 == 0 ? 3 : 2, (std::uint64_t{1} << bit) - 30, 60, 20 + rng() % 20, 20,
                rng());
   }

@@ -6,7 +6,7 @@
 namespace mc::checks {
 namespace {
 
-/// Columns from `from_axis` on: the radical inverses in one prime per axis.
+/// The columns from `from_axis` on are radical inverses in one prime per axis.
 template <class Points>
 void check_axes(const Points& got, std::uint64_t n, std::uint64_t dims, std::uint64_t first,
                 std::size_t from_axis) {
@@ -15,16 +15,13 @@ void check_axes(const Points& got, std::uint64_t n, std::uint64_t dims, std::uin
   for (std::size_t d = from_axis; d < dims; ++d) {
     expect_inverses(
         {fmt::format("{}, coordinate {}", got.call, d), columns.subspan(d * n, n)},
-        {primes[d - from_axis], domain::in_a_row(first, n), "one prime per axis, in order"});
+        {primes[d - from_axis], domain::in_a_row(first, n), "use one prime per axis, in order"});
   }
 }
 
-// 5.3 ---------------------------------------------------------------------------------------------
-
 CHECK_CASE("5.3 the first primes", "[5.3][points:2]") {
-  Rng rng = check_rng();
   const auto primes = sieved_primes(66000);
-  // As many as there are below a power of two, and one more: 18 below 64, 54 below 256, …
+  // The numbers of primes below a power of two, and one more: 18 below 64, 54 below 256, …
   std::vector<std::uint64_t> counts{10, 100 + rng() % 1900, 6542, 6543, 172, 173, 564, 565};
   for (std::uint64_t count = 56; count-- > 0;) counts.push_back(count);
   for (const std::uint64_t count : counts) {
@@ -35,17 +32,16 @@ CHECK_CASE("5.3 the first primes", "[5.3][points:2]") {
     from_1.insert(from_1.end(), primes.begin(),
                   primes.begin() + static_cast<std::ptrdiff_t>(count));
     from_1.resize(count);
-    expect_each({measured.call, got},
-                {.exact = {primes.begin(), primes.begin() + static_cast<std::ptrdiff_t>(count)},
-                 .because = "the primes in order: 2, 3, 5, 7, 11, …",
-                 .suspects = {{from_1, "1 is not prime"}},
-                 .otherwise = "a prime has no divisor but 1 and itself; each comes once, "
-                              "in order"});
+    expect_each(
+        {measured.call, got},
+        {.exact = {primes.begin(), primes.begin() + static_cast<std::ptrdiff_t>(count)},
+         .because = "the primes in order: 2, 3, 5, 7, 11, …",
+         .suspects = {{from_1, "1 is not prime"}},
+         .otherwise = "the only divisors of a prime are 1 and itself; list each once, in order"});
   }
 }
 
 CHECK_CASE("5.3 Halton points have one prime per axis", "[5.3][points:3][needs:5.2][main]") {
-  Rng rng = check_rng();
   for (const std::uint64_t dims : {2u, 3u, 12u, 40u, 1u}) {
     for (const std::uint64_t first : {std::uint64_t{0}, 1 + rng() % 1000}) {
       const std::uint64_t n = 30 + rng() % (dims < 20 ? 300 : 20);
@@ -55,7 +51,6 @@ CHECK_CASE("5.3 Halton points have one prime per axis", "[5.3][points:3][needs:5
 }
 
 CHECK_CASE("5.3 many axes and late points", "[5.3][points:2][needs:5.2]") {
-  Rng rng = check_rng();
   for (const std::uint64_t first : {(std::uint64_t{1} << 32) + 1 + rng() % 1000, last_index - 99,
                                     rng() >> 8, std::uint64_t{1}}) {
     for (const std::uint64_t n : {100u, 1u})
@@ -75,8 +70,6 @@ CHECK_CASE("5.3 points past the last index are refused", "[5.3][points:1][edge]"
                           {MEASURE_OUTCOME(halton, 2, 1, last_index), range, past_the_end}});
 }
 
-// 5.4 ---------------------------------------------------------------------------------------------
-
 void check_hammersley(std::uint64_t n, std::uint64_t dims) {
   const auto measured = MEASURE(hammersley, n, dims);
   const std::span<const double> got = measured.exactly(n * dims, any_number);
@@ -94,31 +87,26 @@ void check_hammersley(std::uint64_t n, std::uint64_t dims) {
                     {over(0.5, size), "this is the centered variant: coordinate 0 is i / N"},
                     {inverses(2, 0, n), "this is Halton's first axis: Hammersley's is i / N"},
                     {std::vector<double>(n),
-                     "i / N of two integers is 0: convert to double "
-                     "before the division"},
-                    {over(0, size - 1), "N points, N strata: i / N, not i / (N - 1)"}},
+                     "i / N of two integers is 0: convert to double before the division"},
+                    {over(0, size - 1), "N points have N strata: i / N, not i / (N - 1)"}},
        .otherwise = std::isnan(got[0]) ? never_written : "i / N in double division"});
   check_axes(measured, n, dims, 0, 1);
 }
 
 CHECK_CASE("5.4 Hammersley points", "[5.4][points:4][needs:5.3][main]") {
-  Rng rng = check_rng();
   for (const std::uint64_t dims : {2u, 3u, 9u}) {
     for (const std::uint64_t n : {std::uint64_t{256}, 2 + rng() % 1000}) check_hammersley(n, dims);
   }
 }
 
 CHECK_CASE("5.4 any number of points and axes", "[5.4][points:2][needs:5.3]") {
-  Rng rng = check_rng();
   for (const std::uint64_t dims : {33u, 17u, 60u, 201u, 1u}) check_hammersley(30 + dims, dims);
   for (const std::uint64_t n : domain::sizes(5000, rng)) check_hammersley(n, 1 + n % 3);
 }
 
-// 5.5 ---------------------------------------------------------------------------------------------
-
 constexpr std::uint64_t sobol_end = std::uint64_t{1} << 32;
 
-/// Which direction number is the first that is wrong, in a column from index 0 on.
+/// The hint from the first wrong direction number, in a column from index 0 on.
 std::string direction_hint(std::uint64_t first_wrong, unsigned dimension) {
   const unsigned degree = joe_kuo[dimension].degree;
   if (first_wrong == 0) return "point 0 is the origin";
@@ -127,8 +115,8 @@ std::string direction_hint(std::uint64_t first_wrong, unsigned dimension) {
     return fmt::format("m_{} is given: coordinate 2^{} is m_{} / 2^{}", k, k - 1, k, k);
   }
   return fmt::format(
-      "all values are right up to m_{}, and m_{} is the first that the recurrence computes: "
-      "m_k = 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ … ^ 2^s m_(k-s) ^ m_(k-s), a_1 the highest bit of "
+      "all values are correct up to m_{}, and m_{} is the first that the recurrence computes: m_k "
+      "= 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ … ^ 2^s m_(k-s) ^ m_(k-s), a_1 the highest bit of "
       "`coefficients`, s = {} here",
       k - 1, k, degree);
 }
@@ -139,7 +127,7 @@ void check_sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
   const std::vector<std::uint64_t> indices = domain::in_a_row(first, count);
   Comparison comparison{sobol_points(dimension, first, count),
                         {0},
-                        "the XOR of the direction numbers of those bits that are set in the index"};
+                        "the XOR of the direction numbers of the set bits of the index"};
   comparison.name = [&](std::size_t i) {
     return fmt::format("{}: value {}, of index {},", measured.call, i, indices[i]);
   };
@@ -157,27 +145,26 @@ void check_sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
   suspect(dimension, -1, same, shifted);
   suspect(
       dimension, 0, [](std::uint64_t i) { return i ^ i >> 1; },
-      "these are the points in Gray-code order: the same set, another sequence");
+      "these are the points in Gray-code order: the same set in another order");
   suspect(
       dimension, 0, [](std::uint64_t i) { return i + 1; },
-      "this begins one index too late: point 0 is the origin");
+      "this starts one index too late: point 0 is the origin");
   suspect(
       dimension, 0, [=](std::uint64_t i) { return i - first; },
-      "this begins at index 0, not at `first`");
+      "this starts at index 0, not at `first`");
   suspect(
       dimension, 0, [](std::uint64_t i) { return i & 0x7fffffff; },
-      "the highest of the 32 bits of the index is left out");
+      "the highest of the 32 bits of the index is ignored");
   for (unsigned other = 0; other < joe_kuo.size(); ++other) {
     if (other == dimension) continue;
-    suspect(other, 0, same, fmt::format("this is dimension {}: they count from 0", other));
+    suspect(other, 0, same, fmt::format("this is dimension {}: dimensions count from 0", other));
   }
   const auto wrong =
       std::mismatch(got.begin(), got.end(), comparison.exact.begin()).first - got.begin();
-  comparison.otherwise =
-      std::isnan(got[static_cast<std::size_t>(wrong)]) ? never_written
-      : first == 0 ? direction_hint(static_cast<std::uint64_t>(wrong), dimension)
-                   : "each of the 32 bits of an index selects a number: is one left out? Does "
-                     "the step from one index to the next go wrong?";
+  comparison.otherwise = std::isnan(got[static_cast<std::size_t>(wrong)]) ? never_written
+                         : first == 0
+                             ? direction_hint(static_cast<std::uint64_t>(wrong), dimension)
+                             : "each of the 32 bits of an index selects a direction number";
   expect_each({measured.call, got}, comparison);
 }
 
@@ -186,7 +173,6 @@ CHECK_CASE("5.5 the first points of all 32 dimensions", "[5.5][points:5][main]")
 }
 
 CHECK_CASE("5.5 a column of Sobol' points may begin anywhere", "[5.5][points:5]") {
-  Rng rng = check_rng();
   const auto words = domain::words(sobol_end - 3001, rng);
   const auto any_dimension = [&] { return static_cast<unsigned>(rng() % joe_kuo.size()); };
   check_sobol(any_dimension(), 1 + rng() % 5000, 1500 + rng() % 1500);
@@ -197,7 +183,6 @@ CHECK_CASE("5.5 a column of Sobol' points may begin anywhere", "[5.5][points:5]"
 }
 
 CHECK_CASE("5.5 a column of Sobol' points has any size", "[5.5][points:2]") {
-  Rng rng = check_rng();
   for (const std::uint64_t count : domain::sizes(65537, rng)) {
     check_sobol(static_cast<unsigned>(count % joe_kuo.size()), rng() % 300, count);
   }

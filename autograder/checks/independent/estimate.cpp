@@ -1,11 +1,11 @@
-// Task 2.2: an estimate, by the points and values that it saw.
+// 2.2: an estimate, judged by the points and values of its evaluations.
 
 #include "checks/independent/functions.hpp"
 
 namespace mc::checks {
 namespace {
 
-/// The coordinates of the points of a fresh integrand.
+/// The coordinates of the points at which a random integrand is evaluated.
 Numbers points_of(unsigned g, Rng& rng) {
   const Function function = fresh(g, rng);
   const std::size_t dims = dims_of(function);
@@ -16,51 +16,39 @@ Numbers points_of(unsigned g, Rng& rng) {
                 {{calls, any_number}, {calls * n * dims, unit}, {calls * n, any_number}});
             return Uniforms{got.call, dims, seen.points};
           },
-          "draw a number for each dimension: one number for both fills a line"};
+          "draw a number for each dimension: with one number for both, the points lie on a line"};
 }
 
 CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:2.1][main]") {
-  Rng rng = check_rng();
   Results means;
-  const unsigned gs[] = {normal, exponential, product, five};
-  std::size_t next = 0;
-  for (const std::uint64_t n : domain::sizes(65537, rng)) {
-    add_mean(means, traced(fresh(gs[next++ % 4], rng), n, rng));
-  }
+  for_all_sizes(1, {normal, exponential, product, five}, rng,
+                [&](std::uint64_t, const Trace& seen) { add_mean(means, seen); });
   judge_means(means);
-  for (const double odd_one : {nan, domain::infinity, -domain::infinity}) {
+  for (const double odd_one : {nan, infinity, -infinity}) {
     const Function g{exponential, 0, 1, odd_one};
     expect_not_finite(MEASURE(estimates, g, 9, rng(), 1));
   }
-  // Roughly random, so that no other points will do; the check of their independence wants more.
+  // A coarse test of randomness; another check tests independence.
   judge_one_call(points_of(exponential, rng), 200, 16, rng);
 }
 
 CHECK_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:5][needs:2.1]") {
-  Rng rng = check_rng();
-  const unsigned gs[] = {exponential, product, five, constant};
-  std::size_t next = 0;
-  for (const std::uint64_t n : domain::sizes(65537, rng)) {
-    const Traced seen = traced(fresh(gs[next++ % 4], rng), n, rng);
-    const std::size_t evaluations = seen.values.size();
-    expect_that(evaluations == n, fmt::format("{} evaluated g {} times", seen.call, evaluations),
-                fmt::format("{}", n), "n is what the caller pays for",
-                evaluations < n ? "one is missing: does the loop begin at 1?"
-                                : "one too many: does the loop end at i <= n?");
-    expect_that(seen.estimate.n == n, fmt::format("{}: n = {}", seen.call, seen.estimate.n),
-                fmt::format("{}", n), "the n of an Estimate counts evaluations",
-                "every sample counts once");
-  }
+  for_all_sizes(
+      1, {exponential, product, five, constant}, rng, [](std::uint64_t n, const Trace& seen) {
+        const std::size_t evaluations = seen.values.size();
+        expect_equal(seen.call + ": evaluations of g", evaluations, n,
+                     "the caller asked for n evaluations",
+                     evaluations < n ? "one is missing: the loop may begin at 1"
+                                     : "one too many: the loop may end at i <= n");
+        expect_equal(seen.call + ": n", seen.estimate.n, n,
+                     "the n of an Estimate counts evaluations", "count every sample once");
+      });
 }
 
 CHECK_CASE("2.2 the standard error is s over root n", "[2.2][points:5][needs:2.1]") {
-  Rng rng = check_rng();
   Results errors, far;
-  const unsigned gs[] = {normal, exponential, product, five};
-  std::size_t next = 0;
-  for (const std::uint64_t n : domain::sizes(65537, rng)) {
-    if (n > 1) add_error(errors, traced(fresh(gs[next++ % 4], rng), n, rng));
-  }
+  for_all_sizes(2, {normal, exponential, product, five}, rng,
+                [&](std::uint64_t, const Trace& seen) { add_error(errors, seen); });
   judge_errors(errors);
   for (const std::uint64_t n : {1000u, 10u}) {
     Function g = fresh(exponential, rng);
@@ -71,7 +59,6 @@ CHECK_CASE("2.2 the standard error is s over root n", "[2.2][points:5][needs:2.1
 }
 
 CHECK_CASE("2.2 a constant has the standard error 0", "[2.2][points:1][needs:2.1]") {
-  Rng rng = check_rng();
   const std::uint64_t n = 1000;
   std::vector<Function> constants;
   for (int i = 0; i < 50; ++i) constants.push_back({constant, 0, uniform(rng, 0.1, 1e6), 0});
@@ -83,28 +70,25 @@ CHECK_CASE("2.2 a constant has the standard error 0", "[2.2][points:1][needs:2.1
                std::sqrt(static_cast<double>(n)) * eps * constants[i].scale);
   }
   errors.expect(
-      "a constant does not vary: lab 1's variances leave at most (n eps c)^2 of it",
-      "which variance is this? E{X^2} - E{X}^2 leaves more, or is below 0 and has no root");
+      "a constant has variance 0, and lab 1's algorithms compute at most (n eps c)^2",
+      "do not use E{X^2} - E{X}^2: it is larger here, or negative, without a square root");
 }
 
 CHECK_CASE("2.2 one sample has no standard error", "[2.2][points:1][edge][needs:2.1]") {
-  Rng rng = check_rng();
   Results errors;
   add_error(errors, traced(fresh(product, rng), 1, rng));
   judge_errors(errors);
 }
 
 CHECK_CASE("2.2 n = 0 is refused", "[2.2][points:1][edge]") {
-  expect_refused({{MEASURE_OUTCOME(estimates, {exponential, 0, 1, 0}, 0, 1, 1), "n",
-                   "the mean of nothing is not an estimate"}});
+  expect_refused({{MEASURE_OUTCOME(estimates, {exponential, 0, 1, 0}, 0, 1, 1), "n", no_mean}});
 }
 
 CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:2.1]") {
-  Rng rng = check_rng();
   judge_one_call(points_of(product, rng), 20'000, 53, rng);
   judge_calls_in_turn(points_of(five, rng), 3, 1000, rng);
   judge_calls_in_turn(points_of(exponential, rng), 33, 300, rng);
-  // Of a million streams, one comes again among these.
+  // With only a million different streams, one would occur twice here.
   judge_calls_in_turn(points_of(exponential, rng), 1, 10'000, rng);
 }
 

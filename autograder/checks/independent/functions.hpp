@@ -1,21 +1,20 @@
 #pragma once
-// The integrands and densities of experiments.hpp, as the checks of lab 2 know them; and the
-// random numbers that a submission uses.
+// Shared by the checks of lab 2: integrands, random numbers, and traces of estimates.
 
 #include "2-independent/experiments.hpp"
 #include "checks/support/checks.hpp"
 
 namespace mc::checks {
 
-using Values = std::vector<double>;
 using experiments::Function;
 
-inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline constexpr double denormal = std::numeric_limits<double>::denorm_min();
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Of each random test. There are 47 of them in this lab, so their sum is 4.7e-7.
+/// The alpha of each of the 47 random tests of this lab; the sum is 4.7e-7.
 inline constexpr double alpha = 1e-8;
+
+inline const std::string from_rng = "take all random numbers from rng";
+inline const std::string no_mean = "there is no mean of 0 samples";
 
 /// Function::g
 enum : unsigned { constant, exponential, product, step, power, peak, normal, gamma, five };
@@ -27,30 +26,26 @@ inline std::size_t dims_of(const Function& g) {
   return g.g == product || g.g == peak ? 2 : g.g == five ? 5 : 1;
 }
 
-/// g with a scale and an offset that are not known beforehand.
+/// g with a random scale and offset.
 inline Function fresh(unsigned g, Rng& rng, double parameter = 0) {
   return {g, parameter, uniform(rng, 0.5, 4), uniform(rng, -3, 3)};
 }
 
-/// The values of estimates, one after the other: each finite.
 inline Values values_of(const std::string& call, const std::vector<Estimate>& estimates) {
   Values all;
   for (const Estimate& one : estimates) all.push_back(one.value);
-  if (const auto what = list_failure("value", all, {all.size(), finite})) {
-    refuse(call, *what);
-  }
+  if (const auto what = list_failure("value", all, {all.size(), finite})) refuse(call, *what);
   return all;
 }
 
-/// An estimate of a g that is infinite or NaN everywhere.
+/// The estimate of a g that is infinite or NaN everywhere is not finite.
 inline void expect_not_finite(const Measured<std::vector<experiments::Counted>>& got) {
   expect_not_finite(got.call, got.exactly(1, any_number)[0].value,
-                    "g is infinite or NaN: a finite estimate hides it",
+                    "g is infinite or NaN: a finite estimate would hide it",
                     "use values of g unchanged");
 }
 
-/// The random numbers of `calls` calls for n samples each, one after the other from one generator,
-/// `dims` for each sample.
+/// The random numbers of consecutive calls with one generator, for n samples each.
 struct Numbers {
   std::string words;  ///< "the points of 2.2"
   std::size_t dims;
@@ -58,62 +53,65 @@ struct Numbers {
   std::string same = {};  ///< the hint if two numbers of a sample are equal
 };
 
-/// The numbers of one call are random, to `bits` bits; and those of another seed are others.
+/// The numbers of one call are random, to `bits` bits, and independent of those with another seed.
 inline void judge_one_call(const Numbers& numbers, std::uint64_t n, int bits, Rng& rng) {
   Uniforms one = numbers.ask(n, rng(), 1), other = numbers.ask(n, rng(), 1);
   one.positions = other.positions = numbers.dims;
   one.bits = other.bits = bits;
   expect_independent_uniforms(
       one, {numbers.words + ", of one call", alpha,
-            "each is to_unit() of its own word, with all of its 53 bits: none is used twice, "
-            "and none is a mirror image of another",
+            "make each number by to_unit() from a new word; use no mirror image 1 - u",
             "take new numbers from rng inside the loop, for each sample", numbers.same});
   Uniforms both = side_by_side(one, other);
   both.name = [dims = numbers.dims](std::size_t position) {
-    return fmt::format("number {} of a sample from {}", position % dims,
-                       position < dims ? "one seed" : "another");
+    return fmt::format("number {} of a sample with {}", position % dims,
+                       position < dims ? "one seed" : "another seed");
   };
-  const std::string from_rng = "take the numbers from rng, and from nowhere else";
   expect_independent_uniforms(
       both, {numbers.words + ", from two seeds", alpha,
-             "numbers of one seed resemble those of another", from_rng, from_rng});
+             "numbers with one seed depend on those with another", from_rng, from_rng});
 }
 
-/// So are those of many calls for few samples, one after the other.
+/// The same for many consecutive calls for few samples.
 inline void judge_calls_in_turn(const Numbers& numbers, std::uint64_t n, std::uint64_t calls,
                                 Rng& rng) {
   Uniforms all = numbers.ask(n, rng(), calls);
   all.positions = numbers.dims * n;
-  expect_independent_uniforms(
-      all, {numbers.words + ", of calls in turn", alpha,
-            "do two calls begin in the same place? Each goes on where the generator was left",
-            "the generator must move on: is it copied somewhere?",
-            "each sample takes new numbers from rng"});
+  expect_independent_uniforms(all, {numbers.words + ", of calls in turn", alpha,
+                                    "each call must continue where the last one left the generator",
+                                    "the generator must advance: do not use a copy of it",
+                                    "take new numbers from rng for each sample"});
 }
 
-// An estimate is judged by what it saw: the points and values of the very evaluations that it made
-// say, to the last digits, what it must come to. So nothing but evaluating g at random points gives
-// the right answer: that the estimate is unbiased, and has the variance sigma^2 / n, follows.
+// An estimate is compared with the points and values of its own evaluations, which determine it to
+// the last digits. If the points are random, it is then unbiased and has the variance sigma^2 / n.
 
-/// An estimate, and what it is the mean of.
-struct Traced {
+/// An estimate, and the points and values of its evaluations.
+struct Trace {
   std::string call;
   Estimate estimate;
   Values values, points;
 };
 
-/// Of n samples of g. Ends the check where g was not evaluated n times: or once more or once less,
-/// which the check that counts evaluations has a word for.
-Traced traced(const Function& g, std::uint64_t n, Rng& rng);
+/// An estimate from n samples of g, with n evaluations (another check reports n ± 1).
+Trace traced(const Function& g, std::uint64_t n, Rng& rng);
 
-/// Estimates are the means of their values, but for what n additions lose: `suspects` are those of
-/// one task alone.
-void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects = {});
+/// Passes a trace for each n of domain::sizes() from `least` on to `judge`, for each kind in turn.
+template <class Judge>
+void for_all_sizes(std::uint64_t least, const std::array<unsigned, 4>& kinds, Rng& rng,
+                   Judge judge) {
+  std::size_t next = 0;
+  for (const std::uint64_t n : domain::sizes(65537, rng)) {
+    if (n >= least) judge(n, traced(fresh(kinds[next++ % 4], rng), n, rng));
+  }
+}
+
+/// Estimates are the means of their values, up to rounding errors of n additions.
+void add_mean(Results& means, const Trace& seen, Results::FindSuspects suspects = {});
 void judge_means(Results& means);
 
-/// Standard errors are s / sqrt(n) of the values, with the digits that a one-pass variance keeps;
-/// NaN for one value.
-void add_error(Results& errors, const Traced& seen, Results::FindSuspects suspects = {});
+/// Standard errors are s / sqrt(n), with the digits of a one-pass variance; NaN for one value.
+void add_error(Results& errors, const Trace& seen, Results::FindSuspects suspects = {});
 void judge_errors(Results& errors);
 
 }  // namespace mc::checks

@@ -1,5 +1,5 @@
-// Task 2.4: importance sampling. As in 2.2, each estimate is judged by what it saw: the points that
-// the density made of each u, and g and the density there.
+// 2.4: importance sampling. As in 2.2, each estimate is judged by its own evaluations: the point
+// that the density returned for each u, and the values of g and the density there.
 
 #include "checks/independent/functions.hpp"
 
@@ -9,9 +9,9 @@ namespace {
 using experiments::ImportanceTraces;
 using experiments::Sampling;
 
-/// An estimate and what it saw; `weights` are g / p, 0 where p is 0 or infinite.
-struct Weighed {
-  Traced weights;
+/// An estimate and its evaluations; `weights` has the values g / p, 0 where p is 0 or infinite.
+struct WeightTrace {
+  Trace weights;
   ImportanceTraces seen;
 };
 
@@ -19,11 +19,11 @@ bool is_usable(double density) {
   return density > 0 && std::isfinite(density);
 }
 
-Weighed weighed(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng) {
+WeightTrace weighted(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng) {
   const auto measured = MEASURE(importance_traces, g, p, n, rng(), 1);
   if (measured.if_exactly({1, 0, 0, 0, 0}, any_number) != nullptr) {
-    expect_that(false, measured.call + " never asked the density for a sample",
-                fmt::format("{} samples", n), "the points are distributed as p",
+    expect_that(false, measured.call + " never called p.sample()", fmt::format("{} samples", n),
+                "the points are distributed as p",
                 "x = p.sample(u), with a new uniform u each time");
   }
   const auto& seen = measured.list_by_list(
@@ -33,23 +33,22 @@ Weighed weighed(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng)
   for (std::size_t i = 0; i < n; ++i) {
     weights.push_back(is_usable(seen.densities[i]) ? seen.values[i] / seen.densities[i] : 0);
   }
-  const auto usable = static_cast<std::uint64_t>(
-      std::count_if(seen.densities.begin(), seen.densities.end(), is_usable));
-  expect_that(
-      one.evaluations >= usable && one.evaluations <= n && one.n == n,
-      fmt::format("{} evaluated g {} times and says n = {}", measured.call, one.evaluations, one.n),
-      fmt::format("{} and {}", usable, n), "n is what the caller pays for",
-      one.evaluations < usable
-          ? "a density may be tiny or huge and still count: evaluate g at each sample"
-      : one.evaluations > n ? "evaluate g once for each sample, and use that value"
-                            : "every sample counts, also one of weight 0");
+  const auto usable = static_cast<std::uint64_t>(std::ranges::count_if(seen.densities, is_usable));
+  expect_that(one.evaluations >= usable && one.evaluations <= n && one.n == n,
+              fmt::format("{} evaluated g {} times and returned n = {}", measured.call,
+                          one.evaluations, one.n),
+              fmt::format("{} evaluations and n = {}", usable, n), "the caller asked for n samples",
+              one.evaluations < usable
+                  ? "a tiny or huge density is valid: evaluate g at each sample"
+              : one.evaluations > n ? "evaluate g once for each sample, and use that value"
+                                    : "count every sample, including those of weight 0");
   return {{measured.call, {one.value, one.standard_error, one.n}, weights, {}}, seen};
 }
 
-std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, const Sampling& p) {
+std::vector<Suspect> weight_suspects(const WeightTrace& all, const Function& g, const Sampling& p) {
   const Values &w = all.weights.values, &of_g = all.seen.values, &of_p = all.seen.densities;
   const std::size_t n = w.size();
-  const auto hits = static_cast<double>(std::count_if(of_p.begin(), of_p.end(), is_usable));
+  const auto hits = static_cast<double>(std::ranges::count_if(of_p, is_usable));
   const Density density = experiments::density(p);
   const Integrand integrand = experiments::integrand(g);
   const auto g_at = [&](double x) { return integrand.f({&x, 1}); };
@@ -60,30 +59,29 @@ std::vector<Suspect> weighed_suspects(const Weighed& all, const Function& g, con
     return sum / static_cast<double>(n);
   };
   const std::string not_usable =
-      "where the pdf is 0 or infinite, add 0: 0 · inf, inf / inf and inf - inf are NaN";
+      "where the pdf is 0 or infinite, add 0, not a NaN such as inf / inf";
   std::vector<Suspect> suspects{
       {of([&](auto i) { return of_g[i]; }),
-       "this is the mean of g: where p is large, points are many, so each counts 1 / p"},
+       "this is the mean of g: divide each value by p, because more points lie where p is large"},
       {of([&](auto i) { return of_g[i] * of_p[i]; }), "this is the mean of g p: divide by p"},
       {of([&](auto i) { return w[i]; }) / of([&](auto i) { return 1 / of_p[i]; }),
        "this divides by the sum of the weights 1 / p: p is normalized, so divide by n"},
       {of([&](auto i) { return w[i]; }) * static_cast<double>(n) / hits,
-       "divide by all n samples, not by those that counted"},
+       "divide by n, not by the number of samples with a usable density"},
       {of([&](auto i) { return is_usable(of_p[i]) ? w[i] : nan; }), not_usable},
       {of([&](auto i) { return of_g[i] / of_p[i]; }), not_usable},
       {of([&](auto i) { return of_p[i] > 0 ? of_g[i] / of_p[i] : 0; }), not_usable},
       {of([&](auto i) { return g_at(x[i]) / density.pdf(u[i]); }),
-       "this divides by p at u: the density belongs to x"},
+       "this divides by p(u): divide by p(x)"},
       {of([&](auto i) { return g_at(u[i]) / density.pdf(x[i]); }),
-       "this is g at u over p at x: g, too, is evaluated at x"},
+       "this is g(u) / p(x): evaluate g at x too"},
       {of([&](auto i) { return g_at(u[i]) / density.pdf(u[i]); }),
-       "this is g / p at u: both are evaluated at x = p.sample(u)"},
-      {0, "every weight was taken for 0: a density may be tiny or huge and still count"}};
+       "this is g(u) / p(u): evaluate both at x = p.sample(u)"},
+      {0, "every weight is 0: a tiny or huge density is valid"}};
   for (const double most : {1.0, 10.0, 100.0, 1000.0}) {
     suspects.push_back(
         {of([&](auto i) { return std::clamp(w[i], -most, most); }),
-         fmt::format("weights beyond {} are cut off: what they carry is then missing, on average",
-                     most)});
+         fmt::format("weights beyond {} are clamped, which makes the estimate biased", most)});
   }
   return suspects;
 }
@@ -94,13 +92,13 @@ struct Case {
   std::uint64_t n;
 };
 
-/// The estimates are the means of their weights, and so are their standard errors.
-void judge_weighed(const std::vector<Case>& cases, Rng& rng) {
+/// Estimates are the means of their weights; standard errors follow from the weights, too.
+void judge_weights(const std::vector<Case>& cases, Rng& rng) {
   Results means;
   Results errors;
   for (const auto& [g, p, n] : cases) {
-    const Weighed seen = weighed(g, p, n, rng);
-    add_mean(means, seen.weights, [=, g = g, p = p] { return weighed_suspects(seen, g, p); });
+    const WeightTrace seen = weighted(g, p, n, rng);
+    add_mean(means, seen.weights, [=, g = g, p = p] { return weight_suspects(seen, g, p); });
     add_error(errors, seen.weights, [=]() -> std::vector<Suspect> {
       const auto of_g = exact_moments(seen.seen.values);
       return {{std::sqrt(of_g.variance / of_g.count),
@@ -126,83 +124,76 @@ Numbers u_of(const Sampling& p, Rng& rng) {
 }
 
 CHECK_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:4][needs:2.1][main]") {
-  Rng rng = check_rng();
   std::vector<Case> cases;
   for (const std::uint64_t n : domain::sizes(4097, rng)) {
     if (n > 1) cases.push_back({fresh(exponential, rng), {by_power, uniform(rng, -0.6, 0.3)}, n});
   }
-  judge_weighed(cases, rng);
+  judge_weights(cases, rng);
   judge_one_call(u_of({by_power, 0.5}, rng), 200, 16, rng);
 }
 
 CHECK_CASE("2.4 one sample has no standard error", "[2.4][points:1][edge][needs:2.1]") {
-  Rng rng = check_rng();
-  judge_weighed({{fresh(exponential, rng), {by_power, uniform(rng, -0.6, 0.3)}, 1}}, rng);
+  judge_weights({{fresh(exponential, rng), {by_power, uniform(rng, -0.6, 0.3)}, 1}}, rng);
 }
 
 CHECK_CASE("2.4 n = 0 is refused", "[2.4][points:1][edge]") {
   expect_refused(
       {{MEASURE_OUTCOME(importance_estimates, {exponential, 0, 1, 0}, {by_uniform, 0}, 0, 1, 1),
-        "n", "the mean of nothing is not an estimate"}});
+        "n", no_mean}});
 }
 
 CHECK_CASE("2.4 weights of any size and either sign", "[2.4][points:3][needs:2.1]") {
-  Rng rng = check_rng();
-  // x exp(-x) by a density with lighter tails, r exp(-r x) with r > 2: a right estimator, whose
-  // weights grow without bound; the variance of g/p is infinite. What a run saw, it has to count.
+  // x exp(-x) with a density r exp(-r x), r > 2: a correct estimator with an infinite variance.
   std::vector<Case> cases{
       {{gamma, 0, uniform(rng, 1e3, 1e4), 0}, {by_exponential, uniform(rng, 3, 5)}, 1000},
       {{normal, 0, uniform(rng, 0.5, 4), 0}, {by_power, uniform(rng, -0.5, 1)}, 1000},
       {{power, uniform(rng, 0.8, 1.5), uniform(rng, 0.5, 4), 0}, {by_power, -0.3}, 1000}};
-  judge_weighed(cases, rng);
-  // Densities that are tiny, or huge, wherever they are not 0.
+  judge_weights(cases, rng);
+  // Densities that are tiny or huge wherever they are not 0.
   cases.clear();
   for (const double exponent : {-14.0, 14.0, -100.0, 100.0}) {
     const double rate = std::pow(10, exponent + uniform(rng, -1, 1));
     const double end = uniform(rng, 0.5, 1) / rate;
     cases.push_back({{step, end, uniform(rng, 0.5, 4), 0}, {by_exponential, rate}, 1000});
   }
-  const double least = uniform(rng, 1, 9) * 1e-283;  // with the last u, too, p is above 1e-300
+  const double least = uniform(rng, 1, 9) * 1e-283;  // p is above 1e-300 even for the largest u
   cases.push_back({{step, 1 / least, least, 0}, {by_exponential, least}, 1000});
-  judge_weighed(cases, rng);
-  for (const double odd_one : {nan, domain::infinity, -domain::infinity}) {
+  judge_weights(cases, rng);
+  for (const double odd_one : {nan, infinity, -infinity}) {
     const Function g{exponential, 0, 1, odd_one};
     expect_not_finite(MEASURE(importance_estimates, g, {by_power, 0.5}, 9, rng(), 1));
   }
 }
 
 CHECK_CASE("2.4 points without a usable density add nothing", "[2.4][points:1][needs:2.1]") {
-  Rng rng = check_rng();
   std::vector<Case> cases;
   for (const std::uint64_t n : {1000u, 100u, 4097u}) {
     cases.push_back({fresh(exponential, rng), {by_holes, uniform(rng, 0.2, 0.6)}, n});
   }
-  // g, too, is infinite below 0.49, and the density is 0 or infinite up to 0.6.
+  // g is infinite below 0.49, too, where the density is 0 or infinite.
   cases.push_back({{power, -1000, 1e-200, 0}, {by_holes, 0.6}, 1000});
-  judge_weighed(cases, rng);
+  judge_weights(cases, rng);
 }
 
 CHECK_CASE("2.4 the u are uniform and independent", "[2.4][points:1][needs:2.1]") {
-  Rng rng = check_rng();
   judge_one_call(u_of({by_exponential, 2}, rng), 20'000, 53, rng);
   judge_calls_in_turn(u_of({by_uniform, 0}, rng), 16, 300, rng);
 }
 
 CHECK_CASE("2.4 the right density cures an infinite variance", "[2.4][points:2][needs:2.1]") {
-  Rng rng = check_rng();
-  // g = x^-0.75 has the mean 4 and no variance. With p proportional to g every weight is 4, the
-  // quotient of two powers of the same x: a few roundings of 4 each, of 100 values.
+  // g = x^-0.75 has the mean 4 and an infinite variance. With p proportional to g every weight is
+  // 4, a quotient of two powers of x with a few rounding errors; there are 100 values.
   Results results;
   for (int i = 0; i < 20; ++i) {
     const Function g{power, -0.75, uniform(rng, 0.5, 4), 0};
-    const auto [call, estimate, weights, points] = weighed(g, {by_power, -0.75}, 100, rng).weights;
+    const auto [call, estimate, weights, points] = weighted(g, {by_power, -0.75}, 100, rng).weights;
     const double tolerance = 100 * 10 * eps * 4 * g.scale;
     results.add(call + ".value", estimate.value, 4 * g.scale, tolerance);
     results.add(call + ".standard_error", estimate.standard_error, 0, tolerance);
   }
   results.expect(
-      "x^-0.75 over its own density is 4 at every x, up to a few roundings of two powers",
-      "the mean of g(x) / p(x), x = p.sample(u); what has no spread has no error");
+      "x^-0.75 divided by its density is 4 for every x, up to a few rounding errors",
+      "the mean of g(x) / p(x), x = p.sample(u); equal values have the standard error 0");
 }
 
 }  // namespace

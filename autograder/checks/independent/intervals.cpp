@@ -1,4 +1,4 @@
-// 2.5, 2.6: confidence intervals, and how often they hold the truth; how many samples to take.
+// 2.5, 2.6: confidence intervals and their coverage; the number of samples for a target error.
 
 #include "checks/independent/functions.hpp"
 #include "common/normal_quantile.hpp"
@@ -7,59 +7,57 @@ namespace mc::checks {
 namespace {
 
 CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]") {
-  Rng rng = check_rng();
   Results ends;
   std::vector<double> levels{0.95, 0.6827, 0.5, 0.99, 0.999999, 1e-6};
   for (int i = 0; i < 10; ++i) levels.insert(levels.begin(), uniform(rng, 0.01, 0.93));
   for (const double level : levels) {
     const double scale = std::pow(10, uniform(rng, -3, 3));
-    const double spread = level == levels[0] ? 0 : uniform(rng, 0.01, 1);  // no spread, no interval
+    const double spread =
+        level == levels[0] ? 0 : uniform(rng, 0.01, 1);  // an interval of length 0
     const Estimate estimate{uniform(rng, -9, 9) * scale, spread * scale, 10 + rng() % 1000};
     const auto got = MEASURE(confidence_interval, estimate, level);
     const double z = normal_quantile((1 + level) / 2), error = estimate.standard_error;
     const double reach = z * error, one_sided = normal_quantile(level) * error;
     const double value = estimate.value, root = std::sqrt(static_cast<double>(estimate.n));
     for (const double sign : {-1.0, 1.0}) {
-      // (1 - level) / 2 may be formed with one rounding of the level, 1e-16 of 5e-7: nine digits.
-      // A level near 0 has a quantile near 0, which normal_quantile() knows to 1e-16.
+      // (1 - level) / 2 may have a rounding error of 1e-16 in 5e-7: nine digits are left. A level
+      // near 0 has a quantile near 0, which normal_quantile() returns with an error of 1e-16.
       ends.add(got.call + (sign < 0 ? ".low" : ".high"), sign < 0 ? got.value.low : got.value.high,
                value + sign * reach, 1e-9 * reach + 4 * eps * (std::abs(value) + error),
                [=]() -> std::vector<Suspect> {
-                 const std::string both =
-                     "what the interval leaves out lies on both sides: take the quantile of "
-                     "(1 + level) / 2";
-                 return {
-                     {value + sign * one_sided, both},
-                     {value - sign * one_sided, both},
-                     {value + sign * error, "one standard error covers 68 %, always"},
-                     {value + sign * 1.96 * error, "1.96 is for 95 % alone"},
-                     {value + sign * 2 * error, "2 is for 95.45 % alone"},
-                     {value + sign * normal_quantile(0.975) * error, "1.96 is for 95 % alone"},
-                     {value + sign * reach / root,
-                      "standard_error is that of the mean, which is already divided by sqrt(n)"},
-                     {value + sign * reach * root,
-                      "standard_error is that of the mean, not of one value"},
-                     {value - sign * reach, "low and high are the wrong way round"},
-                     {sign * reach, "the interval is around the value, not around 0"}};
+                 const std::string both = "the interval excludes two tails: use (1 + level) / 2";
+                 return {{value + sign * one_sided, both},
+                         {value - sign * one_sided, both},
+                         {value + sign * error, "one standard error is for a level of 68 % only"},
+                         {value + sign * 1.96 * error, "1.96 is for a level of 95 % only"},
+                         {value + sign * 2 * error, "2 is for a level of 95.45 % only"},
+                         {value + sign * normal_quantile(0.975) * error,
+                          "1.96 is for a level of 95 % only"},
+                         {value + sign * reach / root,
+                          "standard_error is that of the mean: it is already divided by sqrt(n)"},
+                         {value + sign * reach * root,
+                          "standard_error is that of the mean, not of one value"},
+                         {value - sign * reach, "low and high are swapped"},
+                         {sign * reach, "the interval is around the value, not around 0"}};
                });
     }
   }
-  ends.expect("the normal quantile leaves half of 1 - level outside on either side",
+  ends.expect("the interval leaves (1 - level) / 2 outside on each side",
               "value ± normal_quantile((1 + level) / 2) standard errors");
 }
 
 CHECK_CASE("2.5 levels outside 0 to 1 are refused", "[2.5][points:1][edge]") {
   std::vector<InvalidCall> calls;
-  for (const double level : {1.5, -0.5, 1.0, 0.0, nan, domain::infinity, -domain::infinity}) {
+  for (const double level : {1.5, -0.5, 1.0, 0.0, nan, infinity, -infinity}) {
     for (const double error : {0.1, 0.0}) {
       calls.push_back({MEASURE_OUTCOME(confidence_interval, {1, error, 100}, level), "level",
-                       "a level is a probability, and neither 0 nor 1"});
+                       "a level is a probability between 0 and 1"});
     }
   }
   expect_refused(calls);
 }
 
-/// A case of which theory says how often intervals hold the true mean.
+/// A case with a known probability, `exact`, that an interval contains the true mean.
 struct Coverage {
   std::string words;
   Function g;
@@ -67,19 +65,15 @@ struct Coverage {
   double level, truth, exact;
 };
 
-/// Of n normal values (mean - truth) / (s / sqrt(n)) is Student's t; its square is F(1, n-1).
+/// For n normal values, ((mean - truth) / (s / sqrt(n)))^2 has the distribution F(1, n-1).
 Coverage of_normal(Rng& rng, const std::string& words, std::uint64_t n) {
   const Function g = fresh(normal, rng);
   const double level = uniform(rng, 0.75, 0.95), z = normal_quantile((1 + level) / 2);
-  return {words + " normal samples",
-          g,
-          n,
-          level,
-          g.offset,
-          f_tails(z * z, 1, static_cast<double>(n - 1)).lower};
+  const double exact = f_tails(z * z, 1, static_cast<double>(n - 1)).lower;
+  return {words + " normal samples", g, n, level, g.offset, exact};
 }
 
-/// Of n trials k succeed; s^2 = k (n - k) / (n (n - 1)). No success, no spread, no interval.
+/// If k of n trials succeed, s^2 = k (n - k) / (n (n - 1)).
 Coverage of_events(Rng& rng, const std::string& words, double p) {
   const std::uint64_t n = 50 + rng() % 30;
   const double level = uniform(rng, 0.9, 0.97), z = normal_quantile((1 + level) / 2);
@@ -97,12 +91,11 @@ Coverage of_events(Rng& rng, const std::string& words, double p) {
 }
 
 CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:6][needs:2.1][needs:2.2]") {
-  Rng rng = check_rng();
   const std::uint64_t replicates = 4000;
   for (const auto& [words, g, n, level, truth, exact] :
        {of_normal(rng, "a few", 4 + rng() % 4), of_normal(rng, "some", 15 + rng() % 10),
         of_normal(rng, "many", 80 + rng() % 20), of_events(rng, "rare events", 0.02),
-        of_events(rng, "not so rare events", uniform(rng, 0.08, 0.2))}) {
+        of_events(rng, "less rare events", uniform(rng, 0.08, 0.2))}) {
     const auto got = MEASURE(interval_traces, g, n, level, rng(), replicates);
     const auto& seen = got.list_by_list({{replicates, any_number}, {replicates * n, finite}});
     const double z = normal_quantile((1 + level) / 2);
@@ -111,8 +104,8 @@ CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:6][needs
     for (std::size_t i = 0; i < replicates; ++i) {
       const Interval& one = seen.intervals[i];
       covering += one.low <= truth && truth <= one.high ? 1 : 0;
-      // Each interval is that of its values: nine digits of it, and where it is short and
-      // near 0, what is left of values of size 1.
+      // Each interval follows from its values, to nine digits or the rounding error of values of
+      // size 1.
       const auto moments = exact_moments(std::span(seen.values).subspan(i * n, n));
       const auto mean = static_cast<double>(moments.mean);
       const double reach = z * std::sqrt(moments.variance / static_cast<double>(n));
@@ -124,11 +117,12 @@ CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:6][needs
     expect_proportion(
         got.call, "the interval contained the true mean", covering, replicates, exact,
         {"intervals of " + words + " cover as often as theory says", alpha},
-        {{{0, "the intervals never contain the mean: are they around the estimate?"}},
-         fmt::format("level {:.4g} and {} samples cover with probability {:.4f}; is the quantile "
-                     "that of (1 + level) / 2? An honest standard error of a rare event is often 0",
-                     level, n, exact)});
-    ends.expect("an interval comes from the values of one estimate",
+        {{{0, "the intervals never contain the mean: center them at the estimate"}},
+         fmt::format(
+             "with level {:.4g} and {} samples the coverage is {:.4f}; take the quantile of (1 + "
+             "level) / 2, and keep a standard error of 0 if a rare event never happens",
+             level, n, exact)});
+    ends.expect("an interval follows from the values of one estimate",
                 "value ± normal_quantile((1 + level) / 2) standard errors");
   }
 }
@@ -145,39 +139,38 @@ void judge_plans(const std::vector<Plan>& plans) {
     const Exact ratio = Exact(pilot.standard_error) / Exact(target);
     const double n = static_cast<double>(pilot.n), plain = static_cast<double>(ratio);
     const double exact = static_cast<double>(ratio * ratio * Exact(n)), slack = 8 * eps * exact;
-    // The quotient may have gathered 8 roundings. One too many is accepted, but never one too few.
+    // The quotient may have 8 rounding errors. One sample too many is accepted, one too few is not.
     const bool is_huge = slack > 0.01;
     const double fewest = is_huge ? exact : std::max(1.0, std::ceil(exact - slack));
     const auto value = static_cast<double>(got.value);
     const bool is_one_more = value == fewest + 1;
     samples.add(got.call, is_one_more ? fewest : value, fewest, slack + is_huge,
                 [=]() -> std::vector<Suspect> {
-                  const std::string up = "this many do not quite do it: round up";
-                  return {
-                      {std::floor(exact), up},
-                      {std::round(exact), up},
-                      {std::ceil(n * plain),
-                       "half the error costs four times the samples: square the ratio"},
-                      {std::ceil(plain * plain),
-                       "the pilot's standard error is that of n samples: times n"},
-                      {std::ceil(exact) - n, "the task asks for all of them, not how many more"},
-                      {std::ceil(n / plain / plain),
-                       "the ratio is upside down: a smaller target costs more"},
-                      {std::ceil(n * n * plain * plain),
-                       "s is standard_error · sqrt(n), not standard_error · n"}};
+                  const std::string up = "this is slightly too few: round up";
+                  return {{std::floor(exact), up},
+                          {std::round(exact), up},
+                          {std::ceil(n * plain),
+                           "half the error costs four times the samples: square the ratio"},
+                          {std::ceil(plain * plain),
+                           "the pilot's standard error is that of n samples: multiply by n"},
+                          {std::ceil(exact) - n,
+                           "the task asks for the total number, not for additional samples"},
+                          {std::ceil(n / plain / plain),
+                           "the ratio is inverted: a smaller target needs more samples"},
+                          {std::ceil(n * n * plain * plain),
+                           "s is standard_error · sqrt(n), not standard_error · n"}};
                 });
   }
   samples.expect("the error falls as 1 / sqrt(n)", "n (standard error / target)^2, rounded up");
 }
 
 CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]") {
-  Rng rng = check_rng();
   std::vector<Plan> plans;
   for (int i = 0; i < 10; ++i) {
     const Estimate pilot{uniform(rng, -9, 9), uniform(rng, 0.01, 1), 1000 + rng() % 100000};
     plans.push_back({pilot, pilot.standard_error / uniform(rng, 2, 5)});
   }
-  // (3/2)^2 n, n = 4k + 1: a quarter more than a whole number, which rounding to the nearest loses.
+  // (3/2)^2 n, n = 4k + 1: an integer plus 1/4, which rounding to nearest rounds down.
   const double target = uniform(rng, 0.01, 1);
   plans.push_back({{uniform(rng, -9, 9), 1.5 * target, 4 * (250 + rng() % 10000) + 1}, target});
   plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
@@ -194,35 +187,34 @@ CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]")
 }
 
 CHECK_CASE("2.6 at least one sample and at most 64 bits at any scale", "[2.6][points:1][edge]") {
-  judge_plans({{{1, 1, 1000}, 1e-8},                   // 1e19 fits into 64 bits without a sign
-               {{-5, 3e170, 17}, 1e169},               // squares that overflow, one by one
-               {{-5, 3e-170, 17}, 1e-170},             // and that are 0
-               {{1, 0.5, std::uint64_t{1} << 62}, 1},  // most pilots have fewer
+  judge_plans({{{1, 1, 1000}, 1e-8},                   // 1e19 fits into an unsigned 64-bit integer
+               {{-5, 3e170, 17}, 1e169},               // the separate squares overflow
+               {{-5, 3e-170, 17}, 1e-170},             // or underflow to 0
+               {{1, 0.5, std::uint64_t{1} << 62}, 1},  // a huge pilot
                {{1, 0.5, std::uint64_t{3} << 62}, 0.75}});
-  for (const auto& [error, target] : {std::pair{1e-9, 1.0}, {0.0, 0.1}, {1.0, domain::infinity}}) {
+  for (const auto& [error, target] : {std::pair{1e-9, 1.0}, {0.0, 0.1}, {1.0, infinity}}) {
     const auto got = MEASURE(samples_for, {1, error, 100}, target);
     expect_that(got.value == 1, fmt::format("{} = {}", got.call, got.value), "1",
-                "the target is met already, but without a sample there is no estimate",
-                "return at least 1");
+                "the target is met already, but an estimate needs a sample", "return at least 1");
   }
 }
 
 std::vector<InvalidCall> invalid_plans() {
   std::vector<InvalidCall> calls;
-  for (const double target : {-0.1, 0.0, nan, -domain::infinity}) {
+  for (const double target : {-0.1, 0.0, nan, -infinity}) {
     for (const double error : {0.5, 0.0}) {
       calls.push_back({MEASURE_OUTCOME(samples_for, {1, error, 100}, target), "target|target_error",
                        "a target is positive"});
     }
   }
-  for (const double target : {0.1, domain::infinity}) {
+  for (const double target : {0.1, infinity}) {
     calls.push_back({MEASURE_OUTCOME(samples_for, {1, nan, 1}, target), "pilot",
                      "a pilot of one sample has no standard error"});
     calls.push_back({MEASURE_OUTCOME(samples_for, {0, 0.5, 0}, target), "pilot",
                      "a pilot without samples has no standard error"});
   }
-  // 2^64, the first that does not fit; 2e19; and more.
-  for (const auto& [n, ratio] : {std::pair{1u, 0x1p32}, {20u, 1e9}, {1u << 20, domain::infinity}}) {
+  // 2^64, the first number that does not fit; 2e19; infinity.
+  for (const auto& [n, ratio] : {std::pair{1u, 0x1p32}, {20u, 1e9}, {1u << 20, infinity}}) {
     calls.push_back({MEASURE_OUTCOME(samples_for, {1, ratio, n}, 1),
                      "target|target_error|pilot|samples",
                      "the number of samples does not fit into 64 bits"});

@@ -1,43 +1,40 @@
-// Task 2.3: sampling by inversion, and the densities of what is sampled.
+// 2.3: sampling by inversion, and the densities of the samples.
 
 #include "checks/independent/functions.hpp"
 
 namespace mc::checks {
 namespace {
 
-/// What a mistake makes of an argument, and what to say then.
-struct Rule {
+/// A wrong function, and its hint.
+struct Mistake {
   std::function<double(double)> value;
   std::string hint;
 };
 
-/// A function of one argument, and the arguments.
-struct Judged {
-  const char* argument;
-  const Values& x;
+/// A function of one argument.
+struct FunctionCase {
   std::function<double(double)> exact, tolerance;
   std::string because;
-  std::vector<Rule> rules;
+  std::vector<Mistake> mistakes;
   std::string otherwise;
 };
 
-void judge_values(const std::string& call, const Values& got, const Judged& judged) {
-  Comparison comparison{each(judged.x, judged.exact), each(judged.x, judged.tolerance),
-                        judged.because};
-  for (const Rule& rule : judged.rules) {
-    comparison.suspects.push_back({each(judged.x, rule.value), rule.hint});
+void judge_values(const std::string& call, const Values& got, const char* argument, const Values& x,
+                  const FunctionCase& of) {
+  Comparison comparison{each(x, of.exact), each(x, of.tolerance), of.because};
+  for (const auto& [value, hint] : of.mistakes) {
+    comparison.suspects.push_back({each(x, value), hint});
   }
-  comparison.otherwise = judged.otherwise;
+  comparison.otherwise = of.otherwise;
   comparison.separate_calls = true;
   comparison.name = [&](std::size_t i) {
-    return fmt::format("{} at {} = {}", call, judged.argument, judged.x[i]);
+    return fmt::format("{} at {} = {}", call, argument, x[i]);
   };
   expect_each({call, got}, comparison);
 }
 
-/// Ordinary numbers of [0, 1), where a guard for the smallest does nothing; and the others: tiny,
-/// nearly 1, both ends. That x does not fall when u rises follows from 4 ulp at each of them.
-std::vector<Values> shares(Rng& rng) {
+/// Ordinary numbers of [0, 1), which a guard does not change; then tiny ones, nearly 1, both ends.
+std::vector<Values> arguments(Rng& rng) {
   Values ordinary, others{0, denormal, 1e-300, 0x1p-53, 0.5, 1 - 0x1p-53};
   for (int i = 0; i < 500; ++i) {
     ordinary.push_back(uniform(rng, 1e-3, 1));
@@ -49,31 +46,27 @@ std::vector<Values> shares(Rng& rng) {
 }
 
 CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
-  Rng rng = check_rng();
   for (const double rate :
        {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0, 1e-300, 1e290}) {
-    for (const Values& u : shares(rng)) {
+    for (const Values& u : arguments(rng)) {
       const auto got = MEASURE(sample_exponential, u, rate);
       const auto exact = [=](double at) { return -std::log1p(-at) / rate; };
       judge_values(
-          got.call, got.exactly(u.size(), any_number),
-          {"u",
-           u,
-           exact,
+          got.call, got.exactly(u.size(), any_number), "u", u,
+          {exact,
            [&](double at) { return 4 * eps * exact(at) + denormal; },
            "P(x) = 1 - exp(-rate x) = u, to 4 ulp",
            {{[=](double at) { return -std::log(at) / rate; },
-             "this is -log(u) / rate, guarded or not: as good a distribution, but it falls when u "
-             "rises, and at u = 0 it is infinite"},
+             "this is -log(u) / rate: it decreases in u, and is infinite at u = 0"},
             {[=](double at) { return -std::log(1 - at) / rate; },
-             "1 - u forgets the last digits of a small u: log1p(-u) does not"},
+             "1 - u loses the last digits of a small u: use log1p(-u)"},
             {[=](double at) { return -std::log1p(-at) * rate; },
-             "divide by the rate: many events a second are short waits"},
+             "divide by the rate: a high rate means short times"},
             {[=](double at) { return std::log1p(-at) / rate; },
              "the sign is wrong: log(1 - u) < 0"},
             {[=](double at) { return -std::log1p(-at); }, "the rate is missing"},
             {[=](double at) { return -std::log(at) * rate; },
-             "this is -log(u) times the rate: divide by it, and 1 - u in place of u"},
+             "this is -log(u) times the rate: divide by the rate, and use 1 - u instead of u"},
             {[=](double at) { return rate * std::exp(-rate * at); },
              "this is the density at u: inversion solves P(x) = u for x"},
             {[=](double at) { return -std::expm1(-rate * at); },
@@ -84,91 +77,82 @@ CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
 }
 
 CHECK_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
-  Rng rng = check_rng();
   for (const double a : {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, -0.75, -0.99,
                          0.0, 1e6, -1e-4, 1e-9}) {
-    for (const Values& u : shares(rng)) {
+    for (const Values& u : arguments(rng)) {
       const auto got = MEASURE(sample_power, u, a);
       const auto exact = [=](double at) {
         return static_cast<double>(std::pow(static_cast<long double>(at), 1 / (a + 1.0L)));
       };
-      judge_values(
-          got.call, got.exactly(u.size(), any_number),
-          {"u",
-           u,
-           exact,
-           [&](double at) {  // the exponent is rounded twice, and so is a logarithm on the way
-             const double magnified = at > 0 ? std::abs(std::log(at)) / (a + 1) : 0;
-             return 4 * eps * (1 + magnified) * exact(at) + 2 * denormal;
-           },
-           "P(x) = x^(a+1) = u, to 4 ulp and those of a rounded exponent",
-           {{[=](double at) { return std::pow(at, a + 1); },
-             "this is P(u): its inverse is u^(1/(a+1))"},
-            {[=](double at) { return a == 0 ? nan : std::pow(at, 1 / a); },
-             "integrating x^a raises the exponent: 1 / (a + 1)"},
-            {[=](double at) { return std::pow(1 - at, 1 / (a + 1)); },
-             "1 - u is as uniform as u, but with it x falls when u rises"},
-            {[=](double at) { return (a + 1) * std::pow(at, a); },
-             "this is the density at u: inversion solves P(x) = u for x"},
-            {[=](double at) { return std::pow((a + 1) * at, 1 / (a + 1)); },
-             "the integral of (a + 1) x^a is x^(a+1): a + 1 is gone"}},
-           "solve x^(a+1) = u for x"});
+      judge_values(got.call, got.exactly(u.size(), any_number), "u", u,
+                   {exact,
+                    [&](double at) {  // the exponent and a logarithm are rounded
+                      const double magnified = at > 0 ? std::abs(std::log(at)) / (a + 1) : 0;
+                      return 4 * eps * (1 + magnified) * exact(at) + 2 * denormal;
+                    },
+                    "P(x) = x^(a+1) = u, to 4 ulp plus the error of a rounded exponent",
+                    {{[=](double at) { return std::pow(at, a + 1); },
+                      "this is P(u): its inverse is u^(1/(a+1))"},
+                     {[=](double at) { return a == 0 ? nan : std::pow(at, 1 / a); },
+                      "integrating x^a raises the exponent: use 1 / (a + 1)"},
+                     {[=](double at) { return std::pow(1 - at, 1 / (a + 1)); },
+                      "x must increase with u: use u, not 1 - u"},
+                     {[=](double at) { return (a + 1) * std::pow(at, a); },
+                      "this is the density at u: inversion solves P(x) = u for x"},
+                     {[=](double at) { return std::pow((a + 1) * at, 1 / (a + 1)); },
+                      "the integral of (a + 1) x^a is x^(a+1), without a factor a + 1"}},
+                    "solve x^(a+1) = u for x"});
       got.exactly(u.size(), closed_unit);
     }
   }
 }
 
 CHECK_CASE("2.3 the densities of the samples", "[2.3][points:3]") {
-  Rng rng = check_rng();
   for (const double rate :
        {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0, 1e-300, 1e300}) {
     Values x;
     for (int i = 0; i < 100; ++i) x.push_back(uniform(rng, -1, 9) / rate);
     for (const double far : {-1e9, 1.0, 40.0, 300.0, 700.0}) x.push_back(far / rate);
-    x.insert(x.end(), {-1, -1e-300, 0, domain::infinity, -domain::infinity});
+    x.insert(x.end(), {-1, -1e-300, 0, infinity, -infinity});
     const auto got = MEASURE(pdf_exponential, x, rate);
     const auto exact = [=](double at) { return at < 0 ? 0 : rate * std::exp(-rate * at); };
-    judge_values(got.call, got.exactly(x.size(), any_number),
-                 {"x",
-                  x,
-                  exact,
-                  [&](double at) {
-                    return exact(at) > 0 ? 4 * eps * (1 + rate * std::abs(at)) * exact(at) : 0;
-                  },
-                  "rate exp(-rate x) for x >= 0, and nothing below",
-                  {{[=](double at) { return at < 0 ? 0 : std::exp(-rate * at); },
-                    "a density integrates to 1: the factor rate is missing"},
-                   {[=](double at) { return rate * std::exp(-rate * at); },
-                    "the density is 0 where the distribution does not reach"},
-                   {[=](double at) { return at > 0 ? rate * std::exp(-rate * at) : 0; },
-                    "x = 0 belongs to the support"}},
-                  "the derivative of P(x) = 1 - exp(-rate x)"});
+    judge_values(
+        got.call, got.exactly(x.size(), any_number), "x", x,
+        {exact,
+         [&](double at) {
+           return exact(at) > 0 ? 4 * eps * (1 + rate * std::abs(at)) * exact(at) : 0;
+         },
+         "rate exp(-rate x) for x >= 0, and 0 below",
+         {{[=](double at) { return at < 0 ? 0 : std::exp(-rate * at); },
+           "a density integrates to 1: the factor rate is missing"},
+          {[=](double at) { return rate * std::exp(-rate * at); }, "the density is 0 for x < 0"},
+          {[=](double at) { return at > 0 ? rate * std::exp(-rate * at) : 0; },
+           "x = 0 belongs to the support"}},
+         "the derivative of P(x) = 1 - exp(-rate x)"});
   }
   for (const double a : {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, 0.0, 1e-4}) {
     Values x;
     for (int i = 0; i < 100; ++i) x.push_back(uniform(rng, -0.5, 1.5));
-    x.insert(x.end(), {-1, -1e-300, std::nextafter(1.0, 2.0), 2, domain::infinity,
-                       -domain::infinity, 1e-300, 0, 1});
+    x.insert(x.end(),
+             {-1, -1e-300, std::nextafter(1.0, 2.0), 2, infinity, -infinity, 1e-300, 0, 1});
     const auto got = MEASURE(pdf_power, x, a);
     const auto exact = [=](double at) { return at < 0 || at > 1 ? 0 : (a + 1) * std::pow(at, a); };
-    const std::string ends = "the ends belong to [0, 1]";
     judge_values(
-        got.call, got.exactly(x.size(), any_number),
-        {"x",
-         x,
-         exact,
+        got.call, got.exactly(x.size(), any_number), "x", x,
+        {exact,
          [&](double at) {
            const double magnified = at > 0 ? std::abs(a * std::log(at)) : 0;
            return std::isfinite(exact(at)) ? 8 * eps * (1 + magnified) * exact(at) + denormal : 0;
          },
-         "(a + 1) x^a on [0, 1], both ends included, and nothing outside",
+         "(a + 1) x^a on [0, 1], including both ends, and 0 outside",
          {{[=](double at) { return at < 0 || at > 1 ? 0 : std::pow(at, a); },
            "a density integrates to 1: x^a alone gives 1 / (a + 1)"},
-          {[=](double at) { return at <= 0 || at >= 1 ? 0 : (a + 1) * std::pow(at, a); }, ends},
+          {[=](double at) { return at <= 0 || at >= 1 ? 0 : (a + 1) * std::pow(at, a); },
+           "x = 0 and x = 1 belong to the support"},
           {[=](double at) { return at < 0 || at >= 1 ? 0 : (a + 1) * std::pow(at, a); },
-           ends + ": 1, too"},
+           "x = 1 belongs to the support"},
           {[=](double at) { return at <= 0 || at > 1 ? 0 : (a + 1) * std::pow(at, a); },
-           ends + ": 0, too"},
+           "x = 0 belongs to the support"},
           {[=](double at) { return (a + 1) * std::pow(at, a); },
            "the density is 0 outside [0, 1]"}},
          "the derivative of P(x) = x^(a+1), and 0 outside [0, 1]"});
@@ -177,7 +161,7 @@ CHECK_CASE("2.3 the densities of the samples", "[2.3][points:3]") {
 
 CHECK_CASE("2.3 parameters without a density are refused", "[2.3][points:2][edge]") {
   std::vector<InvalidCall> calls;
-  for (const double rate : {-1.0, 0.0, -1e-300, nan, -domain::infinity}) {
+  for (const double rate : {-1.0, 0.0, -1e-300, nan, -infinity}) {
     for (const double u : {0.5, 0.0}) {  // 0 is the sample for any rate
       calls.push_back(
           {MEASURE_OUTCOME(sample_exponential, {u}, rate), "rate", "a rate is positive"});
@@ -187,7 +171,7 @@ CHECK_CASE("2.3 parameters without a density are refused", "[2.3][points:2][edge
     }
   }
   const std::string because = "x^a has a finite integral over [0, 1] only for a > -1";
-  for (const double a : {-2.0, -1.0, -1 - eps, nan, -domain::infinity}) {
+  for (const double a : {-2.0, -1.0, -1 - eps, nan, -infinity}) {
     for (const double u : {0.5, 0.0}) {
       calls.push_back({MEASURE_OUTCOME(sample_power, {u}, a), "a", because});
     }

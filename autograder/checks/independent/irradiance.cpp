@@ -1,4 +1,4 @@
-// Task 2.7: one light, two ways.
+// 2.7: the irradiance from a light by two estimators.
 
 #include "checks/independent/functions.hpp"
 #include "checks/support/rect_light_exact.hpp"
@@ -10,57 +10,54 @@ constexpr double pi = std::numbers::pi;
 
 using Estimates = std::vector<Estimate>;
 
-// The lights, and what is known of them in closed form --------------------------------------------
+// Lights and their exact properties ---------------------------------------------------------------
 
-struct Placed {
+struct PlacedLight {
   RectLight light;
   std::string where;
 };
 
-/// Over the receiver: the one of the handout.
-Placed above(Rng& rng) {
+PlacedLight above(Rng& rng) {
   RectLight light;
   light.radiance = uniform(rng, 0.5, 5);
   return {light, "above the receiver"};
 }
 
-/// Somewhere else, with a corner near the receiver's normal; not so near that a few points carry
-/// everything.
-Placed aside(Rng& rng) {
+/// A light with a corner near the receiver's normal, but not so close that a few points dominate.
+PlacedLight aside(Rng& rng) {
   RectLight light = light_in({0.1, 0.5}, {0.1, 0.5}, {0.5, 2}, {0.7, 2}, rng);
   light.y0 = -std::exchange(light.y1, -light.y0);
   return {light, "to one side"};
 }
 
-/// Low and far away: seen, and seeing, at two to three degrees.
-Placed grazing(Rng& rng) {
+/// A low and distant light, at two to three degrees above the horizon.
+PlacedLight grazing(Rng& rng) {
   return {light_in({4, 5}, {-1, 0}, {1, 2}, {0.2, 0.25}, rng), "at a grazing angle"};
 }
 
-/// Everything beyond the plane x = k h on one side. It has a share of (1 - sin(atan(k))) / 2 of the
-/// whole sky: 1 to 2.6 % for k from 3 to 5, 24 to 36 of 1.6 million directions for 105 to 130.
-Placed half_sky_aside(double least, double most, Rng& rng) {
+/// Everything beyond the plane x = k h. It has a fraction (1 - sin(atan(k))) / 2 of the sky: 1 to
+/// 2.6 % for k from 3 to 5, and 24 to 36 of 1.6 million directions for k from 105 to 130.
+PlacedLight half_sky_aside(double least, double most, Rng& rng) {
   RectLight light{0, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 0.5, 5)};
   light.x0 = light.height * uniform(rng, least, most);
   return {light, "at a grazing angle"};
 }
 
-/// A quarter of the sky.
-Placed quarter_sky(unsigned quadrant, Rng& rng) {
+PlacedLight quarter_sky(unsigned quadrant, Rng& rng) {
   RectLight light{0, 1e15, 0, 1e15, uniform(rng, 0.5, 2), uniform(rng, 0.5, 5)};
   if (quadrant % 2 == 1) light.x0 = -std::exchange(light.x1, 0);
   if (quadrant / 2 == 1) light.y0 = -std::exchange(light.y1, 0);
   return {light, "in quadrant " + std::to_string(quadrant)};
 }
 
-/// What a point of the light gives that is this far, squared, from the point of the light's plane
-/// above the receiver: area · radiance · height^2 / (square + height^2)^2.
+/// The value at a point of the light, given its squared distance from the point of the light's
+/// plane above the receiver: area · radiance · height^2 / (square + height^2)^2.
 double at_square_distance(const RectLight& light, double square) {
   const double distance2 = square + light.height * light.height;
   return area(light) * light.radiance * light.height * light.height / (distance2 * distance2);
 }
 
-/// How far, squared, a point is that gives `value`; NaN where nothing gives that.
+/// The squared distance at which a point has this value; NaN if there is none.
 double square_distance_of(const RectLight& light, double value) {
   const double h2 = light.height * light.height;
   return std::sqrt(area(light) * light.radiance * h2 / value) - h2;
@@ -84,31 +81,26 @@ double disk_in_corner(double x, double y, double r) {
             r * r * std::asin(std::min(1.0, at / r))) /
            2;
   };
-  const double flat = b < r ? std::min(a, std::sqrt(r * r - b * b)) : 0;  // up to here y bounds it
+  const double flat = b < r ? std::min(a, std::sqrt(r * r - b * b)) : 0;  // up to here bounded by y
   return sign * (b * flat + under_arc(a) - under_arc(flat));
 }
 
-/// The share of the light within this distance, squared, of the point above the receiver.
+/// The fraction of the light within this squared distance of the point above the receiver.
 double share_within(const RectLight& light, double square) {
   if (!(square > 0)) return 0;
   const double r = std::sqrt(square);
-  const double inside =
-      disk_in_corner(light.x1, light.y1, r) - disk_in_corner(light.x0, light.y1, r) -
-      disk_in_corner(light.x1, light.y0, r) + disk_in_corner(light.x0, light.y0, r);
-  return inside / area(light);
+  return over_corners(light, [=](double x, double y) { return disk_in_corner(x, y, r); }) /
+         area(light);
 }
 
-/// The solid angle that the light fills, in closed form.
 double solid_angle(const RectLight& light) {
   const double h = light.height;
-  const auto corner = [=](double x, double y) {
+  return over_corners(light, [=](double x, double y) {
     return std::atan(x * y / (h * std::sqrt(x * x + y * y + h * h)));
-  };
-  return corner(light.x1, light.y1) - corner(light.x0, light.y1) - corner(light.x1, light.y0) +
-         corner(light.x0, light.y0);
+  });
 }
 
-/// What one uniform point of the light gives.
+/// The value at one uniform point of the light.
 Population of_area(const RectLight& light) {
   const auto moment = [&](double k) {
     return mean_over(light, [&](double x, double y) {
@@ -127,8 +119,8 @@ Measured<Estimates> by_area(const RectLight& light, std::uint64_t n, std::uint64
   return MEASURE(irradiance_area, light, n, seed, replicates);
 }
 
-/// Lights so small that all of their points give the same, to ten digits: whatever is drawn, the
-/// estimate has one right value, and each wrong formula another one.
+/// For lights so small that all points have the same value, to ten digits, the estimate does not
+/// depend on the random numbers, and each wrong formula has its own value.
 void judge_formula(Rng& rng) {
   Results values;
   for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
@@ -142,28 +134,29 @@ void judge_formula(Rng& rng) {
         [=]() -> std::vector<Suspect> {
           return {
               {exact * static_cast<double>(n), "this is the sum over the samples: divide by n"},
-              {a * l * h / (d2 * d), "a cosine is missing: the light, too, is seen at an angle"},
+              {a * l * h / (d2 * d), "a cosine is missing: the light is also seen at an angle"},
               {a * l * h * h / (d2 * d), "the distance is not squared: 1 / distance^2"},
               {a * l / d2, "both cosines are missing: cos = height / distance"},
               {a * l * h * h / d2, "the distance is missing: 1 / distance^2"},
               {l * h * h / (d2 * d2), "the density of points is 1 / area: the area is missing"},
-              {l * h * h / (d2 * d2) / a, "divide by the density 1 / area: times the area"},
+              {l * h * h / (d2 * d2) / a,
+               "divide by the density 1 / area, that is, multiply by the area"},
               {a * h * h / (d2 * d2), "the radiance is missing"},
               {a * l / (d2 * d2), "cos = height / distance: the height is missing"},
               {a * l * h * h / (d2 * d2 * d2),
-               "cos · cos = height^2 / distance^2: the distance is there too often"},
-              {exact / pi, "nothing is divided by pi here"},
-              {exact * pi, "no pi here: radiance, not its integral over directions"},
-              {a * l * h * h / (aside2 * aside2),
-               "the distance goes up to the light, too: + height^2"}};
+               "cos · cos = height^2 / distance^2: the exponent of the distance is too large"},
+              {exact / pi, "do not divide by pi"},
+              {exact * pi,
+               "do not multiply by pi: this is radiance, not its integral over directions"},
+              {a * l * h * h / (aside2 * aside2), "the squared distance must include height^2"}};
         });
   }
-  values.expect("all points of so small a light give area · radiance · cos · cos / distance^2",
+  values.expect("all points of such a small light give area · radiance · cos · cos / distance^2",
                 "area · radiance · cos(receiver) · cos(light) / distance^2");
 }
 
-/// An estimate from one sample is the value at one point: how far from the point of the light's
-/// plane above the receiver that is, squared.
+/// An estimate from one sample is the value at one point: returns the squared distance of each such
+/// point from the point of the light's plane above the receiver.
 Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
                         std::size_t count) {
   Values all;
@@ -172,8 +165,8 @@ Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
     const bool is_on_it =
         all.back() >= nearest(light) - 1e-9 && all.back() <= farthest(light) + 1e-9;
     if (is_on_it) continue;
-    expect_that(false, fmt::format("{}: a value {}", ones.call, value),
-                fmt::format("what a point of the light gives: {:.8g} to {:.8g}",
+    expect_that(false, fmt::format("{} gave {}", ones.call, value),
+                fmt::format("the value at a point of the light: from {:.8g} to {:.8g}",
                             at_square_distance(light, farthest(light)),
                             at_square_distance(light, nearest(light))),
                 "an estimate from one sample is the value at one point of the light",
@@ -182,8 +175,7 @@ Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
   return all;
 }
 
-/// Where one point lies on a light that is a line along x, or along y: the number it was made from,
-/// to 40 bits.
+/// The position of one point on a light that is a line along x or y, accurate to 40 bits.
 Numbers places_on_a_line(bool along_x) {
   return {along_x ? "the x of points on a light" : "the y of points on a light", 1,
           [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
@@ -200,7 +192,6 @@ Numbers places_on_a_line(bool along_x) {
 }
 
 CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1][main]") {
-  Rng rng = check_rng();
   judge_formula(rng);
   for (const bool along_x : {true, false}) {
     judge_calls_in_turn(places_on_a_line(along_x), 1, 5000, rng);
@@ -216,24 +207,24 @@ CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1
     const Replicates sample{got.call, values, static_cast<double>(n)};
     expect_mean(sample, known.exact, known.variance,
                 {"the area estimate of a light " + placed.where + " has the mean E", alpha},
-                {{}, "at uniform points of the light, x and y from a number each"});
+                {{}, "use uniform points, with different random numbers for x and y"});
     expect_variance(
         sample, known.exact, known.variance, known.kurtosis,
         {"the area estimate of a light " + placed.where + " has its exact variance", alpha},
-        {{}, "n independent points, uniform on the light, x and y from a number each"});
+        {{}, "use n independent uniform points, with different random numbers for x and y"});
   }
-  // One sample is one value, and shows how far from the receiver its point is.
+  // An estimate from one sample shows the distance of its point.
   const RectLight light = aside(rng).light;
   const auto ones = by_area(light, 1, rng(), 20000);
-  Uniforms shares{ones.call + ", parts of the light within the distances of its points", 1, {}, 20};
+  Uniforms shares{ones.call + ", fractions of the light closer than each point", 1, {}, 20};
   for (const double square : square_distances(ones, light, 20000)) {
     shares.values.push_back(std::clamp(share_within(light, square), 0.0, 1 - 0x1p-53));
   }
   expect_independent_uniforms(
-      shares, {.words = "points are uniform on the light",
-               .alpha = alpha,
-               .otherwise = "x between x0 and x1, y between y0 and y1, from a number each",
-               .expected = "points anywhere on the light, independent"});
+      shares,
+      {.words = "points are uniform on the light",
+       .otherwise = "x between x0 and x1, y between y0 and y1, with separate random numbers",
+       .expected = "independent uniform points on the light"});
 }
 
 // The hemisphere ----------------------------------------------------------------------------------
@@ -243,7 +234,7 @@ Measured<Estimates> by_hemisphere(const RectLight& light, std::uint64_t n, std::
   return MEASURE(irradiance_hemisphere, light, n, seed, replicates);
 }
 
-/// How many of n directions met the light, for each estimate.
+/// How many of the n directions of each estimate met the light.
 Values directions_met(const Measured<Estimates>& measured, const RectLight& light, std::uint64_t n,
                       std::uint64_t replicates) {
   Values all;
@@ -254,14 +245,14 @@ Values directions_met(const Measured<Estimates>& measured, const RectLight& ligh
         std::abs(met - std::round(met)) < 1e-6 && met > -0.5 && met < static_cast<double>(n) + 0.5,
         fmt::format("{} gave {}", measured.call, one.value),
         fmt::format("a multiple of pi · radiance / n = {:.8g}, up to n of it", each),
-        "a direction with density cos / pi gives pi · radiance, or nothing",
-        "what does a direction count? The cosine and the density cos / pi leave pi");
+        "a direction with density cos / pi contributes pi · radiance or 0",
+        "cos divided by the density cos / pi is pi, for each direction that meets the light");
     all.push_back(std::round(met));
   }
   return all;
 }
 
-/// Lights that fill the sky: every direction meets them.
+/// Every direction meets a light that fills the sky.
 void judge_sky(Rng& rng) {
   Results values;
   for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
@@ -273,11 +264,11 @@ void judge_sky(Rng& rng) {
         [=]() -> std::vector<Suspect> {
           return {
               {exact * static_cast<double>(n), "this is the sum over the directions: divide by n"},
-              {radiance, "the density is cos / pi: the radiance over it, times cos, leaves pi"},
-              {2 * exact, "2 pi is for directions that are uniform on the hemisphere; not these"},
-              {radiance / pi, "times pi, not divided by it"},
+              {radiance, "a factor pi is missing: radiance · cos, divided by the density cos / pi"},
+              {2 * exact, "2 pi is for uniform directions; these have density cos / pi"},
+              {radiance / pi, "multiply by pi instead of dividing"},
               {pi, "the radiance is missing"},
-              {0, "no direction meets it: is z up, and the direction followed to z = height?"}};
+              {0, "no direction meets the light: follow each direction, with z up, to z = height"}};
         });
   }
   values.expect("the light fills the sky: each direction meets it, and gives pi · radiance",
@@ -285,13 +276,13 @@ void judge_sky(Rng& rng) {
 }
 
 CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][needs:2.1]") {
-  Rng rng = check_rng();
   judge_sky(rng);
-  // Each quarter of the sky is as likely as any other: of angles that were drawn in degrees, 57.3
-  // turns, one quarter has 1.2 % more, which is 9 deviations of 1.6 million directions.
-  std::vector<Placed> lights{above(rng), half_sky_aside(3, 5, rng), half_sky_aside(105, 130, rng)};
+  // All quarters of the sky are equally likely. If angles were drawn as degrees and used as
+  // radians, 57.3 turns, one quarter would have 1.2 % more: 9 standard deviations.
+  std::vector<PlacedLight> lights{above(rng), half_sky_aside(3, 5, rng),
+                                  half_sky_aside(105, 130, rng)};
   for (const unsigned quadrant : {0u, 1u, 2u, 3u}) lights.push_back(quarter_sky(quadrant, rng));
-  for (const Placed& placed : lights) {
+  for (const PlacedLight& placed : lights) {
     const RectLight& light = placed.light;
     const bool has_many = &placed - &lights[0] >= 2;
     const std::uint64_t n = has_many ? 1600 : 64, replicates = has_many ? 1000 : 400;
@@ -305,34 +296,32 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
              " with probability E / (pi L)",
          alpha},
         {{{&placed == &lights[0] ? solid_angle(light) / (2 * pi) : nan,
-           "these directions are uniform on the hemisphere: steep ones must be more"}},
-         (&placed == &lights[0] ? ""
-                                : "a direction meets the light if it reaches z = height between "
-                                  "x0 and x1 and between y0 and y1; ") +
-             std::string("a direction is a uniform point of the unit disk (radius sqrt(u), angle "
-                         "2 pi v, from two numbers), lifted to the hemisphere")});
+           "these directions are uniform on the hemisphere: steep ones must be more likely"}},
+         (&placed == &lights[0]
+              ? ""
+              : "it meets the light if it is in x0 … x1 and y0 … y1 at z = height; ") +
+             std::string("a direction is a uniform point of the unit disk (radius sqrt(u), angle 2 "
+                         "pi v, from two numbers), lifted to the hemisphere")});
     if (&placed != &lights[0]) continue;
-    // The directions of one estimate are independent, too: how many meet is binomial.
+    // The number of independent directions that meet the light is binomial.
     const auto trials = static_cast<double>(n), variance = p * (1 - p) * trials;
     expect_variance({got.call + ", directions that met the light", met, trials}, p * trials,
                     variance, 3 + (1 - 6 * p * (1 - p)) / variance,
                     {"directions are independent, light " + placed.where, alpha},
-                    {{}, "n independent directions"});
+                    {{}, "use n independent directions"});
     // 400 counts of about 20 values each are never equal by chance.
     const auto other = by_hemisphere(light, n, rng(), replicates);
     expect_that(directions_met(other, light, n, replicates) != met,
-                other.call + " gave the estimates of another seed", "other estimates",
-                "the generator that it is given is its only source of randomness",
-                "take the numbers from rng, and from nowhere else");
+                other.call + "  gave the same estimates as with another seed",
+                "different estimates", "rng is the only source of randomness", from_rng);
   }
 }
 
 CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") {
-  Rng rng = check_rng();
-  for (const Placed& placed : {above(rng), aside(rng)}) {
+  for (const PlacedLight& placed : {above(rng), aside(rng)}) {
     const RectLight& light = placed.light;
     // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.
-    // With three samples, what is wrong about n shows most, and each mistake by its own factor.
+    // With three samples, mistakes about n have the largest effect, each with its own factor.
     const std::uint64_t three = 3, replicates = 20000;
     const auto got = by_area(light, three, rng(), replicates);
     const Population x = of_area(light);
@@ -344,10 +333,10 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
         {got.call + ", n standard_error^2 / variance", squares, three}, 1, x.kurtosis / 3,
         {"the light is " + placed.where + "; squared standard errors have the mean variance / n",
          alpha},
-        {{{3, "s instead of s / sqrt(n)"},
-          {1.5, "s / sqrt(n - 1): one n - 1 is enough, in s^2"},
+        {{{3, "this is s, not s / sqrt(n)"},
+          {1.5, "this is s / sqrt(n - 1): only s^2 divides by n - 1"},
           {2. / 3, "s^2 divides by n: divide by n - 1"}},
-         "s / sqrt(n) of the values of the samples, where these are right"});
+         "return s / sqrt(n) of the samples' values"});
     const std::uint64_t n = 64;
     const auto by_directions = by_hemisphere(light, n, rng(), 100);
     const Values met = directions_met(by_directions, light, n, 100);
@@ -358,31 +347,28 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") 
       errors.add(fmt::format("{}[{}].standard_error", by_directions.call, i),
                  by_directions.exactly(100, any_number)[i].standard_error, std::sqrt(s2 / size),
                  1e-7 * each, [=]() -> std::vector<Suspect> {
-                   return {{std::sqrt(s2), "s instead of s / sqrt(n)"},
+                   return {{std::sqrt(s2), "this is s, not s / sqrt(n)"},
                            {s2 / size, "this is its square"},
                            {std::sqrt(s2 / size * (size - 1) / size),
                             "s^2 divides by n: divide by n - 1"}};
                  });
     }
-    errors.expect("as many directions met the light as the value says",
-                  "s / sqrt(n) of the values of the samples");
+    errors.expect("the estimate shows how many directions met the light",
+                  "return s / sqrt(n) of the samples' values");
   }
 }
 
 CHECK_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
-  Rng rng = check_rng();
   for (const auto& measure : {by_area, by_hemisphere}) {
     const auto one = measure({}, 1, rng(), 1);
     expect_nan(one.call + ".standard_error", one.exactly(1, any_number)[0].standard_error,
                "one value has no spread");
     const auto some = measure({}, 77, rng(), 1);
-    const std::uint64_t counted = some.exactly(1, any_number)[0].n;
-    expect_that(counted == 77, fmt::format("{}: n = {}", some.call, counted), "77",
-                "the n of an Estimate counts samples", "every sample counts once");
+    expect_equal(some.call + ": n", some.exactly(1, any_number)[0].n, 77,
+                 "the n of an Estimate counts samples", "count every sample once");
   }
-  const std::string of_nothing = "the mean of nothing is not an estimate";
-  expect_refused({{MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "n", of_nothing},
-                  {MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "n", of_nothing}});
+  expect_refused({{MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "n", no_mean},
+                  {MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "n", no_mean}});
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace {
 
 using experiments::ByLab1;
 
-/// What lab 1 makes of the values, if it can say: what is built on it may be wrong because of it.
+/// The results of the submission's lab 1 for these values: possible causes of a wrong result.
 ByLab1 lab_1_of(const Values& values) {
   const auto got = TRY_MEASURE(by_lab_1, values);
   return got ? got->value : ByLab1{nan, nan, nan, nan, nan, nan, nan};
@@ -13,24 +13,22 @@ ByLab1 lab_1_of(const Values& values) {
 
 std::string blame(const std::string& function, const std::string& task) {
   return fmt::format(
-      "the cause is in lab 1: this is what {} gives for these values; correct {} first", function,
+      "the cause is in lab 1: {} gives this result for these values; correct {} first", function,
       task);
 }
 
-/// Those of a task first.
-std::vector<Suspect> joined(const Results::FindSuspects& first, std::vector<Suspect> others) {
-  if (!first) return others;
-  std::vector<Suspect> all = first();
-  all.insert(all.end(), others.begin(), others.end());
+std::vector<Suspect> joined(const Results::FindSuspects& first,
+                            const std::vector<Suspect>& others) {
+  std::vector<Suspect> all = first ? first() : std::vector<Suspect>();
+  append(all, others);
   return all;
 }
 
 std::vector<Suspect> mean_suspects(const Values& values) {
   const auto n = static_cast<double>(values.size());
   const double mean = static_cast<double>(exact_mean(values));
-  double in_whole_numbers = 0, without_negative = 0, sizes = 0;
+  double without_negative = 0, sizes = 0;
   for (const double one : values) {
-    in_whole_numbers = std::trunc(in_whole_numbers + one);
     without_negative += std::max(one, 0.0) / n;
     sizes += std::abs(one) / n;
   }
@@ -39,16 +37,16 @@ std::vector<Suspect> mean_suspects(const Values& values) {
           {by.mean_of_add, blame("add() with all", "1.4")},
           {by.mean_of_moments, blame("moments()", "1.8")},
           {mean * n, "this is the sum: divide it by n"},
-          {in_whole_numbers / n,
-           "the values were added up in an int: std::accumulate(..., 0.0) begins with a double"},
+          {integer_sum(values) / n,
+           "the values were added up in an int: start with a double, std::accumulate(…, 0.0)"},
           {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
           {mean * n / (n + 1), "this divides by n + 1"},
-          {values.back(), "this is g at the last point alone: add up all of them"},
-          {values.front(), "this is g at the first point alone: add up all of them"},
+          {values.back(), "this is only g at the last point: add up all values"},
+          {values.front(), "this is only g at the first point: add up all values"},
           {(mean * n - values.back()) / n, "the last value is not in the sum"},
           {(mean * n - values.front()) / n, "the first value is not in the sum"},
-          {without_negative, "values below 0 count, too"},
-          {sizes, "values below 0 count as what they are, not by their size"}};
+          {without_negative, "negative values are missing"},
+          {sizes, "these are absolute values: keep the signs"}};
 }
 
 std::vector<Suspect> error_suspects(const Values& values) {
@@ -60,23 +58,24 @@ std::vector<Suspect> error_suspects(const Values& values) {
           {std::sqrt(by.variance_two_pass / n), blame("variance_two_pass()", "1.3")},
           {std::sqrt(by.variance_of_moments / n), blame("variance() of moments()", "1.8")},
           {std::sqrt(by.variance_textbook / n),
-           "this comes from variance_textbook(), which shows how the textbook formula fails: it "
-           "keeps no digit of values far from 0"},
+           "this comes from variance_textbook(), which loses digits: use another variance"},
           {s * s / n, "this is the variance of the mean: take the square root"},
-          {s, "this is s, the spread of one value: the mean of n has s / sqrt(n)"},
-          {s * s, "this is s^2, the variance of one value: the mean of n has s / sqrt(n)"},
-          {s / n, "this is s / n: it is the variance that falls as 1 / n, its root as 1 / sqrt(n)"},
+          {s, "this is s, the standard deviation of one value: that of the mean is s / sqrt(n)"},
+          {s * s,
+           "this is s^2, the variance of one value: the standard error of the mean is s / sqrt(n)"},
+          {s / n, "this is s / n: the variance falls as 1 / n, its square root as 1 / sqrt(n)"},
           {s / std::sqrt(n) * std::sqrt((n - 1) / n),
-           "s^2 has n - 1 below it: the values lie closer to their own mean than to the true one"},
-          {s / std::sqrt(n - 1), "s^2 / n, not s^2 / (n - 1): one n - 1 is enough"},
+           "s^2 divides by n - 1: the values are closer to their own mean than to the true one"},
+          {s / std::sqrt(n - 1), "this divides s^2 by n - 1: divide it by n"},
           {std::sqrt((mean * mean + exact.variance * (n - 1) / n) / n),
-           "this is the mean of squares: E{X}^2 is not taken off"},
-          {std::sqrt(static_cast<double>(exact.m2)), "this is not divided at all"}};
+           "this uses the mean of squares: subtract E{X}^2"},
+          {std::sqrt(static_cast<double>(exact.m2)),
+           "this is the root of the sum of squared deviations: divide the sum by (n - 1) n"}};
 }
 
 }  // namespace
 
-Traced traced(const Function& g, std::uint64_t n, Rng& rng) {
+Trace traced(const Function& g, std::uint64_t n, Rng& rng) {
   const auto measured = MEASURE(traces, g, n, rng(), 1);
   const std::size_t dims = dims_of(g);
   const experiments::Traces* seen = nullptr;
@@ -86,7 +85,7 @@ Traced traced(const Function& g, std::uint64_t n, Rng& rng) {
   }
   if (seen == nullptr && measured.if_exactly({1, 0, 0}, any_number) != nullptr) {
     expect_that(false, measured.call + " never evaluated g", fmt::format("{} evaluations", n),
-                "an estimate rests on values of g", "evaluate g once per sample");
+                "an estimate is a mean of values of g", "evaluate g once per sample");
   }
   if (seen == nullptr) {
     seen = &measured.list_by_list({{1, any_number}, {n * dims, any_number}, {n, any_number}});
@@ -96,7 +95,7 @@ Traced traced(const Function& g, std::uint64_t n, Rng& rng) {
   return {measured.call, seen->estimates[0], seen->values, seen->points};
 }
 
-void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects) {
+void add_mean(Results& means, const Trace& seen, Results::FindSuspects suspects) {
   double sizes = 0;
   for (const double one : seen.values) sizes += std::abs(one);
   means.add(seen.call + ".value", seen.estimate.value, static_cast<double>(exact_mean(seen.values)),
@@ -105,20 +104,17 @@ void add_mean(Results& means, const Traced& seen, Results::FindSuspects suspects
 
 void judge_means(Results& means) {
   means.expect(
-      "n additions lose at most n eps of the sum of sizes, in any order; one digit less is enough",
-      "the mean of the very values that g gave; NaN comes from 0/0, or from a variable that "
-      "nothing "
-      "was written to");
+      "n additions lose at most n eps of the sum of absolute values; one digit of slack",
+      "return the mean of the values of g; a NaN comes from 0/0 or from an uninitialized variable");
 }
 
-void add_error(Results& errors, const Traced& seen, Results::FindSuspects suspects) {
+void add_error(Results& errors, const Trace& seen, Results::FindSuspects suspects) {
   if (seen.values.size() < 2) {
     return errors.add(seen.call + ".standard_error", seen.estimate.standard_error, nan, 0);
   }
   const auto exact = exact_moments(seen.values);
-  const double n = exact.count, mean = static_cast<double>(exact.mean);
-  // A one-pass variance loses (n + kappa) eps of s^2 (lab 1); one digit less is enough.
-  const double kappa = std::sqrt(1 + mean * mean / exact.variance);
+  // A one-pass variance loses (n + kappa) eps of s^2 (lab 1); one digit of slack.
+  const double n = exact.count, kappa = condition(exact);
   errors.add_digits(seen.call + ".standard_error", seen.estimate.standard_error,
                     std::sqrt(exact.variance / n),
                     std::min(16.0, -std::log10((n + kappa) * eps)) - 1,
@@ -127,9 +123,8 @@ void add_error(Results& errors, const Traced& seen, Results::FindSuspects suspec
 
 void judge_errors(Results& errors) {
   errors.expect(
-      "s / sqrt(n) of the values that were seen; lab 1's variances keep so many digits",
-      "the square root of (sample variance / n); are the values far from 0 a problem (lab 1)? A "
-      "variance below 0 has no root: E{X^2} - E{X}^2 may be that");
+      "s / sqrt(n) of the values of g, with the digits that lab 1's variances keep",
+      "return sqrt(sample variance / n); E{X^2} - E{X}^2 loses digits and may be negative (lab 1)");
 }
 
 }  // namespace mc::checks

@@ -1,6 +1,4 @@
-// 2.1, 2.8: a number from a word; many at once.
-
-#include <iterator>
+// 2.1, 2.8: a number from a word; many numbers at once.
 
 #include "checks/independent/functions.hpp"
 
@@ -19,28 +17,27 @@ void judge_words(const Words& words) {
   Comparison exact{each(words, [](Word w) { return as_double(w >> 11) * 0x1p-53; })};
   exact.because =
       "a shift, a conversion of 53 bits and a multiplication by a power of two are exact; the "
-      "largest is (2^53 - 1) / 2^53: a logarithm has no value at 1 - 1";
+      "largest result is (2^53 - 1) / 2^53, so that log(1 - u) is finite";
   exact.otherwise = "floor(bits / 2^11) times 2^-53; both steps are exact";
   exact.separate_calls = true;
   exact.name = [&](std::size_t i) { return fmt::format("to_unit({})", words[i]); };
   exact.suspects = {
       {each(words, [](Word w) { return as_double(w) * 0x1p-64; }),
-       "a word has 64 bits and a double 53: bits / 2^64 is rounded, for the largest words up "
-       "to 1. Shift 11 bits out first"},
+       "a word has 64 bits and a double 53: bits / 2^64 is rounded; shift out 11 bits first"},
       {each(words, [](Word w) { return as_double(w) / 0x1.fffffffffffffp63; }),
-       "dividing by the largest word makes 1 a possible number"},
+       "dividing by the largest word makes 1 a possible result"},
       {each(words, [](Word w) { return as_double(w >> 11) / (0x1p53 - 1); }),
-       "dividing by 2^53 - 1 makes 1 a possible number: divide by 2^53"},
+       "dividing by 2^53 - 1 makes 1 a possible result: divide by 2^53"},
       {each(words, [](Word w) { return as_double(w >> 12) * 0x1p-52; }),
-       "these are 52 bits; 53 fit"},
+       "these are 52 bits: use 53"},
       {each(words, [](Word w) { return as_double(w >> 32) * 0x1p-32; }),
        "these are 32 bits: too few to distinguish 10^-10 from 0"},
       {each(words, [](Word w) { return as_double(w >> 40) * 0x1p-24; }),
        "these are the 24 bits of a float"},
       {each(words, [](Word w) { return as_double(w & 0xffffffffu) * 0x1p-32; }),
-       "these are the lower 32 bits: is the word put into an int?"},
+       "these are the lower 32 bits: the word was converted to a 32-bit integer"},
       {each(words, [](Word w) { return as_double(w & 0x1fffffffffffffu) * 0x1p-53; }),
-       "these are the lower 53 bits; of many generators the upper ones are the better ones"},
+       "these are the lower 53 bits; in many generators the upper bits are better"},
       {each(words, [](Word w) { return (as_double(w >> 11) + 0.5) * 0x1p-53; }),
        "half a step is added: the largest words then round up to 1"},
       {each(words, [](Word) { return 0; }), "an integer divided by an integer is an integer: 0"}};
@@ -48,14 +45,12 @@ void judge_words(const Words& words) {
 }
 
 CHECK_CASE("2.1 the upper 53 bits of a word become a number", "[2.1][points:5][main]") {
-  Rng rng = check_rng();
   Words words;
   for (int i = 0; i < 1000; ++i) words.push_back(rng() >> (rng() % 53));
   judge_words(words);
 }
 
 CHECK_CASE("2.1 words at both ends and powers of two", "[2.1][points:3][edge]") {
-  Rng rng = check_rng();
   Words words = domain::words(~std::uint64_t{0}, rng);
   for (std::uint64_t below = 0; below < 4096; below += 61) words.push_back(~below);
   judge_words(words);
@@ -63,37 +58,32 @@ CHECK_CASE("2.1 words at both ends and powers of two", "[2.1][points:3][edge]") 
 
 using Sizes64 = std::vector<std::uint64_t>;
 
-const std::string from_rng = "take the numbers from rng, and from nowhere else";
-const std::string same_place =
-    "do two calls, or two lanes, begin in the same place? Does the end of a call take numbers "
-    "again?";
+const std::string same_place = "two calls or two lanes begin with the same state or numbers";
 const std::string in_step =
-    "do lanes run in step, or begin with equal numbers? Lanes want states that have nothing in "
-    "common, not seed, seed + 1, seed + 2; the end of a call takes new numbers, and leaves the "
-    "generator where the next call begins";
+    "lanes need unrelated states, not seed, seed + 1, seed + 2; the end of a call must use new "
+    "numbers, and leave the generator where the next call begins";
 
-/// Calls for so many numbers, one after the other, in a span of NaNs: as many numbers in [0, 1).
+/// Consecutive calls fill spans of these sizes, which contain NaN before, with numbers in [0, 1).
 Uniforms filled(std::uint64_t seed, const Sizes64& sizes) {
   const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   const auto got = MEASURE(uniforms, seed, sizes, nan);
   const Values& all = got.exactly(total, any_number);
   const auto at = static_cast<std::size_t>(
-      std::find_if(all.begin(), all.end(), [](double u) { return std::isnan(u); }) - all.begin());
+      std::ranges::find_if(all, [](double u) { return std::isnan(u); }) - all.begin());
   if (at < total) {
     const auto again = MEASURE(uniforms, seed, sizes, 5.0);
     const double now = again.exactly(total, any_number)[at];
     expect_that(
         false, fmt::format("{}: number {} is NaN", got.call, at), "numbers in [0, 1), all of them",
-        "a span of any size is to be filled",
-        now == 5 ? "NaN is from before the call: it was not filled. The last, shorter block?"
+        "the function fills a span of any size",
+        now == 5 ? "it was not filled: the NaN is from before the call; handle a shorter last block"
         : now > 5 && now < 6 ? "the number is added to the previous contents: write = instead of +="
-                             : "is something 0/0?");
+                             : "some step computes 0/0");
   }
   return {got.call, 1, got.exactly(total, unit)};
 }
 
-/// The numbers of `calls` calls, from one generator or from a generator for each seed: a replicate
-/// of the first `positions` numbers of each call.
+/// The first `positions` numbers of each call, as one replicate per call.
 Uniforms beginnings(Uniforms all, std::size_t size, std::size_t positions) {
   all.positions = size;
   all.name = [](std::size_t i) { return fmt::format("number {} of a call", i); };
@@ -102,38 +92,28 @@ Uniforms beginnings(Uniforms all, std::size_t size, std::size_t positions) {
   return some_of(all, first);
 }
 
-/// Calls begin with numbers that never came before: a generator of one's own that is seeded by 32
-/// bits begins in the same place for 19 pairs of 400,000 calls.
+/// Calls begin with new numbers: with 32-bit states, 19 pairs of 400,000 calls would be equal.
 void judge_beginnings(Rng& rng) {
   Uniforms first;
   for (int i = 0; i < 10; ++i) {
     const auto got = MEASURE(first_uniforms, rng(), 130 + rng() % 50, 40'000);
-    const Values& here = got.exactly(40'000, unit);
+    append(first.values, got.exactly(40'000, unit));
     first.call = got.call;
-    first.values.insert(first.values.end(), here.begin(), here.end());
   }
   const std::string few_states =
-      "does each call begin with its own state, of 64 bits at least? A generator that one "
-      "number of 32 bits seeds has only 2^32 places to begin";
+      "a call needs a 64-bit state: a 32-bit seed has only 2^32 initial states";
   expect_independent_uniforms(first, {"the first numbers of calls", alpha, few_states, few_states});
 }
 
 CHECK_CASE("2.8 a span of any size is filled with new numbers",
            "[2.8][points:5][needs:2.1][main]") {
-  Rng rng = check_rng();
   Sizes64 sizes = domain::sizes(4097, rng);
   sizes.push_back(0);
   const Uniforms one = filled(rng(), sizes), other = filled(rng(), sizes);
   const auto of_any_seed = [&] {
-    Values here = one.values, there = other.values, both;
-    std::sort(here.begin(), here.end());
-    std::sort(there.begin(), there.end());
-    std::set_intersection(here.begin(), here.end(), there.begin(), there.end(),
-                          std::back_inserter(both));
-    return both.size() > 2 ? from_rng : std::string();
+    return common_values(one.values, other.values) > 2 ? from_rng : std::string();
   };
   expect_independent_uniforms(one, {.words = "the numbers of 2.8",
-                                    .alpha = alpha,
                                     .otherwise = in_step,
                                     .repeated = same_place,
                                     .explain = of_any_seed});
@@ -143,26 +123,24 @@ CHECK_CASE("2.8 a span of any size is filled with new numbers",
 }
 
 CHECK_CASE("2.8 a generator of one word", "[2.8][points:2][edge][needs:2.1]") {
-  Rng rng = check_rng();
   for (const std::uint64_t word : domain::constant_words(rng)) {
     MEASURE(uniforms_constant, word, 1024).exactly(1024, unit);
   }
 }
 
-/// The last 13 bits of numbers are independent, too.
+/// The last 13 bits of the numbers are independent, too.
 void judge_last_bits(const Uniforms& numbers, Rng& rng) {
   Uniforms last{numbers.call + ", the last 13 of 53 bits", 1};
   for (const double u : numbers.values) {
     last.values.push_back(fill_cell(bits_of(u) % 8192, 8192, rng));
   }
-  expect_independent_uniforms(
-      last, {"the last bits of many numbers", alpha,
-             "53 random bits, also in the last places: the low bits of a linear congruential "
-             "generator repeat soon, and 52 bits in a mantissa are one too few"});
+  expect_independent_uniforms(last,
+                              {"the last bits of many numbers", alpha,
+                               "all 53 bits must be random: the low bits of a linear congruential "
+                               "generator have short periods, and a mantissa stores only 52 bits"});
 }
 
 CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:2.1]") {
-  Rng rng = check_rng();
   Uniforms many = filled(rng(), {131'072, 65'537});
   many.values.resize(196'608);
   many.positions = 32;
@@ -172,9 +150,7 @@ CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:
 }
 
 CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][points:2][needs:2.1]") {
-  Rng rng = check_rng();
-  // Lanes whose states differ by little give nearly the same at first. From one generator, and from
-  // seeds that differ by little.
+  // Lanes with similar states begin with similar numbers: with one generator, and similar seeds.
   const std::size_t size = 160, positions = 40, calls = 1500;
   Sizes64 seeds = domain::in_a_row(rng() >> 1, calls);
   for (const std::uint64_t seed : domain::seeds_by_bit(rng)) seeds.push_back(seed);

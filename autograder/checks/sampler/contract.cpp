@@ -1,5 +1,5 @@
-// 6.4 and 6.8: what holds for every kind of sampler. The answers to any calls are those of a new
-// sampler; many samples work, and unused dimensions cost nothing.
+// 6.4, 6.8: properties of every kind of sampler: any calls give the numbers of a new sampler; many
+// samples are possible, and unused dimensions cost nothing.
 
 #include <set>
 
@@ -18,7 +18,7 @@ inline Step generate(std::uint64_t samples, std::uint64_t seed) {
   return {generate_call, samples, seed};
 }
 
-/// One generate() and, for every sample, its list of uses.
+/// The calls of one integration, with a list of uses for each sample.
 inline std::vector<Step> walk(std::size_t samples, std::uint64_t seed,
                               const std::vector<Uses>& uses) {
   std::vector<Step> steps{generate(samples, seed)};
@@ -31,10 +31,10 @@ inline std::vector<Step> walk(std::size_t samples, std::uint64_t seed,
 
 /// The calls of one sampler.
 struct Calls {
-  std::string kind, which;  ///< "sobol", ", the other of two"
+  std::string kind, which;  ///< "sobol", ", second of two"
   std::vector<Step> steps;
 
-  /// "sobol: generate(2, 7); next()": up to step i, without most of many.
+  /// "sobol: generate(2, 7); next()": the calls up to step i, shortened if they are many.
   std::string until(std::size_t i) const {
     constexpr std::size_t most = 24;
     std::string words = kind + which + ": ";
@@ -49,17 +49,17 @@ struct Calls {
   }
 };
 
-/// The calls of one integration, or those before the first: what each asks for.
+/// The numbers that the calls of one integration, or the calls before the first one, request.
 struct Integration {
   struct Number {
     std::size_t sample, coordinate;
   };
-  Uses uses = {};                                   ///< in the order in which they come first
-  std::vector<std::optional<Number>> numbers = {};  ///< of each call; none where there is none
+  Uses uses = {};                                   ///< in the order of their first request
+  std::vector<std::optional<Number>> numbers = {};  ///< one per call; empty if it requests none
 
   Integration(std::span<const Step> calls, std::uint64_t samples) {
-    std::array<std::vector<std::size_t>, 3> coordinates;  // of the k-th next() and next2()
-    std::array<std::size_t, 3> count{};                   // those that this sample has asked for
+    std::array<std::vector<std::size_t>, 3> coordinates;  // of the k-th next() and the k-th next2()
+    std::array<std::size_t, 3> count{};                   // requested by this sample
     std::size_t sample = 0, dims = 0;
     for (const auto& [call, of_generate, seed] : calls) {
       if (call == advance_call) ++sample, count = {};
@@ -75,9 +75,9 @@ struct Integration {
   }
 };
 
-/// The answers are what 6.4 says: next() and next2() throw std::out_of_range where there is no
-/// sample, and else have the numbers of a new sampler, whose samples all ask for all the sample
-/// dimensions, in the order in which these calls do first.
+/// The answers fulfill 6.4: next() and next2() throw std::out_of_range if there is no sample;
+/// otherwise they return the numbers of a new sampler whose samples all request all sample
+/// dimensions, in the order of their first request here.
 inline void expect_answers(const Calls& calls, std::span<const Answer> answers,
                            const Claim& claim) {
   const std::vector<Step>& steps = calls.steps;
@@ -111,7 +111,7 @@ inline void expect_answers(const Calls& calls, std::span<const Answer> answers,
                                  : fmt::format("({:.17g}, {:.17g})", a, b);
       };
       fail_at(i, "gave " + words(x, y),
-              fmt::format("{} for this sample dimension of sample {}, as in {}",
+              fmt::format("{} for this dimension of sample {}, as in {}",
                           words(expected_x, expected_y), number->sample, columns->call));
     }
   }
@@ -132,7 +132,6 @@ inline void expect_contract(const std::string& kind, const std::vector<Step>& st
 namespace {
 
 CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:4]") {
-  Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     expect_contract(kind, {next,    next2,          advance, next,    generate(2, fresh_seed(rng)),
                            next,    next2,          advance, next2,   next,
@@ -143,8 +142,7 @@ CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:4]
   const Call largest = MEASURE_OUTCOME(columns, "halton", most_samples, {1}, {});
   expect_that(largest.outcome.status != wire::Status::invalid_argument,
               largest.text + " threw std::invalid_argument", "no exception",
-              "there may be most_samples = 2^27 samples",
-              "only more are too many: samples > most_samples");
+              "most_samples = 2^27 samples are allowed", "refuse only samples > most_samples");
 }
 
 std::vector<InvalidCall> impossible() {
@@ -153,7 +151,7 @@ std::vector<InvalidCall> impossible() {
     for (const std::uint64_t samples : {std::uint64_t{0}, std::uint64_t{most_samples} + 1,
                                         std::uint64_t{1} << 32, ~std::uint64_t{0}}) {
       calls.push_back({MEASURE_OUTCOME(columns, kind, samples, {1}, {}), "samples",
-                       "a sampler needs at least one sample, and memory for a column of them"});
+                       "there must be at least one sample, and at most most_samples"});
     }
   }
   return calls;
@@ -162,7 +160,7 @@ std::vector<InvalidCall> impossible() {
 REFUSAL_CASES("6.4", "0 samples and too many are refused", "0.5", "a refusal names the argument",
               "0.5", impossible())
 
-/// Any calls, of integrations with up to `most` samples.
+/// Random calls, in integrations with up to `most` samples.
 std::vector<Step> any_calls(std::size_t count, std::size_t most, Rng& rng) {
   std::vector<Step> steps;
   for (std::size_t i = 0; i < count; ++i) {
@@ -177,17 +175,16 @@ std::vector<Step> any_calls(std::size_t count, std::size_t most, Rng& rng) {
 }
 
 CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
-  Rng rng = check_rng();
   const std::string left_over =
-      "what is left over from the integration before? Counters, columns of that size or of "
-      "another, permutations, generators";
+      "the previous integration left something behind: reset counters, columns and generators";
   for (const std::string& kind : sampler_kinds) {
     const std::uint64_t seed = fresh_seed(rng);
     const std::vector<Uses> all(9, Uses{1, 2, 2, 1, 1});
-    expect_contract(kind, walk(9, seed, all),
-                    {"the same kind, seed and calls are the same numbers",
-                     "nothing but the seed may decide: no clock, no global generator"});
-    // Integrations that one object is used for: some stop within a sample.
+    expect_contract(
+        kind, walk(9, seed, all),
+        {"the same kind, seed and calls give the same numbers",
+         "the numbers must depend on the seed only: use no clock and no global generator"});
+    // Several integrations with one object; some stop within a sample.
     std::vector<Step> steps;
     for (auto walk :
          {walk(9, seed, all), walk(9, seed + 1, {{1, 2, 2, 1}, {1}, {1, 2, 2}}), walk(9, seed, all),
@@ -196,34 +193,31 @@ CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
       const bool is_whole = walk.size() > 18;
       steps.insert(steps.end(), walk.begin(), walk.end() - (is_whole ? 0 : 1));
     }
-    expect_contract(kind, steps,
-                    {"generate() begins anew, whatever the object was used for before", left_over});
+    expect_contract(kind, steps, {"generate() starts anew, whatever was called before", left_over});
     for (const std::size_t most : {3u, 40u}) {
       expect_contract(kind, any_calls(600, most, rng),
-                      {"any calls in any order have the numbers of a new object",
-                       "when are counters, columns and generators made, and when are they reset?"});
+                      {"calls in any order give the numbers of a new object",
+                       "check when counters, columns and generators are created and reset"});
     }
   }
 }
 
 CHECK_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
-  Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     const std::uint64_t seed = fresh_seed(rng);
     const auto steps = walk(6, seed, std::vector<Uses>(6, Uses{1, 2, 1}));
     const auto other = walk(6, seed + 1, std::vector<Uses>(6, Uses{1, 2, 1}));
     const auto got = MEASURE(play_two, kind, steps);
     const auto both = std::span(got.exactly(2 * steps.size(), any_number));
-    const Claim claim{"two samplers, asked in turn, are those of two programs",
-                      "is there anything static, or global, that both of them change?"};
-    expect_answers({kind, ", one of two in turn", steps}, both.first(steps.size()), claim);
-    expect_answers({kind, ", the other of two in turn", other}, both.last(steps.size()), claim);
+    const Claim claim{"two samplers used in turn behave as in two programs",
+                      "both samplers change a static or global variable"};
+    expect_answers({kind, ", first of two", steps}, both.first(steps.size()), claim);
+    expect_answers({kind, ", second of two", other}, both.last(steps.size()), claim);
   }
 }
 
-/// Samples of every kind but independent have columns: all numbers of an integration are different,
-/// and the first next() has one number in each stratum. (6.1 looks for equal numbers of independent
-/// samples, 6.7 for those of blue noise, 6.3 for those of a sequence that is not randomized.)
+/// For every kind except independent, all numbers of an integration are different, and the first
+/// next() has one number in each stratum. (6.1, 6.3 and 6.7 test the others.)
 void check_columns(const std::string& kind, const SampleSets& got) {
   if (kind == "independent") return;
   std::multiset<double> all;
@@ -235,15 +229,13 @@ void check_columns(const std::string& kind, const SampleSets& got) {
   const std::size_t different = std::set(all.begin(), all.end()).size();
   expect_that(different == all.size(), fmt::format("{}: {} different numbers", got.call, different),
               fmt::format("{}, one for each sample dimension of each sample", all.size()),
-              "two numbers of 53 random bits are the same once in 1e16: here once in 1e10 runs",
-              "does advance() move on, and next() to another sample dimension?");
+              "equal numbers with 53 random bits occur here once in 1e10 runs",
+              "advance() must move to the next sample, and next() to the next sample dimension");
   expect_one_in_each_cell(got, 0, line_of(got.n, 0),
-                          "the numbers of a sample dimension belong together: make the whole "
-                          "column, as 6.2 and 6.3 say");
+                          "make the whole column of a sample dimension at once, as in 6.2 and 6.3");
 }
 
-CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][main][points:4]") {
-  Rng rng = check_rng();
+CHECK_CASE("6.4 a sample may request less than the one before", "[6.4][main][points:4]") {
   for (const std::string& kind : sampler_kinds) {
     const std::size_t n = 16;
     const std::uint64_t seed = fresh_seed(rng);
@@ -251,9 +243,10 @@ CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][main][poi
     all.insert(all.end(), 16, 1);
     check_columns(kind, columns_of(kind, n, {seed}, all));
     check_columns(kind, columns_of(kind, 1, {seed}, repeated(300, {1, 2})));
-    expect_contract(kind, walk(n, seed, std::vector<Uses>(n, all)),
-                    {"all samples ask for the same",
-                     "does advance() move on, and begin with the first sample dimension again?"});
+    expect_contract(
+        kind, walk(n, seed, std::vector<Uses>(n, all)),
+        {"all samples request the same dimensions",
+         "advance() must move to the next sample, and back to the first sample dimension"});
     std::vector<Uses> fewer{all}, growing;
     while (fewer.size() < n) {
       fewer.push_back(all);
@@ -262,91 +255,80 @@ CHECK_CASE("6.4 a sample may ask for less than the one before", "[6.4][main][poi
     fewer[3] = {};
     expect_contract(
         kind, walk(n, seed, fewer),
-        {"sample i's value in a sample dimension does not depend on what other samples ask for",
-         "a sample that ends early must not pass its numbers on to the next one"});
-    // The other way round, uses are first asked for in the same order, but by later samples.
+        {"sample i's value in a dimension does not depend on the requests of other samples",
+         "a sample that ends early must not leave its numbers to the next one"});
+    // Conversely, later samples are the first to request most dimensions, in the same order.
     for (std::size_t i = 0; i < n; ++i) {
       growing.push_back(all);
       growing.back().resize(i == n - 1 ? all.size() : i / 2);
     }
     expect_contract(
         kind, walk(n, seed, growing),
-        {"a later sample may be the first to ask for a sample dimension: its values are the same",
-         "make a whole column, also for the samples before, and return this sample's"});
+        {"a later sample may be the first to request a sample dimension: its values are the same",
+         "make the whole column, including earlier samples, and return the value of this sample"});
   }
 }
 
-CHECK_CASE("6.4 next and next2 are counted apart", "[6.4][points:2]") {
-  Rng rng = check_rng();
+CHECK_CASE("6.4 next and next2 are counted separately", "[6.4][points:2]") {
   for (const std::string& kind : sampler_kinds) {
     std::vector<Uses> mixed(12, Uses{1, 2, 1, 2, 1, 2});
     for (std::size_t sample = 1; sample < mixed.size(); ++sample) {
       Uses& uses = mixed[sample];
       for (std::size_t i = uses.size(); i > 1; --i) std::swap(uses[i - 1], uses[rng() % i]);
     }
-    expect_contract(
-        kind, walk(mixed.size(), fresh_seed(rng), mixed),
-        {"the k-th next() of a sample is the same sample dimension, wherever the calls of next2() "
-         "are",
-         "count the calls of next() and those of next2() in separate counters, and set both "
-         "to 0 in advance()"});
+    expect_contract(kind, walk(mixed.size(), fresh_seed(rng), mixed),
+                    {"the k-th next() of a sample is the same dimension wherever next2() is called",
+                     "count next() and next2() in separate counters, and reset both in advance()"});
   }
 }
 
 CHECK_CASE("6.4 neighboring seeds have nothing in common",
            "[6.4][points:3][needs:6.2][needs:6.3]") {
-  Rng rng = check_rng();
   for (const std::string& kind : sampler_kinds) {
     expect_all_seeds(rng, 2, "sample dimension",
                      [&](const Seeds& seeds) { return MEASURE(columns, kind, 1, seeds, {1}); });
-    // Nor have other sample dimensions of other seeds: numbers that come again show where sums
-    // meet, or that a bit of the seed does nothing there.
+    // The same holds for different sample dimensions of different seeds.
     for (const Seeds& seeds :
          {domain::in_a_row(fresh_seed(rng), 1500), domain::seeds_by_bit(rng, 20)}) {
       const SampleSets got = columns_of(kind, 3, seeds, repeated(3, {1, 2}));
       for (const std::size_t i : {0u, 2u}) {
         expect_independent_uniforms(
             sample_of(got, i),
-            {.words = "different seeds, even neighbors, give unrelated numbers",
-             .alpha = alpha,
-             .otherwise = "mix the bits of the seed before they become a state or a counter",
+            {.words = "different seeds, even neighbors, give independent numbers",
+             .otherwise = "mix the bits of the seed before using them as a state or a counter",
              .repeated = same_for_seeds +
-                         "; or a bit of the seed does nothing; or two pairs of a seed and a sample "
-                         "dimension (or a counter) give one "
-                         "number: their sum, say, is the same for (s, k + 1) and for (s + 1, k)"});
+                         "; or a bit of the seed has no effect; or seed and sample dimension are "
+                         "added: the sum is the same for (s, k + 1) and (s + 1, k)"});
       }
     }
   }
 }
 
-TEST_CASE("6.8 many samples are right too",
+TEST_CASE("6.8 many samples are correct too",
           "[6.8][main][points:2][needs:6.2][needs:6.3][needs:3]") {
   Rng rng = check_rng();
   const std::size_t n = std::size_t{1} << 17;
   for (const std::string kind : {"stratified", "sobol"}) {
     const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, {1, 2, 1});
-    for (std::size_t c = 0; c < got.dims; ++c) {
-      expect_one_in_each_cell(got, 0, line_of(n, c),
-                              "every sample dimension is stratified, for any number of samples");
-    }
+    expect_one_in_each_cell(got, lines_of(n, got.dims),
+                            "every sample dimension must be stratified, for any number of samples");
     if (kind == "sobol") continue;
     std::vector<std::size_t> order;
     for (const double x : got.column(0, 0)) order.push_back(*stratum_of(x, n));
     expect_independent_uniforms({got.call, 1, uniforms_of_permutation(order, rng)},
                                 {.words = "the strata of many samples are in random order",
-                                 .alpha = alpha,
-                                 .otherwise = "",
-                                 .explain = [] { return "shuffle many samples, too"; }});
+                                 .otherwise = "shuffle any number of samples",
+                                 .is_certain = true});
   }
 }
 
 TEST_CASE("6.8 an unused sample dimension costs no memory", "[6.8][edge][points:2][needs:6.4]") {
-  // A column of so many samples is 1 GB, more than a program may have.
+  // A column of this many samples takes 1 GB, more than a program may use.
   for (const std::string kind : {"independent", "stratified", "halton", "sobol"}) {
     expect_contract(kind,
                     {generate(most_samples, 1), advance, advance, generate(4, 1), next, next2},
-                    {"of 2^27 samples, nothing is asked for; then there are 4 samples",
-                     "make a column when it is first used, with one number per sample"});
+                    {"first 2^27 samples without requests, then 4 samples",
+                     "make a column when it is first requested, with one number per sample"});
   }
 }
 

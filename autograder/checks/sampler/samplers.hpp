@@ -1,12 +1,10 @@
 #pragma once
-// What lab 6 measures: a sample dimension is a column of N numbers. So most of it is exact, for any
-// right answer: strata are counted, digits are compared with those of the sequence, and the numbers
-// of any calls with those of a new sampler. All seeds and the parameters of scenes are fresh in
-// each run.
+// Shared by the checks of lab 6. A sample dimension is a column of N numbers, and most properties
+// are tested exactly: strata, digits of sequences, and equality with the numbers of a new sampler.
+// Seeds and the parameters of scenes are random in each run.
 //
-// Random tests have an alpha of 1e-8 each; there are fewer than eighty of them. A few more bounds
-// hold with room to spare for whatever is right; each has the chance of failing a right answer next
-// to it, and all of those together come to less than 2e-7.
+// There are fewer than eighty random tests, with an alpha of 1e-8 each. Other bounds on random
+// results fail a correct answer with a total probability below 2e-7.
 
 #include "6-sampler/experiments.hpp"
 #include "checks/support/checks.hpp"
@@ -22,11 +20,11 @@ inline const std::array<std::string, 5> sampler_kinds{"independent", "stratified
 
 inline Uses repeated(std::size_t times, const Uses& some) {
   Uses uses;
-  for (std::size_t i = 0; i < times; ++i) uses.insert(uses.end(), some.begin(), some.end());
+  for (std::size_t i = 0; i < times; ++i) append(uses, some);
   return uses;
 }
 
-/// The numbers of a new sampler for each seed: a column for each coordinate.
+/// The numbers of a new sampler for each seed, one column per coordinate.
 inline SampleSets columns_of(const std::string& kind, std::size_t n, const Seeds& seeds,
                              const Uses& uses) {
   std::size_t dims = 0;
@@ -35,7 +33,7 @@ inline SampleSets columns_of(const std::string& kind, std::size_t n, const Seeds
   return {got.call, seeds.size(), n, dims, got.exactly(seeds.size() * n * dims, unit)};
 }
 
-/// The coordinates of one sample, a replicate for each seed.
+/// The coordinates of one sample, one replicate per seed.
 inline Uniforms sample_of(const SampleSets& sets, std::size_t i) {
   Uniforms numbers{sets.call, sets.dims};
   for (std::size_t set = 0; set < sets.size(); ++set) {
@@ -47,29 +45,22 @@ inline Uniforms sample_of(const SampleSets& sets, std::size_t i) {
   return numbers;
 }
 
-/// Why something is as it must be, and what is likely wrong where it is not.
+/// The reason and the hint of a failure report.
 struct Claim {
   std::string because, likely;
 };
 
-/// Coordinates c and c + 1 of all sets have one point in each cell of strata(N), and one in each of
-/// N strata of either axis.
+/// Coordinates c and c + 1 have one point in each cell of strata(N) and each stratum of both axes.
 inline void expect_multi_jittered(const SampleSets& sets, std::size_t c) {
   const Grid grid = squarest(sets.n);
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    expect_one_in_each_cell(sets, set, plane_of(grid, c),
-                            "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
-    for (const std::size_t axis : {c, c + 1}) {
-      expect_one_in_each_cell(sets, set, line_of(sets.n, axis),
-                              "a jittered grid has one point in each cell; multi-jittered points "
-                              "(3.7) have one in each stratum of either axis too");
-    }
-  }
+  expect_one_in_each_cell(sets, {{plane_of(grid, c)}},
+                          "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
+  expect_one_in_each_cell(sets, {{line_of(sets.n, c), line_of(sets.n, c + 1)}},
+                          "multi-jittered points (3.7) also have one in each stratum of both axes");
 }
 
-/// Where all seeds, or several, have the same numbers: every seed got a new sampler.
+/// The hint if seeds have the same numbers: every seed got a new sampler.
 inline const std::string same_for_seeds =
-    "does this number depend on the seed at all? Anything static, or a column or a permutation "
-    "that is kept, would not notice another seed";
+    "the number does not depend on the seed: keep no column or permutation in a static variable";
 
 }  // namespace mc::checks

@@ -1,4 +1,4 @@
-// 6.3: dimensions of the Halton and the Sobol' sequence, in blocks of eight.
+// 6.3: dimensions of the Halton and Sobol' sequences, in blocks of eight.
 
 #include <map>
 
@@ -9,55 +9,51 @@ namespace {
 
 const std::array<std::string, 2> sequences{"sobol", "halton"};
 
-/// These decisions are random, and independent or `only_each`. `likely` is always the hint.
+/// The decisions are random and, unless `only_each`, independent. `likely` is always the hint.
 void check_decisions(const std::string& words, const Uniforms& decisions, const std::string& likely,
                      bool only_each = false) {
-  expect_independent_uniforms(
-      decisions,
-      {.words = words, .alpha = alpha, .otherwise = "", .explain = [&] { return likely; }},
-      only_each);
+  expect_independent_uniforms(decisions, {.words = words, .otherwise = likely, .is_certain = true},
+                              only_each);
 }
 
-/// Is the column this dimension of the sequence, in the sequence's own order?
+/// Whether the column is this dimension of the sequence, in the original order.
 bool is_dimension(const Dimension& dimension, View x) {
   if (dimension.base > 2) return is_permuted(x, dimension.base);
   return Block{{dimension}, {x}}.is_in_order();
 }
 
-/// Each coordinate of the first block is the dimension that its place asks for.
+/// Each coordinate of the first block is the dimension of its place.
 void check_first_block(const std::string& kind, std::size_t n, const Uses& uses, Rng& rng) {
   const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, uses);
   const auto places = places_of(uses);
   for (std::size_t c = 0; c < got.dims; ++c) {
     const View x = got.column(0, c);
     if (places[c].block > 0 || is_dimension(Dimension::at(kind, places[c].dimension), x)) continue;
-    std::string hint = "is it the sequence from index 0, in its own order, one point per sample?";
+    std::string hint = "use the sequence from index 0, in its original order, one point per sample";
     for (unsigned other = 0; other < (kind == "sobol" ? 32u : 16u); ++other) {
       if (!is_dimension({kind, other}, x)) continue;
       hint = fmt::format(
-          "this is dimension {}: a next2() takes the next pair of the block when it is first asked "
-          "for, a next() the first half of the next pair, and the next() after it the other half",
+          "this is dimension {}: a new next2() takes the next pair of the block, a new next() the "
+          "first half of the next pair, and the following next() the other half",
           other);
       break;
     }
-    expect_that(false, fmt::format("{}: coordinate {} is another column", got.call, c),
-                kind == "sobol" ? "a scrambled dimension of the Sobol' sequence: pairs (0, 1), "
-                                  "(4, 6), (16, 20), (15, 21)"
-                : kind == "lattice"
-                    ? "phi(i) z + s modulo 1, folded, with phi the radical inverse in base 2, one "
-                      "number z of lattice_vector after the other, and one shift s"
-                    : "radical inverses in one prime after the other, digits permuted",
-                "scrambling keeps how many leading digits two points share", hint);
+    expect_that(
+        false, fmt::format("{}: coordinate {} is the wrong column", got.call, c),
+        kind == "sobol" ? "a scrambled Sobol' dimension: pairs (0, 1), (4, 6), (16, 20), (15, 21)"
+        : kind == "lattice" ? "phi(i) z + s modulo 1, folded, with phi the radical inverse in base "
+                              "2, the next number z of lattice_vector, and a shift s"
+                            : "radical inverses in consecutive primes, with permuted digits",
+        "scrambling does not change how many leading digits two points share", hint);
   }
   pass();
 }
 
-/// Uses whose first eight dimensions are asked for in several ways.
+/// Several ways to request the first eight dimensions.
 const std::vector<Uses> ways{{1, 2, 1, 2, 2}, {2, 2, 2, 2}, {1, 1, 1, 1, 1, 1, 1, 1},
                              {1, 2, 2, 2},    {2, 1, 2, 2}, {2, 1, 1, 1, 2}};
 
-/// The random decisions about these dimensions of the first block: of nested scrambling each flip
-/// of a bit, of permuted digits the permutations of the first digit.
+/// The random decisions in the first block: flips of bits, or permutations of the first digit.
 Uniforms decisions_of(const std::string& kind, const SampleSets& got, Rng& rng) {
   Uniforms decisions{got.call, 0};
   std::vector<std::size_t> coordinates;  // of each decision
@@ -77,7 +73,7 @@ Uniforms decisions_of(const std::string& kind, const SampleSets& got, Rng& rng) 
         }
         more = uniforms_of_permutation(digits, rng);
       }
-      decisions.values.insert(decisions.values.end(), more.begin(), more.end());
+      append(decisions.values, more);
       if (set == 0) coordinates.resize(decisions.values.size(), c);
     }
     if (set == 0) decisions.positions = decisions.values.size();
@@ -88,50 +84,48 @@ Uniforms decisions_of(const std::string& kind, const SampleSets& got, Rng& rng) 
   return decisions;
 }
 
-void check_first_blocks(const std::string& kind, const Uses& uses) {
-  Rng rng = check_rng();
+void check_first_blocks(const std::string& kind, const Uses& uses, Rng& rng) {
   for (const Uses& way : ways) check_first_block(kind, 61, way, rng);
   for (const std::size_t n : {1025u, 64u, 3u, 2u, 1u}) check_first_block(kind, n, ways[0], rng);
   const SampleSets got = columns_of(kind, 16, domain::seeds(rng, 400), uses);
-  for (std::size_t set = 0; set < got.size(); ++set) {  // or there is nothing to invert
+  for (std::size_t set = 0; set < got.size(); ++set) {  // otherwise the inversion fails
     for (std::size_t c = 0; c < got.dims; ++c) {
       expect_that(is_dimension(Dimension::at(kind, c), got.column(set, c)),
-                  fmt::format("{}: coordinate {} is another column", got.call, c),
-                  "the dimension, scrambled", "this holds for every seed", "");
+                  fmt::format("{}: coordinate {} is the wrong column", got.call, c),
+                  "the scrambled dimension", "this holds for every seed", "");
     }
   }
   check_decisions("all flips of bits, and permutations of digits, are random and independent",
                   decisions_of(kind, got, rng),
-                  "base 2: owen_scramble of lab 5, with its own seed for each dimension (a "
-                  "digital shift, or permuted digits, flips a bit of all points alike); larger "
-                  "bases: random permutations of digits (5.9)");
+                  "base 2: use owen_scramble of lab 5, with a different seed for each dimension (a "
+                  "digital shift, or permuted digits, flips a bit of all points in the same way); "
+                  "larger bases: use random permutations of digits (5.9)");
 }
 
 CHECK_CASE("6.3 the first dimensions of sobol are Sobol' dimensions",
            "[6.3][main][points:4][needs:5]") {
-  check_first_blocks("sobol", {2, 2, 2, 2});
+  check_first_blocks("sobol", {2, 2, 2, 2}, rng);
 }
 
 CHECK_CASE("6.3 the first dimensions of halton are Halton dimensions", "[6.3][points:4][needs:5]") {
-  check_first_blocks("halton", {2, 2, 2});  // 2, 3, 5, 7, 11, 13
+  check_first_blocks("halton", {2, 2, 2}, rng);  // 2, 3, 5, 7, 11, 13
 }
 
 CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:3][needs:5]") {
-  Rng rng = check_rng();
   for (const std::string& kind : sequences) {
     const SampleSets got = columns_of(kind, 8, domain::seeds(rng, 1000), repeated(12, {1, 2}));
     for (const std::size_t i : {0u, 5u}) {
-      const std::string of_its_own =
-          "each block must be scrambled by its own seeds. " + same_for_seeds;
+      const std::string of_its_own = "each block must be scrambled by new seeds; " + same_for_seeds;
       expect_independent_uniforms(
           sample_of(got, i),
-          {.words = "each dimension of each block is randomized by its own seed",
-           .alpha = alpha,
+          {.words = "each dimension of each block is randomized independently",
            .otherwise = of_its_own,
            .repeated = of_its_own,
-           .same = "one seed for several dimensions: each needs its own",
+           .same = "one seed is used for several dimensions: use a different one for each",
            .explain = [&] {
-             return got.column(0, 0)[0] > 0 ? "" : "an unscrambled sequence begins at the origin";
+             return got.column(0, 0)[0] > 0
+                        ? ""
+                        : "an unscrambled sequence begins at the origin: scramble it";
            }});
     }
   }
@@ -151,7 +145,7 @@ std::map<std::size_t, Block> later_blocks(const std::string& kind, const SampleS
   return blocks;
 }
 
-/// What a block looks like that has no nested order.
+/// The hint for a block without a nested order.
 std::string hint_for(const std::string& kind, const Block& block) {
   bool goes_on = true, is_uniform = false;
   for (std::size_t k = 0; k < block.columns.size(); ++k) {
@@ -161,37 +155,33 @@ std::string hint_for(const std::string& kind, const Block& block) {
       is_uniform = is_uniform || std::floor(2 * x[i]) == std::floor(2 * x[i + 1]);
     }
   }
-  return goes_on ? "these are dimensions 8 to 15: after its eight dimensions a block comes again, "
-                   "scrambled anew and in another order"
+  return goes_on ? "these are dimensions 8 to 15: the next block must have the first eight "
+                   "dimensions again, scrambled anew and in another order"
          : is_uniform && !std::has_single_bit(block.columns[0].size())
-             ? "this is right for 64 samples: the order is one of 2^m >= N numbers, and the "
-               "samples "
-               "take its first N places, whatever numbers those hold; no table may end before"
-         : is_uniform
-             ? "two samples in a row are two points in a row, in different halves: a uniform "
-               "shuffle spreads the first points of a block over all samples; scramble the "
-               "numbers of the samples as 5.8 does, from the highest bit on"
-             : "all dimensions of a block share one order; and where a next2() comes after the "
-               "last pair, both of its axes are of the next block";
+             ? "this is correct for 64 samples: the order has 2^m >= N entries, and the samples "
+               "take the first N, whatever indices these are; no table may end earlier"
+         : is_uniform ? "two consecutive samples must be two consecutive points, in different "
+                        "halves: a uniform shuffle spreads the first points of a block over all "
+                        "samples; scramble the samples' indices as in 5.8, from the highest bit on"
+                      : "all dimensions of a block must share one order; and a next2() after the "
+                        "last pair takes both dimensions from the next block";
 }
 
-/// Later blocks are the same dimensions again, all of a block in one nested order.
-void check_later_blocks(const std::string& kind) {
-  Rng rng = check_rng();
+/// Later blocks have the same dimensions, all in one nested order per block.
+void check_later_blocks(const std::string& kind, Rng& rng) {
   for (const std::size_t n : {64u, 61u, 33u, 16u, 100u, 7u, 2u, 1u}) {
     for (const Uses& uses : {repeated(12, {2}), repeated(11, {1, 2}), repeated(25, {1})}) {
       const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, uses);
       for (const auto& [number, block] : later_blocks(kind, got, 0, uses)) {
-        if (NestedOrder(block).exists()) continue;
+        std::vector<std::size_t> order(n);
+        if (has_nested_order(block, order)) continue;
         expect_that(false,
-                    fmt::format("{}: block {} does not have the eight dimensions of the same "
-                                "points",
+                    fmt::format("{}: the dimensions of block {} do not belong to the same points",
                                 got.call, number),
                     fmt::format("the first {} points of the sequence in eight dimensions, "
                                 "scrambled anew and in a nested order",
                                 std::bit_ceil(n)),
-                    "the first 2^k samples of a block are 2^k points in a row, the same in all "
-                    "of its dimensions: a block may be stopped early",
+                    "the first 2^k samples of a block are 2^k consecutive points",
                     hint_for(kind, block));
       }
     }
@@ -199,15 +189,15 @@ void check_later_blocks(const std::string& kind) {
   pass();
 }
 
-CHECK_CASE("6.3 sobol begins anew after eight dimensions", "[6.3][points:3][needs:5]") {
-  check_later_blocks("sobol");
+CHECK_CASE("6.3 sobol starts again after eight dimensions", "[6.3][points:3][needs:5]") {
+  check_later_blocks("sobol", rng);
 }
 
-CHECK_CASE("6.3 halton begins anew after eight dimensions", "[6.3][points:3][needs:5]") {
-  check_later_blocks("halton");
+CHECK_CASE("6.3 halton starts again after eight dimensions", "[6.3][points:3][needs:5]") {
+  check_later_blocks("halton", rng);
 }
 
-/// Optional: a sampler that refuses this kind, as any other unknown one, has not written it.
+/// Optional: a sampler that refuses this kind as unknown does not have it.
 CHECK_CASE("6.3 lattice has lattices in the same blocks", "[6.3][stretch][edge][needs:5]") {
   const Call call = MEASURE_OUTCOME(columns, "lattice", 1, {1}, {1});
   if (call.outcome.answered && call.outcome.status == wire::Status::invalid_argument) {
@@ -215,24 +205,22 @@ CHECK_CASE("6.3 lattice has lattices in the same blocks", "[6.3][stretch][edge][
     fail("not written yet: 6.3, lattice");
   }
   require_value(call);
-  Rng rng = check_rng();
   for (const Uses& way : ways) check_first_block("lattice", 61, way, rng);
   for (const std::size_t n : {1024u, 64u, 3u, 2u, 1u})
     check_first_block("lattice", n, ways[0], rng);
-  check_later_blocks("lattice");
+  check_later_blocks("lattice", rng);
   const SampleSets got = columns_of("lattice", 4, domain::seeds(rng, 1000), repeated(9, {2}));
   expect_independent_uniforms(sample_of(got, 3),
                               {.words = "each dimension of each block has a random shift",
-                               .alpha = alpha,
-                               .otherwise = "a shift for each dimension. " + same_for_seeds,
-                               .repeated = "shifts must depend on the seed. " + same_for_seeds,
+                               .otherwise = "use a shift for each dimension; " + same_for_seeds,
+                               .repeated = "shifts must depend on the seed; " + same_for_seeds,
                                .same = "one shift for several dimensions: each needs its own"});
 }
 
-/// The flips of the order of a block, of 2^m samples, by its dimension 0: bit k of a point's index
-/// is digit k. Scrambling flips it for all points with the same digits before it: so samples
-/// q 2^(k+1), q = 1, 2, …, are compared with the one of the first 2^k that shares these digits.
-/// Empty where there is none.
+/// The flips in the order of a block of 2^m samples, from its dimension 0: bit k of a point's index
+/// is digit k. Scrambling flips it for all points with the same digits before it: so samples q
+/// 2^(k+1), q = 1, 2, …, are compared with the one of the first 2^k that shares these digits, if
+/// any.
 std::vector<std::size_t> flips_of_order(View x) {
   std::vector<std::size_t> flips;
   for (std::size_t size = 1; 2 * size < x.size(); size *= 2) {
@@ -247,8 +235,8 @@ std::vector<std::size_t> flips_of_order(View x) {
   return flips;
 }
 
-/// The flips of the nested scrambling of a column of a block, in base 2: the first 2^k samples have
-/// the same digit k before it, and all digits before that; flips are compared with the first one's.
+/// The flips of the nested scrambling of a column, in base 2: the first 2^k samples had the same
+/// digit k before scrambling, and all digits before that; flips are relative to sample 0.
 std::vector<std::size_t> flips_of_scrambling(View x) {
   std::vector<std::size_t> flips;
   for (std::size_t size = 2; size < x.size(); size *= 2) {
@@ -260,9 +248,9 @@ std::vector<std::size_t> flips_of_scrambling(View x) {
   return flips;
 }
 
-/// The orders of blocks 1 to `blocks` of n samples, and their scrambles, which have as many flips.
-/// Fast scrambles, exact for pairs of points (5.8), are not for four: their flips are independent
-/// of 16 samples, but not of 32.
+/// The orders of blocks 1 to `blocks` of n samples, and their scrambles, which have the same number
+/// of flips. Fast scrambles are exact for pairs of points (5.8), not for more: their flips are
+/// independent for 16 samples, but not for 32.
 void check_orders(const std::string& kind, std::size_t n, std::size_t blocks, Rng& rng) {
   const Uses uses = repeated(4 * (blocks + 1), {2});
   const std::size_t each = n - 1 - static_cast<std::size_t>(std::countr_zero(n));
@@ -277,7 +265,7 @@ void check_orders(const std::string& kind, std::size_t n, std::size_t blocks, Rn
       const auto flips = flips_of_order(block.columns[0]);
       expect_that(flips.size() == each, fmt::format("{}: block {}", got.call, number),
                   "a nested order of its points",
-                  "the first 2^k samples of a block are 2^k points in a row",
+                  "the first 2^k samples of a block are 2^k consecutive points",
                   hint_for(kind, block));
       for (const std::size_t flip : flips) {
         orders.values.push_back(fill_cell(flip, 2, rng));
@@ -289,18 +277,18 @@ void check_orders(const std::string& kind, std::size_t n, std::size_t blocks, Rn
       }
     }
   }
-  check_decisions("the orders of blocks are independent random nested shuffles", orders,
-                  is_in_order && n > 4
-                      ? "every block but the first needs a shuffle, one for all its dimensions"
-                      : "each block needs its own random permutation, with every seed; for "
-                        "each string of bits before it, a separate decision flips a bit",
-                  n > 16);
-  check_decisions("the scrambles of blocks are independent and nested", scrambles,
-                  "owen_scramble of lab 5, with a seed for each dimension of each block", n > 16);
+  check_decisions(
+      "the orders of blocks are independent random nested shuffles", orders,
+      is_in_order && n > 4
+          ? "shuffle every block except the first, with one order for all its dimensions"
+          : "use a different random order for each block and seed; flip bits separately",
+      n > 16);
+  check_decisions(
+      "the scrambles of blocks are independent and nested", scrambles,
+      "use owen_scramble of lab 5, with a different seed for each dimension of each block", n > 16);
 }
 
 CHECK_CASE("6.3 each later block has its own random order", "[6.3][points:2][needs:5]") {
-  Rng rng = check_rng();
   for (const std::string& kind : sequences) {
     for (const auto& [n, blocks] : {std::pair{16u, 3u}, {4u, 8u}, {32u, 1u}}) {
       check_orders(kind, n, blocks, rng);
@@ -309,13 +297,12 @@ CHECK_CASE("6.3 each later block has its own random order", "[6.3][points:2][nee
 }
 
 CHECK_CASE("6.3 every next2 of sobol fills the square grid", "[6.3][points:3][needs:5]") {
-  Rng rng = check_rng();
   for (const std::size_t side : {8u, 32u, 16u, 4u, 2u}) {
     const SampleSets got = columns_of("sobol", side * side, {fresh_seed(rng)}, repeated(20, {2}));
     for (std::size_t c = 0; c < got.dims; c += 2) {
-      expect_one_in_each_cell(got, 0, plane_of({side, side}, c),
-                              "a next2() takes one of the four good pairs of dimensions, of its "
-                              "block or of the next one");
+      expect_one_in_each_cell(
+          got, 0, plane_of({side, side}, c),
+          "a next2() must take one of the four good pairs of dimensions of a block");
     }
   }
 }

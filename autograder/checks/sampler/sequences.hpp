@@ -1,7 +1,7 @@
 #pragma once
-// Which dimensions of the Halton and the Sobol' sequence a sampler's columns are, whatever
-// scrambles them: exactly, by how many leading digits any two of their points share. And of
-// lattices, by how far apart they are.
+// Recognizes dimensions of the Halton and Sobol' sequences in a sampler's columns, however they are
+// scrambled: exactly, by the number of leading digits that any two points share. Lattices are
+// recognized by differences.
 
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/sobol_exact.hpp"
@@ -14,13 +14,13 @@ inline constexpr std::array<unsigned, block_dims> sobol_block{0, 1, 4, 6, 16, 20
 inline constexpr std::array<unsigned, 16> first_primes{2,  3,  5,  7,  11, 13, 17, 19,
                                                        23, 29, 31, 37, 41, 43, 47, 53};
 
-/// Where a coordinate comes from: which block of eight dimensions, and which of those.
+/// The block of eight dimensions of a coordinate, and its dimension in the block.
 struct Place {
   std::size_t block, dimension;
 };
 
-/// Of every coordinate of these uses, in the order in which they are first asked for: a next2()
-/// takes a pair of dimensions, a next() half of one, and the next one the other half.
+/// The place of every coordinate of these uses, in the order of their first request: a next2()
+/// takes a pair of dimensions, a next() half of one, and the following next() the other half.
 inline std::vector<Place> places_of(const Uses& uses) {
   std::vector<Place> places;
   std::optional<Place> half;
@@ -32,7 +32,7 @@ inline std::vector<Place> places_of(const Uses& uses) {
       continue;
     }
     const Place first{pair / 4, pair % 4 * 2}, second{pair / 4, pair % 4 * 2 + 1};
-    if (pair % 4 == 0) half.reset();  // what is left of another block
+    if (pair % 4 == 0) half.reset();  // an unused half of another block
     ++pair;
     places.push_back(first);
     if (use == 2) places.push_back(second);
@@ -41,15 +41,14 @@ inline std::vector<Place> places_of(const Uses& uses) {
   return places;
 }
 
-/// The first digits of x in a base, as many as `power` = base^k has, as a whole number. A digit
-/// that rounding may have put one too low, within 2^-49 of the next, counts as that: room for the
-/// four roundings of 5.1's bound, which a scrambled tail enters once in 1e13. In base 2 nothing is
-/// rounded.
+/// The first k digits of x in a base, with `power` = base^k, as an integer. Rounding may reduce a
+/// digit by one, so values within 2^-49 below the next one count as that: enough for the four
+/// rounding errors of 5.1's bound; a scrambled value is that close once in 1e13.
 inline double digits_of(double x, unsigned base, double power) {
   return std::floor(x * power + (base == 2 ? 0 : power * 0x1p-49));
 }
 
-/// A dimension of one of the two sequences, or of lattices.
+/// A dimension of one of the sequences, or of lattices.
 class Dimension {
  public:
   Dimension(const std::string& kind, unsigned number)
@@ -62,19 +61,17 @@ class Dimension {
 
   unsigned base;
 
-  /// How many leading digits points i and j share: as many as their indices do, from the lowest on,
-  /// or as the exclusive or of their indices has zeros.
+  /// How many leading digits points i and j share: as many as their indices, from the lowest on; in
+  /// base 2, the leading zeros of the XOR of the points.
   unsigned shared(std::size_t i, std::size_t j) const {
-    if (base == 2) {
-      return static_cast<unsigned>(std::countl_zero(sobol_word(directions_, i ^ j)));
-    }
+    if (base == 2) return static_cast<unsigned>(std::countl_zero(sobol_word(directions_, i ^ j)));
     std::size_t apart = i > j ? i - j : j - i;
     unsigned digits = 0;
     for (; apart % base == 0; apart /= base) ++digits;
     return digits;
   }
-  /// May a and b be scrambled values of points i and j? Scrambling keeps how many leading digits
-  /// two points share, and nothing else.
+  /// Whether a and b may be scrambled values of points i and j: it keeps the number of shared
+  /// digits.
   bool may_be(double a, double b, std::size_t i, std::size_t j) const {
     if (i == j) return false;
     if (z_ > 0) return may_be_folded(a, b, (value(i) - value(j)) * static_cast<double>(z_));
@@ -90,8 +87,8 @@ class Dimension {
   double value(std::size_t i) const { return sobol_word(directions_, i) * 0x1p-32; }
 
  private:
-  /// May a and b be points of a lattice that are `apart` modulo 1, folded? Each has two origins. To
-  /// 2^-40, which is far above all rounding, and far below what chance brings together.
+  /// Whether a and b may be folded points of a lattice that are `apart` modulo 1: each has two
+  /// origins. Within 2^-40, far above rounding errors and far below differences by chance.
   static bool may_be_folded(double a, double b, double apart) {
     const double fraction = std::remainder(apart, 1.0);
     const auto fits = [=](double from, double to) {
@@ -105,12 +102,12 @@ class Dimension {
   std::uint64_t z_;
 };
 
-/// Columns, and the dimensions that they should be.
+/// Columns and their expected dimensions.
 struct Block {
   std::vector<Dimension> dimensions;
   std::vector<View> columns;
 
-  /// May sample i be point order[i], as far as the samples before it show?
+  /// Whether sample i may be point order[i], given the samples before it.
   bool fits(std::span<const std::size_t> order, std::size_t i) const {
     for (std::size_t d = 0; d < columns.size(); ++d) {
       const View x = columns[d];
@@ -120,7 +117,7 @@ struct Block {
     }
     return true;
   }
-  /// Are samples 0, 1, … points 0, 1, …?
+  /// Whether samples 0, 1, … are points 0, 1, …
   bool is_in_order() const {
     std::vector<std::size_t> order(columns[0].size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -131,35 +128,22 @@ struct Block {
   }
 };
 
-/// A nested order that fits the columns of a block: each bit of the index of a point is that of the
-/// sample's number or not, depending on the bits above. Empty where there is none.
-class NestedOrder {
- public:
-  explicit NestedOrder(const Block& block)
-      : block_(block), order_(block.columns[0].size()), exists_(place(0)) {}
-  bool exists() const { return exists_; }
-
- private:
-  /// With the lowest one of its bits cleared, i is a sample before it: from that bit on upward the
-  /// flips are that sample's, and those below are free.
-  bool place(std::size_t i) {
-    if (i == order_.size()) return true;
-    const int low =
-        i == 0 ? static_cast<int>(std::bit_width(order_.size() - 1)) : std::countr_zero(i);
-    const std::size_t first = i == 0 ? 0 : (order_[i & (i - 1)] >> low ^ 1) << low;
-    for (std::size_t below = 0; below < std::size_t{1} << low; ++below) {
-      order_[i] = first | below;
-      if (block_.fits(order_, i) && place(i + 1)) return true;
-    }
-    return false;
+/// Whether a nested order fits the columns of a block from sample i on, given the samples before
+/// it: each bit of a sample's index is flipped or not, depending on the bits above. With its lowest
+/// set bit cleared, i is an earlier sample with the same flips from that bit on upward.
+inline bool has_nested_order(const Block& block, std::vector<std::size_t>& order,
+                             std::size_t i = 0) {
+  if (i == order.size()) return true;
+  const int low = i == 0 ? static_cast<int>(std::bit_width(order.size() - 1)) : std::countr_zero(i);
+  const std::size_t first = i == 0 ? 0 : (order[i & (i - 1)] >> low ^ 1) << low;
+  for (std::size_t below = 0; below < std::size_t{1} << low; ++below) {
+    order[i] = first | below;
+    if (block.fits(order, i) && has_nested_order(block, order, i + 1)) return true;
   }
+  return false;
+}
 
-  const Block& block_;
-  std::vector<std::size_t> order_;
-  bool exists_;
-};
-
-/// The same with digits permuted: each position has one permutation for all points.
+/// Whether the digits of points 0, 1, … are permuted, with one permutation per position.
 inline bool is_permuted(View x, unsigned base) {
   std::size_t power = 1;
   for (bool is_first = true; is_first || power < x.size(); is_first = false, power *= base) {

@@ -1,4 +1,4 @@
-// 6.1, 6.2: independent numbers; sample dimensions that are stratified, each in its own order.
+// 6.1, 6.2: independent numbers; stratified sample dimensions, each in a separate random order.
 
 #include <tuple>
 
@@ -7,15 +7,14 @@
 namespace mc::checks {
 namespace {
 
+const std::string one_per_stratum = "a column has one number in each stratum";
 const Randomness fresh{
     .words = "all numbers of all samples are uniform and independent",
-    .alpha = alpha,
-    .otherwise = "uniforms of lab 2, fresh ones for every coordinate of every sample",
-    .repeated = "the same numbers come again for another sample dimension or another sample",
-    .same = "the same numbers come again for another sample dimension"};
+    .otherwise = "use new uniforms of lab 2 for every coordinate of every sample",
+    .repeated = "numbers are used again for another sample dimension or another sample",
+    .same = "numbers are used again for another sample dimension"};
 
 CHECK_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][needs:2]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {4096u, 1000u, 131073u}) {
     const Uses uses = n > 10000 ? Uses{1, 2} : repeated(17, {1, 2});
     const SampleSets got = columns_of("independent", n, {fresh_seed(rng)}, uses);
@@ -29,10 +28,8 @@ CHECK_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:4][nee
 }
 
 CHECK_CASE("6.1 numbers of different seeds are independent", "[6.1][points:4][needs:2]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {1u, 100u}) {
-    const SampleSets got =
-        columns_of("independent", n, domain::seeds(rng, 2000), {1, 2, 1, 2, 2, 1});
+    const auto got = columns_of("independent", n, domain::seeds(rng, 2000), {1, 2, 1, 2, 2, 1});
     expect_independent_uniforms(sample_of(got, n - 1), fresh);
   }
 }
@@ -56,12 +53,12 @@ CHECK_CASE("6.1 the refusal names all kinds", "[6.1][edge][points:1]") {
   for (const std::string& known : sampler_kinds) {
     expect_that(refused.outcome.bytes.find(known) != std::string::npos,
                 fmt::format("{}: threw \"{}\"", refused.text, refused.outcome.bytes),
-                fmt::format("a text that also names the kind {}", known),
-                "a list of the kinds helps a user who mistypes one", "");
+                fmt::format("a message that also names the kind {}", known),
+                "a list of all kinds helps a user who mistypes one", "");
   }
 }
 
-// Of 40,009 numbers kept as floats 16 leave their stratum, on average; of 10,007 but one does.
+// Of 40,009 numbers rounded to float 16 leave their stratum on average; of 10,007 only one.
 std::vector<std::uint64_t> sizes(Rng& rng) {
   auto all = domain::sizes(5000, rng);
   all.insert(all.end() - 1, 40009);
@@ -69,25 +66,21 @@ std::vector<std::uint64_t> sizes(Rng& rng) {
 }
 
 CHECK_CASE("6.2 next has one number in each of N strata", "[6.2][points:4][needs:3]") {
-  Rng rng = check_rng();
   for (const std::size_t n : sizes(rng)) {
     const SampleSets got = columns_of("stratified", n, {fresh_seed(rng)}, {1, 1, 1});
-    for (std::size_t c = 0; c < got.dims; ++c) {
-      expect_one_in_each_cell(got, 0, line_of(n, c), "a next() is stratified_1d, shuffled");
-    }
+    expect_one_in_each_cell(got, lines_of(n, got.dims),
+                            "a next() must be a shuffled stratified_1d");
   }
 }
 
 CHECK_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][points:5][needs:3]") {
-  Rng rng = check_rng();
   for (const std::size_t n : sizes(rng)) {
     const SampleSets got = columns_of("stratified", n, {fresh_seed(rng)}, {2, 2});
     for (const std::size_t c : {0u, 2u}) expect_multi_jittered(got, c);
   }
 }
 
-/// The stratum of each sample, in the coordinates whose order is free: next(), and x of next2(),
-/// which decides about y.
+/// The stratum of each sample, in the coordinates with a free order: next(), and x of next2().
 using Orders = std::vector<std::vector<std::size_t>>;
 Orders orders_of(const SampleSets& got, std::size_t set, const Uses& uses) {
   Orders orders;
@@ -100,24 +93,22 @@ Orders orders_of(const SampleSets& got, std::size_t set, const Uses& uses) {
   return orders;
 }
 
-/// What is visibly wrong with the orders of all sets.
+/// The hint from the orders of all sets.
 std::string hint_for_orders(const std::vector<Orders>& sets) {
   const auto in_all = [&](auto is_wrong) { return std::ranges::all_of(sets, is_wrong); };
   for (std::size_t a = 0; a < sets[0].size(); ++a) {
-    if (in_all([=](const Orders& all) { return std::is_sorted(all[a].begin(), all[a].end()); })) {
-      return "the strata come in order: the pattern must be shuffled";
+    if (in_all([=](const Orders& all) { return std::ranges::is_sorted(all[a]); })) {
+      return "the strata are in order: the pattern must be shuffled";
     }
     for (std::size_t b = 0; b < a; ++b) {
       if (in_all([=](const Orders& all) { return all[a] == all[b]; })) {
-        return "one permutation for different sample dimensions: each needs its own shuffle";
+        return "one permutation is used for several dimensions: shuffle each one separately";
       }
     }
   }
-  return "the pattern must be shuffled, by a separate permutation for each sample dimension and "
-         "each seed, all permutations equally likely";
+  return "the pattern must be shuffled, separately for each sample dimension and seed";
 }
 
-/// Samples, uses, and sets to look at.
 using Shape = std::tuple<std::size_t, Uses, std::size_t>;
 const std::vector<Shape> shapes{{12, repeated(6, {1, 2}), 300},
                                 {3, repeated(17, {2, 1}), 300},
@@ -125,7 +116,6 @@ const std::vector<Shape> shapes{{12, repeated(6, {1, 2}), 300},
                                 {2, repeated(3, {1, 2}), 300}};
 
 CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5][needs:3]") {
-  Rng rng = check_rng();
   for (const auto& [n, uses, sets] : shapes) {
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, sets), uses);
     Uniforms choices{got.call, uses.size() * (n - 1)};
@@ -133,56 +123,46 @@ CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5]
       return fmt::format("choice {} of the permutation of sample dimension {} (the first is 0)",
                          position % (n - 1), position / (n - 1));
     };
+    expect_one_in_each_cell(got, lines_of(n, got.dims), one_per_stratum);
     std::vector<Orders> orders;
     for (std::size_t set = 0; set < sets; ++set) {
-      for (std::size_t c = 0; c < got.dims; ++c) {
-        expect_one_in_each_cell(got, set, line_of(n, c), "a column has one number in each stratum");
-      }
       orders.push_back(orders_of(got, set, uses));
       for (const auto& order : orders.back()) {
-        const Values more = uniforms_of_permutation(order, rng);
-        choices.values.insert(choices.values.end(), more.begin(), more.end());
+        append(choices.values, uniforms_of_permutation(order, rng));
       }
     }
     expect_independent_uniforms(
-        choices, {.words = "each sample dimension is in an independent random permutation",
-                  .alpha = alpha,
+        choices, {.words = "the orders of sample dimensions are independent random permutations",
                   .otherwise = "",
                   .explain = [&] { return hint_for_orders(orders); }});
   }
 }
 
 CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]") {
-  Rng rng = check_rng();
   for (const auto& [n, uses, sets] : shapes) {
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, sets), uses);
-    std::vector<Pattern> strata;
-    for (std::size_t c = 0; c < got.dims; ++c) strata.push_back(line_of(n, c));
     expect_independent_uniforms(
-        jitters_of(got, strata, "a column has one number in each stratum"),
-        {.words = "numbers are uniform in their strata, each by its own random number",
-         .alpha = alpha,
-         .otherwise = "place each number in its stratum by a separate random number",
-         .repeated =
-             "one random number places several numbers, x and y say; or " + same_for_seeds});
+        jitters_of(got, lines_of(n, got.dims), one_per_stratum),
+        {.words = "numbers are independent and uniform in their strata",
+         .otherwise = "use a separate random number for each place in a stratum",
+         .repeated = "one random number is used for several places, such as x and y; or " +
+                     same_for_seeds});
   }
 }
 
 CHECK_CASE("6.2 points are uniform in their cells", "[6.2][points:1][needs:3]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {4u, 9u, 12u}) {
     const Grid grid = squarest(n);
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, 2000), {2});
     const std::vector<Pattern> plane{plane_of(grid)};
     const Uniforms places = jitters_of(got, plane, "");
-    for (std::size_t cell = 0; cell < n; ++cell) {  // they may share permutations
+    for (std::size_t cell = 0; cell < n; ++cell) {  // cells may share permutations
       expect_independent_uniforms(
           some_of(places, {cell, n + cell}),
           {.words = "each point of next2() is uniform in its cell",
            .alpha = alpha / 10,
-           .otherwise = "random permutations, independent of each other, give the strata of "
-                        "x to the cells of a column, and those of y to the cells of a row "
-                        "(3.7)",
+           .otherwise = "use independent random permutations to assign the strata of x to the "
+                        "cells of a column, and those of y to the cells of a row (3.7)",
            .repeated = same_for_seeds});
     }
   }

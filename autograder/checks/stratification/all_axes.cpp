@@ -1,4 +1,4 @@
-// 3.5 and 3.6: a grid over all dimensions at once, and every axis stratified by itself.
+// 3.5, 3.6: a grid over all dimensions at once, and every axis stratified separately.
 
 #include "checks/stratification/common.hpp"
 #include "checks/stratification/orders.hpp"
@@ -6,10 +6,8 @@
 namespace mc::checks {
 namespace {
 
-// 3.5 ---------------------------------------------------------------------------------------------
-
 const std::string digits_of_k =
-    "one point for each cell k, whose strata are the digits of k in base per_axis";
+    "one point per cell k; its strata are the digits of k in base per_axis";
 
 Sets boxes(std::size_t per_axis, std::size_t dims, std::size_t sets, Rng& rng) {
   std::size_t n = 1;
@@ -25,19 +23,17 @@ std::vector<Pattern> all_axes(std::size_t per_axis, std::size_t dims) {
 }
 
 CHECK_CASE("3.5 one point in each cell of all dimensions", "[3.5][main][points:4]") {
-  Rng rng = check_rng();
   constexpr std::pair<std::size_t, std::size_t> sizes[] = {{3, 3},    {5, 5},  {2, 10},  {4, 2},
                                                            {33, 3},   {2, 13}, {257, 2}, {2, 4},
                                                            {4097, 1}, {7, 1},  {1, 3},   {1, 1}};
   for (const auto& [per_axis, dims] : sizes) {
     const Sets got = boxes(per_axis, dims, 1, rng);
-    expect_one_in_each_cell(got, 0, all_axes(per_axis, dims)[0], digits_of_k);
+    expect_one_in_each_cell(got, all_axes(per_axis, dims), digits_of_k);
   }
   expect_fresh(boxes(3, 3, 2, rng), boxes(3, 3, 1, rng), all_axes(3, 3));
 }
 
 CHECK_CASE("3.5 each point is uniform in its cell and independent", "[3.5][points:2]") {
-  Rng rng = check_rng();
   for (const auto& [per_axis, dims, sets] :
        {Sizes{2, 3, 2000}, {3, 2, 2000}, {2, 9, 150}, {5, 1, 2000}, {1, 30, 1000}, {2, 12, 2}}) {
     expect_independent_uniforms(
@@ -47,8 +43,8 @@ CHECK_CASE("3.5 each point is uniform in its cell and independent", "[3.5][point
 }
 
 CHECK_CASE("3.5 the curse of dimension", "[3.5][points:3]") {
-  Rng rng = check_rng();
-  for (const std::size_t per_axis : {3u, 2u, 5u}) {  // in four dimensions as N^-1/2-1/4
+  for (const std::size_t per_axis :
+       {3u, 2u, 5u}) {  // in four dimensions the error falls as N^-(1/2+1/4)
     const auto axis = strata_of(centered_exponential, per_axis);
     const auto plane = product_of(axis, axis);
     expect_level(boxes(per_axis, 4, 700, rng),
@@ -61,8 +57,7 @@ std::vector<InvalidCall> wrong_powers() {
   const auto made = [](std::uint64_t n, std::uint64_t dims, std::uint64_t per_axis) {
     return MEASURE_OUTCOME(stratified_nd, n, dims, per_axis, 1, 1);
   };
-  const std::string divide =
-      "the product of 64-bit numbers wraps around: divide, before anything is computed";
+  const std::string divide = "the product of 64-bit numbers wraps around: divide first";
   const std::string name = "per_axis";
   return {{made(9, 3, 2), name, "2^3 is not 9"},
           {made(4, 3, 2), name, "2^3 is not 4"},
@@ -72,14 +67,12 @@ std::vector<InvalidCall> wrong_powers() {
           {made(0, 2, 0), name, "an axis has at least one stratum"},
           {made(4, 2, 0), name, "an axis has at least one stratum"},
           {made(4, 2, (std::uint64_t{1} << 63) + 2), name,
-           "per_axis^2 = 2^126 + 2^65 + 4, which is 4 in 64 bits only", divide},
+           "per_axis^2 = 2^126 + 2^65 + 4, which only in 64 bits is 4", divide},
           {made(16, 40, 65536), name, "65536^40 is 0 in 64 bits", divide}};
 }
 
 REFUSAL_CASES("3.5", "sizes that are not a power of per_axis are refused", "0.5",
               "the refusals name the argument", "0.5", wrong_powers())
-
-// 3.6 ---------------------------------------------------------------------------------------------
 
 const std::string column_of_line = "each column is a pattern of 3.1";
 
@@ -88,38 +81,27 @@ Sets hypercubes(std::size_t n, std::size_t dims, std::size_t sets, Rng& rng) {
                            n);
 }
 
-std::vector<Pattern> every_axis(std::size_t n, std::size_t dims) {
-  std::vector<Pattern> patterns;
-  for (std::size_t d = 0; d < dims; ++d) patterns.push_back(line_of(n, d));
-  return patterns;
-}
-
 CHECK_CASE("3.6 every axis is stratified", "[3.6][main][points:4][needs:3.1]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {64u, 1000u, 101u, 1025u, 7u, 2u, 1u}) {
     for (const std::size_t dims : {7u, 2u, 9u, 17u, 1u}) {
-      const Sets got = hypercubes(n, dims, 1, rng);
-      for (const Pattern& pattern : every_axis(n, dims)) {
-        expect_one_in_each_cell(got, 0, pattern, column_of_line);
-      }
+      expect_one_in_each_cell(hypercubes(n, dims, 1, rng), lines_of(n, dims), column_of_line);
     }
   }
-  expect_fresh(hypercubes(64, 7, 2, rng), hypercubes(64, 7, 1, rng), every_axis(64, 7));
+  expect_fresh(hypercubes(64, 7, 2, rng), hypercubes(64, 7, 1, rng), lines_of(64, 7));
 }
 
 CHECK_CASE("3.6 the axes are independent", "[3.6][points:3][needs:3.1][needs:3.4]") {
-  Rng rng = check_rng();
   Randomness meetings{
       .words = "the permutations of two axes of 3.6 are independent",
       .alpha = alpha,
-      .otherwise = "shuffle every column by itself, with the shuffle of 3.4",
-      .repeated = "two axes meet in the same way each time: shuffle each of them by itself"};
+      .otherwise = "shuffle every column separately, with the shuffle of 3.4",
+      .repeated = "two axes are always combined in the same way: shuffle each one separately"};
   Randomness jitters = random_jitters("3.6");
-  jitters.same = "one column is used for two axes; draw each afresh";
+  jitters.same = "one column is used for two axes: make a new one for each";
   for (const auto& [n, dims, sets] :
        {Sizes{30, 23, 300}, {4, 3, 5000}, {64, 4, 1000}, {10000, 3, 1}}) {
     const Sets got = hypercubes(n, dims, sets, rng);
-    const std::vector<Pattern> axes = every_axis(n, dims);
+    const std::vector<Pattern> axes = lines_of(n, dims);
     if (n == 4) expect_independent_uniforms(jitters_of(got, axes, column_of_line), jitters);
     expect_random_permutations(meetings_of(got, axes, column_of_line, rng), meetings, rng);
   }
@@ -127,23 +109,19 @@ CHECK_CASE("3.6 the axes are independent", "[3.6][points:3][needs:3.1][needs:3.4
 
 CHECK_CASE("3.6 sums gain everything and products little",
            "[3.6][points:3][needs:3.1][needs:3.4]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {64u, 16u, 256u}) {
     Level sum =
         level_of("exp(x0) + … + exp(x6)", sum_over_axes(exponential), strata_of(exponential, n));
-    sum.mean *= 7, sum.variance *= 7, sum.independent *= 7;  // seven of these, independent
+    sum.mean *= 7, sum.variance *= 7, sum.independent *= 7;  // seven independent terms
     expect_level(hypercubes(n, 7, 1000, rng), sum);
   }
   const auto product = [](auto h, std::size_t a, std::size_t b, std::string words,
                           std::string because) {
     const auto axis = strata_of(h, 64);
-    return Level{std::move(words),
-                 [=](View x) { return h(x[a]) * h(x[b]); },
-                 mean_of(axis) * mean_of(axis),
-                 shuffled_product_variance(axis, axis),
-                 3,
-                 independent_variance(product_of(axis, axis), 64),
-                 std::move(because)};
+    const double variance = shuffled_product_variance(axis, axis), mean = mean_of(axis);
+    const double independent = independent_variance(product_of(axis, axis), 64);
+    const auto f = [=](View x) { return h(x[a]) * h(x[b]); };
+    return Level{std::move(words), f, mean * mean, variance, 3, independent, std::move(because)};
   };
   const Sets cubes = hypercubes(64, 5, 1000, rng);
   expect_level(cubes, product(gaussian, 0, 1, "exp(-x0^2-x1^2)",

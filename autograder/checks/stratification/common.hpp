@@ -1,7 +1,6 @@
 #pragma once
-// What several tasks of lab 3 share: claims about jitter, grids, calls that are refused; and
-// errors of estimates over stratified points, compared with their exact variances. The integrands
-// are defined here, where the submission cannot see them: it sends points.
+// Shared by the checks of lab 3: claims about jitter, refused grids, and errors of estimates,
+// compared with their exact variances. The submission sends points; it does not see the integrands.
 
 #include "3-stratification/experiments.hpp"
 #include "checks/support/checks.hpp"
@@ -11,31 +10,29 @@ namespace mc::checks {
 
 using Sets = SampleSets;
 
-/// Of every random test of lab 3. There are 110 of them at most, so that a right answer fails once
-/// in two million runs.
+/// The alpha of each of the at most 110 random tests of lab 3: 5e-7 in total.
 constexpr double alpha = 4.5e-9;
 
 /// Jitters of task `task` are independent and uniform.
 inline Randomness random_jitters(const std::string& task) {
-  return {.words = "points are uniform in the cells of " + task + ", and independent",
-          .alpha = alpha,
-          .otherwise = "each point is (i + u) / n with its own u, uniform in [0, 1)",
-          .repeated =
-              "the same random numbers come again: does each block begin with the same ones, or do "
-              "streams that run side by side? Draw one for every coordinate, all from the "
-              "generator that is passed in",
-          .same = "draw one for every coordinate"};
+  return {
+      .words = "points are uniform in the cells of " + task + ", and independent",
+      .alpha = alpha,
+      .otherwise = "each point is (i + u) / n with its own u, uniform in [0, 1)",
+      .repeated = "random numbers repeat: blocks or parallel streams may begin with the same state",
+      .same = "draw one for every coordinate"};
 }
 
 using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
 
-/// What both tasks that fill a grid refuse. nx * ny wraps around to 4 and to 0 in the last ones.
+/// Invalid calls of functions that fill a grid. In the last ones, nx * ny wraps around to 4 and 0.
 inline std::vector<InvalidCall> wrong_grids(IntoGrid into) {
-  // Where the sizes differ, the grid does not fit one of them, and may be named.
+  // If the sizes differ, the grid does not fit one of them, and may be named, too.
   const std::string grid = "grid|nx|ny", sizes = "x|y|size|grid|nx|ny";
   const std::string wraps = "the product of 64-bit numbers wraps around: divide instead";
   const std::uint64_t half = std::uint64_t{1} << 32;
-  const std::string of_points = "x and y are the coordinates of the same points";
+  const std::string of_points = "x and y are the coordinates of the same points",
+                    cells = "a grid has at least one cell";
   return {{into(6, 5, {3, 2}), sizes, of_points},
           {into(6, 7, {3, 2}), sizes, of_points},
           {into(5, 6, {3, 2}), sizes, of_points},
@@ -45,24 +42,24 @@ inline std::vector<InvalidCall> wrong_grids(IntoGrid into) {
           {into(6, 6, {2, 2}), grid, "four cells do not hold six points"},
           {into(6, 6, {6, 2}), grid, "six points do not fill twelve cells"},
           {into(6, 6, {4, 1}), grid, "four cells do not hold six points"},
-          {into(0, 0, {0, 5}), grid, "a grid has cells"},
-          {into(0, 0, {5, 0}), grid, "a grid has cells"},
-          {into(0, 0, {0, 0}), grid, "a grid has cells"},
+          {into(0, 0, {0, 5}), grid, cells},
+          {into(0, 0, {5, 0}), grid, cells},
+          {into(0, 0, {0, 0}), grid, cells},
           {into(0, 0, {1, 1}), grid, "zero points do not fill a cell"},
-          {into(6, 6, {0, 6}), grid, "a grid has cells"},
-          {into(6, 6, {6, 0}), grid, "a grid has cells"},
+          {into(6, 6, {0, 6}), grid, cells},
+          {into(6, 6, {6, 0}), grid, cells},
           {into(4, 4, {(std::uint64_t{1} << 62) + 1, 4}), grid, "nx * ny = 2^64 + 4, not 4", wraps},
           {into(4, 4, {4, (std::uint64_t{1} << 62) + 1}), grid, "nx * ny = 2^64 + 4, not 4", wraps},
           {into(0, 0, {half, half}), grid, "nx * ny = 2^64, not 0", wraps}};
 }
 
-/// A function of a point, and what a right answer's estimates of it are like at some n.
+/// A function of a point, and the exact moments of its estimates for some n.
 struct Level {
   std::string words;  ///< "exp(x)"
   std::function<double(View)> f;
   double mean, variance;
   double kurtosis = 3;
-  double independent = 0;  ///< variance of the mean of as many independent points
+  double independent = 0;  ///< the variance for the same number of independent points
   std::string because = "one point in each stratum leaves the variance within the strata";
 };
 
@@ -71,7 +68,7 @@ inline constexpr auto centered_exponential = [](double x) { return std::exp(x - 
 inline constexpr auto gaussian = [](double x) { return std::exp(-x * x); };
 inline constexpr auto centered = [](double x) { return x - 0.5; };
 
-/// h(x) + h(y) + …, and h(x) h(y) ….
+/// h(x) + h(y) + … and h(x) h(y) ….
 inline auto sum_over_axes(double (*h)(double)) {
   return [h](View x) {
     return std::accumulate(x.begin(), x.end(), 0.0,
@@ -85,7 +82,6 @@ inline auto product_over_axes(double (*h)(double)) {
   };
 }
 
-/// Of one point in each stratum.
 inline Level level_of(std::string words, std::function<double(View)> f, const WithinStrata& strata,
                       double kurtosis = 3) {
   return {std::move(words), std::move(f),
@@ -93,8 +89,7 @@ inline Level level_of(std::string words, std::function<double(View)> f, const Wi
           kurtosis,         independent_variance(strata, strata.size())};
 }
 
-/// The mean squared error of estimates over the first `used` points of each set (0: all of them)
-/// is the exact variance.
+/// The mean squared error of estimates over the first `used` points (0: all) is the exact variance.
 inline void expect_level(const Sets& sets, const Level& level, std::size_t used = 0) {
   if (used == 0) used = sets.n;
   Values estimates, point(sets.dims);
@@ -114,8 +109,8 @@ inline void expect_level(const Sets& sets, const Level& level, std::size_t used 
       level.mean, level.variance, level.kurtosis,
       {fmt::format("the error of {} over {} points: {}", level.words, used, level.because), alpha},
       {{{level.independent / level.variance,
-         "that is the variance of as many independent points: what strata gain is lost"}},
-       "is each point uniform in its stratum, and independent of the others?"});
+         "this is the variance of independent points: the gain of stratification is lost"}},
+       "each point must be uniform in its stratum and independent of the others"});
 }
 
 }  // namespace mc::checks

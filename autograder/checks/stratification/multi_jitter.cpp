@@ -1,36 +1,29 @@
-// 3.7: strata of the plane and of both axes at once.
+// 3.7: multi-jittered points.
 
 #include "checks/stratification/common.hpp"
 
 namespace mc::checks {
 namespace {
 
-const std::string fine_strata =
-    "a column of cells has ny strata of x, one for each of its cells; a row nx of y";
+const std::string fine_strata = "each column of cells has ny strata of x, each row nx strata of y";
 
 Sets multi_jittered(Grid grid, std::size_t sets, Rng& rng) {
   return sets_from_xy(MEASURE(multi_jittered, grid, sets, fresh_seed(rng)), grid, sets);
 }
 
 CHECK_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][points:5]") {
-  Rng rng = check_rng();
   for (const Grid grid : {Grid{8, 8}, Grid{16, 4}, Grid{3, 5}, Grid{2 + rng() % 30, 2 + rng() % 30},
                           Grid{33, 31}, Grid{1, 1025}, Grid{4097, 1}, Grid{257, 129}, Grid{7, 1},
                           Grid{1, 11}, Grid{2, 2}, Grid{1, 2}, Grid{2, 1}, Grid{1, 1}}) {
     const std::size_t n = grid.nx * grid.ny;
-    const Sets got = multi_jittered(grid, 2, rng);
-    for (std::size_t set = 0; set < 2; ++set) {
-      for (const Pattern& pattern : {plane_of(grid), line_of(n, 0), line_of(n, 1)}) {
-        expect_one_in_each_cell(got, set, pattern, fine_strata);
-      }
-    }
+    const Pattern patterns[] = {plane_of(grid), line_of(n, 0), line_of(n, 1)};
+    expect_one_in_each_cell(multi_jittered(grid, 2, rng), patterns, fine_strata);
   }
   expect_fresh(multi_jittered({8, 8}, 2, rng), multi_jittered({8, 8}, 1, rng),
                {{line_of(64, 0), line_of(64, 1)}});
 }
 
-/// Whether x, and y, of all points lie where the canonical arrangement has them: in which of the ny
-/// strata of x, and of the nx strata of y, of their cells.
+/// Whether the x, and the y, of all points lie in the strata of the canonical arrangement.
 std::array<bool, 2> are_canonical(const Uniforms& jitters, Grid grid) {
   std::array<bool, 2> stay{true, true};
   for (std::size_t i = 0; i < jitters.values.size(); ++i) {
@@ -43,30 +36,27 @@ std::array<bool, 2> are_canonical(const Uniforms& jitters, Grid grid) {
 }
 
 CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
-  Rng rng = check_rng();
   for (const Grid grid :
        {Grid{4, 3}, Grid{3, 3}, Grid{2, 2}, Grid{1, 5}, Grid{33, 2}, Grid{2, 35}}) {
     const std::size_t n = grid.nx * grid.ny;
     const std::vector<Pattern> plane{plane_of(grid)};
     const Uniforms places = jitters_of(multi_jittered(grid, 8000, rng), plane, fine_strata);
     const auto [x_stays, y_stays] = are_canonical(places, grid);
+    const std::string of_x = "the strata of x to the cells of each column",
+                      of_y = "the strata of y to the cells of each row";
     const Randomness claim{
         .words =
             fmt::format("a point of {} x {} cells lies anywhere in its cell", grid.nx, grid.ny),
         .alpha = alpha,
         .otherwise =
-            x_stays && y_stays
-                ? "this is the canonical arrangement, which is biased: permute at random which "
-                  "cell of a column takes which stratum of x, and which cell of a row takes which "
-                  "stratum of y"
-            : y_stays ? "x is shuffled and y is not: permute at random which cell of a row takes "
-                        "which stratum of y"
-            : x_stays ? "y is shuffled and x is not: permute at random which cell of a column "
-                        "takes which stratum of x"
-                      : "random permutations, all of them equally likely, give the strata of x to "
-                        "the cells of each column, and the strata of y to the cells of each row",
+            x_stays && y_stays ? "this is the canonical arrangement, which is biased: assign " +
+                                     of_x + ", and " + of_y + ", by random permutations"
+            : y_stays ? "x is shuffled and y is not: assign " + of_y + " by random permutations"
+            : x_stays
+                ? "y is shuffled and x is not: assign " + of_x + " by random permutations"
+                : "random permutations, all equally likely, must assign " + of_x + ", and " + of_y,
         .expected = "a uniform point of the cell"};
-    // Points of a set may share permutations: each cell is judged by itself; of many, x and y are.
+    // Points may share permutations: cells are judged separately; if many, so are coordinates.
     const std::size_t judged = n <= 12 ? std::min<std::size_t>(n, 9) : 5;
     for (std::size_t k = 0; k < judged; ++k) {
       const std::size_t cell = (k * n + rng() % n) / judged;
@@ -80,7 +70,6 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
 }
 
 CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
-  Rng rng = check_rng();
   for (const Grid grid : {Grid{4, 3}, Grid{1, 4}, Grid{32, 31}}) {
     const std::size_t n = grid.nx * grid.ny;
     const std::vector<Pattern> axes{line_of(n, 0), line_of(n, 1)};
@@ -90,9 +79,8 @@ CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1
 }
 
 CHECK_CASE("3.7 a sum is estimated as in one dimension", "[3.7][points:1]") {
-  Rng rng = check_rng();
   Level sum = level_of("exp(x) + exp(y)", sum_over_axes(exponential), strata_of(exponential, 64));
-  sum.mean *= 2, sum.variance *= 2, sum.independent *= 2;  // one x in each of 64 strata, and one y
+  sum.mean *= 2, sum.variance *= 2, sum.independent *= 2;  // two independent terms
   expect_level(multi_jittered({8, 8}, 1000, rng), sum);
 }
 

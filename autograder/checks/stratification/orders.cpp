@@ -5,7 +5,7 @@
 namespace mc::checks {
 namespace {
 
-/// Whether each is a rotation, forwards or backwards, and at least one moves the values.
+/// Whether each permutation is a rotation, forwards or backwards, and at least one moves values.
 bool are_rotations(const Permutations& orders) {
   bool moves = false;
   for (std::size_t k = 0; k < orders.size(); ++k) {
@@ -20,47 +20,45 @@ bool are_rotations(const Permutations& orders) {
   return moves;
 }
 
-/// Ends the check where a permutation comes again: of R random ones, with probability R^2 / 2n!,
-/// which is below 1e-9 for n of 20 and more.
+/// Ends the check if one of R permutations repeats, which has the probability R^2 / 2n! < 1e-9.
 void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
-  std::map<std::uint64_t, std::size_t> seen;  // by a hash of 64 bits
+  std::map<std::uint64_t, std::size_t> seen;  // by a 64-bit hash
   for (std::size_t k = 0; k < orders.size(); ++k) {
     std::uint64_t hash = 0;
     for (const std::size_t value : orders[k]) hash = mix_bits(hash ^ value);
     const auto [first, is_new] = seen.emplace(hash, k);
     if (is_new) continue;
-    fail(Failure{fmt::format("{}: permutations {} and {} of {} are the same, of {} values each",
+    fail(Failure{fmt::format("{}: permutations {} and {} of {} are equal, with {} values each",
                              orders.call, first->second, k, orders.size(), orders.n),
-                 "permutations that do not come again",
+                 "different permutations",
                  fmt::format("two random permutations of {} are equal with probability 1 / {}!",
                              orders.n, orders.n),
                  are_rotations(orders)
-                     ? fmt::format("these are rotations, only {} of the {}! permutations", orders.n,
+                     ? fmt::format("these are rotations: only {} of the {}! permutations", orders.n,
                                    orders.n)
                      : claim.repeated});
   }
 }
 
-/// Ends the check where a value is in its place in all R permutations: for some of n values with
-/// probability n^(1-R), which is below 1e-9 where it is asked.
+/// Ends the check if a value keeps its place in all R permutations: tested if n^(1-R) < 1e-9.
 void fail_at_fixed_value(const Permutations& orders) {
   if (static_cast<double>(orders.size() - 1) * std::log(orders.n) < 9 * std::log(10.0)) return;
   for (std::size_t value = 0, stays = 0; value < orders.n; ++value, stays = 0) {
     while (stays < orders.size() && orders[stays][value] == value) ++stays;
     if (stays < orders.size()) continue;
-    fail(Failure{fmt::format("{}: value {} of {} is in its place in all {} permutations",
+    fail(Failure{fmt::format("{}: value {} of {} keeps its place in all {} permutations",
                              orders.call, value, orders.n, stays),
-                 "each value in any place", "", "all values take part, the last one too"});
+                 "any value in any place", "", "shuffle all values, including the last one"});
   }
 }
 
-/// The hint where keys of few bits were sorted: more than half of all neighbors ascend.
+/// The hint if short random keys were sorted: more than half of all neighbors ascend.
 std::string equal_keys(std::span<const std::size_t> order) {
   std::size_t ascents = 0;
   for (std::size_t k = 1; k < order.size(); ++k) ascents += order[k - 1] < order[k] ? 1u : 0u;
   const double share = static_cast<double>(ascents) / static_cast<double>(order.size());
   if (order.size() < 10000 || share < 0.6 || share > 0.9) return {};
-  return "equal keys stay in order: random numbers of 16 bits are too few for so many keys";
+  return "equal keys stay in order: 16-bit random numbers are too short for so many keys";
 }
 
 }  // namespace
@@ -71,7 +69,7 @@ void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng)
   claim.expected = "permutations that are all equally likely";
   for (const unsigned way : {0u, 1u, 2u, 3u}) {
     Uniforms numbers{orders.call, 1};
-    std::size_t products = 0, rests = 0;  // that 16 bits give
+    std::size_t products = 0, rests = 0;  // values that 16-bit numbers can give
     for (std::size_t k = 0; k < 5000; ++k) {
       const std::size_t left = n - k, v = way < 2 ? order[left - 1] : n - 1 - order[k];
       if (v >= left) continue;
@@ -81,7 +79,7 @@ void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng)
     }
     claim.explain = [&]() -> std::string {
       if (10 * std::max(products, rests) < 9 * numbers.values.size()) return equal_keys(orders[0]);
-      return "random numbers of 16 bits are too few to choose among so many values";
+      return "16-bit random numbers are too short to choose among so many values";
     };
     expect_independent_uniforms(numbers, claim, true);
     for (std::size_t k = 0; k < n; ++k) inverse[order[k]] = k;
@@ -108,9 +106,8 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
     Uniforms numbers{orders.call, orders.n - 1};
     for (std::size_t k = 0; k < orders.size(); ++k) {
       Order order(orders[k].begin(), orders[k].end());
-      if (backwards) std::reverse(order.begin(), order.end());
-      const Values one = uniforms_of_permutation(order, rng);
-      numbers.values.insert(numbers.values.end(), one.begin(), one.end());
+      if (backwards) std::ranges::reverse(order);
+      append(numbers.values, uniforms_of_permutation(order, rng));
     }
     numbers.name = [&, backwards](std::size_t position) {
       const std::size_t at = backwards ? orders.n - 1 - position : position;
@@ -139,10 +136,10 @@ Permutations meetings_of(const Sets& sets, std::span<const Pattern> patterns,
   Order turn(patterns.size()), order(sets.n);
   std::iota(turn.begin(), turn.end(), 0);
   for (std::size_t first = 0; first < all.size(); first += patterns.size()) {
-    std::shuffle(turn.begin(), turn.end(), rng);
+    std::ranges::shuffle(turn, rng);
     for (std::size_t p = 0; p + 1 < turn.size(); p += 2) {
       const auto from = all[first + turn[p]], to = all[first + turn[p + 1]];
-      const bool turns = rng() % 2 == 0;  // one may be the other in reverse
+      const bool turns = rng() % 2 == 0;  // one may be the reverse of the other
       for (std::size_t k = 0; k < sets.n; ++k) order[from[k]] = to[turns ? sets.n - 1 - k : k];
       meetings.add(order);
     }

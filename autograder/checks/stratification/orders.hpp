@@ -1,5 +1,5 @@
 #pragma once
-// Random permutations: all equally likely, none again, and independent of each other.
+// Tests of random permutations: all equally likely, no repeats, independent.
 
 #include "checks/stratification/common.hpp"
 
@@ -18,27 +18,25 @@ struct Permutations {
   std::span<const std::size_t> operator[](std::size_t k) const {
     return std::span(values).subspan(k * n, n);
   }
-  void add(const Order& order) { values.insert(values.end(), order.begin(), order.end()); }
+  void add(const Order& order) { append(values, order); }
 };
 
-/// They are independent, and all n! equally likely: the numbers that decide them are uniform, read
-/// from either end, and from n = 20 on none comes again (of R permutations that are drawn from M
-/// only, R^2 / 2M do: this sees M up to R^2 / 40). Only the latter where `only_repeats`.
-/// `claim.repeated` is the hint if one comes again.
+/// The permutations are independent, and all n! equally likely: the numbers that determine them,
+/// read from either end, are uniform, and for n >= 20 no permutation repeats (of R permutations out
+/// of M, R^2 / 2M do: this detects M up to R^2 / 40). `only_repeats` skips the first test.
+/// `claim.repeated` is the hint for a repeat.
 void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
                                 bool only_repeats = false);
 
-/// The first of them, of at least 2^17 values: swaps put one of the n - k values left at place k
-/// from an end. Few of the first 5000 have moved before, so the values tell the choices, of the
-/// order or of its inverse; they are uniform to the last bit.
+/// The random choices behind the first permutation, of at least 2^17 values, are uniform to the
+/// last bit. A shuffle puts one of the n - k remaining values at place k from an end; few of the
+/// first 5000 have moved before, so the values show the choices, in the order or its inverse.
 void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng);
 
-/// Of each pattern of each set, the order in which its cells come.
 Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,
                        const std::string& elsewhere);
 
-/// Of each set, patterns put into pairs at random: the order of the second, or its reverse, where
-/// the first is in order.
+/// For random pairs of patterns of each set, the order of one (or its reverse) in the other.
 Permutations meetings_of(const Sets& sets, std::span<const Pattern> patterns,
                          const std::string& elsewhere, Rng& rng);
 

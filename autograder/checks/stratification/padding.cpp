@@ -1,4 +1,4 @@
-// 3.4: random permutations, and patterns put next to each other in them.
+// 3.4: random permutations, and patterns padded with them.
 
 #include "checks/stratification/common.hpp"
 #include "checks/stratification/orders.hpp"
@@ -6,16 +6,15 @@
 namespace mc::checks {
 namespace {
 
-const std::string fair = "each of the n values left is as likely to come next as any other";
-const std::string always_same =
-    "the permutation is always the same: draw it from the generator that is passed in";
+const std::string fair = "each of the remaining values must be equally likely to come next";
+const std::string always_same = "the permutation is always the same: draw it from the generator";
 
 Randomness random_orders(const std::string& words, const std::string& otherwise,
                          const std::string& repeated) {
   return {.words = words, .alpha = alpha, .otherwise = otherwise, .repeated = repeated};
 }
 
-/// 0 … n-1, shuffled `times` times: each of them is there once.
+/// 0 … n-1, shuffled `times` times.
 Permutations shuffled(std::size_t n, std::size_t times, std::uint64_t seed) {
   Values x(n);
   std::iota(x.begin(), x.end(), 0.0);
@@ -27,7 +26,7 @@ Permutations shuffled(std::size_t n, std::size_t times, std::uint64_t seed) {
     for (const double value : values.subspan(time * n, n)) {
       const auto number = static_cast<std::size_t>(value);
       if (static_cast<double>(number) != value || taken[number]) {
-        fail(Failure{fmt::format("{}: {} is there twice, or was not given", got.call, value),
+        fail(Failure{fmt::format("{}: {} occurs twice, or is not an input value", got.call, value),
                      "the same values in another order", "",
                      "a shuffle swaps values; it does not copy one over another"});
       }
@@ -39,7 +38,6 @@ Permutations shuffled(std::size_t n, std::size_t times, std::uint64_t seed) {
 }
 
 CHECK_CASE("3.4 every permutation is equally likely", "[3.4][main][points:3]") {
-  Rng rng = check_rng();
   const Permutations few = shuffled(5, 12000, fresh_seed(rng));
   expect_random_permutations(few,
                              random_orders("the 120 permutations of five values are equally likely",
@@ -55,16 +53,15 @@ CHECK_CASE("3.4 every permutation is equally likely", "[3.4][main][points:3]") {
 }
 
 CHECK_CASE("3.4 permutations of many values are equally likely", "[3.4][points:3]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {std::size_t{200003}, std::size_t{100000}, 129 + rng() % 3000}) {
     const std::size_t times = n > 100000 ? 1 : n > 10000 ? 3 : 2000000 / n;
     const Permutations orders = shuffled(n, times, fresh_seed(rng));
     const Randomness claim = random_orders(
         fmt::format("a permutation of {} values may be any of {}!", n, n),
-        "each value may go anywhere with the same probability",
-        times == 3 ? always_same
-                   : "the shuffle has far too few permutations: a random number for each value "
-                     "makes n! of them");
+        "each value must be equally likely in each place",
+        times == 3
+            ? always_same
+            : "the shuffle gives far too few permutations: use a new random number for each value");
     if (times == 1) {
       expect_fine_choices(orders, claim, rng);
       continue;
@@ -78,24 +75,21 @@ CHECK_CASE("3.4 permutations of many values are equally likely", "[3.4][points:3
 }
 
 CHECK_CASE("3.4 shuffle keeps every value", "[3.4][points:1]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {1000u, 100000u, 1025u, 65u, 10u, 2u, 1u, 0u}) {
     Values x = uniform_values(rng, n, -1, 1);
     if (n > 2) x[1] = x[2];  // two equal values are allowed
     const auto got = MEASURE(shuffle, x, 1, fresh_seed(rng));
     const Values& order = got.exactly(n);
     expect_that(n < 60 || order != x, got.call + " = " + shown(order), "another order",
-                "one permutation of n! is the identity", "nothing was moved");
+                "only one of n! permutations is the identity", "nothing was moved");
     Values before = x, after = order;
-    std::sort(before.begin(), before.end());
-    std::sort(after.begin(), after.end());
+    std::ranges::sort(before);
+    std::ranges::sort(after);
     expect_that(before == after, got.call + " = " + shown(order),
                 "the same values in another order", "",
                 "a shuffle swaps values; it does not copy one over another");
   }
 }
-
-// Padded patterns.
 
 const std::string pattern_of_each =
     "dimensions (0,1), (2,3), … are jittered grids; an odd last dimension is a pattern of 3.1";
@@ -107,27 +101,21 @@ Sets padded(std::size_t n, std::size_t dims, std::size_t sets, Rng& rng) {
 std::vector<Pattern> padded_patterns(std::size_t n, std::size_t dims) {
   const Grid grid = squarest(n);
   std::vector<Pattern> patterns;
-  for (std::size_t d = 0; d + 1 < dims; d += 2) {
-    patterns.push_back(plane_of(grid, d));
-  }
+  for (std::size_t d = 0; d + 1 < dims; d += 2) patterns.push_back(plane_of(grid, d));
   if (dims % 2 == 1) patterns.push_back(line_of(n, dims - 1));
   return patterns;
 }
 
 CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
            "[3.4][points:3][needs:3.1][needs:3.2][needs:3.3]") {
-  Rng rng = check_rng();
   for (const std::size_t n : {64u, 12u, 101u, 1025u, 65u, 7u, 2u, 1u}) {
     for (const std::size_t dims : {4u, 2u, 7u, 3u, 9u, 17u, 1u}) {
-      const Sets got = padded(n, dims, 1, rng);
-      for (const Pattern& pattern : padded_patterns(n, dims)) {
-        expect_one_in_each_cell(got, 0, pattern, pattern_of_each);
-      }
+      expect_one_in_each_cell(padded(n, dims, 1, rng), padded_patterns(n, dims), pattern_of_each);
     }
   }
   expect_fresh(padded(64, 5, 2, rng), padded(64, 5, 1, rng), padded_patterns(64, 5));
   Randomness claim = random_jitters("3.4");
-  claim.same = "one pattern is used for several pairs of dimensions; draw each afresh";
+  claim.same = "one pattern is used for several pairs of dimensions: make a new one for each";
   for (const auto& [n, dims] : {std::pair<std::size_t, std::size_t>{4, 5}, {6, 9}, {6, 1}}) {
     expect_independent_uniforms(
         jitters_of(padded(n, dims, 2000, rng), padded_patterns(n, dims), pattern_of_each), claim);
@@ -135,12 +123,11 @@ CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
 }
 
 CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.2][needs:3.3]") {
-  Rng rng = check_rng();
   const Randomness claim = random_orders(
       "the permutations of two patterns of 3.4 are independent",
-      "every point of a pattern may meet any of another: shuffle all points of each pattern, x and "
-      "y together, each pattern by itself",
-      "the patterns always meet in the same way: shuffle each of them by itself");
+      "each point of a pattern must be equally likely to be combined with any point of another: "
+      "shuffle all points of each pattern, x and y together, each pattern separately",
+      "the patterns are always combined in the same way: shuffle each one separately");
   for (const auto& [n, dims, sets] :
        {Sizes{30, 27, 350}, {4, 5, 5000}, {64, 8, 1000}, {10000, 5, 1}}) {
     expect_random_permutations(
@@ -150,24 +137,22 @@ CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.2
 }
 
 CHECK_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.2][needs:3.3]") {
-  Rng rng = check_rng();
   const std::string shuffled_too =
-      "shuffle the first pattern too: an estimate that stops early must not see only the first "
-      "strata";
+      "shuffle the first pattern too, for an estimate that stops early";
   for (const auto& [n, dims, sets] :
        {Sizes{4, 5, 2000}, {4, 2, 5000}, {4, 1, 2000}, {30, 3, 500}, {30, 9, 500}, {10000, 2, 1}}) {
     const auto patterns = padded_patterns(n, dims);
     const Permutations orders = orders_of(padded(n, dims, sets, rng), patterns, pattern_of_each);
-    bool stays = true;  // the first pattern, in every set
+    bool stays = true;  // the first pattern has the same order in every set
     for (std::size_t k = 0; k < orders.size(); k += patterns.size()) {
       stays = stays && std::equal(orders[k].begin(), orders[k].end(), orders[0].begin());
     }
-    const std::string hint = stays && sets > 1 ? shuffled_too : "shuffle each pattern by itself";
+    const std::string hint = stays && sets > 1 ? shuffled_too : "shuffle each pattern separately";
     expect_random_permutations(
         orders, random_orders("the cells of a pattern of 3.4 come in random order", hint, hint),
         rng);
   }
-  // Strata drawn without replacement: (N-n)/(N-1) of the variance between them is left.
+  // With strata drawn without replacement, (N-n)/(N-1) of the variance between them remains.
   const auto axis = strata_of(gaussian, 8);
   const auto cells = product_of(axis, axis);
   const Sets plane = padded(64, 2, 1000, rng);

@@ -12,11 +12,10 @@ namespace {
 
 using namespace battery;
 
-/// P(chi-squared of these counts, or more), all cells equally likely. Counts that are too even are
-/// left to the distances: with few cells, chi-squared is often exactly 0.
+/// The upper-tail probability of chi-squared for these counts of equally likely cells. Counts that
+/// are too even are left to other tests: with few cells, chi-squared is often 0.
 double p_of_counts(std::span<const std::uint32_t> counts) {
-  const auto n =
-      static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+  const auto n = std::accumulate(counts.begin(), counts.end(), 0.0);
   const double each = n / static_cast<double>(counts.size());
   double chi_squared = 0;
   for (const std::uint32_t count : counts) {
@@ -30,7 +29,8 @@ std::optional<Failure> test_bits(const Uniforms& numbers, const Randomness& clai
   const std::size_t n = numbers.values.size();
   const std::size_t cells = n >= 3200 ? 32 : n >= 800 ? 8 : 2;
   const int width = static_cast<int>(std::bit_width(cells)) - 1;
-  std::vector<int> shifts{0};  // the first bits, too: distances hardly see one value too often
+  std::vector<int> shifts{
+      0};  // also the first bits: Kolmogorov-Smirnov hardly sees a value that is too frequent
   for (int k = 8; k + width < numbers.bits; k += 5) shifts.push_back(k);
   Family family(numbers, claim, "bits", shifts.size());
   for (const int k : shifts) {
@@ -50,12 +50,12 @@ std::optional<Failure> test_bits(const Uniforms& numbers, const Randomness& clai
 }
 
 std::optional<Failure> test_extremes(const Uniforms& numbers, const Randomness& claim) {
-  const auto [low, high] = std::minmax_element(numbers.values.begin(), numbers.values.end());
+  const auto [low, high] = std::ranges::minmax_element(numbers.values);
   const auto n = static_cast<double>(numbers.values.size());
   Family family(numbers, claim, "extremes", 2);
   for (const auto& [gap, where] : {std::pair{*low, "below"}, {1 - *high, "above 1 -"}}) {
     family.add(std::exp(n * std::log1p(-gap)), true, [&, g = gap, w = where] {
-      return fmt::format("{} numbers, none {} {:.4g}", n, w, g);
+      return fmt::format("none of {} numbers is {} {:.4g}", n, w, g);
     });
   }
   return family.failure();
@@ -64,14 +64,15 @@ std::optional<Failure> test_extremes(const Uniforms& numbers, const Randomness& 
 std::optional<Failure> test_repeats(const Uniforms& numbers, const Randomness& claim) {
   const auto n = static_cast<double>(numbers.values.size());
   const double width = width_of_equal(numbers);
-  const double expected = n * (n - 1) * width;  // each pair is that near with probability 2 width
+  const double expected = n * (n - 1) * width;  // each pair is this close with probability 2 width
   const std::size_t repeats = repeats_in(numbers.values, width);
   Family family(numbers, claim, "repeats", 1);
-  // P(Poisson >= k) is a chi-squared probability of 2 k degrees of freedom.
+  // P(Poisson >= k) is a chi-squared probability with 2 k degrees of freedom.
   const double p =
       repeats == 0 ? 1 : chi_squared_tails(2 * expected, 2 * static_cast<double>(repeats)).lower;
   family.add(p, false, [&] {
-    return fmt::format("{} of {} numbers come again; {:.2g} would by chance", repeats, n, expected);
+    return fmt::format("{} of {} numbers are repeats; {:.2g} are expected by chance", repeats, n,
+                       expected);
   });
   return family.failure();
 }
@@ -81,7 +82,7 @@ std::optional<Failure> test_values(const Uniforms& numbers, const Randomness& cl
   const double distance = distance_from_uniform(all);
   Family family(numbers, claim, "values", 1);
   family.add(kolmogorov_tails(distance, all.size()).two_sided(), true, [&] {
-    return fmt::format("the distribution of {} numbers is {:.3g} away from uniform", all.size(),
+    return fmt::format("the distribution of {} numbers differs from uniform by {:.3g}", all.size(),
                        distance);
   });
   return family.failure();
@@ -99,14 +100,14 @@ std::optional<Failure> test_positions(const Uniforms& numbers, const Randomness&
     const double distance = distance_from_uniform(column);
     family.add(kolmogorov_tails(distance, replicates).two_sided(), true, [&] {
       return fmt::format(
-          "{}, {} times: from {:.4g} to {:.4g}; the distribution is {:.3g} away from uniform",
+          "{}: {} values from {:.4g} to {:.4g}; their distribution differs from uniform by {:.3g}",
           name_of(numbers, position), replicates, column.front(), column.back(), distance);
     });
   }
   return family.failure();
 }
 
-/// Values at a distance in the order in which they came, pooled: in 8 x 8 cells, and as waves.
+/// Pairs of values a lag apart: counted in up to 8 x 8 cells, and as waves.
 std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& claim,
                                  std::span<const Complex> z) {
   const std::size_t n = std::min<std::size_t>(numbers.values.size(), 1 << 18);
@@ -115,7 +116,7 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
   for (std::size_t rows = 1; 2 * rows * numbers.positions <= n && rows <= 64; rows *= 2) {
     lags.push_back(rows * numbers.positions);
   }
-  std::sort(lags.begin(), lags.end());
+  std::ranges::sort(lags);
   lags.erase(std::unique(lags.begin(), lags.end()), lags.end());
   Family family(numbers, claim, "lags", 3 * lags.size());
   for (const std::size_t lag : lags) {
@@ -136,8 +137,8 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
     const auto describe = [&] {
       const bool in_rows = lag % numbers.positions == 0 && numbers.positions > 1;
       const std::size_t apart = in_rows ? lag / numbers.positions : lag;
-      return fmt::format("{} pairs of numbers, {} {}{} apart, are not independent", pairs, apart,
-                         in_rows ? "replicate" : "number", apart == 1 ? "" : "s");
+      return fmt::format("{} pairs of numbers that are {} {}{} apart are not independent", pairs,
+                         apart, in_rows ? "replicate" : "number", apart == 1 ? "" : "s");
     };
     family.add(pairs >= 50 * static_cast<double>(side * side) ? p_of_counts(counts) : 1, false,
                describe);
@@ -147,8 +148,7 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
   return family.failure();
 }
 
-/// Sums over a replicate, of u - 1/2 and of cos(2 pi u), have the variance of independent numbers:
-/// not too even and not too clumped.
+/// The sums of u - 1/2 and of cos(2 pi u) over a replicate have the correct variance.
 std::optional<Failure> test_rows(const Uniforms& numbers, const Randomness& claim,
                                  std::span<const Complex> z) {
   const std::size_t positions = numbers.positions, replicates = numbers.replicates();
@@ -167,9 +167,8 @@ std::optional<Failure> test_rows(const Uniforms& numbers, const Randomness& clai
     const double ratio = squares / (count * variance * static_cast<double>(positions));
     family.add(chi_squared_tails(ratio * degrees, degrees).two_sided(), true, [&] {
       return fmt::format(
-          "the sum of {} over the {} numbers of a replicate has {:.4g} times the "
-          "variance of independent numbers",
-          words, positions, ratio);
+          "the sum of {} over a replicate of {} has {:.4g} times the correct variance", words,
+          positions, ratio);
     });
   };
   add("u - 1/2", 1.0 / 12, 1.8, [&](std::size_t i) { return numbers.values[i] - 0.5; });
@@ -183,12 +182,12 @@ std::optional<Failure> dependence_in(const Uniforms& numbers, const Randomness& 
                                      bool only_each) {
   for (const double u : numbers.values) {
     if (u >= 0 && u < 1) continue;
-    return Failure{fmt::format("{}: a random number comes out as {}", numbers.call, u),
-                   "numbers in [0, 1)", claim.words, claim.otherwise};
+    return Failure{fmt::format("{}: a random number is {}", numbers.call, u), "numbers in [0, 1)",
+                   claim.words, claim.otherwise};
   }
   const auto pairs = compared_pairs(numbers.positions);
   const bool has_replicates = numbers.replicates() >= 100;
-  const auto z = only_each ? std::vector<Complex>() : turned(numbers.values);
+  const auto z = only_each ? std::vector<Complex>() : phases_of(numbers.values);
   std::optional<Failure> found;
   const auto run = [&](bool wanted, auto test) {
     if (wanted && !found) found = test();
@@ -213,20 +212,18 @@ void expect_independent_uniforms(const Uniforms& numbers, const Randomness& clai
 
 namespace {
 
-/// The smallest k for which all numbers are multiples of 2^-k, as nearly as they are known.
+/// The smallest k for which all numbers are multiples of 2^-k, within their accuracy.
 std::optional<int> grid_of(const Uniforms& numbers) {
   for (int k = 0; k + 8 < numbers.bits; ++k) {
     const double scale = std::ldexp(1.0, k), near = std::ldexp(1.0, k - numbers.bits + 2);
-    const bool fits = std::all_of(numbers.values.begin(), numbers.values.end(), [=](double u) {
-      return std::abs(std::remainder(u * scale, 1.0)) <= near;
-    });
+    const bool fits = std::ranges::all_of(
+        numbers.values, [=](double u) { return std::abs(std::remainder(u * scale, 1.0)) <= near; });
     if (fits) return k;
   }
   return {};
 }
 
-/// The m up to 2^24 for which all numbers are multiples of 1 / m, as nearly as they are known, of m
-/// numbers or more; 0 for none.
+/// The m <= 2^24 for which at least m numbers are multiples of 1 / m within their accuracy; else 0.
 std::uint64_t multiples_in(const Uniforms& numbers, double width) {
   std::vector<double> sorted = numbers.values;
   sort_uniforms(sorted);
@@ -237,20 +234,20 @@ std::uint64_t multiples_in(const Uniforms& numbers, double width) {
   }
   const double m = std::round(1 / gap);
   if (m < 2 || m > std::min(0x1p24, static_cast<double>(sorted.size()))) return 0;
-  const bool fits = std::all_of(sorted.begin(), sorted.end(), [=](double u) {
-    return std::abs(std::remainder(u * m, 1.0)) <= m * width;
-  });
+  const bool fits = std::ranges::all_of(
+      sorted, [=](double u) { return std::abs(std::remainder(u * m, 1.0)) <= m * width; });
   return fits ? static_cast<std::uint64_t>(m) : 0;
 }
 
 }  // namespace
 
 std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
-  const auto [low, high] = std::minmax_element(numbers.values.begin(), numbers.values.end());
+  const auto [low, high] = std::ranges::minmax_element(numbers.values);
   const double width = battery::width_of_equal(numbers);
   const std::string and_repeated = claim.repeated.empty() ? "" : "; " + claim.repeated;
   if (*high - *low < 1e-6) {
-    return fmt::format("every number is {:.3g}: draw one at random for each{}", *low, and_repeated);
+    return fmt::format("every number is {:.3g}: draw a new random number for each{}", *low,
+                       and_repeated);
   }
   const std::size_t replicates = numbers.replicates(), positions = numbers.positions;
   for (std::size_t p = 0; p < positions && positions > 1 && replicates >= 20; ++p) {
@@ -260,20 +257,17 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     }
     if (is_constant) {
       return fmt::format(
-          "{} has the same random number, {:.4g}, in every set: draw it from the "
-          "generator that is passed in{}",
+          "{} has the same random number, {:.4g}, in every set: draw it from the generator{}",
           battery::name_of(numbers, p), numbers.values[p], and_repeated);
     }
   }
   if (const auto bits = grid_of(numbers); bits && *bits > 0) {
-    return fmt::format("the random numbers have too few bits: these have {} of 53", *bits);
+    return fmt::format("the random numbers have too few bits: only {} of 53", *bits);
   }
   if (const std::uint64_t m = multiples_in(numbers, width); m > 0) {
-    return fmt::format(
-        "the random numbers are multiples of 1/{}: take all 53 bits of a random word", m);
+    return fmt::format("the random numbers are multiples of 1/{}: use 53 bits of a random word", m);
   }
-  const std::string from_one =
-      claim.same.empty() ? "draw a random number for each of them" : claim.same;
+  const std::string from_one = claim.same.empty() ? "draw a random number for each" : claim.same;
   if (positions > 1 && replicates >= 20) {
     for (const auto& [p, q] : battery::compared_pairs(positions)) {
       for (const int sign : {-1, 1}) {
@@ -291,10 +285,8 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     }
   }
   if (10 * battery::repeats_in(numbers.values, width) > numbers.values.size()) {
-    return claim.repeated.empty()
-               ? "the same random numbers come again and again: draw one for each, all from the "
-                 "generator that is passed in"
-               : claim.repeated;
+    return claim.repeated.empty() ? "random numbers are used repeatedly: draw a new one each time"
+                                  : claim.repeated;
   }
   const auto n = static_cast<double>(numbers.values.size());
   if (n * std::max(*low, 1 - *high) > 40) {

@@ -1,4 +1,4 @@
-// The parts of the battery that look at pairs of positions.
+// The parts of the battery that test pairs of positions.
 
 #include <array>
 #include <bit>
@@ -16,13 +16,13 @@ namespace {
 /// m u + n v, whose fraction is uniform for any m, n != 0, as a wave: exp(2 pi i (m u + n v)).
 struct Wave {
   int m, n;
-  const char* words;  ///< what it means where that is constant
+  const char* words;  ///< its name in reports
 };
 constexpr Wave waves[] = {{1, -1, "u - v"},  {1, 1, "u + v"},   {2, -1, "2u - v"},
                           {2, 1, "2u + v"},  {1, -2, "u - 2v"}, {1, 2, "u + 2v"},
                           {3, -1, "3u - v"}, {1, -3, "u - 3v"}, {4, -1, "4u - v"}};
 
-/// Bit k of position p in all replicates, 64 in a word.
+/// Bit k of position p in all replicates, packed 64 per word.
 class BitPlanes {
  public:
   BitPlanes(const Uniforms& numbers, std::size_t planes)
@@ -60,7 +60,7 @@ class BitPlanes {
 
 }  // namespace
 
-std::vector<Complex> turned(std::span<const double> values) {
+std::vector<Complex> phases_of(std::span<const double> values) {
   std::vector<Complex> all(values.size());
   std::transform(values.begin(), values.end(), all.begin(), [](double u) {
     const double angle = 2 * std::numbers::pi * u;
@@ -102,7 +102,7 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
   };
   const Plane empty{std::vector<float>(padded * stride), std::vector<float>(padded * stride)};
   std::array<Plane, 4> powers{empty, empty, empty, empty};
-  for (std::size_t i = 0; i < stride; ++i) {  // by position, so that sums run along memory
+  for (std::size_t i = 0; i < stride; ++i) {  // by position, so that sums read memory in order
     for (std::size_t r = 0; r < replicates; ++r) {
       const Complex w = z[r * stride + i];
       float re = 1, im = 0;
@@ -121,7 +121,8 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
       const float *const ar = &a.re[i * padded], *const ai = &a.im[i * padded];
       const float *const br = &b.re[j * padded], *const bi = &b.im[j * padded];
       const float sign = wave.n < 0 ? -1.f : 1.f;
-      float res[lanes] = {}, ims[lanes] = {};  // several sums at once: one would wait for itself
+      float res[lanes] = {},
+            ims[lanes] = {};  // separate sums: additions to one wait for each other
       for (std::size_t r = 0; r < padded; r += lanes) {
         for (std::size_t l = 0; l < lanes; ++l) {
           res[l] += ar[r + l] * br[r + l] - sign * ai[r + l] * bi[r + l];
@@ -134,7 +135,7 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
       const auto n = static_cast<double>(replicates);
       family.add(p_of_resultant(squared, n), true, [&, i = i, j = j] {
         return fmt::format(
-            "u, {}, and v, {}, are not independent: {} is {} ({} times)", name_of(numbers, i),
+            "u = {} and v = {} are not independent: {} is {} in {} replicates", name_of(numbers, i),
             name_of(numbers, j), wave.words,
             squared > 0.98 * n * n ? "always the same, modulo 1" : "not uniform, modulo 1",
             replicates);
@@ -144,18 +145,18 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
   return family.failure();
 }
 
-/// Two bits are equal in half of the replicates: bits of one number, and of two.
+/// Any two bits, of one number or of two, are equal in half of the replicates.
 std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness& claim,
                                       const Pairs& pairs) {
   const std::size_t replicates = numbers.replicates();
   const auto planes = static_cast<std::size_t>(std::clamp(numbers.bits - 3, 1, 32));
-  const std::size_t crossed = std::min<std::size_t>(planes, 8);  // all with all, of the first
+  const std::size_t crossed = std::min<std::size_t>(planes, 8);  // of these, all pairs of bits
   const BitPlanes bits(numbers, planes);
   const std::size_t inside = std::min<std::size_t>(numbers.positions, 64);
   Family family(
       numbers, claim, "bits of pairs",
       pairs.size() * (planes + crossed * (crossed - 1)) + inside * planes * (planes - 1) / 2);
-  // |k - R/2| is so large with the binomial's tail; the bound saves computing most of them.
+  // Below this deviation nothing can fail: it saves most binomial tails.
   const auto n = static_cast<double>(replicates);
   const double bound = std::sqrt(n * 10);
   const auto compare = [&](std::size_t p, std::size_t k, std::size_t q, std::size_t l) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the parts of the battery share; only battery*.cpp include this.
+// Shared by the parts of the battery; only battery*.cpp include this.
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,15 @@
 
 namespace mc::checks::battery {
 
-constexpr double parts = 9;  // of the battery: the alpha of a call is divided among them
+constexpr double parts = 9;  // the alpha of a call is divided among them
 
 inline std::string name_of(const Uniforms& numbers, std::size_t position) {
   if (numbers.name) return numbers.name(position);
   return numbers.positions == 1 ? "values" : fmt::format("position {}", position);
 }
 
-/// The tests of one part: remembers the smallest p-value, and records one of them, chosen at
-/// random, which is uniform under the null hypothesis as the smallest is not.
+/// The tests of one part. Keeps the smallest p-value, and records a randomly chosen one, which is
+/// uniform under the null hypothesis (the smallest is not).
 class Family {
  public:
   Family(const Uniforms& numbers, const Randomness& claim, const char* part, std::size_t size)
@@ -33,9 +33,9 @@ class Family {
         claim_(claim),
         part_(part),
         size_(std::max<std::size_t>(size, 1)),
-        chosen_(fresh_index(size_)) {}
+        chosen_(side_rng()() % size_) {}
 
-  /// `describe` says what was measured; called if the test fails.
+  /// `describe` returns what was measured; it is called only if the test fails.
   template <class Describe>
   void add(double p, bool is_continuous, Describe describe) {
     if (count_++ == chosen_ && is_continuous) {
@@ -58,21 +58,17 @@ class Family {
                               std::min(1.0, least_ * static_cast<double>(size_)),
                               claim_.alpha / parts}));
     std::string fault = claim_.explain ? claim_.explain() : "";
-    if (fault.empty() && claim_.expected.empty()) fault = visible_fault(numbers_, claim_);
+    if (fault.empty() && claim_.expected.empty() && !claim_.is_certain)
+      fault = visible_fault(numbers_, claim_);
     return Failure{
         numbers_.call + ": " + measured_,
         claim_.expected.empty() ? "independent random numbers, uniform in [0, 1)" : claim_.expected,
-        fmt::format("{}: a right answer fails here once in {:.1g} runs", claim_.words,
+        fmt::format("{}: a correct answer fails this test once in {:.1g} runs", claim_.words,
                     parts / claim_.alpha),
         fault.empty() ? claim_.otherwise : fault};
   }
 
  private:
-  static std::size_t fresh_index(std::size_t size) {
-    static std::uint64_t calls = 0;
-    return Rng(check_rng()() ^ mix_bits(++calls))() % size;
-  }
-
   const Uniforms& numbers_;
   const Randomness& claim_;
   const char* part_;
@@ -82,12 +78,12 @@ class Family {
 };
 
 /// P(|sum of n independent random directions|^2 >= squared): Rayleigh's test, with the second-order
-/// correction of Zar, "Biostatistical analysis", 27.1; an upper bound far out.
+/// correction of Zar, "Biostatistical analysis", 27.1; an upper bound in the far tail.
 inline double p_of_resultant(double squared, double n) {
   return std::exp(std::sqrt(1 + 4 * n + 4 * (n * n - std::min(squared, n * n))) - (1 + 2 * n));
 }
 
-/// Values as near to each other as rounding allows count as equal.
+/// Values closer than this count as equal: rounding may separate them.
 inline double width_of_equal(const Uniforms& numbers) {
   return std::ldexp(1.0, -std::min(44, numbers.bits - 2));
 }
@@ -101,14 +97,12 @@ inline std::size_t repeats_in(std::vector<double> sorted, double width) {
 
 using Complex = std::complex<float>;
 
-/// z = exp(2 pi i u) of all values; its powers give all waves.
-std::vector<Complex> turned(std::span<const double> values);
+/// exp(2 pi i u) of all values; products of its powers give all waves.
+std::vector<Complex> phases_of(std::span<const double> values);
 
-/// Positions, two by two.
-using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;  ///< of positions
 
-/// The pairs of positions that are compared: all of few; of many, those a power of two apart and a
-/// thousand others.
+/// The pairs of positions to compare: all of up to 40 positions, or a selection.
 Pairs compared_pairs(std::size_t positions);
 
 std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& claim,

@@ -1,6 +1,5 @@
 #pragma once
-// What checks are written in: the standard library's lists and mathematics, Catch2, measurements,
-// declared domains, comparison, refusals. Each file of a lab's checks may rely on all of it.
+// Everything that a check may use. Each file of a lab's checks may rely on all of it.
 
 #include <algorithm>
 #include <array>

@@ -11,9 +11,6 @@
 namespace mc::checks {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// The tolerance of each value, and whether values agree within it.
 class Agreement {
  public:
   explicit Agreement(const Comparison& comparison) : tolerance_(comparison.tolerance) {}
@@ -21,8 +18,9 @@ class Agreement {
   bool agree(double a, double b, std::size_t i) const {
     return a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance(i);
   }
-  /// A suspect's values are computed in another order than the submission's: nine digits, or the
-  /// tolerance. Where few digits are wrong, most suspects have the others.
+  /// A suspect's values are computed in a different order than the submission's: nine digits must
+  /// agree, or the tolerance holds. It must also be much closer than the exact value: if only the
+  /// last digits are wrong, most suspects share the others.
   bool is_explained(double got, double exact, double suspected, std::size_t i) const {
     if (!std::isfinite(got) || !std::isfinite(suspected)) return agree(got, suspected, i);
     const double apart = std::abs(got - suspected), error = std::abs(got - exact);
@@ -34,7 +32,7 @@ class Agreement {
   std::span<const double> tolerance_;
 };
 
-/// Where got = factor * exact for all values with one factor other than 1: the factor.
+/// The factor, if got = factor * exact for all values.
 std::optional<double> common_factor(std::span<const double> got, std::span<const double> exact) {
   std::optional<double> factor;
   for (std::size_t i = 0; i < got.size(); ++i) {
@@ -47,7 +45,6 @@ std::optional<double> common_factor(std::span<const double> got, std::span<const
   return factor;
 }
 
-/// Mistakes that any list of values can show.
 std::vector<Curve> generic_suspects(std::span<const double> got, const Comparison& comparison) {
   const std::span<const double> exact = comparison.exact;
   const std::size_t n = exact.size();
@@ -55,18 +52,17 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
       {each(exact, [](double x) { return static_cast<double>(static_cast<float>(x)); }),
        "the values were rounded to float: keep them in double"},
       {std::vector<double>(n, nan),
-       "all values are NaN: nothing was written, or it was added to what was there"},
+       "all values are NaN: they were never written, or only added to (+=)"},
       {std::vector<double>(n, 0.0), "all values are 0"},
       {each(exact, [](double x) { return -x; }), "the sign is wrong"},
       {each(exact, [](double x) { return x * x; }), "these are the squares"},
       {each(exact, [](double x) { return std::sqrt(x); }), "these are the square roots"},
       {each(exact, [](double x) { return 1 / x; }), "these are the reciprocals"},
       {each(exact, [](double x) { return std::floor(x); }),
-       "the fraction is lost: a division or a "
-       "variable in whole numbers"}};
+       "the fraction is lost: by an integer division, or in an integer variable"}};
   if (n < 3) return all;
   const auto constant = [&](double value) { return std::abs(value - got[0]) <= 1e-12; };
-  if (std::all_of(got.begin(), got.end(), constant)) {
+  if (std::ranges::all_of(got, constant)) {
     all.push_back({std::vector<double>(n, got[0]), fmt::format("every value is {}", got[0])});
   }
   if (const auto factor = common_factor(got, exact); factor && std::abs(*factor - 1) > 1e-6) {
@@ -88,7 +84,7 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
   return all;
 }
 
-/// The hint where all values beyond some limit became that limit.
+/// The hint if all values beyond some limit became that limit.
 std::string limit_hint(std::span<const double> got, std::span<const double> exact,
                        const Agreement& agreement) {
   std::optional<double> limit;
@@ -107,11 +103,12 @@ std::string limit_hint(std::span<const double> got, std::span<const double> exac
   const bool is_upper = above == wrong && right_above == 0;
   const bool is_lower = above == 0 && right_below == 0;
   if (wrong < 2 || right_above + right_below < 2 * wrong || !(is_upper || is_lower)) return {};
-  return fmt::format("no value is {} {}: is there a limit?", is_upper ? "above" : "below", *limit);
+  return fmt::format("no value is {} {}: something limits the values", is_upper ? "above" : "below",
+                     *limit);
 }
 
-/// Whether the wrong values have a float's digits, and nearly all are wrong: a float happens to
-/// hold a few. The first value is an ordinary one.
+/// Whether the wrong values have the digits of a float, and most values are wrong: a float holds
+/// some values exactly. The first value is an ordinary one.
 bool are_of_float(std::span<const double> got, std::span<const double> exact,
                   const Agreement& agreement) {
   std::size_t wrong = 0;
@@ -126,7 +123,6 @@ bool are_of_float(std::span<const double> got, std::span<const double> exact,
 
 std::string hint_for(std::span<const double> got, const Comparison& comparison,
                      const Agreement& agreement) {
-  std::string found;
   const auto explains = [&](const Curve& curve) {
     if (curve.values.size() != got.size()) return false;
     bool differs = false;  // from the exact values: otherwise it is not a mistake
@@ -140,19 +136,19 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
     std::optional<std::string> hint;
     for (const Curve& curve : curves) {
       if (!explains(curve)) continue;
-      if (hint && *hint != curve.hint) return comparison.otherwise;  // two explanations: none
+      if (hint && *hint != curve.hint) return comparison.otherwise;  // two explanations
       hint = curve.hint;
     }
     return hint;
   };
-  // What the check knows of the task first: generic words say less.
+  // The check's own suspects come first: they are more specific.
   if (const auto hint = only_one(comparison.suspects)) return *hint;
-  if (std::any_of(got.begin(), got.end(), [](double x) { return std::isinf(x); })) {
-    return comparison.otherwise;  // the square, the sum, the reciprocal: whatever overflowed
+  if (std::ranges::any_of(got, [](double x) { return std::isinf(x); })) {
+    return comparison.otherwise;  // an overflow hides what was computed
   }
   if (const auto hint = only_one(generic_suspects(got, comparison))) return *hint;
   if (comparison.is_tame && are_of_float(got, comparison.exact, agreement)) {
-    return "a float keeps seven digits or so: is anything a float?";
+    return "only about seven digits are correct, as in a float: use double everywhere";
   }
   if (auto limited = limit_hint(got, comparison.exact, agreement); !limited.empty()) return limited;
   return comparison.otherwise;
@@ -165,7 +161,7 @@ std::string ordinal(std::size_t number) {
 }
 
 /// Which of `count` values are wrong, in words: "all", "the last 3", "every 4th, from 2 on".
-/// `wrong` are their indices in rising order.
+/// `wrong` has their indices in ascending order.
 std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
   const std::size_t n = wrong.size();
   if (n == count) return count == 1 ? "" : "all of them are wrong";
@@ -223,7 +219,7 @@ std::optional<Failure> difference(const MeasuredValues& measured, const Comparis
                                    std::isfinite(got[first])
                                        ? fmt::format("{:.1f} found", std::max(0.0, found))
                                        : "no number found")
-                     : fmt::format("{}, give or take {:.3g}", exact, tolerance),
+                     : fmt::format("{} ± {:.3g}", exact, tolerance),
                  comparison.because, hint_for(got, comparison, agreement)};
 }
 

@@ -1,6 +1,6 @@
-// Our own rather than Boost.Math's: its incomplete gamma and beta functions alone make a compiler
-// want 350 MB and every fresh clone some seconds more. They are two continued fractions and a
-// series; distributions_test.cpp holds them to published values.
+// Not from Boost.Math: compiling its incomplete gamma and beta functions takes 350 MB and several
+// seconds in every fresh clone. Here they are a continued fraction and a series;
+// distributions_test.cpp compares them with published values.
 
 #include "checks/support/distributions.hpp"
 
@@ -8,17 +8,35 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "checks/support/domain.hpp"
 
 namespace mc::checks {
 namespace {
 
-constexpr double tiny = 1e-300;  // replaces a zero denominator, as in Lentz's method
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double tiny = 1e-300;        // replaces a zero denominator in Lentz's method
 constexpr int most_terms = 1'000'000;  // a series needs a few times the root of its parameters
 
+/// b0 + a1 / (b1 + a2 / (b2 + …)), where `term(i)` returns {a_i, b_i}: by Lentz's method.
+template <class Term>
+double continued_fraction(double b0, Term term) {
+  double fraction = b0, c = b0, d = 0;
+  for (double i = 1; i < most_terms; ++i) {
+    const auto [a, b] = term(i);
+    d = a * d + b;
+    c = b + a / c;
+    if (std::abs(d) < tiny) d = tiny;
+    if (std::abs(c) < tiny) c = tiny;
+    d = 1 / d;
+    fraction *= d * c;
+    if (std::abs(d * c - 1) <= eps) break;
+  }
+  return fraction;
+}
+
 /// The regularized incomplete gamma functions P(a, x) and Q(a, x) = 1 - P. Series and continued
-/// fraction: Abramowitz and Stegun 6.5.29 and 6.5.31, the latter by Lentz's method in the form of
-/// Press et al., "Numerical Recipes", section 6.2.
+/// fraction: Abramowitz and Stegun 6.5.29 and 6.5.31.
 Tails incomplete_gamma(double a, double x) {
   if (!(x > 0)) return {0, 1};
   if (std::isinf(x)) return {1, 0};
@@ -29,43 +47,22 @@ Tails incomplete_gamma(double a, double x) {
     const double lower = front * sum;
     return {lower, 1 - lower};
   }
-  double b = x + 1 - a, c = 1 / tiny, d = 1 / b, fraction = d;
-  for (double i = 1; i < most_terms; ++i) {
-    const double an = -i * (i - a);
-    b += 2;
-    d = an * d + b;
-    c = b + an / c;
-    if (std::abs(d) < tiny) d = tiny;
-    if (std::abs(c) < tiny) c = tiny;
-    d = 1 / d;
-    fraction *= d * c;
-    if (std::abs(d * c - 1) <= eps) break;
-  }
-  const double upper = front * fraction;
+  const double b0 = x + 1 - a;
+  const double upper = front / continued_fraction(b0, [=](double i) {
+                         return std::pair{-i * (i - a), b0 + 2 * i};
+                       });
   return {1 - upper, upper};
 }
 
-/// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8), which
-/// converges fast for x < (a+1)/(a+b+2). Lentz's method, as "Numerical Recipes", section 6.4.
+/// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8), for x <
+/// (a+1)/(a+b+2).
 double beta_fraction(double a, double b, double x) {
-  double c = 1, d = 1 - (a + b) * x / (a + 1);
-  if (std::abs(d) < tiny) d = tiny;
-  d = 1 / d;
-  double fraction = d;
-  for (double m = 1; m < most_terms; ++m) {
-    const double even = m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m));
-    const double odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
-    for (const double step : {even, odd}) {
-      d = 1 + step * d;
-      c = 1 + step / c;
-      if (std::abs(d) < tiny) d = tiny;
-      if (std::abs(c) < tiny) c = tiny;
-      d = 1 / d;
-      fraction *= d * c;
-    }
-    if (std::abs(d * c - 1) <= eps) break;
-  }
-  return fraction;
+  return 1 / continued_fraction(1, [=](double i) {
+           const double m = std::floor(i / 2), a2 = a + 2 * m;
+           const double step = std::fmod(i, 2) == 0 ? m * (b - m) * x / ((a2 - 1) * a2)
+                                                    : -(a + m) * (a + b + m) * x / (a2 * (a2 + 1));
+           return std::pair{step, 1.0};
+         });
 }
 
 /// The regularized incomplete beta functions I_x(a, b) and 1 - I_x(a, b), given x and y = 1 - x.
@@ -113,11 +110,10 @@ Tails binomial_tails(std::uint64_t k, std::uint64_t n, double p) {
           k == 0 ? 1 : incomplete_beta(successes, failures + 1, p, 1 - p).lower};
 }
 
-// Upper tail: twice the one-sided one, which is a finite sum of positive terms (Birnbaum and Tingey
-// 1951); what is counted twice there is below 1e-4 of it for p < 0.05 (Simard and L'Ecuyer 2011,
-// "Computing the two-sided Kolmogorov-Smirnov distribution", section 2.4). Elsewhere Kolmogorov's
-// limit at Vrbik's argument (2018, "Small-sample corrections to Kolmogorov-Smirnov test
-// statistic").
+// For p < 0.05, twice the one-sided tail, which is a finite sum of positive terms (Birnbaum and
+// Tingey 1951); this counts less than 1e-4 of it twice (Simard and L'Ecuyer 2011, "Computing the
+// two-sided Kolmogorov-Smirnov distribution", section 2.4). Elsewhere Kolmogorov's limit at Vrbik's
+// argument (2018, "Small-sample corrections to Kolmogorov-Smirnov test statistic").
 Tails kolmogorov_tails(double d, std::uint64_t n) {
   if (std::isnan(d)) return {0, 0};
   const auto size = static_cast<double>(n);
@@ -135,9 +131,7 @@ Tails kolmogorov_tails(double d, std::uint64_t n) {
     return tails;
   }
   tails.upper = 0;
-  for (int i = 1; i < 20; ++i) {
-    tails.upper += (i % 2 == 1 ? 2 : -2) * std::exp(-2 * i * i * t * t);
-  }
+  for (int i = 1; i < 20; ++i) tails.upper += (i % 2 == 1 ? 2 : -2) * std::exp(-2 * i * i * t * t);
   if (tails.upper < 0.05) {
     const double log_factorial = std::lgamma(size + 1);
     double one_sided = 0;
@@ -153,7 +147,7 @@ Tails kolmogorov_tails(double d, std::uint64_t n) {
   return tails;
 }
 
-// A bucket for each value, so that each bucket holds few: a third of the time of std::sort.
+// One bucket per value, so that each holds few: three times as fast as std::sort.
 void sort_uniforms(std::vector<double>& values) {
   const std::size_t n = values.size();
   const auto size = static_cast<double>(n);
@@ -168,7 +162,7 @@ void sort_uniforms(std::vector<double>& values) {
   for (std::size_t b = 0, first = 0; b < n; first = end[b++]) {
     if (end[b] - first > 16) std::sort(&sorted[first], &sorted[first] + (end[b] - first));
   }
-  for (std::size_t i = 1; i < n; ++i) {  // the others: by insertion
+  for (std::size_t i = 1; i < n; ++i) {  // insertion sort for the others
     for (std::size_t k = i; k > 0 && sorted[k - 1] > sorted[k]; --k)
       std::swap(sorted[k - 1], sorted[k]);
   }

@@ -1,8 +1,8 @@
 #pragma once
-// The inputs that every check of a kind of argument goes through. Wrong answers hide at the ends of
-// what a header promises, on both sides of powers of two, and at sizes that no block divides.
+// Inputs for checks, by kind of argument. Bugs hide at the limits of what a header allows, on both
+// sides of powers of two, and at sizes that are not multiples of a block.
 //
-// Lists begin with an ordinary value, from which a hint reads best, and end with the smallest.
+// Lists begin with an ordinary value, for readable reports, and end with the smallest.
 
 #include <cstdint>
 #include <limits>
@@ -13,12 +13,15 @@
 
 namespace mc::checks {
 
-/// Uniform in [0, 1): 53 bits.
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Uniform in [0, 1), with 53 bits.
 inline double uniform(Rng& rng) {
   return static_cast<double>(rng() >> 11) * 0x1p-53;
 }
 
-/// Uniform in [low, high).
 inline double uniform(Rng& rng, double low, double high) {
   return low + (high - low) * uniform(rng);
 }
@@ -29,7 +32,12 @@ inline std::vector<double> uniform_values(Rng& rng, std::size_t n, double low, d
   return x;
 }
 
-/// A seed that is short enough to be typed again.
+template <class T, class More>
+void append(std::vector<T>& all, const More& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// A seed that is short enough to type.
 inline std::uint64_t fresh_seed(Rng& rng) {
   return rng() >> 32;
 }
@@ -38,8 +46,8 @@ inline std::uint64_t fresh_seed(Rng& rng) {
 
 namespace mc::checks::domain {
 
-/// Sizes of lists, at most `most`: ordinary ones, both sides of powers of two, primes, one random
-/// size; 2 and 1 at the end.
+/// Sizes of lists, at most `most`: ordinary ones, both sides of powers of two, primes, a random
+/// one.
 inline std::vector<std::uint64_t> sizes(std::uint64_t most, Rng& rng) {
   std::vector<std::uint64_t> all{12,  100, 37,  15,   16,   17,   63,   64,   65,    127,
                                  129, 255, 257, 1000, 1023, 1025, 4095, 4097, 65537, 999983};
@@ -49,8 +57,8 @@ inline std::vector<std::uint64_t> sizes(std::uint64_t most, Rng& rng) {
   return all;
 }
 
-/// Whole numbers of 64 bits up to `last`: small ones, powers of two and their neighbors, random
-/// ones of every length, the last ones.
+/// 64-bit integers up to `last`: small ones, powers of two, their neighbors, random ones, the last
+/// two.
 inline std::vector<std::uint64_t> words(std::uint64_t last, Rng& rng) {
   std::vector<std::uint64_t> all{6, 11, 100, 12345};
   for (int bit = 1; bit < 64; ++bit) {
@@ -62,7 +70,7 @@ inline std::vector<std::uint64_t> words(std::uint64_t last, Rng& rng) {
   return all;
 }
 
-/// A random seed, and the 64 that differ from it in one bit; `times` times.
+/// A random seed and the 64 seeds that differ from it in one bit; `times` times.
 inline std::vector<std::uint64_t> seeds_by_bit(Rng& rng, std::size_t times = 1) {
   std::vector<std::uint64_t> all;
   for (std::size_t i = 0; i < times; ++i) {
@@ -73,7 +81,6 @@ inline std::vector<std::uint64_t> seeds_by_bit(Rng& rng, std::size_t times = 1) 
   return all;
 }
 
-/// `count` random seeds.
 inline std::vector<std::uint64_t> seeds(Rng& rng, std::size_t count) {
   std::vector<std::uint64_t> all(count);
   for (auto& seed : all) seed = rng();
@@ -91,9 +98,5 @@ inline std::vector<std::uint64_t> in_a_row(std::uint64_t first, std::size_t coun
 inline std::vector<std::uint64_t> constant_words(Rng& rng) {
   return {~std::uint64_t{0}, 0, rng()};
 }
-
-/// Values that no finite computation survives.
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
-inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace mc::checks::domain

@@ -1,16 +1,17 @@
 #pragma once
-// Moments of doubles, exactly enough to judge by: double-double arithmetic, 106 bits.
+// Moments of lists of doubles: in double, and exactly, in double-double arithmetic (106 bits).
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace mc::checks {
 
 /// An unevaluated sum of two doubles, |low| <= ulp(high)/2. Sums and products after Dekker 1971 and
 /// Hida, Li, Bailey 2001 ("Library for double-double and quad-double arithmetic", algorithms 3-7);
-/// relative error below 2^-104. Overflows and NaNs are the caller's to avoid.
+/// relative error below 2^-104. The caller must avoid overflow and NaN.
 struct Exact {
   double high = 0;
   double low = 0;
@@ -63,9 +64,26 @@ inline Exact operator/(Exact a, Exact b) {
   return quick_two_sum(first, second) + Exact(rest.high / b.high);
 }
 
-/// Means, centered sums and sample variances of the doubles themselves (not of the decimals that
-/// they were written as). Two passes, which lose nothing worth naming in 106 bits. NaN where
-/// undefined.
+inline double sum_of(std::span<const double> x) {
+  return std::accumulate(x.begin(), x.end(), 0.0);
+}
+
+/// The sum that std::accumulate(…, 0) returns: it adds in int.
+inline double integer_sum(std::span<const double> x) {
+  double sum = 0;
+  for (const double value : x) sum = std::trunc(sum + value);
+  return sum;
+}
+
+/// The sum of squared deviations from the mean, in double.
+inline double squared_deviations(std::span<const double> x) {
+  const double mean = sum_of(x) / static_cast<double>(x.size());
+  double sum = 0;
+  for (const double value : x) sum += (value - mean) * (value - mean);
+  return sum;
+}
+
+/// Mean, sum of squared deviations and sample variance, in two passes; NaN where undefined.
 struct ExactMoments {
   double count = 0;
   Exact mean, m2;
@@ -83,6 +101,12 @@ inline Exact exact_codeviation(std::span<const double> x, std::span<const double
   Exact sum;
   for (std::size_t i = 0; i < x.size(); ++i) sum = sum + (x[i] - mean_x) * (y[i] - mean_y);
   return sum;
+}
+
+/// The condition number of the variance, kappa = sqrt(1 + mean^2 / variance).
+inline double condition(const ExactMoments& exact) {
+  const double mean = static_cast<double>(exact.mean);
+  return std::sqrt(1 + mean * mean / exact.variance);
 }
 
 inline ExactMoments exact_moments(std::span<const double> x) {

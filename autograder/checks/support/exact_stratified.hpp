@@ -1,7 +1,6 @@
 #pragma once
-// Exact variances of stratified estimates at finite N, from the means and variances that a function
-// has within the strata. Nothing here is asymptotic: at N = 64 as at N = 1024 it is known what a
-// right answer's error is.
+// Exact variances of stratified estimates for finite N, from the means and variances of a function
+// within the strata. Nothing is asymptotic: the error of a correct answer is known for every N.
 
 #include <algorithm>
 #include <cmath>
@@ -9,37 +8,31 @@
 #include <numeric>
 #include <vector>
 
+#include "checks/support/exact.hpp"
 #include "checks/support/quadrature.hpp"
 
 namespace mc::checks {
 
-/// What a function does in each of N strata of equal volume.
+/// The mean and variance of a function within each of N strata of equal volume.
 struct WithinStrata {
   std::vector<double> mean, variance;
   std::size_t size() const { return mean.size(); }
 };
 
-inline double sum_of(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0);
-}
 inline double sum_of_squares_of(const std::vector<double>& x) {
   return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
 }
 
-/// The mean of the function: its integral over the cube.
 inline double mean_of(const WithinStrata& strata) {
   return sum_of(strata.mean) / static_cast<double>(strata.size());
 }
 
-/// Sum of squared deviations of the strata's means from their mean.
+/// The sum of squared deviations of the strata's means from their mean.
 inline double between(const WithinStrata& strata) {
-  const double mean = mean_of(strata);
-  double sum = 0;
-  for (const double one : strata.mean) sum += (one - mean) * (one - mean);
-  return sum;
+  return squared_deviations(strata.mean);
 }
 
-/// Of h, smooth, over n equal parts of [0,1).
+/// A smooth function h over n equal strata of [0,1).
 template <class Function>
 WithinStrata strata_of(Function h, std::size_t n) {
   WithinStrata strata;
@@ -53,7 +46,7 @@ WithinStrata strata_of(Function h, std::size_t n) {
   return strata;
 }
 
-/// Of f(x) g(y) over the grid of f's strata and g's: a cell is a pair of them.
+/// f(x) g(y) over the grid of f's and g's strata.
 inline WithinStrata product_of(const WithinStrata& f, const WithinStrata& g) {
   WithinStrata cells;
   for (std::size_t i = 0; i < f.size(); ++i) {
@@ -67,8 +60,7 @@ inline WithinStrata product_of(const WithinStrata& f, const WithinStrata& g) {
   return cells;
 }
 
-/// The part of the square [0,s)^2 in which cx + sy < t, for c, s > 0: of the four corners'
-/// triangles, those that stick out are taken off again.
+/// The area of [0,side)^2 where cx + sy < t, for c, s > 0: a triangle, minus corners outside.
 inline double area_below(double c, double s, double t, double side) {
   const auto triangle = [](double rest) { return rest > 0 ? rest * rest : 0.0; };
   return (triangle(t) - triangle(t - c * side) - triangle(t - s * side) +
@@ -76,8 +68,8 @@ inline double area_below(double c, double s, double t, double side) {
          (2 * c * s);
 }
 
-/// Of an edge across side x side cells: 1 where cos(1)(x - 1/2) + sin(1)(y - 1/2) < edge, else 0. A
-/// cell that it covers to a part p has variance p (1 - p).
+/// An edge across side x side cells: 1 where cos(1)(x - 1/2) + sin(1)(y - 1/2) < edge, else 0. A
+/// cell of which it covers a fraction p has variance p (1 - p).
 inline WithinStrata edge_strata(double edge, std::size_t side) {
   const double c = std::cos(1.0), s = std::sin(1.0), width = 1 / static_cast<double>(side);
   WithinStrata cells;
@@ -99,21 +91,19 @@ inline double stratified_variance(const WithinStrata& strata) {
   return sum_of(strata.variance) / (n * n);
 }
 
-/// Kurtosis of that mean for an edge, whose cells are Bernoulli: fourth cumulants add up as
-/// variances do.
+/// Kurtosis of that mean for an edge, whose cells are Bernoulli: fourth cumulants add up.
 inline double edge_kurtosis(const WithinStrata& strata) {
   double fourth = 0;
   for (const double variance : strata.variance) fourth += variance * (1 - 6 * variance);
   return 3 + fourth / (sum_of(strata.variance) * sum_of(strata.variance));
 }
 
-/// Variance of the mean of n independent points.
 inline double independent_variance(const WithinStrata& strata, std::size_t n) {
   return (sum_of(strata.variance) + between(strata)) / static_cast<double>(strata.size()) /
          static_cast<double>(n);
 }
 
-/// Variance of the mean of the first `used` of one point in each stratum, in random order: strata
+/// Variance of the mean of the first `used` points of one point per stratum in random order: strata
 /// drawn without replacement (Cochran, theorem 2.2), and the variance within each of them.
 inline double variance_of_first(const WithinStrata& strata, std::size_t used) {
   const auto size = static_cast<double>(strata.size()), n = static_cast<double>(used);
@@ -121,10 +111,10 @@ inline double variance_of_first(const WithinStrata& strata, std::size_t used) {
   return (within + around * (size - n) / (size - 1)) / n;
 }
 
-/// Variance of the mean of f(p) g(q) over N points, p stratified by f's N strata and q by g's,
-/// their orders independent (two columns of a Latin hypercube, two padded patterns). Of the sum of
-/// f.mean[i] g.mean[pi(i)] over a random permutation pi the variance is between(f) between(g)/(N -
-/// 1) (Hoeffding 1951, "A combinatorial central limit theorem", theorem 2).
+/// Variance of the mean of f(p) g(q) over N points, p stratified by f's N strata and q by g's, in
+/// independent orders (two columns of a Latin hypercube, two padded patterns). The sum of f.mean[i]
+/// g.mean[pi(i)] over a random permutation pi has the variance between(f) between(g) / (N - 1)
+/// (Hoeffding 1951, "A combinatorial central limit theorem", theorem 2).
 inline double shuffled_product_variance(const WithinStrata& f, const WithinStrata& g) {
   const auto n = static_cast<double>(f.size());
   const double within_f = sum_of(f.variance), within_g = sum_of(g.variance);

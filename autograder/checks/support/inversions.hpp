@@ -1,6 +1,6 @@
 #pragma once
-// From randomized constructions back to the uniform numbers that they were made from, as
-// expect_independent_uniforms() wants them (battery.hpp).
+// Inverts randomized constructions to the uniform numbers that they were made from, for
+// expect_independent_uniforms() (battery.hpp).
 
 #include <bit>
 #include <cmath>
@@ -13,21 +13,19 @@
 
 namespace mc::checks {
 
-/// Two measurements with as many replicates, each replicate of one next to that of the other: what
-/// two seeds, or two calls, have in common shows as dependent positions.
+/// Joins each replicate of one measurement with the same replicate of another: anything that two
+/// seeds or calls have in common appears as dependent positions.
 inline Uniforms side_by_side(const Uniforms& a, const Uniforms& b) {
   Uniforms both{a.call + " and " + b.call, a.positions + b.positions};
   both.bits = std::min(a.bits, b.bits);
   for (std::size_t r = 0; r < std::min(a.replicates(), b.replicates()); ++r) {
     for (const Uniforms* one : {&a, &b}) {
-      const auto row = std::span(one->values).subspan(r * one->positions, one->positions);
-      both.values.insert(both.values.end(), row.begin(), row.end());
+      append(both.values, std::span(one->values).subspan(r * one->positions, one->positions));
     }
   }
   return both;
 }
 
-/// Some positions of them.
 inline Uniforms some_of(const Uniforms& all, const std::vector<std::size_t>& positions) {
   Uniforms some{all.call, positions.size(), {}, all.bits};
   for (std::size_t r = 0; r < all.replicates(); ++r) {
@@ -39,31 +37,28 @@ inline Uniforms some_of(const Uniforms& all, const std::vector<std::size_t>& pos
   return some;
 }
 
-/// How many bits of the jitter n x - i are left, of n strata: x has 53, and its product with n is
-/// rounded once more.
+/// The accurate bits of the jitter n x - i in one of n strata: x has 53 bits, and n x is rounded.
 inline int bits_of_jitter(std::size_t n) {
   return 52 - static_cast<int>(std::bit_width(n - 1));
 }
 
-/// Where x lies within its stratum, of n strata of [0, 1): the number that its jitter came from.
+/// The position of x within its stratum, of n strata of [0, 1).
 inline double jitter_of(double x, std::size_t n) {
   const double scaled = x * static_cast<double>(n);
   return std::clamp(scaled - std::floor(scaled), 0.0, 1 - 0x1p-53);
 }
 
-/// A whole number k of 0 … n-1, each equally likely, as a uniform number: (k + v) / n with a v of
-/// the judge's own.
+/// Maps an integer k of 0 … n-1, all equally likely, to a uniform number (k + v) / n, v random.
 inline double fill_cell(std::size_t k, std::size_t n, Rng& rng) {
   const double u = (static_cast<double>(k) + uniform(rng)) / static_cast<double>(n);
   return std::min(u, 1 - 0x1p-53);
 }
 
-/// The n - 1 independent uniform numbers that decide a random permutation of 0 … n-1: how many of
-/// the values not yet seen are smaller than the next one (its Lehmer code; Knuth, TAOCP 3, 5.1.1),
-/// as uniform numbers.
+/// The n - 1 independent uniform numbers that determine a random permutation of 0 … n-1: for each
+/// value, how many smaller ones come after it (its Lehmer code; Knuth, TAOCP 3, 5.1.1).
 inline std::vector<double> uniforms_of_permutation(std::span<const std::size_t> order, Rng& rng) {
   const std::size_t n = order.size();
-  std::vector<std::size_t> taken(n + 1);  // Fenwick's tree: how many below have been seen
+  std::vector<std::size_t> taken(n + 1);  // a Fenwick tree: how many smaller values were seen
   std::vector<double> uniforms;
   uniforms.reserve(n);
   for (std::size_t i = 0; i + 1 < n; ++i) {
@@ -75,24 +70,23 @@ inline std::vector<double> uniforms_of_permutation(std::span<const std::size_t> 
   return uniforms;
 }
 
-/// Bits of a value in [0, 1), of which 53 count: the first is the highest.
+/// The 53 bits of a value in [0, 1).
 inline std::uint64_t bits_of(double x) {
   return static_cast<std::uint64_t>(x * 0x1p53);
 }
 
-/// How many leading bits of 53 two values share.
+/// How many of their 53 leading bits two values share.
 inline int shared_bits(double a, double b) {
   return std::countl_zero((bits_of(a) ^ bits_of(b)) << 11 | 1u << 10);
 }
 
-/// Nested uniform scrambling in base 2 flips each bit of a value at random for each string of bits
-/// before it. Of each value, the flips that none of the values before it decides: a number whose
-/// remaining bits are filled up at random. Nothing for a value that came before.
+/// Nested uniform scrambling in base 2 flips each bit at random, depending on the bits before it.
+/// For each new value, the flips that no earlier value shows, as a number; other bits are random.
 inline std::vector<double> uniforms_of_flips(std::span<const double> values,
                                              std::span<const double> scrambled, Rng& rng) {
   std::vector<double> uniforms;
   for (std::size_t j = 0; j < values.size(); ++j) {
-    int decided = 0;  // flips that an earlier value has shown: of the shared bits and the next
+    int decided = 0;  // flips that an earlier value shows: of the shared bits and the next one
     for (std::size_t i = 0; i < j; ++i) {
       decided = std::max(decided, shared_bits(values[i], values[j]) + 1);
     }

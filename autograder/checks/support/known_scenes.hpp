@@ -1,6 +1,5 @@
 #pragma once
-// The scenes by their names, as labs/6-sampler/experiments.hpp has them: what is known
-// of each, and fresh parameters.
+// The scenes by the names that labs/6-sampler/experiments.hpp gives them, with random parameters.
 
 #include <fmt/format.h>
 
@@ -9,10 +8,10 @@
 
 namespace mc::checks {
 
-// Fresh parameters --------------------------------------------------------------------------------
+// Random parameters -------------------------------------------------------------------------------
 
-// Within what the scenes' comments allow, and so that the variance is worth measuring: a standard
-// deviation of 5% of the mean at least, and a kurtosis below 30 (scenes_test.cpp looks).
+// Within the limits of the scenes' comments, and such that the variance is worth measuring: a
+// standard deviation of at least 5% of the mean, and a kurtosis below 30.
 
 inline RectLight fresh_light(Rng& rng) {
   return light_in({-1.5, 0}, {-1.5, 0}, {1, 3}, {0.8, 1.5}, rng);
@@ -32,7 +31,7 @@ inline void draw(scenes::DiskLight& s, Rng& rng) {
   s.height = uniform(rng, 0.5, 1.2);
   s.offset = uniform(rng, 0, 1);
 }
-/// Of a sphere at `distance`, above the horizon by a tenth of what is there.
+/// The tilt of a sphere that stays above the horizon by a tenth of the available angle.
 inline double fresh_tilt(Rng& rng, double radius, double distance, double least) {
   return uniform(rng, least, 0.9 * std::acos(radius / distance));
 }
@@ -53,8 +52,8 @@ inline void draw(scenes::DiskPenumbra& s, Rng& rng) {
   s.light = fresh_light(rng);
   const RectLight& light = s.light;
   const double scale = uniform(rng, 0.3, 0.7);  // from the light to the occluder
-  const double shadow =
-      uniform(rng, 0.15, 0.45) * std::min(light.x1 - light.x0, light.y1 - light.y0);
+  const double side = std::min(light.x1 - light.x0, light.y1 - light.y0),
+               shadow = side * uniform(rng, 0.15, 0.45);
   s.x = scale * uniform(rng, light.x0 + shadow, light.x1 - shadow);
   s.y = scale * uniform(rng, light.y0 + shadow, light.y1 - shadow);
   s.radius = scale * shadow;
@@ -145,10 +144,10 @@ const auto& named(const All& all, std::string_view name) {
   for (const auto& one : all) {
     if (one.name == name) return one;
   }
-  throw std::out_of_range("nothing is known of " + std::string(name));
+  throw std::out_of_range("unknown scene " + std::string(name));
 }
 
-/// One sample of a scene with these parameters (none: the scene's own).
+/// One sample of a scene with these parameters (none: its defaults).
 inline Population scene_population(std::string_view name, std::span<const double> parameters) {
   return named(known_scenes, name).population(parameters);
 }
@@ -170,7 +169,7 @@ inline std::string described(std::string_view name, std::span<const double> para
     if (value == parameters.end()) break;
     words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", field, *value++);
   }
-  return fmt::format("{} with {}", name, words.empty() ? "its own parameters" : words);
+  return fmt::format("{} with {}", name, words.empty() ? "default parameters" : words);
 }
 
 }  // namespace mc::checks

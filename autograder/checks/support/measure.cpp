@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include "checks/support/calls.hpp"
 #include "checks/support/catch.hpp"
 #include "checks/support/validation.hpp"
 #include "protocol/environment.hpp"
@@ -25,8 +24,7 @@ using protocol::RecordKind;
 namespace {
 
 #ifdef __GLIBC__
-/// Lists of megabytes come and go by the hundred: their pages stay ours, or a fifth of a check's
-/// time goes into being given them again.
+/// Keeps freed pages: requesting them again for large lists takes a fifth of a check's time.
 [[maybe_unused]] const bool keeps_pages = [] {
   constexpr int megabyte = 1 << 20;
   return mallopt(M_MMAP_THRESHOLD, 32 * megabyte) != 0 &&
@@ -39,22 +37,16 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The program under judgment, as the grader hands it over: an open descriptor, or a path by hand.
-struct Judged {
-  sandbox::Program by_hand;
-  int descriptor = -1;
-};
-const Judged& judged() {
-  static const Judged opened = [] {
-    const std::string descriptor = environment(protocol::program_variable);
-    if (!descriptor.empty()) return Judged{{}, std::stoi(descriptor)};
+/// The program to judge: a descriptor opened by the grader, or a path when checks run by hand.
+int program_descriptor() {
+  static const sandbox::Program by_hand = [] {
     const std::string path = environment(protocol::program_path_variable);
+    if (!environment(protocol::program_variable).empty()) return sandbox::Program{};
     if (path.empty()) throw std::runtime_error("no program: MC_PROGRAM is not set");
-    Judged program{sandbox::open_program(path)};
-    program.descriptor = program.by_hand.descriptor.get();
-    return program;
+    return sandbox::open_program(path);
   }();
-  return opened;
+  static const std::string descriptor = environment(protocol::program_variable);
+  return descriptor.empty() ? by_hand.descriptor.get() : std::stoi(descriptor);
 }
 
 std::uint64_t run_seed() {
@@ -65,7 +57,7 @@ std::uint64_t run_seed() {
   return seed;
 }
 
-/// Calls of this check, the latest last, for the command that repeats one by hand.
+/// The latest calls of this check, for the command that repeats one by hand.
 struct PastCall {
   std::string text, experiment;
   std::function<std::string()> typed;
@@ -73,8 +65,8 @@ struct PastCall {
 std::vector<PastCall> past_calls;
 constexpr std::size_t most_past_calls = 256;
 
-/// The call that a failure report names, or the only one. Nothing where calls with other arguments
-/// are shown alike (long lists are cut), or where the failure is about many calls.
+/// The call that a failure report names, or the only one. Null if several calls look the same (long
+/// lists are shortened), or if the failure is about many calls.
 const PastCall* call_in(const std::string& report) {
   if (past_calls.size() == 1) return &past_calls.front();
   const PastCall* found = nullptr;
@@ -88,22 +80,22 @@ const PastCall* call_in(const std::string& report) {
   }
   if (found == nullptr) return nullptr;
   const std::string typed = found->typed();
-  const bool is_ambiguous = std::any_of(past_calls.begin(), past_calls.end(), [&](auto& call) {
+  const bool is_ambiguous = std::ranges::any_of(past_calls, [&](auto& call) {
     return call.text == found->text && call.experiment == found->experiment &&
            call.typed() != typed;
   });
   return is_ambiguous ? nullptr : found;
 }
 
-/// The message of the library's assertion that ended the program, if one did.
+/// The standard library's assertion that ended the program, if one did.
 std::string assertion_in(const std::string& printed) {
   const auto at = printed.find("Assertion '");
   if (at == std::string::npos) return {};
   const auto start = at + std::string_view("Assertion '").size();
-  // The program may have printed this itself: one line, however it goes on.
+  // The program may have printed this itself: keep one line only.
   const std::string what = sandbox::printable_line(
       sandbox::shortened(printed.substr(start, printed.find('\'', start) - start), 200));
-  const auto line = printed.rfind('\n', at) + 1;  // 0 where there is none before it
+  const auto line = printed.rfind('\n', at) + 1;  // 0 if there is none
   const std::string_view where = std::string_view(printed).substr(line, at - line);
   for (const char* type : {"span", "vector", "array", "string", "optional"}) {
     if (where.find(fmt::format("::{}<", type)) != std::string_view::npos ||
@@ -114,28 +106,25 @@ std::string assertion_in(const std::string& printed) {
   return fmt::format("the standard library found {} broken", what);
 }
 
-/// The report for a program that gave no answer: how it ended, if known, and the usual cause.
+/// The report for a program that gave no answer: how it ended, and the usual causes.
 std::string report_of_end(const Call& call) {
   const sandbox::Outcome& outcome = call.outcome;
   std::string because = assertion_in(outcome.printed), likely;
   switch (outcome.end) {
     case sandbox::End::over_limit:
       likely =
-          "a loop that never ends (look at its condition with these arguments), far more steps "
-          "than the task needs, a list that grows without end, or a size computed below zero: "
-          "-1 as an unsigned number is 1.8e19";
+          "an infinite loop (check its condition for these arguments), far too many steps, a list "
+          "that grows forever, or a negative size: as unsigned, -1 is 1.8e19";
       break;
     case sandbox::End::crashed:
       likely = because.empty()
-                   ? "an index outside a list, a division of integers by zero, or a "
-                     "recursion without end"
-                   : "an index one too large, or an empty list where one value is needed";
+                   ? "an index out of range, an integer division by zero, or infinite recursion"
+                   : "an index that is one too large, or an empty list where a value is needed";
       break;
     case sandbox::End::other:
       break;
   }
-  std::string report =
-      fmt::format("measured  {} {}\nexpected  an answer", call.text, outcome.failure);
+  auto report = fmt::format("measured  {} {}\nexpected  an answer", call.text, outcome.failure);
   if (!because.empty()) report += "\nbecause   " + because;
   if (!likely.empty()) report += "\nlikely    " + likely;
   return report;
@@ -153,10 +142,15 @@ Rng check_rng() {
   return Rng(hash);
 }
 
+Rng side_rng() {
+  static std::uint64_t calls = 0;
+  return Rng(check_rng()() ^ mix_bits(++calls));
+}
+
 sandbox::Outcome run_program(std::string_view request, const sandbox::Limits& limits) {
-  const Judged& program = judged();
+  const int program = program_descriptor();
   try {
-    return sandbox::run_jailed(program.descriptor, "the program", request, limits);
+    return sandbox::run_jailed(program, "the program", request, limits);
   } catch (const std::system_error& error) {
     record(protocol::RecordKind::machine, error.what());
     throw;
@@ -172,7 +166,7 @@ void fail(const std::string& report) {
 }
 
 void pass() {
-  // Catch2 takes its time over each, and there are a hundred thousand in some checks.
+  // Catch2 is slow, and some checks have a hundred thousand expectations: one per check is enough.
   static std::string counted;
   const std::string name = Catch::getResultCapture().getCurrentTestName();
   if (name == counted) return;
@@ -211,8 +205,7 @@ void require_value(const Call& call) {
                                                                             : "invalid_argument",
                                outcome.bytes),
                    "a value: these arguments are valid", "",
-                   "which test of the arguments refuses them? Does it test a result that has "
-                   "overflowed?"});
+                   "find the condition that refuses them; it may test a value that overflowed"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
   }

@@ -1,12 +1,12 @@
 #pragma once
-// Asking a submission's program for a measurement, from inside a check.
+// Requests a measurement from a submission's program.
 //
 //   const auto got = MEASURE(variance_two_pass, x);        // Measured<double>: got.value, got.call
 //   const auto& u = MEASURE(uniforms, 1000, seed).exactly(1000, unit);  // lists: validated
 //   const auto refused = MEASURE_OUTCOME(covariance, x, y);  // to look at exceptions
 //
-// The types come from the experiment's declaration; nothing of the experiment is linked here. A
-// measurement without a value (not written yet, crashed, threw …) ends the check, with the reason.
+// Only the declaration of an experiment is used; its definition is not linked. A measurement
+// without a value (not written yet, crashed, threw …) ends the check and reports the reason.
 
 #include <functional>
 #include <optional>
@@ -25,34 +25,26 @@
 #include "runner/wire.hpp"
 #include "sandbox/jail.hpp"
 
-#define MEASURE(experiment, ...)                                         \
-  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value( \
-      #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
-#define MEASURE_WITH(limits, experiment, ...)                            \
-  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value( \
+#define MC_MEASURE(member, limits, experiment, ...)                       \
+  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::member( \
       #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
-#define MEASURE_OUTCOME(experiment, ...)                                   \
-  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::outcome( \
-      #experiment, {} __VA_OPT__(, ) __VA_ARGS__)
-#define MEASURE_OUTCOME_WITH(limits, experiment, ...)                      \
-  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::outcome( \
-      #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
-/// A measurement that may be missing: empty where the task is not written, or fails. Of a plot, the
-/// reason is written next to its data (measurements/support/plot_data.hpp).
-#define TRY_MEASURE(experiment, ...) TRY_MEASURE_WITH({}, experiment __VA_OPT__(, ) __VA_ARGS__)
-#define TRY_MEASURE_WITH(limits, experiment, ...)                               \
-  ::mc::checks::Measure<decltype(::mc::experiments::experiment)>::value_if_any( \
-      #experiment, limits __VA_OPT__(, ) __VA_ARGS__)
+#define MEASURE(...) MC_MEASURE(value, {}, __VA_ARGS__)
+#define MEASURE_WITH(limits, ...) MC_MEASURE(value, limits, __VA_ARGS__)
+#define MEASURE_OUTCOME(...) MC_MEASURE(outcome, {}, __VA_ARGS__)
+#define MEASURE_OUTCOME_WITH(limits, ...) MC_MEASURE(outcome, limits, __VA_ARGS__)
+/// A measurement that may be missing: empty if the task is not written, or fails. Plots write the
+/// reason next to their data (measurements/support/plot_data.hpp).
+#define TRY_MEASURE(...) MC_MEASURE(value_if_any, {}, __VA_ARGS__)
+#define TRY_MEASURE_WITH(limits, ...) MC_MEASURE(value_if_any, limits, __VA_ARGS__)
 
 namespace mc::checks {
 
-/// What a call returned. A number or a struct of numbers is `value`; NaN meets no expectation.
-/// Lists are untrusted in length and content: they are validated first (validation.hpp).
+/// The result of a call: a number, or a struct of numbers. Lists must be validated before use.
 template <class T>
 struct Measured {
   T value;
   std::string call;             ///< "mean({1, 2, 4})"
-  double cpu_seconds = 0;       ///< of the whole program, seen from outside
+  double cpu_seconds = 0;       ///< of the whole program
   std::size_t peak_memory = 0;  ///< of the program, in bytes
 };
 template <HasLists T>
@@ -69,17 +61,17 @@ struct Measured<T> {
   const T& exactly(std::size_t count, const Range& range = finite) const {
     return list_by_list({{count, range}});
   }
-  /// The same where the lists of a struct differ: the counts of each, in order.
+  /// The same with a separate count for each list of a struct, in order.
   const T& exactly(std::initializer_list<std::size_t> counts, const Range& range = finite) const {
     return list_by_list(specs_of(counts, range));
   }
-  /// Lists that differ in kind, too: what is expected of each, in order.
+  /// The same with a separate count and range for each list, in order.
   const T& list_by_list(const std::vector<ListSpec>& specs) const {
     if (const auto what = failure_of(value_, specs)) refuse(call, *what);
     pass();
     return value_;
   }
-  /// Nothing where the check would end.
+  /// Null where the functions above would end the check.
   const T* if_exactly(std::initializer_list<std::size_t> counts, const Range& range) const {
     return if_list_by_list(specs_of(counts, range));
   }
@@ -102,30 +94,30 @@ struct Call {
   sandbox::Outcome outcome;
 };
 
-/// The generator of this check in this run: seeded by the run's seed and the check's name.
+/// The generator of this check in this run, seeded by the run's seed and the check's name.
 Rng check_rng();
 
-/// Calls the program; ends the check if there is none, or if its budget is used up.
-/// `typed` returns the arguments as one types them by hand, one per line. It is called only if the
-/// check fails: a million numbers in decimal take longer than measuring them.
+/// A generator for random choices of the judge: a different one in each call.
+Rng side_rng();
+
+/// Calls the program. `typed` returns the arguments as a user would type them, one per line. It is
+/// called only if the check fails, because printing a million numbers is slow.
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits);
 
-/// Runs the program, and no more. A failure of the machine is not a verdict on the program: it is
-/// reported, and ends the check.
+/// Runs the program without keeping the call. A failure of the machine is recorded as such.
 sandbox::Outcome run_program(std::string_view request, const sandbox::Limits& limits);
 
-/// Called with each call that gave no value, if values may be missing; set by what draws plots.
+/// Called for each missing value, if values may be missing; set by the plots.
 extern void (*on_missing)(std::string_view experiment, const Call& call);
 
 /// Ends the check unless the call returned a value.
 void require_value(const Call& call);
 
-/// Sends a record to the grader.
 void record(protocol::RecordKind kind, const std::string& text);
 
-/// A value as shown in a call: as its lab spells it, lists as {1, 2, 4, …}, with their length
-/// when cut; structs as {count = 3, mean = 0.5}.
+/// A value as shown in a call: as its lab spells it; lists as {1, 2, 4, …}, with their length if
+/// shortened; structs as {count = 3, mean = 0.5}.
 template <class T>
 std::string shown(const T& value) {
   return text::print(value);
@@ -161,7 +153,7 @@ std::string shown(const T& value) {
   }
 }
 
-/// A call as its lab spells it, else as "mean({1, 2, 4})".
+/// A call as its lab spells it, by default as "mean({1, 2, 4})".
 template <class... Arguments>
 std::string shown_call(std::string_view experiment, const Arguments&... arguments) {
   if constexpr (requires { spelled_call(experiments::Spelling{}, experiment, arguments...); }) {
@@ -173,19 +165,27 @@ std::string shown_call(std::string_view experiment, const Arguments&... argument
   }
 }
 
+/// The value in these bytes, if they are valid.
+template <class T>
+std::optional<T> decoded(const std::string& bytes) {
+  try {
+    wire::Reader from(bytes);
+    auto value = from.get<T>();
+    from.end();
+    return value;
+  } catch (const wire::malformed&) {
+    return {};
+  }
+}
+
 /// The value that the call returned; ends the check if there is none.
 template <class Result>
 Measured<Result> result_of(const Call& call) {
   require_value(call);
-  try {
-    wire::Reader from(call.outcome.bytes);
-    auto result = from.get<Result>();
-    from.end();
-    return Measured<Result>{std::move(result), call.text, call.outcome.cpu_seconds,
-                            call.outcome.peak_memory};
-  } catch (const wire::malformed&) {
-    fail("measured  " + call.text + " sent something that is not a result");
-  }
+  auto result = decoded<Result>(call.outcome.bytes);
+  if (!result) fail("measured  " + call.text + " sent something that is not a result");
+  return Measured<Result>{std::move(*result), call.text, call.outcome.cpu_seconds,
+                          call.outcome.peak_memory};
 }
 
 template <class Function>

@@ -7,9 +7,9 @@
 
 namespace mc::checks {
 
-/// The integral of f from `low` to `high` by Gauss and Legendre's rule of 16 points (Abramowitz,
-/// Stegun, table 25.4) in panels no wider than `panel`. Where f's nearest pole is as far away as a
-/// panel is wide, a panel's error is near (2 + sqrt(5))^-32 = 1e-20 of f.
+/// The integral of f from `low` to `high` by the 16-point Gauss-Legendre rule (Abramowitz, Stegun,
+/// table 25.4) in panels no wider than `panel`. If f's nearest pole is one panel width away, the
+/// relative error is about (2 + sqrt(5))^-32 = 1e-20.
 template <class F>
 double integral(double low, double high, double panel, F f) {
   constexpr std::array<double, 8> node{

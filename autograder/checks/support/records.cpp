@@ -1,4 +1,4 @@
-// What a process of checks sends to the grader: records, among them how each test case ended.
+// The records that a process of checks sends to the grader, among them how each test case ended.
 
 #include <cstdio>
 #include <cstdlib>
@@ -47,7 +47,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// Of a FAIL: its text. Of a REQUIRE or CHECK: the expression and its values.
+/// The text of a FAIL; the expression and values of a REQUIRE or CHECK.
 std::string message_of(const Catch::AssertionResult& result) {
   const std::string message = trimmed(std::string(result.getMessage()));
   if (!result.hasExpression()) return message.empty() ? "failed" : message;
@@ -58,7 +58,6 @@ std::string message_of(const Catch::AssertionResult& result) {
   return fmt::format("{} was {}", asked, result.getExpandedExpression());
 }
 
-/// Sends a record for each test case that has ended.
 class RecordListener : public ListenerBase {
  public:
   using ListenerBase::ListenerBase;
@@ -81,7 +80,7 @@ class RecordListener : public ListenerBase {
   void testCaseEnded(const Catch::TestCaseStats& stats) override {
     const bool has_asserted = stats.totals.assertions.total() > 0;
     end_.passed = has_asserted && !has_failed_ && stats.totals.assertions.failed == 0;
-    if (!end_.passed && end_.message.empty()) end_.message = "this check checked nothing";
+    if (!end_.passed && end_.message.empty()) end_.message = "this check contains no expectation";
     record(protocol::RecordKind::ended, protocol::text_of(end_));
   }
 

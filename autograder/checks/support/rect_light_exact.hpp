@@ -1,5 +1,5 @@
 #pragma once
-// The irradiance under a rectangular light, in closed form, and what else its checks need to know.
+// The irradiance under a rectangular light, in closed form, and other properties of such a light.
 
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@
 
 namespace mc::checks {
 
-/// A light whose lower corner and sides lie in these intervals, at such a height.
+/// A random light whose lower corner, side lengths and height lie in these intervals.
 inline RectLight light_in(Interval x, Interval y, Interval side, Interval height, Rng& rng) {
   RectLight light;
   light.x0 = uniform(rng, x.low, x.high);
@@ -23,25 +23,28 @@ inline RectLight light_in(Interval x, Interval y, Interval side, Interval height
   return light;
 }
 
+/// The integral over the light of a function whose antiderivative in x and y is `corner(x, y)`.
+template <class Corner>
+double over_corners(const RectLight& light, Corner corner) {
+  return corner(light.x1, light.y1) - corner(light.x0, light.y1) - corner(light.x1, light.y0) +
+         corner(light.x0, light.y0);
+}
+
 /// Irradiance at the origin: Lambert's polygon formula, which for a rectangle parallel to the
-/// receiver is a sum over its corners (Howell, "A catalog of radiation heat transfer configuration
-/// factors", B-3 and B-4).
+/// receiver is a sum over its corners (Howell's catalog of configuration factors, B-3, B-4).
 inline double irradiance(const RectLight& light) {
   const double h = light.height;
-  const auto corner = [=](double x, double y) {
-    const double a = std::sqrt(h * h + x * x), b = std::sqrt(h * h + y * y);
-    return (x / a * std::atan(y / a) + y / b * std::atan(x / b)) / 2;
-  };
-  return light.radiance * (corner(light.x1, light.y1) - corner(light.x0, light.y1) -
-                           corner(light.x1, light.y0) + corner(light.x0, light.y0));
+  return light.radiance * over_corners(light, [=](double x, double y) {
+           const double a = std::sqrt(h * h + x * x), b = std::sqrt(h * h + y * y);
+           return (x / a * std::atan(y / a) + y / b * std::atan(x / b)) / 2;
+         });
 }
 
 inline double area(const RectLight& light) {
   return (light.x1 - light.x0) * (light.y1 - light.y0);
 }
 
-/// The integral of f(x, y) over the light, and its mean, for what is smooth on the scale of its
-/// height.
+/// The integral and the mean of f(x, y) over the light; f is smooth on the scale of its height.
 template <class Function>
 double integral_over(const RectLight& light, Function f) {
   return integral(light.x0, light.x1, light.height, [&](double x) {

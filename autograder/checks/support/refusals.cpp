@@ -19,8 +19,7 @@ bool is_letter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Whether the text has this word, or its plural. A part of a longer word does not count: every
-/// text has an n.
+/// Whether the text contains this word or its plural, not only as a part of a longer word.
 bool has_word(std::string_view text, std::string_view word) {
   for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
     std::string_view rest = text.substr(at + word.size());
@@ -45,7 +44,7 @@ void expect_refused(const std::vector<InvalidCall>& calls) {
                              : outcome.answered ? "threw " + threw + outcome.bytes
                                                 : outcome.failure),
                  "std::invalid_argument", because,
-                 is_value || !outcome.answered ? hint : "an exception of another type: " + hint});
+                 is_value || !outcome.answered ? hint : "wrong type of exception: " + hint});
   }
   pass();
 }
@@ -57,16 +56,14 @@ void expect_argument_named(const std::vector<InvalidCall>& calls) {
     any_refused = true;
     const std::string& text = call.outcome.bytes;
     const auto names = text::split(argument, '|');
-    if (std::any_of(names.begin(), names.end(), [&](auto name) { return has_word(text, name); })) {
-      continue;
-    }
+    if (std::ranges::any_of(names, [&](auto name) { return has_word(text, name); })) continue;
     std::string all;
     for (const std::string_view name : names) {
       all += (all.empty() ? "" : " or ") + std::string(name);
     }
     fail(Failure{fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, text),
-                 "a text that names the argument: " + all, because,
-                 "say in the exception's text which argument is wrong"});
+                 "a message that names the argument: " + all, because,
+                 "name the wrong argument in the exception's message"});
   }
   if (!any_refused) expect_refused(calls);
   pass();

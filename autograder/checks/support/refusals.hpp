@@ -1,6 +1,5 @@
 #pragma once
-// Calls with arguments that a header forbids: each throws std::invalid_argument, and its text names
-// the argument that is wrong.
+// Calls with invalid arguments throw std::invalid_argument, with a message that names the argument.
 
 #include <string>
 #include <vector>
@@ -9,23 +8,20 @@
 
 namespace mc::checks {
 
-/// A call with one argument that is wrong.
 struct InvalidCall {
   Call call;             ///< of MEASURE_OUTCOME(...)
-  std::string argument;  ///< its name, or several of which one will do: "x|y|size"
+  std::string argument;  ///< its name, or alternatives: "x|y|size"
   std::string because;   ///< "six points do not fill nine cells"
-  /// Said where the call returns a value: what a wrong answer forgets here.
+  /// The hint if the call returns a value.
   std::string hint = "check the arguments first, and throw std::invalid_argument";
 };
 
-/// Each call throws std::invalid_argument, whatever its text says.
+/// Each call throws std::invalid_argument, with any message.
 void expect_refused(const std::vector<InvalidCall>& calls);
 
-/// Of the calls that throw std::invalid_argument (one at least), each says in its text which
-/// argument is wrong.
+/// At least one call throws std::invalid_argument, and every message names the wrong argument.
 void expect_argument_named(const std::vector<InvalidCall>& calls);
 
-/// Both.
 inline void expect_refused_by_name(const std::vector<InvalidCall>& calls) {
   expect_refused(calls);
   expect_argument_named(calls);
@@ -33,8 +29,8 @@ inline void expect_refused_by_name(const std::vector<InvalidCall>& calls) {
 
 }  // namespace mc::checks
 
-/// Both as checks of a task, with their points: REFUSAL_CASES("4.5", "misuse of radial_power is
-/// refused", "2", "a refusal names the argument", "1", wrong_rings())
+/// Both as checks of a task, with points: REFUSAL_CASES("4.5", "misuse of radial_power is refused",
+/// "2", "a refusal names the argument", "1", wrong_rings())
 #define REFUSAL_CASES(task, refused, points_refused, named, points_named, ...)  \
   CHECK_CASE(task " " refused, "[" task "][edge][points:" points_refused "]") { \
     ::mc::checks::expect_refused(__VA_ARGS__);                                  \

@@ -1,7 +1,7 @@
 #pragma once
-// What the scenes of labs/common/scenes come to: means in closed form, for any parameters that the
-// scene's own comment allows, from the geometry and not from the scene's code. Indicators have no
-// other moments than their mean; those of lights are integrated (Gauss-Legendre), to 12 digits.
+// The exact moments of the scenes of labs/common/scenes, for any valid parameters, derived from the
+// geometry and not from the scene's code. Means are in closed form; all moments of an indicator
+// equal its mean; those of lights are integrals (Gauss-Legendre), accurate to 12 digits.
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@
 
 namespace mc::checks {
 
-/// The mean of f(cos phi) over a circle: for what is periodic and smooth, the trapezoidal rule
-/// converges as fast as a Fourier series.
+/// The mean of f(cos phi) over a circle: the trapezoidal rule converges fast for smooth periodic
+/// functions.
 template <class F>
 double mean_around(int points, F f) {
   double sum = 0;
@@ -31,10 +31,9 @@ double mean_around(int points, F f) {
 
 // Lights ------------------------------------------------------------------------------------------
 
-/// Irradiance from a polygon of radiance 1, seen from the origin, whose vertices lie above the
-/// horizon z = 0 or on it: Lambert's formula, over the edges half the sum of the angle that an edge
-/// fills times the cosine between its plane's normal and the receiver's. The sign is that of the
-/// polygon's turn.
+/// Irradiance at the origin from a polygon of radiance 1 with vertices on or above the horizon z =
+/// 0. Lambert's formula: half the sum, over the edges, of the angle that an edge subtends times the
+/// cosine between its plane's normal and the receiver's. Signed by orientation.
 inline double lambert(std::span<const scenes::Vector> polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -47,8 +46,7 @@ inline double lambert(std::span<const scenes::Vector> polygon) {
   return sum / 2;
 }
 
-/// Irradiance at the origin from a disk of radiance 1 parallel to the receiver (Howell, B-13),
-/// written so that nothing cancels.
+/// Irradiance at the origin from a parallel disk of radiance 1 (Howell, B-13).
 inline double disk_irradiance(double radius, double height, double offset) {
   const double q = height * height + offset * offset - radius * radius;
   const double rest = 4 * radius * radius * height * height;
@@ -112,8 +110,8 @@ inline double moment(const scenes::DiskLight& s, int k) {
          inverse_powers(s.radius, s.height, s.offset, k);
 }
 
-/// The mean of the k-th power of the height above the horizon, over the directions of a cone whose
-/// axis is tilted by `tilt` from the normal. A polynomial: both rules are exact for k < 16.
+/// The mean of cos^k over the directions of a cone whose axis is tilted by `tilt` from the normal.
+/// A polynomial: both quadrature rules are exact for k < 16.
 inline double cone_heights(double sine, double tilt, int k) {
   const double cap = 1 - std::sqrt(1 - sine * sine);
   return integral(0, 1, 1, [&](double u) {
@@ -124,7 +122,7 @@ inline double cone_heights(double sine, double tilt, int k) {
   });
 }
 
-/// A disk of the unit hemisphere, projected onto the ground (Nusselt's analogue).
+/// A disk of the unit hemisphere, projected onto the ground (Nusselt's analog).
 inline double exact(const scenes::SphereLight& s) {
   const double sine = s.radius / s.distance;
   return std::numbers::pi * sine * sine * std::cos(s.tilt);
@@ -137,7 +135,7 @@ inline double moment(const scenes::SphereLight& s, int k) {
 
 // Shadows -----------------------------------------------------------------------------------------
 
-/// What the receiver, at the origin, sees of the light.
+/// The part of the light that the receiver, at the origin, sees.
 inline RectLight seen_light(const scenes::HalfplanePenumbra& s) {
   RectLight seen = s.light;
   seen.x0 -= s.receiver;
@@ -154,7 +152,7 @@ inline double moment(const scenes::HalfplanePenumbra& scene, int k) {
   return std::pow(factor, k) / area(light) * inverse_powers(seen_light(scene), k);
 }
 
-/// The occluder's shadow on the light, seen from the receiver, is a disk too, and larger.
+/// The part of the light that the occluder hides from the receiver: a larger disk.
 inline scenes::DiskLight shadow_of(const scenes::DiskPenumbra& s) {
   const double scale = s.light.height / s.height;
   return {s.radius * scale, s.light.height, std::hypot(s.x, s.y) * scale};
@@ -170,8 +168,7 @@ inline double moment(const scenes::DiskPenumbra& scene, int k) {
          (inverse_powers(light, k) - inverse_powers(dark.radius, dark.height, dark.offset, k));
 }
 
-/// The wall hides half a lune of the sky; projected onto the ground, half an ellipse is left of
-/// half a disk.
+/// Projected onto the ground, half a disk and half an ellipse of the sky remain visible.
 inline double exact(const scenes::WallOcclusion& s) {
   return (1 + s.distance / std::hypot(s.distance, s.height)) / 2;
 }
@@ -184,7 +181,7 @@ inline double exact(const scenes::SphereOcclusion& s) {
 inline double exact(const scenes::SphereOcclusionUniform& s) {
   return exact(s.sphere);
 }
-/// On the hemisphere the height is uniform; the cone is a part `cap` of it.
+/// On the hemisphere the height is uniform; the cone is a fraction `cap` of it.
 inline double moment(const scenes::SphereOcclusionUniform& s, int k) {
   const double sine = s.sphere.radius / s.sphere.distance;
   const double cap = 1 - std::sqrt(1 - sine * sine);
@@ -193,15 +190,14 @@ inline double moment(const scenes::SphereOcclusionUniform& s, int k) {
 
 // Edges -------------------------------------------------------------------------------------------
 
-/// The area under a x + b y = c in the unit square: a triangle, less what sticks out of it at two
-/// corners.
+/// The area under a x + b y = c in the unit square: a triangle, minus two corners outside.
 inline double exact(const scenes::PixelEdge& s) {
   if (s.c >= s.a + s.b) return 1;
   const auto square = [](double x) { return x > 0 ? x * x : 0; };
   return (square(s.c) - square(s.c - s.a) - square(s.c - s.b)) / (2 * s.a * s.b);
 }
 
-/// The part of a unit disk where x < t.
+/// The fraction of a unit disk where x < t.
 inline double disk_below(double t) {
   if (std::abs(t) >= 1) return t > 0 ? 1 : 0;
   return 0.5 + (t * std::sqrt(1 - t * t) + std::asin(t)) / std::numbers::pi;
@@ -212,16 +208,15 @@ inline double exact(const scenes::DefocusEdge& s) {
   return disk_below(s.offset / circle);
 }
 
-/// The mean over the time of the part of the pixel that is white: of clamp(s, 0, 1), whose
-/// antiderivative is s^2 / 2, and s - 1/2 beyond 1.
+/// The mean over time of the pixel's white fraction, clamp(s, 0, 1).
 inline double exact(const scenes::MotionEdge& s) {
   if (s.speed == 0) return std::clamp(s.start, 0.0, 1.0);
   const auto antiderivative = [](double x) { return x < 0 ? 0 : x < 1 ? x * x / 2 : x - 0.5; };
   return (antiderivative(s.start + s.speed) - antiderivative(s.start)) / s.speed;
 }
 
-/// E{(t - l)^3 where that is positive}, l across a uniform point of the unit disk: of density
-/// 2/pi sqrt(1 - l^2). From the density's moments below t.
+/// E{max(t - l, 0)^3} for a coordinate l of a uniform point of the unit disk, whose density is 2/pi
+/// sqrt(1 - l^2). From the density's moments below t.
 inline double cube_across_disk(double t) {
   if (t <= -1) return 0;
   if (t >= 1) return t * t * t + 0.75 * t;  // E{l^2} = 1/4
@@ -232,8 +227,7 @@ inline double cube_across_disk(double t) {
   const double m3 = -2 / (15 * pi) * cubed * (2 + 3 * t * t);
   return t * t * t * m0 - 3 * t * t * m1 + 3 * t * m2 - m3;
 }
-/// For a given l, the volume under a plane in the cube of x, y, t: a sum over its corners of cubes,
-/// with alternating signs.
+/// For a given l, the volume under a plane in the cube of x, y, t: a sum of cubes over its corners.
 inline double exact(const scenes::PixelTimeLens& s) {
   const std::array<double, 3> edges{s.a, s.b, s.speed};
   double sum = 0;
@@ -263,7 +257,7 @@ inline double exact(const scenes::Stripes& s) {
 
 // All of them -------------------------------------------------------------------------------------
 
-/// A scene that is 0 or 1: all its moments are its mean.
+/// A scene that is 0 or 1: all its moments equal its mean.
 template <class S>
 concept Indicator = std::same_as<S, scenes::WallOcclusion> ||
     std::same_as<S, scenes::SphereOcclusion> || std::same_as<S, scenes::PixelEdge> ||
@@ -281,13 +275,13 @@ Population population_of(const S& scene) {
   return population(exact(scene), moment(scene, 2), moment(scene, 3), moment(scene, 4));
 }
 
-/// A scene from its fields in order, all of them double; its defaults where there are none.
+/// A scene from its fields in order, all of them double; the default scene if there are none.
 template <class S>
 S scene_with(std::span<const double> parameters) {
   using Fields = std::array<double, sizeof(S) / sizeof(double)>;
   Fields fields = std::bit_cast<Fields>(S{});
   if (!parameters.empty() && parameters.size() != fields.size()) {
-    throw std::out_of_range("a scene with another number of parameters");
+    throw std::out_of_range("wrong number of parameters of a scene");
   }
   std::copy(parameters.begin(), parameters.end(), fields.begin());
   return std::bit_cast<S>(fields);

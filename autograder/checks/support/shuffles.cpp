@@ -15,8 +15,8 @@ namespace {
 
 using Order = std::vector<std::size_t>;
 
-/// How likely each order of n values is where every value changes places with any of them: of n^n
-/// equally likely ways. Of the order, or of its inverse.
+/// The probability of each order of n values (or of its inverse) if every value is swapped with any
+/// of the n: n^n equally likely sequences of swaps.
 std::map<Order, double> chances_of_swaps_with_any(std::size_t n, bool backwards, bool is_inverse) {
   const double ways = std::pow(n, n);
   std::map<Order, double> chances;
@@ -52,23 +52,20 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (stays[k] == orders.size() / n) {
-      return fmt::format("value {} of 0 … {} never moves: all {} take part", k, n - 1, n);
+      return fmt::format("value {} of 0 … {} never moves: shuffle all {} values", k, n - 1, n);
     }
   }
-  if (std::all_of(stays.begin(), stays.end(), [](std::size_t times) { return times == 0; })) {
-    return "no value ever stays in its place: let it change places with itself too (j from i, not "
-           "from i + 1)";
+  if (std::ranges::all_of(stays, [](std::size_t times) { return times == 0; })) {
+    return "no value ever keeps its place: a value may be swapped with itself (j from i on)";
   }
   if (rotations == orders.size() / n) {
     return fmt::format(
-        "these are rotations: a random number was added to each value, which gives {} "
-        "of the {}! permutations",
-        n, n);
+        "these are rotations: adding a random number gives only {} of the {}! permutations", n, n);
   }
-  // Where 50 of each are expected, any is missing with probability n! exp(-50) at most.
+  // If 50 of each are expected, one is missing with probability at most n! exp(-50).
   const double all = std::tgamma(static_cast<double>(n) + 1);
   if (static_cast<double>(found.size()) < all && count > 50 * all) {
-    return fmt::format("only {} of the {} permutations ever come", found.size(), all);
+    return fmt::format("only {} of the {} permutations occur", found.size(), all);
   }
   for (const unsigned way : {0u, 1u, 2u, 3u}) {
     const auto chances = chances_of_swaps_with_any(n, way % 2 == 1, way / 2 == 1);
@@ -78,8 +75,8 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
       chi_squared += off * off / expected;
     }
     if (chi_squared_tails(chi_squared, static_cast<double>(chances.size() - 1)).upper > 1e-8) {
-      return "each value changes places with any of the n, which favors some permutations: with "
-             "itself or one of those not placed yet (j from i to n-1)";
+      return "each value is swapped with any of the n values: swap it with itself or a later one "
+             "(j from i to n-1)";
     }
   }
   return otherwise;

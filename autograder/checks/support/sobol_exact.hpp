@@ -1,5 +1,5 @@
 #pragma once
-// The Sobol' sequence as it is defined, bit by bit, from the Joe-Kuo numbers.
+// The Sobol' sequence by its definition, from the Joe-Kuo numbers.
 
 #include <array>
 #include <bit>
@@ -10,8 +10,8 @@
 
 namespace mc::checks {
 
-/// What bit k of the index contributes to dimension d: m_(k+1) of the recurrence of Bratley and Fox
-/// (1988, "Algorithm 659", eq. 3), as the leading bits of a word.
+/// The direction number of bit k of the index in dimension d: m_(k+1) of the recurrence of Bratley
+/// and Fox (1988, "Algorithm 659", eq. 3), as the leading bits of a word.
 inline std::array<std::uint32_t, 32> sobol_directions(unsigned d) {
   const JoeKuo& of = joe_kuo[d];
   std::array<std::uint64_t, 33> m{};
@@ -34,7 +34,7 @@ inline std::array<std::uint32_t, 32> sobol_directions(unsigned d) {
   return directions;
 }
 
-/// The exclusive or of the numbers of the bits of `index`: 2^32 times that point's coordinate.
+/// The XOR of the direction numbers of the set bits of `index`: 2^32 times the point's coordinate.
 inline std::uint32_t sobol_word(std::span<const std::uint32_t> directions, std::uint64_t index) {
   std::uint32_t word = 0;
   for (auto rest = static_cast<std::uint32_t>(index); rest != 0; rest &= rest - 1) {

@@ -28,8 +28,7 @@ struct Waves {
 Spectrum spectrum_of(std::span<const double> x, std::span<const double> y, int kmax) {
   const auto count = static_cast<std::size_t>(kmax) + 1;
   Waves along(count), up(count);
-  // Sums of cos cos, sin sin, sin cos, cos sin over the points: of k = (kx, ky) and (-kx, ky) at
-  // once.
+  // Sums of cos cos, sin sin, sin cos, cos sin over the points, for k = (kx, ky) and (-kx, ky).
   std::vector<double> cc(count * count), ss(cc), sc(cc), cs(cc);
   for (std::size_t p = 0; p < x.size(); ++p) {
     along.at(x[p]);

@@ -1,5 +1,5 @@
 #pragma once
-// Spectra of point sets, as the judge sees them.
+// Spectra of point sets.
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,7 @@
 
 namespace mc::checks {
 
-/// A periodogram: the power at (kx, ky), abs(sum of exp(-2 pi i k.x))^2 / N, for both from -kmax to
-/// kmax.
+/// A periodogram: the power |sum of exp(-2 pi i k.x)|^2 / N at k in [-kmax, kmax]^2.
 struct Spectrum {
   int kmax = 0;
   std::vector<double> power;  ///< ky outer
@@ -19,12 +18,12 @@ struct Spectrum {
   }
 };
 
-/// By the definition, of waves along x times waves along y. Wave k is the product of k first waves,
-/// right to 10 k eps: for averages over sets, which have three digits.
+/// By the definition, with products of waves along x and along y. Wave k is a power of wave 1,
+/// accurate to 10 k eps, which is enough for averages over sets.
 Spectrum spectrum_of(std::span<const double> x, std::span<const double> y, int kmax);
 
-/// Sums of the power over rings of k, and how many terms each has. `ring_of(kx, ky)` is the ring;
-/// none from `rings` on.
+/// Sums of the power over rings of k, and their numbers of terms. Rings from `rings` on are
+/// ignored.
 struct Rings {
   std::vector<double> sum, count;
 };
@@ -42,7 +41,7 @@ Rings rings_of(const Spectrum& spectrum, std::size_t rings, RingOf ring_of) {
   return all;
 }
 
-/// The mean power over 0 < abs(k) <= sqrt(n)/2: the low band, where blue noise has little.
+/// The mean power over 0 < |k| <= sqrt(n)/2: the low band, where blue noise has little.
 inline double low_band(const Spectrum& spectrum, double n) {
   const Rings one = rings_of(spectrum, 1, [=](int kx, int ky) {
     const int squared = kx * kx + ky * ky;

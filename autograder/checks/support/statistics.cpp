@@ -12,33 +12,31 @@
 namespace mc::checks {
 namespace {
 
-/// One outcome of a test, ready to be judged and reported.
 struct Outcome {
-  double measured = 0;                 ///< the statistic, in the unit of the report
-  double expected = 0;                 ///< its value under the null
-  std::function<Interval()> accepted;  ///< of the statistic; only a failure needs it
+  double measured = 0;                 ///< the statistic
+  double expected = 0;                 ///< its mean under the null
+  std::function<Interval()> accepted;  ///< its values that pass; only a failure needs it
   double p = 0;                        ///< two-sided
   double recorded = 0;                 ///< uniform under the null
   std::string measured_words;          ///< with n and replicates
-  std::string name;                    ///< of the statistic: "their mean"
+  std::string name;                    ///< of the statistic: "a mean"
 };
 
 std::string hint_for(const Outcome& outcome, const Interval& accepted, const Hints& hints) {
   const Suspect* found = nullptr;
   for (const Suspect& suspect : hints.suspects) {
-    // As far from the suspect as a right value may be from the expected one: in parts of it where
-    // the interval is one of ratios, that is, lies on one side of zero.
+    // As close to the suspect as a correct value to the expected one; relative to it if positive.
     const bool ratio = accepted.low > 0 && suspect.value > 0;
     const double at = ratio ? outcome.measured * outcome.expected / suspect.value
                             : outcome.measured - suspect.value + outcome.expected;
     if (!(accepted.low <= at && at <= accepted.high)) continue;
-    if (found != nullptr && found->hint != suspect.hint) return hints.otherwise;  // which of them?
+    if (found != nullptr && found->hint != suspect.hint) return hints.otherwise;  // ambiguous
     found = &suspect;
   }
   return found == nullptr ? hints.otherwise : found->hint;
 }
 
-/// Records the p-value and returns it; ends the check where it is below alpha.
+/// Records the p-value and returns it; ends the check if it is below alpha.
 double judge(const Outcome& outcome, const Null& null, const Hints& hints) {
   record(protocol::RecordKind::p_value,
          protocol::text_of({null.words, outcome.recorded, null.alpha}));
@@ -47,7 +45,7 @@ double judge(const Outcome& outcome, const Null& null, const Hints& hints) {
     expect_that(false, outcome.measured_words,
                 fmt::format("{} between {:.6g} and {:.6g}; {:.6g} on average", outcome.name,
                             accepted.low, accepted.high, outcome.expected),
-                fmt::format("{}: a right answer lies outside once in {:.1g} runs", null.words,
+                fmt::format("{}: a correct answer lies outside once in {:.1g} runs", null.words,
                             1 / null.alpha),
                 hint_for(outcome, accepted, hints));
   }
@@ -61,19 +59,12 @@ std::string describe(const Replicates& estimates) {
                          : fmt::format("{}: {} values", estimates.call, estimates.values.size());
 }
 
-/// For spreading the p-values of discrete statistics: the same in each repetition of a check.
-double fresh_uniform() {
-  static std::uint64_t calls = 0;
-  Rng rng(check_rng()() ^ mix_bits(++calls));
-  return uniform(rng);
-}
-
 }  // namespace
 
 double expect_mean(const Replicates& estimates, double exact, double variance, const Null& null,
                    const Hints& hints) {
   const auto replicates = static_cast<double>(estimates.values.size());
-  double mean = 0;  // of the errors: the sum of many values near 1e9 would be rounded
+  double mean = 0;  // of the errors: a sum of many values near 1e9 would be rounded
   for (const double value : estimates.values) mean += (value - exact) / replicates;
   const double sigma = std::sqrt(variance / replicates);
   Outcome outcome;
@@ -85,7 +76,7 @@ double expect_mean(const Replicates& estimates, double exact, double variance, c
   };
   outcome.p = outcome.recorded = normal_tails(mean / sigma).two_sided();
   outcome.measured_words =
-      fmt::format("{}, with the mean {:.8g}, {:.1f} standard errors from {:.8g}",
+      fmt::format("{}, whose mean {:.8g} is {:.1f} standard errors from {:.8g}",
                   describe(estimates), outcome.measured, mean / sigma, exact);
   outcome.name = "a mean";
   return judge(outcome, null, hints);
@@ -104,8 +95,8 @@ double expect_variance(const Replicates& estimates, double exact, double varianc
   outcome.accepted = [&] { return central_interval(tails, null.alpha, 0, 1000); };
   outcome.p = outcome.recorded = tails(outcome.measured).two_sided();
   outcome.measured_words =
-      fmt::format("{}, whose mean squared error is {:.5g}: {:.4g} times the exact {:.5g}",
-                  describe(estimates), outcome.measured * variance, outcome.measured, variance);
+      fmt::format("{}, with an MSE of {:.5g}: {:.4g} times the exact {:.5g}", describe(estimates),
+                  outcome.measured * variance, outcome.measured, variance);
   outcome.name = "a ratio";
   return judge(outcome, null, hints);
 }
@@ -123,7 +114,8 @@ double expect_proportion(const std::string& call, const std::string& event, std:
     return Interval{std::floor(counts.low) / size, (std::floor(counts.high) - 1) / size};
   };
   outcome.p = tails.two_sided();
-  const double jump = std::max(0.0, tails.lower + tails.upper - 1), u = fresh_uniform();
+  Rng rng = side_rng();
+  const double jump = std::max(0.0, tails.lower + tails.upper - 1), u = uniform(rng);
   outcome.recorded = Tails{tails.lower - u * jump, tails.upper - (1 - u) * jump}.two_sided();
   outcome.measured_words =
       fmt::format("{}: {} of {} times {} ({:.4g})", call, count, trials, event, outcome.measured);

@@ -1,15 +1,14 @@
 #pragma once
-// What a check may expect of random numbers. Each test has a null hypothesis that holds for every
-// right answer, in whatever order it draws; an exact distribution under it; and an alpha, the
-// chance that a right answer fails. Each records its p-value, which under the null is uniform.
+// Statistical tests. Each has a null hypothesis that holds for every correct answer, in whatever
+// order it draws; an exact distribution under it; and an alpha, the probability that a correct
+// answer fails. Each records its p-value, which is uniform under the null.
 //
-// One run of a lab must not fail a right answer more than once in a million: its alphas add up to
-// less than 1e-6, which self_test counts. The distributions are exact for Gaussian errors; a sample
-// mean's errors are nearly that, and kurtosis widens what is sensitive to it.
+// The alphas of a lab sum to less than 1e-6, which self_test verifies. The distributions are exact
+// for Gaussian errors; those of a sample mean are nearly Gaussian, and expect_variance() takes the
+// kurtosis into account.
 //
-// Suspects of a hint are given in the unit of what is measured (a mean, a ratio of variances, an
-// exponent, a proportion); one is named where the measured value lies as near to it as a right
-// value would to the expected one.
+// Suspects have the unit of the measured statistic (a mean, a ratio of variances, a proportion).
+// One is named if the measured value is as close to it as a correct value is to the expected one.
 
 #include <cstdint>
 #include <functional>
@@ -22,13 +21,12 @@
 
 namespace mc::checks {
 
-/// What a random test tests.
 struct Null {
   std::string words;  ///< "the estimates of 2.2 have mean E{g}"
-  double alpha;       ///< chance of failing a right answer: 1e-8 and the like
+  double alpha;       ///< the probability of failing a correct answer, such as 1e-8
 };
 
-/// Hints for a failure: that of the suspect which the measured value equals, else `otherwise`.
+/// The hint for a failure is that of the suspect that the measured value equals, or `otherwise`.
 struct Hints {
   std::vector<Suspect> suspects;
   std::string otherwise;
@@ -45,15 +43,14 @@ struct Replicates {
 double expect_mean(const Replicates& estimates, double exact, double variance, const Null& null,
                    const Hints& hints);
 
-/// Their mean squared error about `exact` is `variance`: the sum of squares over the variance is
-/// chi-squared with as many degrees of freedom as there are replicates. `kurtosis` is that of one
-/// replicate (a Gaussian's is 3; the mean of n samples of kurtosis k has 3 + (k - 3)/n): with
-/// another one the degrees are 2R/(kurtosis - 1), which gives the sum its true variance
-/// (Satterthwaite 1946). Measured is the ratio to `variance`.
+/// Their mean squared error about `exact` is `variance`: the sum of R squares over the variance is
+/// chi-squared with R degrees of freedom, or with 2R/(kurtosis - 1), which gives the sum its true
+/// variance (Satterthwaite 1946). `kurtosis` is that of one replicate (a Gaussian's is 3; the mean
+/// of n samples of kurtosis k has 3 + (k - 3)/n). The statistic is the ratio to `variance`.
 double expect_variance(const Replicates& estimates, double exact, double variance, double kurtosis,
                        const Null& null, const Hints& hints);
 
-/// What is known of an estimator at some n.
+/// The exact moments of an estimator for some n.
 struct Known {
   double exact;         ///< the true value
   double variance;      ///< of one replicate
@@ -61,9 +58,9 @@ struct Known {
 };
 
 /// `count` of `trials` independent events of probability `p` happened: exact binomial. `event` says
-/// what happened: "the interval held the true mean". Measured is the proportion. (The recorded
-/// p-value is spread over the jump of the distribution at `count`, so that it is uniform; the
-/// verdict is by the whole jump.)
+/// what happened: "the interval contained the true mean". The statistic is the proportion. (The
+/// recorded p-value, not the verdict, is randomized within the jump of the distribution at
+/// `count`.)
 double expect_proportion(const std::string& call, const std::string& event, std::uint64_t count,
                          std::uint64_t trials, double p, const Null& null, const Hints& hints);
 
@@ -79,7 +76,7 @@ inline Population population(double m1, double m2, double m3, double m4) {
   return {m1, variance, fourth / (variance * variance)};
 }
 
-/// Of the mean of n independent values: the excess over a Gaussian's kurtosis falls as 1/n.
+/// The mean of n independent values: the excess kurtosis falls as 1/n.
 inline Known mean_of(const Population& x, double n) {
   return {x.mean, x.variance / n, 3 + (x.kurtosis - 3) / n};
 }

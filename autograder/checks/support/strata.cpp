@@ -32,8 +32,7 @@ std::size_t cell_of(std::span<const Axis> axes, std::size_t k) {
   return cell;
 }
 
-/// The number of the cell of each point, strata of the first axis fastest; empty where some cell
-/// does not have exactly one point.
+/// The cell of each point, the first axis fastest; empty if a cell does not have one point.
 std::vector<std::size_t> cells_of(std::span<const Axis> axes) {
   const std::size_t n = axes[0].values.size();
   std::vector<std::size_t> cells(n);
@@ -49,7 +48,7 @@ std::vector<std::size_t> cells_of(std::span<const Axis> axes) {
   return cells;
 }
 
-/// "cell (1, 3)", "stratum 4 of x".
+/// "cell (1, 3) of 4 x 4", "stratum 4 of 16".
 std::string name_of(std::span<const Axis> axes, std::size_t cell) {
   if (axes.size() == 1) return fmt::format("stratum {} of {}", cell, axes[0].strata);
   std::string place, grid;
@@ -66,15 +65,14 @@ bool is_stratified(const Axis& axis, std::size_t n) {
   return !cells_of(std::span(&finer, 1)).empty();
 }
 
-/// Whether each of `strata` strata of x has as many points as any other.
+/// Whether all strata of x have the same number of points.
 bool is_even(std::span<const double> x, std::size_t strata) {
   std::vector<std::size_t> points(strata);
   for (const double value : x) ++points[*stratum_of(value, strata)];
-  return std::all_of(points.begin(), points.end(),
-                     [&](std::size_t count) { return count * strata == x.size(); });
+  return std::ranges::all_of(points, [&](std::size_t count) { return count * strata == x.size(); });
 }
 
-/// Whether one point would be in each cell if coordinates next to an edge were moved across it.
+/// Whether each cell would have one point if coordinates next to an edge were moved across it.
 bool are_right_when(std::span<const Axis> axes, double (*moved)(double x, std::size_t n)) {
   std::vector<Values> columns;
   std::vector<Axis> others(axes.begin(), axes.end());
@@ -97,34 +95,33 @@ double moved_up(double x, std::size_t n) {
 std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> points,
                      const std::string& elsewhere) {
   const std::size_t n = axes[0].values.size(), dims = axes.size();
-  const auto each_axis = [&](auto holds) { return std::all_of(axes.begin(), axes.end(), holds); };
+  const auto each_axis = [&](auto holds) { return std::ranges::all_of(axes, holds); };
   if (n > 2 && points[0] == n) {
-    return dims == 1 ? "every point lies in the first stratum: i / N of two whole numbers is 0"
-                     : "every point lies in cell (0, 0): i / nx of two whole numbers is 0";
+    return dims == 1 ? "every point lies in the first stratum: i / N of two integers is 0"
+                     : "every point lies in cell (0, 0): i / nx of two integers is 0";
   }
   if (are_right_when(axes, moved_down)) {
-    return "it was rounded up to the edge: keep the point below (i + 1) / N";
+    return "a point was rounded up to the edge: keep it below (i + 1) / N";
   }
   if (are_right_when(axes, moved_up)) {
-    return "it was rounded down below the edge: 1 / N is rounded, and so is its product";
+    return "a point was rounded down below the edge: divide by N, because 1 / N is rounded";
   }
   if (dims == 1) return elsewhere;
-  // A few points fit by chance, a dozen once in 1e4.
+  // A few points fit by chance, a dozen only once in 1e4 runs.
   const Axis turned[] = {{"y", axes[1].values, axes[0].strata},
                          {"x", axes[0].values, axes[1].strata}};
   if (dims == 2 && n >= 12 && axes[0].strata != axes[1].strata && !cells_of(turned).empty()) {
-    return "nx and ny have changed places: nx cells along x, ny along y";
+    return "nx and ny are swapped: nx cells along x, ny along y";
   }
   if (dims == 2 && n >= 4 && each_axis([&](const Axis& axis) { return is_stratified(axis, n); })) {
-    return "each axis is stratified, the plane is not: two 1D patterns are not a 2D "
-           "pattern, nor is one whose x and y were shuffled apart";
+    return "two 1D patterns are not a 2D pattern, and x and y must be shuffled together";
   }
   if (n >= 12 && each_axis([](const Axis& axis) {
         return axis.strata > 1 && is_even(axis.values, axis.strata);
       })) {
-    return dims == 2 ? "each row and each column of cells has its points, but not each cell: x and "
-                       "y of a point belong together, wherever it is moved"
-                     : "each axis has its points, but not each cell: " + elsewhere;
+    return dims == 2 ? "rows and columns are filled evenly, cells are not: move x and y of a point "
+                       "together"
+                     : "each axis is evenly filled, but not each cell: " + elsewhere;
   }
   return elsewhere;
 }
@@ -156,14 +153,20 @@ std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::si
   std::vector<std::size_t> points(n);
   for (std::size_t k = 0; k < n; ++k) ++points[cell_of(axes, k)];
   const auto odd = static_cast<std::size_t>(
-      std::find_if(points.begin(), points.end(), [](auto count) { return count != 1; }) -
-      points.begin());
+      std::ranges::find_if(points, [](auto count) { return count != 1; }) - points.begin());
   std::string names;
   for (const Axis& axis : axes) names += (names.empty() ? "" : ", ") + axis.name;
   fail(Failure{
       fmt::format("{}: {} points in {} ({})", sets.call, points[odd], name_of(axes, odd), names),
-      "one point", "one point in each cell, in any order; edges are i / n in double division",
+      "one point", "each cell has one point, in any order; edges are i / n, divided in double",
       hint_for(axes, points, elsewhere)});
+}
+
+void expect_one_in_each_cell(const SampleSets& sets, std::span<const Pattern> patterns,
+                             const std::string& elsewhere) {
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (const Pattern& pattern : patterns) expect_one_in_each_cell(sets, set, pattern, elsewhere);
+  }
 }
 
 }  // namespace mc::checks

@@ -1,5 +1,5 @@
 #pragma once
-// Strata of the line, with the edges that double division gives, and grids.
+// Strata of the line, whose edges are i / n divided in double, and grids.
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@
 
 namespace mc::checks {
 
-/// The stratum i of n with double(i) / n <= x < double(i+1) / n; nothing outside [0,1).
+/// The stratum i of n with double(i) / n <= x < double(i+1) / n; empty outside [0,1).
 inline std::optional<std::size_t> stratum_of(double x, std::size_t n) {
   if (!(x >= 0 && x < 1)) return {};
   const auto size = static_cast<double>(n);
-  auto i = std::min(static_cast<std::size_t>(x * size), n - 1);  // rounded: right, or one off
+  auto i = std::min(static_cast<std::size_t>(x * size), n - 1);  // off by one at most
   while (x < static_cast<double>(i) / size) --i;
   while (x >= static_cast<double>(i + 1) / size) ++i;
   return i;
@@ -29,8 +29,7 @@ inline Grid squarest(std::size_t n) {
   return {n / std::max<std::size_t>(ny, 1), std::max<std::size_t>(ny, 1)};
 }
 
-/// Permutations of n <= 5 values, one after the other, are not all equally likely: the well-known
-/// wrong shuffle that explains them, else `otherwise`.
+/// The well-known wrong shuffle that explains these permutations of n <= 5 values, or `otherwise`.
 std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
                          const std::string& otherwise);
 

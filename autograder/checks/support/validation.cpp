@@ -10,8 +10,7 @@
 namespace mc::checks {
 
 void fail(const Failure& failure) {
-  std::string report =
-      fmt::format("measured  {}\nexpected  {}", failure.measured, failure.expected);
+  auto report = fmt::format("measured  {}\nexpected  {}", failure.measured, failure.expected);
   if (!failure.because.empty()) report += "\nbecause   " + failure.because;
   if (!failure.likely.empty()) report += "\nlikely    " + failure.likely;
   fail(report);
@@ -23,9 +22,15 @@ void expect_that(bool holds, const std::string& measured, const std::string& exp
   pass();
 }
 
+void expect_equal(const std::string& what, std::uint64_t got, std::uint64_t expected,
+                  const std::string& because, const std::string& hint) {
+  expect_that(got == expected, fmt::format("{} = {}", what, got), fmt::format("{}", expected),
+              because, hint);
+}
+
 void expect_nan(const std::string& what, double got, const std::string& because) {
   expect_that(std::isnan(got), fmt::format("{} = {}", what, got), "NaN", because,
-              "return std::numeric_limits<double>::quiet_NaN() for what is undefined");
+              "return std::numeric_limits<double>::quiet_NaN() if the result is undefined");
 }
 
 void expect_not_finite(const std::string& what, double got, const std::string& because,
@@ -47,7 +52,7 @@ Failure wrong_value(const std::string& list, std::size_t index, double value, co
   const std::string likely =
       std::isnan(value) ? "this value was never written, or is 0/0"
       : value == range.high && range.below_high
-          ? "it was rounded up to the upper end, which does not belong to the range"
+          ? "it was rounded up to the upper end, which the range does not include"
           : "";
   return {fmt::format("gave {}[{}] = {}", list, index, value), range.words, "", likely};
 }

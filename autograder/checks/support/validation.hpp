@@ -1,8 +1,8 @@
 #pragma once
-// Validation of what a program sends: untrusted numbers. Before a check counts, sorts or indexes by
-// them, there are as many as were asked for, and each is in its range.
+// Validates the number and the ranges of the untrusted values that a program sends.
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -16,36 +16,39 @@
 
 namespace mc::checks {
 
-/// What a student reads where a check fails.
+/// A failure report, which students read.
 struct Failure {
   std::string measured, expected;
-  std::string because = {};  ///< why that is expected, or where the bound comes from
-  std::string likely = {};   ///< the mistake, where what was measured shows it
+  std::string because = {};  ///< the reason for the expected value or the bound
+  std::string likely = {};   ///< the hint: the likely mistake
 };
 
-/// Ends the check: it failed.
 [[noreturn]] void fail(const Failure& failure);
 [[noreturn]] void fail(const std::string& report);
 
-/// An expectation was met. Catch2 counts the first: it takes a check without any for an empty one.
+/// An expectation is met. Catch2 needs at least one per check.
 void pass();
 
-/// `holds` is true; `expected` says in words what that is.
+/// `holds` is true; `expected` describes it in words.
 void expect_that(bool holds, const std::string& measured, const std::string& expected,
                  const std::string& because, const std::string& hint);
 
-/// `got` is NaN, as in numpy and R for what is undefined.
+/// A count is exact; `what` names it.
+void expect_equal(const std::string& what, std::uint64_t got, std::uint64_t expected,
+                  const std::string& because, const std::string& hint);
+
+/// `got` is NaN: the result is undefined.
 void expect_nan(const std::string& what, double got, const std::string& because);
 
 /// `got` is infinite or NaN.
 void expect_not_finite(const std::string& what, double got, const std::string& because,
                        const std::string& hint);
 
-/// Where numbers must lie.
+/// The range of valid numbers.
 struct Range {
   double low, high;  ///< both inside, unless `below_high`
   bool below_high;
-  bool any;  ///< NaN and infinities too: each is judged by itself, and counts nothing
+  bool any;  ///< NaN and infinities too: each value is compared with an expected one
   const char* words;
 };
 inline constexpr double largest_finite = std::numeric_limits<double>::max();
@@ -53,26 +56,26 @@ inline constexpr Range finite{-largest_finite, largest_finite, false, false, "fi
 inline constexpr Range unit{0, 1, true, false, "numbers in [0, 1)"};
 inline constexpr Range closed_unit{0, 1, false, false, "numbers in [0, 1]"};
 inline constexpr Range any_number{0, 0, false, true, "numbers"};
-/// Whole numbers up to `most`.
+/// Integers up to `most`.
 constexpr Range up_to(double most) {
-  return {0, most, false, false, "whole numbers in their range"};
+  return {0, most, false, false, "integers in their range"};
 }
 
-/// What is expected of a list: its length, and the range of its values.
+/// The expected length of a list, and the range of its values.
 struct ListSpec {
   std::size_t count;
   Range range;
-  bool or_less = false;  ///< at most so many; neighbors that both may have fewer are of one size
+  bool or_less = false;  ///< `count` is a maximum; adjacent lists with this have equal sizes
 };
 
-/// Ends the check: the answer to this call is invalid.
+/// Ends the check because the answer to this call is invalid.
 [[noreturn]] void refuse(const std::string& call, const Failure& failure);
 
-/// Failures of a list of `size` values where `expected` are; of the value at `index` of one.
+/// The failures for a list of the wrong size, and for the value at `index` of a list.
 Failure wrong_size(const std::string& list, std::size_t size, std::size_t expected, bool or_less);
 Failure wrong_value(const std::string& list, std::size_t index, double value, const Range& range);
 
-/// "x, y" taken apart.
+/// Splits "x, y".
 std::vector<std::string> names_of(std::string_view fields);
 
 inline bool lies_in(double value, const Range& range) {
@@ -86,19 +89,14 @@ template <class T>
 struct IsVector<std::vector<T>> : std::true_type {};
 
 template <class T>
-constexpr bool has_lists();
-template <class Tuple>
-struct AnyHasLists;
-template <class... Fields>
-struct AnyHasLists<std::tuple<Fields&...>> {
-  static constexpr bool value = (has_lists<Fields>() || ...);
-};
-template <class T>
 constexpr bool has_lists() {
   if constexpr (IsVector<T>::value) {
     return true;
   } else if constexpr (wire::Listed<T>) {
-    return AnyHasLists<decltype(fields(std::declval<T&>()))>::value;
+    using Fields = decltype(fields(std::declval<T&>()));
+    return []<class... F>(std::type_identity<std::tuple<F&...>>) {
+      return (has_lists<F>() || ...);
+    }(std::type_identity<Fields>{});
   } else {
     return false;
   }
@@ -106,7 +104,7 @@ constexpr bool has_lists() {
 template <class T>
 concept HasLists = has_lists<T>();
 
-/// The first number of a value that does not lie in the range: itself, or one of its fields.
+/// The first number of a value that is outside the range: itself, or one of its fields.
 template <class T>
 std::optional<double> outside(const T& value, const Range& range) {
   if constexpr (wire::Arithmetic<T>) {
@@ -142,15 +140,14 @@ std::optional<Failure> list_failure(const std::string& name, const std::vector<T
   return {};
 }
 
-/// What is wrong with an answer, if anything. `specs` has an element for each of its lists, or one
-/// for all.
+/// The first fault of an answer, if any. `specs` has one element per list, or a single one for all.
 template <HasLists T>
 std::optional<Failure> failure_of(const T& value, std::span<const ListSpec> specs) {
   if constexpr (IsVector<T>::value) {
     return list_failure("", value, specs[0]);
   } else {
     std::optional<Failure> found;
-    std::optional<std::size_t> before;  // the size of the list before, where it was free
+    std::optional<std::size_t> before;  // the size of the previous list, if it was free
     std::size_t list = 0;
     const auto look = [&](const auto& field, const std::string& name) {
       if constexpr (IsVector<std::remove_cvref_t<decltype(field)>>::value) {
@@ -174,8 +171,7 @@ std::optional<Failure> failure_of(const T& value, std::span<const ListSpec> spec
   }
 }
 
-/// A failure report without signs that carry no information: "-nan" and "-0" become "nan" and
-/// "0".
+/// A failure report with "-nan" and "-0" replaced by "nan" and "0".
 std::string without_empty_signs(std::string report);
 
 }  // namespace mc::checks

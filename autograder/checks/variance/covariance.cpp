@@ -11,8 +11,7 @@ struct Pairs {
   Values x, y;
 };
 
-/// Two variables of which y goes against x, neither of them nearly constant: kappa is below 4 for
-/// both.
+/// Two negatively correlated variables, neither nearly constant: kappa is below 4 for both.
 Pairs tame_pairs(Rng& rng, std::size_t n, double of_x = 1, double of_y = 1) {
   Pairs pairs{tame_values(rng, n, -1, 1), uniform_values(rng, n, -0.5, 0.5)};
   for (std::size_t i = 0; i < n; ++i) pairs.y[i] = (pairs.y[i] - 2 * pairs.x[i]) * of_y;
@@ -20,14 +19,14 @@ Pairs tame_pairs(Rng& rng, std::size_t n, double of_x = 1, double of_y = 1) {
   return pairs;
 }
 
-/// Two whole multiples of one pattern far from zero.
+/// Correlated integers far from zero.
 Pairs far_pairs(Rng& rng, double offset, std::size_t n) {
   Pairs pairs{shifted_pattern(rng, offset, n), shifted_pattern(rng, offset, n)};
   for (std::size_t i = 0; i < n; ++i) pairs.y[i] += 2 * (pairs.x[i] - offset);
   return pairs;
 }
 
-/// What the header promises: in one pass or two, any way that knows the means.
+/// The header's bound, for one pass or two.
 void judge_pairs(const std::vector<Pairs>& all, const std::string& otherwise) {
   Results covariances;
   for (const auto& [x, y] : all) {
@@ -42,26 +41,24 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& otherwise) {
     const auto got = MEASURE(covariance, x, y);
     covariances.add(
         got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
-          return {{exact * (n - 1) / n,
-                   "this divides by n; a sample covariance divides by n - 1 (and n/(n-1) of whole "
-                   "numbers is 1)"},
-                  {exact * n / (n - 1), "n/(n-1) is in here twice: once is enough"},
-                  {exact * (n - 1), "this is the sum of products, not divided yet"},
-                  {-exact, "the sign is wrong: both deviations are value - mean"},
-                  {mean_product, "this is E{XY}: take E{X}E{Y} off"},
-                  {mean_product * n / (n - 1), "this is E{XY} n/(n-1): the means are not in it"},
-                  {exact / (sigma_x * sigma_y),
-                   "this is the correlation: do not divide by the deviations"}};
+          return {
+              {exact * (n - 1) / n, "this divides by n; a sample covariance divides by n - 1"},
+              {exact * n / (n - 1), "the factor n/(n-1) was applied twice"},
+              {exact * (n - 1), "this is the sum of products: divide it by n - 1"},
+              {-exact, "the sign is wrong: both deviations are value - mean"},
+              {mean_product, "this is E{XY}: subtract E{X}E{Y}"},
+              {mean_product * n / (n - 1), "this is E{XY} n/(n-1): the means were not subtracted"},
+              {exact / (sigma_x * sigma_y),
+               "this is the correlation: do not divide by the standard deviations"}};
         });
   }
   covariances.expect(
-      "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y, kappa = "
-      "sqrt(1 + mean^2 / variance); one digit less is enough",
+      "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; one digit of "
+      "slack",
       otherwise);
 }
 
 CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {
-  Rng rng = check_rng();
   std::vector<Pairs> pairs;
   for (const List& list : tame_lists(rng, 2, -1, 1))
     pairs.push_back(tame_pairs(rng, list.x.size()));
@@ -69,34 +66,28 @@ CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {
 }
 
 CHECK_CASE("1.6 the covariance keeps its digits under large means", "[1.6][points:3]") {
-  Rng rng = check_rng();
   std::vector<Pairs> pairs;
   for (const double offset : {1e9, 1e6, -1e12}) {
     for (const std::size_t n : {1000u, 7u}) pairs.push_back(far_pairs(rng, offset, n));
   }
   pairs.push_back({pairs[0].x, tame_pairs(rng, 1000).y});
   pairs.push_back({tame_pairs(rng, 1000).y, pairs[0].x});
-  pairs.push_back({Values(1000, 0.1), tame_pairs(rng, 1000).y});  // a constant has none
+  pairs.push_back({Values(1000, 0.1), tame_pairs(rng, 1000).y});  // covariance 0
   judge_pairs(pairs, "E{XY} - E{X}E{Y} is the textbook formula again: subtract the means first");
 }
 
 CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]") {
-  Rng rng = check_rng();
   std::vector<Pairs> pairs;
   constexpr std::pair<double, double> scales[] = {{1e-4, 1e4},    {1e4, 1e-4},     {1e-4, 1e-4},
                                                   {1e-9, 1e9},    {1e-150, 1e150}, {1e-100, 1e-100},
                                                   {-1e100, 1e-3}, {0, 1},          {1, 0}};
-  for (const auto& [of_x, of_y] : scales) {
-    pairs.push_back(tame_pairs(rng, 100, of_x, of_y));
-  }
-  judge_pairs(
-      pairs,
-      "a covariance scales as x y: no term may scale as x^2 or y^2, as in Var{X + Y} or in a "
-      "correction with the wrong sum; and use no threshold, small is not zero");
+  for (const auto& [of_x, of_y] : scales) pairs.push_back(tame_pairs(rng, 100, of_x, of_y));
+  judge_pairs(pairs,
+              "a covariance scales as x y: no term may scale as x^2 or y^2, as in Var{X + Y} or in "
+              "a correction with the wrong sum; and use no threshold: small is not zero");
 }
 
 CHECK_CASE("1.6 the covariance of one pair or of NaN is not finite", "[1.6][edge][points:1]") {
-  Rng rng = check_rng();
   for (const Values& x : {Values{uniform(rng, 1, 2)}, Values{}}) {
     const auto got = MEASURE(covariance, x, x);
     expect_nan(got.call, got.value, "a sample covariance needs two pairs; " + because_undefined);
@@ -114,7 +105,7 @@ std::vector<InvalidCall> lists_of_two_sizes() {
   std::vector<InvalidCall> calls;
   for (const auto& [n_x, n_y] : {std::pair{3u, 2u}, {2u, 3u}, {1u, 0u}, {0u, 1u}, {64u, 1000u}}) {
     calls.push_back({MEASURE_OUTCOME(covariance, Values(n_x, 1.5), Values(n_y, 2.5)), "x|y",
-                     "there are no pairs where the sizes differ"});
+                     "lists of different sizes have no pairs"});
   }
   return calls;
 }

@@ -6,7 +6,6 @@
 namespace mc::checks {
 namespace {
 
-/// Moments of a list in which each value occurs several times.
 ExactMoments exact_of_counts(std::span<const std::pair<double, double>> values_and_counts) {
   Exact count, sum, m2;
   for (const auto& [value, times] : values_and_counts) {
@@ -25,7 +24,6 @@ ExactMoments exact_of_counts(std::span<const std::pair<double, double>> values_a
   return all;
 }
 
-/// NIST's data set of this number.
 Values numacc(int number, double scale) {
   if (number == 1) return {10000001 * scale, 10000003 * scale, 10000002 * scale};
   const double first[] = {1.2, 1000000.2, 10000000.2};
@@ -77,7 +75,7 @@ Values shifted_pattern(Rng& rng, double offset, std::size_t n) {
   const double pattern[] = {4, 7, 13, 16};
   Values x(n);
   for (std::size_t i = 0; i < n; ++i) x[i] = base + pattern[i % 4];
-  std::shuffle(x.begin(), x.end(), rng);
+  std::ranges::shuffle(x, rng);
   return x;
 }
 
@@ -94,7 +92,7 @@ std::vector<List> lists_with_large_means(Rng& rng, std::vector<std::size_t> size
 }
 
 std::vector<List> lists_with_outliers(Rng& rng, int of_each) {
-  constexpr std::size_t n = 100'001;  // odd: the middle is in one place
+  constexpr std::size_t n = 100'001;  // odd: there is one middle value
   std::vector<List> lists;
   for (const auto& [name, place] : {std::pair{", the outlier comes first", std::size_t{0}},
                                     {", the outlier is in the middle", n / 2},
@@ -124,7 +122,7 @@ std::vector<List> short_hard_lists(Rng& rng) {
   Values one_outlier(1000, 1.0), trend(1000), alternating{1.0};
   one_outlier[rng() % 1000] = uniform(rng, 1e9, 1e10);
   Values sorted = uniform_values(rng, 1000, 0, 1);
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   std::iota(trend.begin(), trend.end(), uniform(rng, 1e5, 1e6));
   for (int i = 0; i < 500; ++i) alternating.insert(alternating.end(), {1e8, -1e8});
   return {List(one_outlier, ", one outlier"), List(sorted, ", sorted"), List(trend, ", a trend"),
@@ -135,7 +133,7 @@ std::vector<List> lists_of_any_scale(Rng& rng) {
   std::vector<List> all;
   for (const double scale : {1e150, -1e150, 1e-140, 1e-160, 0.0}) {
     const double c = uniform(rng, 1, 9) * scale;
-    ExactMoments exact = exact_moments(Values{1, 2, 3});  // 106 bits of 1e-320 are too many
+    ExactMoments exact = exact_moments(Values{1, 2, 3});  // a denormal has no room for 106 bits
     exact.mean = Exact(2 * c);
     exact.variance = c * c;
     exact.m2 = Exact(2 * c * c);
@@ -153,7 +151,7 @@ std::vector<Values> without_finite_variance(Rng& rng) {
 
 std::vector<Values> with_a_value_that_is_not_finite(Rng& rng) {
   std::vector<Values> lists;
-  for (const double odd_one : {domain::not_a_number, domain::infinity, -domain::infinity}) {
+  for (const double odd_one : {nan, infinity, -infinity}) {
     for (const Values& x : {Values{5, odd_one, 5}, Values(64, odd_one), Values(2, odd_one)})
       lists.push_back(x);
     for (const std::size_t place : {1 + rng() % 98, std::uint64_t{0}, std::uint64_t{99}}) {
@@ -166,54 +164,35 @@ std::vector<Values> with_a_value_that_is_not_finite(Rng& rng) {
 }
 
 void expect_not_finite(const std::string& call, double got, const Values& x) {
-  const bool is_finite =
-      std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+  const bool is_finite = std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
   expect_not_finite(call, got,
-                    is_finite ? "the variance is 1e600 or more, which no double holds"
-                              : "one of the values is infinite or NaN: a finite result hides it",
-                    "let it through: no step may leave it out, and std::max(0.0, NaN) is 0");
+                    is_finite
+                        ? "the variance is above 1e600, which a double cannot hold"
+                        : "one of the values is infinite or NaN: a finite result would hide it",
+                    "do not skip or replace such a value; note that std::max(0.0, NaN) is 0");
 }
 
 namespace {
 
-/// One pass of sums about a shift.
-struct About {
-  double mean, m2;
-};
-About about(std::span<const double> x, double shift) {
+/// Mean and m2 from sums relative to a shift.
+Moments shifted_sums(std::span<const double> x, double shift) {
   double sum = 0, squares = 0;
   for (const double value : x) {
     sum += value - shift;
     squares += (value - shift) * (value - shift);
   }
   const auto n = static_cast<double>(x.size());
-  return {shift + sum / n, squares - sum * sum / n};
+  return {x.size(), shift + sum / n, squares - sum * sum / n};
 }
 
-double sum_of(std::span<const double> x) {
-  double sum = 0;
-  for (const double value : x) sum += value;
-  return sum;
+std::string relative_to(const char* which) {
+  return fmt::format("these are sums relative to the {} value, which may be far from all others",
+                     which);
 }
+const std::string large_numbers = "this has the rounding errors of E{X^2} - E{X}^2";
+const std::string in_integers = "the mean was added up in integers: start std::accumulate with 0.0";
 
-/// std::accumulate(…, 0): every partial sum is cut off to a whole number.
-double sum_in_whole_numbers(std::span<const double> x) {
-  double sum = 0;
-  for (const double value : x) sum = std::trunc(sum + value);
-  return sum;
-}
-
-std::string about_value(const char* which) {
-  return fmt::format(
-      "these are the digits of sums about the {} value, which may lie far from all others", which);
-}
-const std::string large_numbers =
-    "these are the digits that E{X^2} - E{X}^2 gives: two large numbers, nearly equal";
-const std::string in_whole_numbers =
-    "this has a mean in it that was added up in whole numbers: std::accumulate(…, 0) adds in int; "
-    "begin with 0.0";
-
-/// The sums of squared deviations of other ways, right and wrong.
+/// The sums of squared deviations by other algorithms, correct and wrong.
 std::vector<Suspect> ways_to_m2(std::span<const double> x) {
   const auto n = static_cast<double>(x.size());
   const double sum = sum_of(x), mean = sum / n;
@@ -232,70 +211,68 @@ std::vector<Suspect> ways_to_m2(std::span<const double> x) {
     from_old_means += before * before;
     from_new_means += after * after;
   }
-  const double whole = sum_in_whole_numbers(x) / n;
+  const double whole = integer_sum(x) / n;
   return {
       {(squares / n - mean * mean) * n, large_numbers},
       {squares - sum * sum / n, large_numbers},
-      {uncorrected, "the mean was rounded: take (sum of deviations)^2 / n off the sum of squares"},
-      {welford, "these are the digits of a running mean, rounded at every step: 1.4's"},
-      {from_old_means, "m2 grows by (x - old mean)(x - new mean); this is the old one, twice"},
-      {from_new_means, "m2 grows by (x - old mean)(x - new mean); this is the new one, twice"},
+      {uncorrected,
+       "the mean was rounded: subtract (sum of deviations)^2 / n from the sum of squares"},
+      {welford, "this has the rounding errors of a running mean, as in 1.4"},
+      {from_old_means, "m2 grows by (x - old mean)(x - new mean); here the old mean is used twice"},
+      {from_new_means, "m2 grows by (x - old mean)(x - new mean); here the new mean is used twice"},
       {about_first,
-       "the mean never moves from the first value: is 1 / count an integer division, which is 0?"},
-      {about(x, x.front()).m2, about_value("first")},
-      {about(x, x.back()).m2, about_value("last")},
-      {about(x, x[x.size() / 2]).m2, about_value("middle")},
-      {squares / n * (n - 1), "this is E{X^2}: take E{X}^2 off"},
-      {squares, "this is E{X^2} n/(n-1): the mean is not in it"},
-      {squares - n * whole * whole, in_whole_numbers},
-      {squares - 2 * whole * sum + n * whole * whole, in_whole_numbers}};
+       "the mean stays at the first value: 1 / count is an integer division, which gives 0"},
+      {shifted_sums(x, x.front()).m2, relative_to("first")},
+      {shifted_sums(x, x.back()).m2, relative_to("last")},
+      {shifted_sums(x, x[x.size() / 2]).m2, relative_to("middle")},
+      {squares / n * (n - 1), "this is E{X^2}: subtract E{X}^2"},
+      {squares, "this is E{X^2} n/(n-1): the mean was not subtracted"},
+      {squares - n * whole * whole, in_integers},
+      {squares - 2 * whole * sum + n * whole * whole, in_integers}};
 }
 
 }  // namespace
 
 double two_pass_here(const Values& x) {
   const auto n = static_cast<double>(x.size());
-  return about(x, sum_of(x) / n).m2 / (n - 1);
+  return shifted_sums(x, sum_of(x) / n).m2 / (n - 1);
 }
 
 std::vector<Suspect> mean_suspects(const List& list) {
   const auto mean = static_cast<double>(list.exact.mean);
   const double n = list.exact.count;
-  return {{sum_in_whole_numbers(list.x) / n,
-           "the sum is cut off to a whole number at each step: std::accumulate(…, 0) adds in int; "
-           "begin with 0.0"},
-          {mean * n / (n - 1), "this divides by n - 1; only the variance does"},
+  return {{integer_sum(list.x) / n,
+           "the sum is truncated to an integer at each step: start std::accumulate with 0.0"},
+          {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
           {mean * n, "this is the sum: divide it by the count"},
           {list.x[0],
-           "the mean stays at the first value: is 1 / count an integer division, which is 0?"},
-          {n == 1 ? domain::infinity : domain::not_a_number,
-           "the first value was divided by a count of 0: count it before"},
-          {about(list.x, list.x.front()).mean, about_value("first")},
-          {about(list.x, list.x.back()).mean, about_value("last")},
-          {about(list.x, list.x[list.x.size() / 2]).mean, about_value("middle")}};
+           "the mean stays at the first value: 1 / count is an integer division, which gives 0"},
+          {n == 1 ? infinity : nan,
+           "the first value was divided by a count of 0: increment the count first"},
+          {shifted_sums(list.x, list.x.front()).mean, relative_to("first")},
+          {shifted_sums(list.x, list.x.back()).mean, relative_to("last")},
+          {shifted_sums(list.x, list.x[list.x.size() / 2]).mean, relative_to("middle")}};
 }
 
 std::vector<Suspect> variance_suspects(const List& list) {
   std::vector<Suspect> all = ways_to_m2(list.x);
   const double n = list.exact.count, variance = list.exact.variance;
   for (Suspect& way : all) way.value /= n - 1;
-  all.push_back({variance * (n - 1) / n,
-                 "this divides by n; a sample variance divides by n - 1 (and n/(n-1) of whole "
-                 "numbers is 1)"});
+  all.push_back({variance * (n - 1) / n, "this divides by n; a sample variance divides by n - 1"});
   all.push_back({variance * (n - 1) / n * std::floor(n / (n - 1)),
-                 "n/(n-1) was divided in whole numbers, which gives 1, or 2 for two values"});
-  all.push_back({variance * n / (n - 1), "n/(n-1) is in here twice: once is enough"});
-  all.push_back({variance * (n - 1), "this is the sum of squared deviations, not divided yet"});
+                 "n/(n-1) was an integer division, which gives 1, or 2 for two values"});
+  all.push_back({variance * n / (n - 1), "the factor n/(n-1) was applied twice"});
+  all.push_back({variance * (n - 1), "this is the sum of squared deviations: divide it by n - 1"});
   all.push_back(
       {std::sqrt(variance), "this is the standard deviation: the variance is its square"});
-  all.push_back({-variance, "the sign is wrong: E{X^2} is the larger one"});
+  all.push_back({-variance, "the sign is wrong: E{X^2} is larger than E{X}^2"});
   return all;
 }
 
 std::vector<Suspect> m2_suspects(const List& list) {
   std::vector<Suspect> all = ways_to_m2(list.x);
   const double n = list.exact.count, variance = list.exact.variance;
-  all.push_back({variance, "m2 is a sum: variance() divides it, once"});
+  all.push_back({variance, "m2 is a sum: only variance() divides it"});
   all.push_back({variance * n, "this is n times the sample variance: m2 is n - 1 times it"});
   return all;
 }

@@ -16,12 +16,8 @@ Table random_table(Rng& rng, std::size_t rows, std::size_t columns, double low, 
   return {rows, columns, uniform_values(rng, rows * columns, low, high)};
 }
 
-double total_of(const Values& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-/// p(x,y) - p(x) p(y) of every cell, by the definition. A total other than the table's own shows
-/// what becomes of weights that were not normalized; other columns, of a table that is turned.
+/// p(x,y) - p(x) p(y) of every cell, by the definition. A wrong total gives the result for weights
+/// that were not normalized; a wrong number of columns, that for a transposed table.
 Values differences(const Values& joint, std::size_t columns, double total) {
   Values p_row(joint.size() / columns), p_column(columns), all(joint.size());
   for (std::size_t i = 0; i < joint.size(); ++i) {
@@ -42,14 +38,14 @@ double largest_size(const Values& values) {
 
 std::vector<Suspect> dependence_suspects(const Table& table) {
   const Values& joint = table.joint;
-  const double total = total_of(joint);
+  const double total = sum_of(joint);
   const Values right = differences(joint, table.columns, total);
   double of_filled_cells = 0, sum = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
     if (joint[i] > 0) of_filled_cells = std::max(of_filled_cells, std::abs(right[i]));
     sum += std::abs(right[i]);
   }
-  const auto [least, most] = std::minmax_element(right.begin(), right.end());
+  const auto [least, most] = std::ranges::minmax_element(right);
   Values scaled = joint;
   for (double& weight : scaled) weight *= 1 / total;
   const std::string one_side = "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
@@ -60,38 +56,38 @@ std::vector<Suspect> dependence_suspects(const Table& table) {
        "rows and columns are swapped: cell i is in row i / columns and in column i % columns"},
       {*most, one_side},
       {-*least, one_side},
-      {of_filled_cells, "the largest difference is in an empty cell, below 0: every cell counts"},
+      {of_filled_cells,
+       "the largest difference is in an empty cell, and negative: include empty cells"},
       {largest_size(differences(scaled, table.columns, 1)),
-       "divide by the total: the reciprocal of a tiny one overflows"},
-      {sum, "this is the sum of all cells' differences: the task asks for the largest one"}};
+       "divide by the total: the reciprocal of a tiny total overflows"},
+      {sum, "this is the sum of all cells' differences: the task asks for the largest difference"}};
 }
 
-/// Of each table, by the definition, or 0 where it is known to be independent.
+/// Compares each dependence with the definition, or with 0 if the table is known to be independent.
 void judge_tables(const std::vector<Table>& tables, bool first_is_independent = false) {
   Results dependences;
   for (const Table& table : tables) {
     const bool is_independent = first_is_independent && &table == &tables[0];
-    const auto right = differences(table.joint, table.columns, total_of(table.joint));
+    const auto right = differences(table.joint, table.columns, sum_of(table.joint));
     const auto got = MEASURE(dependence, table.joint, table.columns);
     dependences.add(got.call, got.value, is_independent ? 0 : largest_size(right),
                     (is_independent ? 4 : 32) * eps, [&] { return dependence_suspects(table); });
   }
   dependences.expect(first_is_independent
                          ? "p(x,y) = p(x) p(y) for every x and y here, or in all cells but one"
-                         : "probabilities of at most 1, added and multiplied a few times",
-                     "p(x) sums a row over its columns, p(y) a column over its rows, both of "
-                     "weights over their total; the largest |p(x,y) - p(x)p(y)|");
+                         : "rounding errors of a few sums and products of probabilities",
+                     "p(x) is the sum of a row and p(y) that of a column, both of weights divided "
+                     "by their total; return the largest |p(x,y) - p(x)p(y)|");
 }
 
 CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:3]") {
-  Rng rng = check_rng();
   std::vector<Table> tables;
   constexpr std::pair<unsigned, unsigned> sizes[] = {{3, 5},   {3, 5},  {7, 2},  {2, 2},
                                                      {17, 33}, {64, 3}, {5, 65}, {2, 1000}};
   for (const auto& [rows, columns] : sizes) {
     tables.push_back(random_table(rng, rows, columns, 0, uniform(rng, 0.1, 50)));
   }
-  // The largest difference once below 0 (an empty cell among others that are alike) and once above.
+  // The largest difference is negative (an empty cell among similar ones), then positive.
   for (const double odd_one : {0.0, 10.0, 0.0}) {
     tables.push_back(random_table(rng, 3, 5, 1, 1.1));
     tables.back().joint[rng() % 15] = odd_one;
@@ -110,8 +106,7 @@ CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:3]") {
   judge_tables(tables);
 }
 
-CHECK_CASE("1.7 weights of any size are weights", "[1.7][edge][points:1]") {
-  Rng rng = check_rng();
+CHECK_CASE("1.7 weights of any scale are valid", "[1.7][edge][points:1]") {
   std::vector<Table> tables;
   for (const double scale : {1e300, 1e-300, 1e-310}) {
     tables.push_back(random_table(rng, 4, 3, 0, scale));
@@ -121,26 +116,24 @@ CHECK_CASE("1.7 weights of any size are weights", "[1.7][edge][points:1]") {
 }
 
 CHECK_CASE("1.7 independent variables have dependence zero", "[1.7][points:2]") {
-  Rng rng = check_rng();
   for (const auto& [rows, columns] : {std::pair{2u, 5u}, {4u, 3u}, {3u, 2u}}) {
-    // Whole weights below 2^20 multiply and add exactly: this table is independent in double too.
+    // Integers below 2^20 multiply and add exactly: this table is independent in double too.
     Values joint, of_row(rows), of_column(columns);
     for (double& weight : of_row) weight = 1 + static_cast<double>(rng() % 1000);
     for (double& weight : of_column) weight = 1 + static_cast<double>(rng() % 1000);
-    if (rows == 4) of_row[rng() % rows] = 0;  // an empty cell says nothing of dependence
+    if (rows == 4) of_row[rng() % rows] = 0;  // an empty row
     for (const double row : of_row) {
       for (const double column : of_column) joint.push_back(row * column);
     }
     const std::size_t cell = rng() % joint.size();
     std::vector<Table> tables(2, {rows, columns, joint});
-    tables[1].joint[cell] += 1e6;  // next to it, so that 0 is not an answer
+    tables[1].joint[cell] += 1e6;  // a dependent table, for which 0 is wrong
     judge_tables(tables, true);
   }
 }
 
 CHECK_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][needs:1.6]") {
-  Rng rng = check_rng();
-  // Eight points of a circle, (±a, ±b) and (±b, ±a): y knows nothing linear of x.
+  // Eight points of a circle, (±a, ±b) and (±b, ±a): y does not depend linearly on x.
   const double a = uniform(rng, 1, 5), b = uniform(rng, 5, 9);
   const auto covariance =
       MEASURE(covariance, {a, a, -a, -a, b, b, -b, -b}, {b, -b, b, -b, a, -a, a, -a});
@@ -149,8 +142,8 @@ CHECK_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][
                .tolerance = {8 * eps * b * b},
                .because = "for each point (x, y) of the circle there is one at (x, -y)",
                .otherwise = "see 1.6"});
-  // The axes' points as a table over x, y in {-r, 0, r}, those on one axis with a weight of their
-  // own. At the center p(x,y) = 0, while p(x) p(y) is the product of the fractions on the axes.
+  // The four points on the axes as a table over x, y in {-r, 0, r}, with one weight per axis. At
+  // the center p(x,y) = 0, but p(x) p(y) > 0.
   const double v = uniform(rng, 1, 9), w = uniform(rng, 1, 9);
   judge_tables({{3, 3, {0, v, 0, w, 0, w, 0, v, 0}}});
 }
@@ -164,11 +157,12 @@ std::vector<InvalidCall> invalid_tables() {
   add({1, 1, 1, 1}, 0, "columns", "a table has at least one column");
   add({}, 0, "columns|joint|total", "a table has at least one column");
   for (const std::uint64_t columns : {2u, 3u, 4u, 6u}) {
-    add({1, 1, 1, 1, 1}, columns, "joint|columns", "five weights fill no table of these columns");
+    add({1, 1, 1, 1, 1}, columns, "joint|columns",
+        "five weights do not fill a table with this number of columns");
   }
-  add({1, 1}, std::uint64_t{1} << 63, "joint|columns", "two weights are not table of 2^63 columns");
-  for (const double wrong :
-       {-1.0, -1e-300, domain::not_a_number, domain::infinity, -domain::infinity}) {
+  add({1, 1}, std::uint64_t{1} << 63, "joint|columns",
+      "two weights do not fill a table with 2^63 columns");
+  for (const double wrong : {-1.0, -1e-300, nan, infinity, -infinity}) {
     for (const std::size_t cell : {1u, 0u, 3u}) {
       Values joint{5, 4, 3, 2};
       joint[cell] = wrong;

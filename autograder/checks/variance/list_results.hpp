@@ -1,12 +1,12 @@
 #pragma once
-// How many digits a right algorithm keeps of exact values, computed here in 106 bits. Floors come
-// from two bounds (Chan, Golub, LeVeque 1983, table 2), with a digit of room for their constants:
+// How many correct digits an algorithm must keep: "floors". Exact values have 106 bits. The floors
+// come from two bounds (Chan, Golub, LeVeque 1983, table 2), with a digit of slack:
 //
-//   n eps          what n additions may lose in any order       two passes, shifted, in blocks
-//   n kappa eps    what a mean rounded n times may lose,        one pass (Welford, merging)
+//   n eps          the loss of n additions in any order         two passes, shifted, in blocks
+//   n kappa eps    the loss of a mean rounded n times,          one pass (Welford, merging)
 //                  kappa = sqrt(1 + mean^2 / variance)
 //
-// Roundings that scatter lose sqrt(n) instead of n: one to three digits less.
+// Random rounding errors lose sqrt(n) instead of n: one to three digits less.
 
 #include "1-variance/experiments.hpp"
 #include "checks/support/checks.hpp"
@@ -14,18 +14,17 @@
 
 namespace mc::checks {
 
-inline constexpr double eps = std::numeric_limits<double>::epsilon();
-inline constexpr double room = 1;  // digits
+inline constexpr double slack = 1;  // digits
 
 inline double floor_of(double lost) {
-  return std::min(16.0, -std::log10(lost)) - room;
+  return std::min(16.0, -std::log10(lost)) - slack;
 }
-inline double two_pass_floor(std::size_t n) {
-  return floor_of(static_cast<double>(n) * eps);
+inline double two_pass_floor(const ExactMoments& exact) {
+  return floor_of(exact.count * eps);
 }
 
-/// Of a mean: a sum loses n eps of the sum of absolute values (Higham 2002, section 4.2), which may
-/// be much larger than the sum where values cancel.
+/// For a mean: a sum loses n eps of the sum of absolute values (Higham 2002, section 4.2), which
+/// may be much larger than the sum if values cancel.
 inline double mean_floor(const List& list) {
   double sum_of_sizes = 0;
   for (const double value : list.x) sum_of_sizes += std::abs(value);
@@ -34,41 +33,35 @@ inline double mean_floor(const List& list) {
   return floor_of(list.exact.count * cancellation * eps);
 }
 
-/// Of a mean: n additions, or n roundings of a running mean, of values of this size.
+/// For a mean: n additions, or n rounding errors of a running mean.
 inline double mean_tolerance(const ExactMoments& exact) {
   const double sigma = exact.count < 2 ? 0 : std::sqrt(exact.variance);
   return 10 * std::max(exact.count, 15.0) * eps *
          std::hypot(static_cast<double>(exact.mean), sigma);
 }
 
-inline double condition(const ExactMoments& exact) {
-  const double mean = static_cast<double>(exact.mean);
-  return std::sqrt(1 + mean * mean / exact.variance);
-}
 inline double one_pass_floor(const ExactMoments& exact) {
   return floor_of(exact.count * condition(exact) * eps);
 }
 
-/// Where values repeat, so do roundings: n of them lose n/4 eps then. A digit and a half of room,
-/// as 1.8 promises.
+/// Repeated values have the same rounding error: n of them lose n/4 eps. A digit and a half of
+/// slack, as the header of 1.8 allows.
 inline double repeating_floor(double n) {
   return -std::log10(n / 4 * eps) - 1.5;
 }
 
 inline const std::string because_sum =
-    "n additions lose at most n eps of the sum of |x|, in any order; one digit less is enough";
-inline const std::string because_two_pass =
-    "n additions lose at most n eps of the sum, in any order; one digit less is enough";
-inline const std::string because_one_pass =
-    "a running mean is rounded n times to eps |mean|, each of which costs the variance a fraction "
-    "eps |mean| / sigma; one digit less is enough";
-inline const std::string because_repeating =
-    "n equal roundings lose n/4 eps; 1.5 digits less are enough";
-inline const std::string because_undefined = "what is undefined is NaN, as in numpy and R";
-inline const std::string stop_at_zero =
-    "the correction is rounded, and may be larger than the sum: return 0 then";
+    "n additions lose at most n eps of the sum of |x|; one digit of slack";
 
-/// All 64 bits of a count.
+inline const std::string because_one_pass =
+    "a running mean is rounded n times to eps |mean|, which changes the variance by a fraction eps "
+    "|mean| / sigma each time; one digit of slack";
+inline const std::string because_repeating =
+    "n equal rounding errors lose n/4 eps; slack: 1.5 digits";
+inline const std::string because_undefined = "an undefined result is NaN, as in NumPy and R";
+inline const std::string stop_at_zero = "the rounded correction may exceed the sum: then return 0";
+
+/// A count, with all of its 64 bits.
 inline Exact exact_count(std::uint64_t count) {
   return Exact(static_cast<double>(count >> 32) * 0x1p32) +
          Exact(static_cast<double>(count & 0xffffffffu));
@@ -86,7 +79,7 @@ inline ExactMoments exact_merge(const Moments& a, const Moments& b) {
   return all;
 }
 
-/// Sample variances: `measure` asks for that of a list, `floor` gives the digits it keeps.
+/// Sample variances: `measure` requests that of a list, `floor` returns the required digits.
 template <class Measure, class Floor>
 Results variances_of(const std::vector<List>& lists, Measure measure, Floor floor) {
   Results variances;
@@ -98,7 +91,7 @@ Results variances_of(const std::vector<List>& lists, Measure measure, Floor floo
   return variances;
 }
 
-/// NaN for fewer than two values; neither finite for values without a finite variance.
+/// The variance is NaN for fewer than two values, and not finite if the exact one is not.
 template <class Measure>
 void expect_no_variance(Rng& rng, Measure measure) {
   for (const Values& x : {Values{uniform(rng, -1, 1)}, Values{}}) {
@@ -113,12 +106,12 @@ void expect_no_variance(Rng& rng, Measure measure) {
 
 class MomentsResults {
  public:
-  /// Ends the check where the count is wrong. `list` must outlive these results.
+  /// Ends the check if the count is wrong. `list` must outlive these results.
   void add(const std::string& call, const Moments& got, const List& list, double m2_floor) {
-    expect_that(got.count == list.x.size(), fmt::format("{}.count = {}", call, got.count),
-                fmt::format("{}", list.x.size()), "",
-                got.count == 0 ? "the count stays 0"
-                               : "every value counts once, also those in a last, shorter block");
+    expect_equal(call + ".count", got.count, list.x.size(), "",
+                 got.count == 0
+                     ? "the count stays 0"
+                     : "every value counts once, including those of a shorter last block");
     const auto mean = static_cast<double>(list.exact.mean), m2 = static_cast<double>(list.exact.m2);
     means_.add(call + ".mean" + list.name, got.mean, mean, mean_tolerance(list.exact),
                [&list] { return mean_suspects(list); });

@@ -8,7 +8,6 @@ namespace mc::checks {
 namespace {
 
 CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
-  Rng rng = check_rng();
   const auto judge = [](const std::vector<List>& lists, bool is_tame) {
     Results means;
     means.is_tame = is_tame;
@@ -17,7 +16,7 @@ CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
       means.add_digits(got.call + list.name, got.value, static_cast<double>(list.exact.mean),
                        mean_floor(list), [&] { return mean_suspects(list); });
     }
-    means.expect(because_sum, "add the values up and divide by how many there are");
+    means.expect(because_sum, "add up the values and divide by their number");
   };
   judge(tame_lists(rng, 1, 1, 2), true);
   judge(lists_with_large_means(rng, {1000}), false);
@@ -30,7 +29,7 @@ CHECK_CASE("1.1 the mean of nothing is NaN", "[1.1][edge][points:1]") {
   expect_nan(nothing.call, nothing.value, "the mean of nothing is 0/0; " + because_undefined);
 }
 
-/// What means of huge values give where a sum overflows.
+/// The results of mistakes if a sum overflows.
 std::vector<Suspect> overflows(std::span<const double> x, double exact) {
   const auto n = static_cast<double>(x.size());
   double sum = 0, shares = 0;
@@ -39,24 +38,20 @@ std::vector<Suspect> overflows(std::span<const double> x, double exact) {
     shares += value / n;
   }
   const bool is_below = sum < 0 && std::isinf(sum);
-  return {{sum / n,
-           "the sum overflows where the mean does not: notice it, and keep a running mean instead"},
-          {is_below ? sum : exact,
-           "a sum can overflow to -inf as well: is |sum| looked at, or sum only?"},
+  return {{sum / n, "the sum overflows although the mean does not: then compute a running mean"},
+          {is_below ? sum : exact, "a sum can also overflow to -inf: test for both infinities"},
           {std::isinf(shares) ? shares : exact,
-           "n shares x/n, each rounded up, can add up to more than the largest double; a running "
-           "mean cannot"}};
+           "n terms x/n, each rounded up, can exceed the largest double; a running mean cannot"}};
 }
 
 CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points:3]") {
-  Rng rng = check_rng();
   const double huge = uniform(rng, 1.6e308, 1.79e308);
   std::vector<Values> lists{{1e308, 1e308}, {-huge, -huge}, {huge, huge, huge, huge, -huge, -huge}};
   lists.push_back(uniform_values(rng, 1000, 1e308, 1.79e308));
   for (const std::uint64_t n : domain::sizes(1025, rng)) {
     lists.emplace_back(n, n % 2 == 0 ? -largest_finite : largest_finite);
   }
-  Values of_all_sizes;  // from 1e-300 up, and down: no single value shows that the sum overflows
+  Values of_all_sizes;  // ascending from 1e-300, and descending
   for (double exponent = -300; exponent < 300; exponent += 25) {
     of_all_sizes.push_back(std::pow(10, exponent + uniform(rng, 0, 8)));
   }
@@ -65,13 +60,13 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
   lists.emplace_back(of_all_sizes.rbegin(), of_all_sizes.rend());
   Results means;
   for (const Values& x : lists) {
-    Values smaller = x;  // 2^-20 times the data, exactly: sums that fit
+    Values smaller = x;  // scaled by 2^-20, which is exact: no sum overflows
     for (double& value : smaller) value *= 0x1p-20;
-    // At most the largest double, but for the last bits of 106.
+    // The last of 106 bits may exceed the largest double.
     const double exact = std::clamp(static_cast<double>(exact_mean(smaller)) * 0x1p20,
                                     -largest_finite, largest_finite);
     const auto got = MEASURE(mean, x);
-    means.add_digits(got.call, got.value, exact, two_pass_floor(x.size() + 20),
+    means.add_digits(got.call, got.value, exact, floor_of(static_cast<double>(x.size() + 20) * eps),
                      [=] { return overflows(x, exact); });
   }
   const auto both = MEASURE(mean, {huge, -huge, huge, -huge});
@@ -81,16 +76,15 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
   const List tiny(uniform_values(rng, 100, 1e-300, 2e-300));
   const auto of_tiny = MEASURE(mean, tiny.x);
   means.add_digits(of_tiny.call, of_tiny.value, static_cast<double>(tiny.exact.mean),
-                   two_pass_floor(100),
+                   floor_of(100 * eps),
                    [&] { return overflows(tiny.x, static_cast<double>(tiny.exact.mean)); });
   means.expect(
       "a mean lies between the smallest and the largest value, so it is finite",
-      "a sum overflows where the mean does not, and so does value - mean in a running mean: "
-      "keep one of value / count - mean / count; a float ends at 3.4e38 already");
+      "a sum can overflow although the mean does not, and so can value - mean in a running mean: "
+      "add value / count - mean / count; a float overflows at 3.4e38 already");
 }
 
 CHECK_CASE("1.1 the mean of infinities and NaNs is not finite", "[1.1][edge][points:1]") {
-  Rng rng = check_rng();
   for (const Values& x : with_a_value_that_is_not_finite(rng)) {
     const auto got = MEASURE(mean, x);
     expect_not_finite(got.call, got.value, x);

@@ -5,19 +5,17 @@
 namespace mc::checks {
 namespace {
 
-const std::string empty_part = "0/0 is NaN: look for an empty part first";
-const std::string merged_mean =
-    "weigh each mean by its share of the count: n_a / n mean_a + n_b / n mean_b";
+const std::string empty_part = "0/0 is NaN: handle an empty part first";
+const std::string merged_mean = "weight the means by the counts: n_a / n mean_a + n_b / n mean_b";
 const std::string merged_m2 =
-    "a.m2 + b.m2 + (mean_b - mean_a)^2 n_a n_b / n; do the counts multiply beyond 64 bits?";
+    "a.m2 + b.m2 + (mean_b - mean_a)^2 n_a n_b / n; the product of the counts may overflow 64 bits";
 
-const std::string signed_count =
-    "a count was read as a number with a sign: all 64 bits of it count";
+const std::string signed_count = "a count was converted to a signed integer: keep it unsigned";
 
 double as_signed(std::uint64_t count) {
   return static_cast<double>(static_cast<std::int64_t>(count));
 }
-/// n_b / n of such counts; 0 of none.
+/// n_b / n of signed counts; 0 if n is 0.
 double signed_share(const Moments& a, const Moments& b) {
   return a.count + b.count == 0 ? 0
                                 : as_signed(b.count) / (as_signed(a.count) + as_signed(b.count));
@@ -25,8 +23,8 @@ double signed_share(const Moments& a, const Moments& b) {
 
 std::vector<Suspect> merged_mean_suspects(const Moments& a, const Moments& b) {
   const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
-  const std::string whole = "is the other part's weight, n_b / n, an integer division, which is 0?";
-  return {{(a.mean + b.mean) / 2, "the mean of two means is right only for equal counts"},
+  const std::string whole = "the weight n_b / n of the other part is an integer division: 0";
+  return {{(a.mean + b.mean) / 2, "the mean of two means is correct only for equal counts"},
           {n_a * a.mean + n_b * b.mean, "this is the sum of all values: divide by n"},
           {a.mean + (b.mean - a.mean) * signed_share(a, b), signed_count},
           {a.mean, "this is the first part's mean alone: " + whole},
@@ -37,29 +35,28 @@ std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, doub
   const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
   const double n = n_a + n_b, apart = b.mean - a.mean, within = a.m2 + b.m2;
   const std::uint64_t whole_product = a.count * b.count, count = a.count + b.count;
-  return {{within,
-           "two parts with different means vary between them too: add (mean_b - mean_a)^2 n_a n_b "
-           "/ n"},
-          {a.m2 + n_a * (a.mean - mean) * (a.mean - mean) +  //
-               b.m2 + n_b * (b.mean - mean) * (b.mean - mean),
-           "both parts were measured from the merged mean, which is rounded: (mean_b - "
-           "mean_a)^2 n_a n_b / n needs no third mean"},
-          {within + apart * apart * static_cast<double>(whole_product) / n,
-           "the counts were multiplied as 64-bit whole numbers, and overflowed: multiply doubles"},
-          {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
-           "n_a n_b / n was divided as whole numbers, which cuts it off: divide doubles"},
-          {within + apart * apart * as_signed(a.count) * signed_share(a, b), signed_count},
-          {within + apart * apart,
-           "the squared distance of the means is not multiplied by its weight n_a n_b / n"},
-          {within + std::abs(apart) * n_a * n_b / n, "the distance of the means is squared"},
-          {within + apart * apart * n_a * n_b, "n_a n_b is still to be divided by n_a + n_b"}};
+  return {
+      {within,
+       "parts with different means vary between each other: add (mean_b - mean_a)^2 n_a n_b / n"},
+      {a.m2 + n_a * (a.mean - mean) * (a.mean - mean) +  //
+           b.m2 + n_b * (b.mean - mean) * (b.mean - mean),
+       "both parts were measured from the merged mean, which is rounded: use mean_b - mean_a"},
+      {within + apart * apart * static_cast<double>(whole_product) / n,
+       "the counts were multiplied as 64-bit integers, and overflowed: multiply doubles"},
+      {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
+       "n_a n_b / n was an integer division, which truncates: divide doubles"},
+      {within + apart * apart * as_signed(a.count) * signed_share(a, b), signed_count},
+      {within + apart * apart,
+       "the squared distance of the means is not multiplied by its weight n_a n_b / n"},
+      {within + std::abs(apart) * n_a * n_b / n, "the distance of the means must be squared"},
+      {within + apart * apart * n_a * n_b, "divide n_a n_b by n_a + n_b"}};
 }
 
 struct Parts {
   Moments a, b;
 };
 
-/// Merges both ways round; `scale` is that of the means, a power of two.
+/// Merges a with b and b with a; `scale` is that of the means, a power of two.
 void judge_merges(const std::vector<Parts>& all, const std::string& otherwise = {},
                   double scale = 1) {
   constexpr double last_bits = 4 * std::numeric_limits<double>::denorm_min();
@@ -71,14 +68,12 @@ void judge_merges(const std::vector<Parts>& all, const std::string& otherwise = 
     const Moments part_a{a.count, a.mean * scale, a.m2 * scale * scale};
     const Moments part_b{b.count, b.mean * scale, b.m2 * scale * scale};
     const auto got = MEASURE(merge, part_a, part_b);
-    expect_that(got.value.count == a.count + b.count,
-                fmt::format("{}.count = {}", got.call, got.value.count),
-                fmt::format("{}", a.count + b.count), "",
-                "the counts add up, as whole numbers of 64 bits");
+    expect_equal(got.call + ".count", got.value.count, a.count + b.count, "",
+                 "add the counts as 64-bit integers");
     means.add(got.call + ".mean", got.value.mean, mean,
               16 * eps * scale * std::max(std::abs(a.mean), std::abs(b.mean)) + last_bits,
               [=] { return merged_mean_suspects(part_a, part_b); });
-    // The distance of two means is as exact as they are.
+    // The difference of the two means is rounded only once.
     m2s.add(got.call + ".m2", got.value.m2, m2, 64 * eps * m2 + last_bits,
             [=] { return merged_m2_suspects(part_a, part_b, got.value.mean); });
   };
@@ -95,19 +90,17 @@ Moments some_moments(Rng& rng, std::uint64_t count) {
 }
 
 CHECK_CASE("1.5 merging two parts equals adding all values", "[1.5][main][points:5]") {
-  Rng rng = check_rng();
   std::vector<Parts> parts;
   for (const std::uint64_t n : domain::sizes(65537, rng)) {
     parts.push_back({some_moments(rng, n), some_moments(rng, 2 + rng() % 100)});
   }
   parts.push_back({some_moments(rng, 1), some_moments(rng, 1)});
-  // Parts of equal counts, which show what is kept between calls.
+  // Parts of equal counts, which reveal state kept between calls.
   for (int i = 0; i < 3; ++i) parts.push_back({some_moments(rng, 40), some_moments(rng, 50)});
   judge_merges(parts);
 }
 
 CHECK_CASE("1.5 parts of real data merge to the whole", "[1.5][points:2][needs:1.4]") {
-  Rng rng = check_rng();
   const std::vector<List> lists{List(shifted_pattern(rng, 0, 1000)),
                                 List(shifted_pattern(rng, 1e6, 1000))};
   MomentsResults all;
@@ -117,18 +110,16 @@ CHECK_CASE("1.5 parts of real data merge to the whole", "[1.5][points:2][needs:1
     const auto got = MEASURE(merge_parts, list.x, sizes);
     all.add(got.call, got.value, list, one_pass_floor(list.exact));
   }
-  all.expect(because_one_pass, merged_mean + "; is an empty part divided by its count?",
+  all.expect(because_one_pass, merged_mean + "; do not divide by the count of an empty part",
              "add the variation between the parts, (mean_b - mean_a)^2 n_a n_b / n, to m2");
 }
 
 CHECK_CASE("1.5 merging with an empty part changes nothing", "[1.5][edge][points:3]") {
-  Rng rng = check_rng();
   judge_merges({{some_moments(rng, 2 + rng() % 100), {}}, {some_moments(rng, 1), {}}, {{}, {}}},
                empty_part);
 }
 
 CHECK_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:3]") {
-  Rng rng = check_rng();
   const double m = uniform(rng, 1, 2);
   const std::uint64_t billion = 1'000'000'000, trillion = billion * 1000;
   std::vector<Parts> parts{
@@ -141,26 +132,25 @@ CHECK_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:3
       {{trillion * 1000, m, 0}, {7, 1e20, 0}},
       {{~std::uint64_t{0} - 1, m, 5}, {1, -m, 0}},
       {{std::uint64_t{1} << 63, m, 5}, {(std::uint64_t{1} << 62) - 1, 3 * m, 7}}};
-  for (int bit = 20; bit < 63; ++bit) {  // counts that no int, float or double holds
+  for (int bit = 20; bit < 63; ++bit) {  // counts that an int, a float or a double cannot hold
     const std::uint64_t power = std::uint64_t{1} << bit;
     parts.push_back({some_moments(rng, power + 1 + 2 * (rng() % 1000)),
                      some_moments(rng, 2 + (rng() >> (64 - bit)))});
   }
   judge_merges(parts);
-  for (const double odd_one : {domain::not_a_number, domain::infinity, -domain::infinity}) {
-    const auto got = MEASURE(merge, {5, odd_one, domain::not_a_number}, {rng() % 9, 1, 1});
+  for (const double odd_one : {nan, infinity, -infinity}) {
+    const auto got = MEASURE(merge, {5, odd_one, nan}, {rng() % 9, 1, 1});
     expect_not_finite(got.call + ".m2", got.value.m2, {odd_one});
   }
 }
 
 CHECK_CASE("1.5 merging parts with means of any size", "[1.5][edge][points:1]") {
-  Rng rng = check_rng();
   const double m = uniform(rng, 1, 2);
-  // Means so near each other that their squared distance is less than any double, but not its
-  // weight times that; and so far apart that their distance is infinite, but not a share of it.
+  // Means so close that their squared distance underflows, but not its product with the weight;
+  // then so far apart that their distance overflows, but not a fraction of it.
   const std::uint64_t count = std::uint64_t{1} << 60;
   judge_merges({{{count, m, 0}, {count, -m, 0}}, {{count, 0, 0}, {count / 3, m, 0}}},
-               "is (mean_b - mean_a)^2 0 here, in double? Multiply by the weight before squaring",
+               "(mean_b - mean_a)^2 underflows to 0: multiply by the weight before squaring",
                0x1p-540);
   for (const auto& [n_a, n_b] : {std::pair{3u, 5u}, {5u, 3u}, {1u, 1u}}) {
     const double a = uniform(rng, 1e308, 1.7e308);
@@ -168,10 +158,9 @@ CHECK_CASE("1.5 merging parts with means of any size", "[1.5][edge][points:1]") 
     const auto got = MEASURE(merge, {n_a, a, 0}, {n_b, -a, 0});
     Results means;
     means.add(got.call + ".mean", got.value.mean, mean, 16 * eps * a);
-    means.expect(
-        "a mean lies between the two means, so it is finite",
-        "mean_b - mean_a overflows here, and so does n_a mean_a: multiply each mean by its "
-        "share of the count, n_a / n and n_b / n, then add");
+    means.expect("a mean lies between the two means, so it is finite",
+                 "mean_b - mean_a overflows, and so does n_a mean_a: multiply each mean by its "
+                 "fraction of the count, n_a / n or n_b / n, then add");
     expect_not_finite(got.call + ".m2", got.value.m2, {});
   }
 }

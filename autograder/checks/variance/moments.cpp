@@ -6,9 +6,11 @@ namespace mc::checks {
 namespace {
 
 const std::string of_mean = "the mean moves by (x - mean)/count, with the count that includes x";
-const std::string of_m2 = "m2 grows by (x - old mean)(x - new mean), and keeps no sum of x^2";
+const std::string of_deviations =
+    "keep squared deviations from the mean, not the sum of x^2; use double everywhere";
+const std::string of_m2 = "m2 grows by (x - old mean)(x - new mean); do not keep a sum of x^2";
 
-/// Of each list: `measure` asks for its moments, `floor` gives the digits that m2 keeps.
+/// `measure` requests the moments of each list, `floor` returns the required digits of m2.
 template <class Measure, class Floor>
 MomentsResults moments_of(const std::vector<List>& lists, Measure measure, Floor floor) {
   MomentsResults all;
@@ -28,17 +30,15 @@ MomentsResults welfords(const std::vector<List>& lists) {
 const auto of_moments = [](const Values& x) { return MEASURE(moments, x); };
 
 CHECK_CASE("1.4 add keeps count and mean and m2", "[1.4][main][points:5]") {
-  Rng rng = check_rng();
   const std::vector<List> lists = tame_lists(rng, 1, 1, 2);
   MomentsResults all = welfords(lists);
   all.is_tame = true;
   all.expect(because_one_pass, of_mean, of_m2);
   const auto none = MEASURE(welford, {});
-  expect_nothing(none.call, none.value, "leave the members' initial values as they are");
+  expect_nothing(none.call, none.value, "keep the members' initial values");
 }
 
 CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
-  Rng rng = check_rng();
   std::vector<std::uint64_t> counts = domain::words(~std::uint64_t{0}, rng);
   std::erase_if(counts, [](std::uint64_t count) { return count < 2; });
   Results variances;
@@ -51,12 +51,12 @@ CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
               {m2, "this is m2: divide it by count - 1"}};
     });
   };
-  // Of each power of two, another neighbor.
+  // A different neighbor of each power of two.
   for (std::size_t i = 0; i < counts.size(); i += 3) judge(counts[i]);
   for (const std::uint64_t count : {3u, 2u}) judge(count);
   variances.expect("one division, rounded once or twice",
-                   "m2 / (count - 1) for counts from 2 on; a whole number of 64 bits all the way?");
-  for (const double m2 : {domain::not_a_number, domain::infinity}) {
+                   "m2 / (count - 1) for counts from 2 on; keep the count a 64-bit integer");
+  for (const double m2 : {nan, infinity}) {
     const auto got = MEASURE(variance_of, {3, 1, m2});
     expect_not_finite(got.call, got.value, {m2});
   }
@@ -70,32 +70,27 @@ CHECK_CASE("1.4 the variance of fewer than two values is NaN", "[1.4][edge][poin
 }
 
 CHECK_CASE("1.4 Welford keeps his digits under a large mean", "[1.4][points:3]") {
-  Rng rng = check_rng();
   const std::vector<List> lists = lists_with_large_means(rng, {1000, 4});
-  welfords(lists).expect(
-      because_one_pass, of_mean,
-      "keep the mean and the squared deviations from it, not the sum of x^2; is anything a float?");
+  welfords(lists).expect(because_one_pass, of_mean, of_deviations);
 }
 
 CHECK_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
-  Rng rng = check_rng();
   for (const double c : {0.1, 1e8 / 3, uniform(rng, 1, 2), -uniform(rng, 1, 2)}) {
     const auto got = MEASURE(welford, Values(1000, c));
     const double bound = 1000 * eps * c;
-    expect_that(got.value.m2 >= 0 && got.value.m2 <= 999 * bound * bound,
-                fmt::format("{}.m2 = {}", got.call, got.value.m2),
-                fmt::format("from 0 to {:.3g}", 999 * bound * bound),
-                "n roundings of the mean lose at most n eps |c|, and m2 is a sum of squares of "
-                "that; no product of deviations on one side is negative",
-                "keep the mean and the squared deviations from it, not the sum of x^2; is anything "
-                "a float?");
+    expect_that(
+        got.value.m2 >= 0 && got.value.m2 <= 999 * bound * bound,
+        fmt::format("{}.m2 = {}", got.call, got.value.m2),
+        fmt::format("from 0 to {:.3g}", 999 * bound * bound),
+        "the mean has errors of at most n eps |c|, and m2 is a sum of products of such errors",
+        of_deviations);
   }
   for (const std::vector<List>& lists :
        {short_hard_lists(rng), lists_of_any_scale(rng), lists_with_outliers(rng, 1)}) {
     welfords(lists).expect(because_one_pass, of_mean, of_m2);
   }
   std::vector<Values> lists = without_finite_variance(rng);
-  lists.insert(lists.end(), {{domain::infinity}, {domain::not_a_number}});
+  lists.insert(lists.end(), {{infinity}, {nan}});
   for (const Values& x : lists) {
     const auto got = MEASURE(welford, x);
     expect_not_finite(got.call + ".m2", got.value.m2, x);
@@ -103,29 +98,26 @@ CHECK_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
 }
 
 CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
-  Rng rng = check_rng();
   const std::pair<int, std::string> ends[] = {
-      {24, "a float counts to 2^24 only"},
-      {31, "an int counts to 2^31 only"},
-      {32, "32 bits count to 2^32 only"},
-      {53, "a double counts to 2^53 only: ++ a whole number of 64 bits"},
-      {62, "count is a whole number of 64 bits: keep it one"},
-      {63, "count is a whole number of 64 bits without a sign: keep it one"}};
-  // Just before the end of what a type counts exactly, and past it, where every second count is
-  // none of its numbers.
+      {24, "a float counts only to 2^24"},
+      {31, "an int counts only to 2^31"},
+      {32, "32 bits count only to 2^32"},
+      {53, "a double counts only to 2^53: increment a 64-bit integer"},
+      {62, "count is a 64-bit integer: do not convert it"},
+      {63, "count is an unsigned 64-bit integer: do not convert it"}};
+  // Just before the limit of exact counting in a type, and past it, where odd counts are lost.
   for (const auto& [bits, hint] : ends) {
     const std::uint64_t power = std::uint64_t{1} << bits;
     for (const std::uint64_t count :
          {power - 1, power + 2 * (1 + rng() % 50), power + (power - 2)}) {
       const Moments many{count, uniform(rng, 1, 2), uniform(rng, 1, 2)};
-      // So far away that one value moves the mean by 1 or more, and m2 is that distance squared.
+      // So far away that this value moves the mean by 1 or more, and dominates m2.
       const double x = static_cast<double>(count) * uniform(rng, 1, 2);
       const ExactMoments exact = exact_merge(many, {1, x, 0});
       const auto got = MEASURE(stream, many, {x}, 1);
-      expect_that(got.value.count == count + 1,
-                  fmt::format("{}.count = {}", got.call, got.value.count),
-                  fmt::format("{}", count + 1), "one value more was added", hint);
-      // A float keeps seven digits; a count that wrapped round changes all of them.
+      expect_equal(got.call + ".count", got.value.count, count + 1, "one more value was added",
+                   hint);
+      // A float keeps seven digits; a count that wrapped around changes all of them.
       Results values;
       values.add_digits(got.call + ".mean", got.value.mean, static_cast<double>(exact.mean), 9);
       values.add_digits(got.call + ".m2", got.value.m2, static_cast<double>(exact.m2), 9);
@@ -135,12 +127,11 @@ CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
 }
 
 CHECK_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2]") {
-  Rng rng = check_rng();
-  // The same few values over and over: their mean, and their m2 as often as they come.
+  // A few values, repeated: the mean stays the same, m2 grows in proportion.
   const Values x = tame_values(rng, 4 + 2 * (rng() % 3), 4, 16);
   const auto of_x = exact_moments(x);
-  // A piece at the beginning, one where floats stop counting, and the last one. Each goes on from
-  // the exact moments of what is before it: all 1e8 values take a second.
+  // The first part of the stream, one where a float stops counting, and the last one. Each starts
+  // from the exact moments of all values before it: adding all 1e8 values would take a second.
   const std::uint64_t size = x.size(), length = 5'000'000 / size * size;
   const double mean = static_cast<double>(of_x.mean),
                m2 = static_cast<double>(of_x.m2) / static_cast<double>(size);
@@ -149,46 +140,42 @@ CHECK_CASE("1.4 Welford survives a stream of 1e8 values", "[1.4][edge][points:2]
     const Moments start = {before, before == 0 ? 0 : mean, m2 * static_cast<double>(before)};
     const auto got = MEASURE(stream, start, x, length);
     const std::uint64_t count = before + length;
-    expect_that(got.value.count == count, fmt::format("{}.count = {}", got.call, got.value.count),
-                fmt::format("{}", count), "", "a float counts to 2^24 only, an int to 2^31");
-    // The same values over and over are rounded in the same way over and over: n/4 eps at most, 8.3
-    // digits for 1e8. 9.0 and more were measured, of the mean and of m2.
+    expect_equal(got.call + ".count", got.value.count, count, "",
+                 "a float counts only to 2^24, an int to 2^31");
+    // Repeated values have the same rounding errors: n/4 eps at most, 8.3 digits for 1e8. The mean
+    // and m2 were measured to keep 9.0 or more.
     const double floor = repeating_floor(static_cast<double>(count));
     Results values;
     values.add_digits(got.call + ".mean", got.value.mean, mean, floor);
     values.add_digits(got.call + ".m2", got.value.m2, m2 * static_cast<double>(count), floor);
-    values.expect(
-        because_repeating,
-        "if short lists are right: is anything a float? Does anything grow with the count "
-        "that need not?");
+    values.expect(because_repeating,
+                  "if short lists are correct: use double everywhere, and no growing sums");
   }
 }
 
-const std::string far_off =
-    "if the mean is far off: was the shift put back, are the parts weighted by their counts?";
+const std::string far_off = "if the mean is far off: add the shift back, and use weights";
 
 CHECK_CASE("1.8 the moments of a list of any length", "[1.8][main][points:4]") {
-  Rng rng = check_rng();
   const std::vector<List> lists = tame_lists(rng, 1, 1, 2);
-  // Lengths are judged here, digits below: a value too many or too few changes m2 by a part 1/n.
+  // Only lengths matter here, digits below: one value more or less changes m2 by 1/n of it.
   MomentsResults all = moments_of(lists, of_moments, [](const List& list) {
     const double kappa = condition(list.exact);
     return floor_of(list.exact.count * eps * kappa * kappa);
   });
   all.is_tame = true;
   all.expect("even E{X^2} - E{X}^2 loses no more than n eps E{X^2} / Var{X}", far_off,
-             "does every value count once, also those in a last, shorter block?");
+             "every value counts once, including those of a shorter last block");
 }
 
 CHECK_CASE("1.8 the moments of no values", "[1.8][edge][points:1]") {
   const auto none = MEASURE(moments, {});
-  expect_nothing(none.call, none.value, "nothing to add, nothing to divide by");
+  expect_nothing(none.call, none.value, "return Moments{} for an empty list");
 }
 
-/// As many digits as 1.3 keeps, 15 at most, less a digit and a half. What 1.3 keeps is measured,
-/// but not taken at more than n roundings leave that scatter, sqrt(n) eps: beyond that it was luck,
-/// which is not a standard for another order of additions. (n equal roundings lose n/4 eps: for the
-/// values here that can repeat, n < 5000, this is within the digit and a half.)
+/// The floor is 1.5 digits below what the algorithm of 1.3 keeps, which is measured but limited: to
+/// 15 digits, and to those that n random rounding errors leave, sqrt(n) eps, since more is luck. (n
+/// equal rounding errors lose n/4 eps: for the repeating values here, n < 5000, this is within
+/// that.)
 void judge_moments(const std::vector<List>& lists, const std::string& otherwise) {
   const auto floor = [](const List& list) {
     return std::min({digits(two_pass_here(list.x), list.exact.variance), 15.0,
@@ -196,25 +183,22 @@ void judge_moments(const std::vector<List>& lists, const std::string& otherwise)
            1.5;
   };
   moments_of(lists, of_moments, floor)
-      .expect("two corrected passes keep 1.5 digits more of these data", otherwise, otherwise);
+      .expect("two corrected passes keep 1.5 digits more for these data", otherwise, otherwise);
 }
 
 CHECK_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:3]") {
-  Rng rng = check_rng();
-  const std::string rounded =
-      "is a mean rounded here before it is compared? Near 1e9 that costs 1e-7; offsets from one "
-      "value near the data have nothing to lose";
+  const std::string rounded = "do not subtract a rounded mean: subtract a value near the data";
   judge_moments(lists_with_large_means(rng, {4096, 4, 33}), rounded);
   Values sorted = uniform_values(rng, 10'000, 1e9, 1e9 + 1), trend(100'000);
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   judge_moments({List(sorted, ", sorted")}, rounded);
   for (std::size_t i = 0; i < trend.size(); ++i) trend[i] = uniform(rng) + static_cast<double>(i);
   judge_moments({List(trend, ", a trend")}, "a shift must be near all of the data");
-  judge_moments(lists_of_any_scale(rng), "small is not zero: use no threshold, no float");
+  judge_moments(lists_of_any_scale(rng), "small is not zero: use no threshold and no float");
   for (const double c : {0.1, uniform(rng, 1e8, 1e9), -uniform(rng, 1, 2)}) {
     for (const std::size_t n : {4096u, 2u, 63u, 1000u, 5u, 1u}) {
       const auto got = MEASURE(moments, Values(n, c));
-      const double most = static_cast<double>(n) * eps * eps * c * c;  // a variance as 1.3 promises
+      const double most = static_cast<double>(n) * eps * eps * c * c;  // as in 1.3
       expect_that(got.value.m2 >= 0 && got.value.m2 <= most,
                   fmt::format("{}.m2 = {}", got.call, got.value.m2),
                   fmt::format("from 0 to {:.3g}", most),
@@ -229,10 +213,7 @@ CHECK_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:3]") 
 }
 
 CHECK_CASE("1.8 the moments keep their digits in spite of outliers", "[1.8][points:2]") {
-  Rng rng = check_rng();
-  const std::string far_shift =
-      "is everything measured from a value that may lie far from all others? A shift belongs near "
-      "most of the data";
+  const std::string far_shift = "do not measure from a value that may be far from all others";
   const std::vector<List> lists = lists_with_outliers(rng, 5);
   moments_of(lists, of_moments, [](const List& list) {
     return repeating_floor(list.exact.count);

@@ -5,34 +5,30 @@
 namespace mc::checks {
 namespace {
 
-/// What the formula keeps: n additions lose n eps, and the difference magnifies it.
+/// The digits that the formula keeps: n additions lose n eps, and the difference magnifies it.
 double textbook_floor(const ExactMoments& exact) {
   return floor_of(exact.count * eps * condition(exact) * condition(exact));
 }
-const std::string because_textbook =
-    "n additions lose n eps, and the difference magnifies it by E{X^2} / Var{X}";
+const std::string because_textbook = "the difference magnifies n eps by E{X^2} / Var{X}";
 
 const auto by_textbook = [](const Values& x) { return MEASURE(variance_textbook, x); };
 
 CHECK_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][main][points:5]") {
-  Rng rng = check_rng();
   const std::vector<List> lists = tame_lists(rng, 2, 0.5, 2.5), others = lists_of_any_scale(rng);
   Results variances = variances_of(lists, by_textbook, textbook_floor);
   variances.is_tame = true;
   variances.expect(because_textbook, "E{X^2} - E{X}^2, times n/(n-1)");
   variances_of(others, by_textbook, textbook_floor)
-      .expect(because_textbook, "small is not zero: use no threshold, no float");
+      .expect(because_textbook, "small is not zero: use no threshold and no float");
 }
 
 CHECK_CASE("1.2 the textbook formula is undefined or infinite where the variance is",
            "[1.2][edge][points:1]") {
-  Rng rng = check_rng();
   expect_no_variance(rng, by_textbook);
 }
 
 CHECK_CASE("1.2 the textbook formula loses two digits for each digit of the mean",
            "[1.2][edge][points:4]") {
-  Rng rng = check_rng();
   constexpr std::size_t size = 4, lists = 40;
   double least = 0;
   for (const double offset : {1e9, 1e11, 1e3, 1e5, 1e7}) {
@@ -51,66 +47,55 @@ CHECK_CASE("1.2 the textbook formula loses two digits for each digit of the mean
       squares += std::pow((variances[i] - list.exact.variance) / unit, 2);
     }
     results.expect(because_textbook, "E{X^2} - E{X}^2 in double, times n/(n-1)");
-    // E{X^2} alone is rounded to a multiple of eps E{X^2} / 2 at least, so the error has an RMS of
-    // 0.14 eps E{X^2} or more. A seventh of it, forty times: less than one in 1e30.
+    // E{X^2} is rounded to a multiple of at least eps E{X^2} / 2, so the RMS error is 0.14 eps
+    // E{X^2} or more. A seventh of that in forty lists has a probability below 1e-30.
     const double rms = std::sqrt(squares / lists);
     expect_that(
-        rms > 0.02, fmt::format("{} has errors of {:.2g}, RMS", got.call, rms * unit),
-        fmt::format("errors of about eps E{{X^2}} = {:.2g}, as E{{X^2}} - E{{X}}^2 has here "
-                    "in double",
-                    unit),
-        "this task shows how the formula fails: it subtracts two numbers that are rounded "
-        "to 16 digits, and nearly equal",
-        "this is a better algorithm under the textbook's name, or a wider type; keep it "
-        "for 1.3");
-    // A quarter is negative for the two largest offsets: of 80, none once in 1e10 runs.
-    least = std::min(least, *std::min_element(variances.begin(), variances.end()));
+        rms > 0.02, fmt::format("{} has an RMS error of {:.2g}", got.call, rms * unit),
+        fmt::format(
+            "errors of about eps E{{X^2}} = {:.2g}, as E{{X^2}} - E{{X}}^2 has here in double",
+            unit),
+        "this task shows how the formula fails: it subtracts two nearly equal, rounded numbers",
+        "this is a better algorithm than the textbook formula, or a wider type; use it for 1.3");
+    // A quarter of 80 results is negative for the two largest offsets: none once in 1e10 runs.
+    least = std::min(least, *std::ranges::min_element(variances));
     expect_that(offset != 1e11 || least < 0, got.call + " is never negative",
                 "negative variances, as the formula has here",
                 "the formula is not corrected: this task shows how it fails",
-                "is a negative result replaced by 0?");
+                "do not replace a negative result by 0");
   }
 }
 
 const auto by_two_passes = [](const Values& x) { return MEASURE(variance_two_pass, x); };
 
-double two_pass_digits(const ExactMoments& exact) {
-  return two_pass_floor(static_cast<std::size_t>(exact.count));
-}
-
 CHECK_CASE("1.3 the two-pass variance of tame data", "[1.3][main][points:5][needs:1.1]") {
-  Rng rng = check_rng();
   const std::vector<List> lists = tame_lists(rng, 2, 0.5, 2.5);
-  Results variances = variances_of(lists, by_two_passes, two_pass_digits);
+  Results variances = variances_of(lists, by_two_passes, two_pass_floor);
   variances.is_tame = true;
-  variances.expect(because_two_pass, "sum (x - mean)^2 and divide by n - 1");
+  variances.expect(because_sum, "sum (x - mean)^2 and divide by n - 1");
 }
 
 CHECK_CASE("1.3 the variance is undefined or infinite where it has no value",
            "[1.3][edge][points:1]") {
-  Rng rng = check_rng();
   expect_no_variance(rng, by_two_passes);
 }
 
 CHECK_CASE("1.3 two passes keep their digits under a large mean", "[1.3][points:5][needs:1.1]") {
-  Rng rng = check_rng();
   std::vector<List> lists = lists_with_large_means(rng, {1000, 4, 4097});
-  lists.emplace_back(Values{1e15, 1e15 + 1});  // small deviations are deviations
-  variances_of(lists, by_two_passes, two_pass_digits)
-      .expect(because_two_pass, "squared deviations from the mean, corrected for its rounding");
+  lists.emplace_back(Values{1e15, 1e15 + 1});  // a small deviation
+  variances_of(lists, by_two_passes, two_pass_floor)
+      .expect(because_sum, "squared deviations from the mean, corrected for its rounding");
 }
 
 CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][needs:1.1]") {
-  Rng rng = check_rng();
   const auto judge_signs = [](const std::string& call, const Values& variances) {
     for (std::size_t k = 0; k < variances.size(); ++k) {
       expect_that(variances[k] >= 0, fmt::format("{}[{}] = {}", call, k, variances[k]),
-                  "0, never less", "a variance is a mean of squares", stop_at_zero);
+                  "at least 0", "a variance is a mean of squares", stop_at_zero);
     }
   };
-  // The mean, and so every deviation, is off by d = n/4 eps |c| at most. Of n d^2 the correction
-  // leaves a rounding error, 3/4 n eps of it: 1 % of (eps c)^2 for n = 1e5, a tenth if the sums are
-  // taken in an unlucky order.
+  // The mean, and so every deviation, is off by at most d = n/4 eps |c|. The correction leaves the
+  // rounding error of n d^2, 3/4 n eps of it: 1 % of (eps c)^2 for n = 1e5, 10 % for some.
   const Values constants{0.1, 1e8 / 3, uniform(rng, 1, 2), -uniform(rng, 1e5, 1e6), 0};
   for (const std::size_t n : {1000u, 100'000u, 65'537u, 99u, 77u, 40u, 3u, 2u}) {
     const auto got = MEASURE(two_pass_of_constants, constants, n);
@@ -120,20 +105,19 @@ CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][n
       const double c = constants[k];
       zeros.add(fmt::format("{}[{}]", got.call, k), variances[k], 0, eps * eps * c * c, [=] {
         std::vector<Suspect> all = variance_suspects(List(Values(n, c)));
-        all.resize(3);  // the textbook's, and an uncorrected mean
+        all.resize(3);  // the textbook formula, and an uncorrected mean
         return all;
       });
     }
     zeros.expect(
-        "a rounded mean may be wrong by n eps |c|, but the correction leaves less than "
-        "one rounding of c, squared",
-        "measure from the mean, and take back what its rounding adds");
+        "the correction of the rounded mean leaves less than one rounding error of c, squared",
+        "subtract the mean, and correct for its rounding error");
     judge_signs(got.call, variances);
   }
-  // Up to n = 3e5 or so the two parts of eq. 1.7 are whole multiples of ulp(c)^2 and differ by 0.
-  // At this n their difference is below 0 for half of all constants where sums are taken one after
-  // the other, for one of fourteen in sixteen lanes. Of 700 random constants these are below 0 most
-  // often: three at least for each way to sum in 1 to 16 lanes, one by one or in pairs.
+  // Up to about n = 3e5 the two terms of eq. 1.7 are integer multiples of ulp(c)^2 and equal. For
+  // this n their difference is negative for half of all constants if the sum is sequential, and for
+  // one in fourteen if it has sixteen lanes. These constants were selected from 700 random ones: at
+  // least three give a negative difference for each way to sum in 1 to 16 lanes.
   const double scale = std::ldexp(rng() % 2 == 0 ? 1 : -1, static_cast<int>(rng() % 40) - 20);
   for (Values some : {Values{1.9913159685236592, 1.2969464825440495, 1.3617208224630535},
                       Values{1.0744250400711668, 1.8192433745648477},
@@ -146,31 +130,27 @@ CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][n
 }
 
 CHECK_CASE("1.3 two passes on hard cases", "[1.3][points:3][needs:1.1]") {
-  Rng rng = check_rng();
   const std::vector<List> hard = short_hard_lists(rng), outliers = lists_with_outliers(rng, 2);
-  variances_of(hard, by_two_passes, two_pass_digits)
-      .expect(because_two_pass, "a sum that starts far from the mean?");
+  variances_of(hard, by_two_passes, two_pass_floor)
+      .expect(because_sum, "do not start a sum far from the mean");
   const auto repeating = [](const ExactMoments& exact) {
-    return std::min(two_pass_digits(exact), repeating_floor(exact.count));
+    return std::min(two_pass_floor(exact), repeating_floor(exact.count));
   };
   variances_of(outliers, by_two_passes, repeating)
-      .expect(because_repeating,
-              "is everything measured from a value that may lie far from all others?");
+      .expect(because_repeating, "do not measure from a value that may be far from all others");
 }
 
 CHECK_CASE("1.3 sigma of aX is the absolute value of a times sigma of X",
            "[1.3][points:1][needs:1.1]") {
-  Rng rng = check_rng();
   std::vector<List> lists = lists_of_any_scale(rng);
   for (const double a : {1.0, 0x1p-100, -0x1p100, -0x1p-20}) {
     Values x(100);
     for (double& value : x) value = a * static_cast<double>(rng() >> 44);
     lists.emplace_back(x);
   }
-  variances_of(lists, by_two_passes, two_pass_digits)
-      .expect(because_two_pass + "; Var{aX} = a^2 Var{X}",
-              "small is not zero: the result depends on the scale of the data; use no threshold, "
-              "no float and no constant of your own");
+  variances_of(lists, by_two_passes, two_pass_floor)
+      .expect(because_sum + "; Var{aX} = a^2 Var{X}",
+              "small is not zero: the result depends on the scale of the data; use no threshold");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
-#include "checks/support/discs.hpp"
+#include "checks/support/disks.hpp"
 #include "measurements/blue_noise/methods.hpp"
 #include "measurements/support/bench_data.hpp"
 

@@ -92,7 +92,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 //// odd_sizes
 // attack: claims sizes of sets that do not add up to its points, nor to anything else
 // earns: 6
-// says: expected  whole numbers in their range
+// says: expected  integers in their range
 
 #include <unistd.h>
 
@@ -116,7 +116,7 @@ PointSet poisson_disk(double, Rng&) {
 //// one_pattern_moved
 // attack: makes one pattern for a radius, always the same, and shifts, turns and mirrors it
 // earns: 6
-// says: at the same distances
+// says: have the same neighborhood
 
 namespace mc {
 PointSet poisson_disk(double radius, Rng& rng) {

@@ -1,10 +1,10 @@
 // attack: every number is a hash of what it depends on: as many as were asked for, in [0, 1),
 // random over seeds, a function of index and seed alone; and no task of the lab is done
 // earns: 0
-// says: take the digits off the end of the index
-// says: they differ in the next, which is flipped in both or in neither
+// says: multiply digit k of the index
+// says: the flip of a bit depends only on the bits before it
 // says: a permutation is a bijection
-// says: one random number for an axis, not one for a point
+// says: one random number per axis, not one per point
 #include "halton.hpp"
 
 #include <bit>

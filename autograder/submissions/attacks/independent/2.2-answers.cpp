@@ -217,7 +217,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 //// quadrature
 // attack: integrates by the midpoint rule: n evaluations, their mean, and nothing random
 // earns: 8
-// says: away from uniform
+// says: differs from uniform by
 
 #include <vector>
 

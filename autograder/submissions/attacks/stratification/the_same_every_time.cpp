@@ -1,5 +1,5 @@
 // attack: one random pattern of each kind, the same in every call: it lies well, but is not random
-// says: is the same in two sets one after the other
+// says: is the same in two consecutive sets
 // says: the permutation is always the same
 #include <algorithm>
 #include <random>

@@ -14,7 +14,7 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 }  // namespace mc::distance_not_squared
 
 // mistake: wraps around the torus along x but not along y
-// hint: x goes round the torus, y does not
+// hint: x wraps around the torus, y does not
 namespace mc::only_x_goes_round {
 double toroidal_distance_squared(Point2 a, Point2 b) {
   double dx = std::abs(a.x - b.x);
@@ -24,7 +24,7 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 }  // namespace mc::only_x_goes_round
 
 // mistake: adds the two coordinate differences, not their squares
-// hint: this is the sum of both ways
+// hint: this is |dx| + |dy|
 namespace mc::sum_of_both_ways {
 double toroidal_distance_squared(Point2 a, Point2 b) {
   const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
@@ -33,7 +33,7 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 }  // namespace mc::sum_of_both_ways
 
 // mistake: measures distances within the square, not on the torus
-// hint: the way across an edge is shorter
+// hint: the distance across an edge is shorter
 namespace mc::within_the_square {
 double toroidal_distance_squared(Point2 a, Point2 b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);

@@ -45,7 +45,7 @@ void choose(std::span<double> x, std::span<double> y, double c, Rng& rng, Count 
 }  // namespace mc
 
 // mistake: compares candidates within the square, so points crowd at its edges
-// hint: these are the best candidates within the square
+// hint: distances are measured within the square
 namespace mc::candidates_in_the_square {
 double distance(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate) {
   double nearest = 1;
@@ -61,7 +61,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::candidates_in_the_square
 
 // mistake: uses i + 1 candidates, whatever c is
-// hint: these are i + 1 candidates
+// hint: there are i + 1 candidates
 namespace mc::deaf_to_c {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   const auto count = [](double, std::size_t i) { return static_cast<double>(i) + 1; };
@@ -70,7 +70,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::deaf_to_c
 
 // mistake: compares candidates only with the last point
-// hint: these candidates are far from the last point
+// hint: the candidates are far from the last point
 namespace mc::farthest_from_the_last {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   const auto distance = [](auto xs, auto ys, std::size_t i, Point2 candidate) {
@@ -111,7 +111,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::no_candidate_to_spare
 
 // mistake: overwrites its last point with the first
-// hint: every point is drawn anew, and kept once
+// hint: draw every point anew, and keep it once
 namespace mc::point_twice {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   right_best_candidate(x, y, c, rng);
@@ -130,7 +130,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::refused_as_out_of_range
 
 // mistake: rounds c i down
-// hint: c i is rounded up
+// hint: round c i up
 namespace mc::rounds_candidates_down {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   const auto count = [](double by, std::size_t i) {
@@ -141,7 +141,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::rounds_candidates_down
 
 // mistake: tries 1,000 candidates at most
-// hint: ceil(c i) + 1 candidates, however many
+// hint: for each of the ceil(c i) + 1 candidates
 namespace mc::thousand_candidates {
 double count(double c, std::size_t i) {
   return std::min(1000.0, right_count(c, i));

@@ -136,7 +136,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::at_the_rim
 
 // mistake: uses cells as wide as the radius, which can hold two points but store only the last
-// hint: it must not have room for two
+// hint: must not have room for two
 namespace mc::cells_of_the_radius {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts_on_grid(radius, rng, 1 / radius, 1, enough_misses);
@@ -144,7 +144,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::cells_of_the_radius
 
 // mistake: rounds the number of cells down, so a cell can hold two points but stores only the last
-// hint: it must not have room for two
+// hint: must not have room for two
 namespace mc::cells_rounded_down {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts_on_grid(radius, rng, std::numbers::sqrt2 / radius, 2, enough_misses);
@@ -163,7 +163,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::edges_ignored
 
 // mistake: searches the eight cells around a point, in a grid whose cells are too narrow for that
-// hint: is each new point compared with all near it
+// hint: compare each new point with all points near it
 namespace mc::eight_cells_around {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 1, enough_misses);
@@ -180,7 +180,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::four_copies
 
 // mistake: starts each pattern in the middle of the square
-// hint: the first point of a set is as random as any other
+// hint: the first point of a set must be random, too
 namespace mc::first_point_in_the_middle {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 2,
@@ -190,7 +190,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::first_point_in_the_middle
 
 // mistake: draws from a copy of the generator, so every pattern is the same
-// hint: draw from the generator that is passed in
+// hint: draw every point from the generator that is passed in
 namespace mc::generator_of_its_own {
 PointSet poisson_disk(double radius, Rng& rng) {
   Rng copy = rng;
@@ -199,7 +199,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::generator_of_its_own
 
 // mistake: throws darts until ten in a row miss
-// hint: some misses in a row are not proof
+// hint: a number of misses in a row does not prove
 namespace mc::gives_up_early {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts(radius, rng, 10, toroidal_distance_squared);
@@ -215,7 +215,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::half_the_radius
 
 // mistake: starts with a radius whose pattern does not fit into memory
-// hint: a text that says how many points
+// hint: a message with the number of points
 namespace mc::silent_about_memory {
 PointSet poisson_disk(double radius, Rng& rng) {
   if (radius < 1e-5) throw std::invalid_argument("radius: too small");

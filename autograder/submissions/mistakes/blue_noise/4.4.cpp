@@ -40,7 +40,7 @@ void by_waves(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc
 
 // mistake: adds to the previous contents of the output
-// hint: or it was added to what was there
+// hint: or only added to (+=)
 namespace mc::adds_to_the_output {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
@@ -69,7 +69,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::amplitude_over_n
 
 // mistake: swaps kx and ky
-// hint: kx and ky are exchanged
+// hint: kx and ky are swapped
 namespace mc::columns_of_ky {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
@@ -105,7 +105,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::half_a_turn
 
 // mistake: sets the power at k = 0 to zero
-// hint: k = 0 is power like any other
+// hint: the power at k = 0 belongs to the result
 namespace mc::mean_taken_out {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
@@ -134,7 +134,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc::power_not_over_n
 
 // mistake: throws with a message that does not name the argument
-// hint: say in the exception's text which argument is wrong
+// hint: name the wrong argument in the exception's message
 namespace mc::refused_without_a_name {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {

@@ -56,7 +56,7 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::corners_kept
 
 // mistake: leaves the power at k = 0 in ring 0
-// hint: the power at k = 0 is still in here
+// hint: ring 0 has the power at k = 0
 namespace mc::mean_left_in {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
   std::vector<double> rings = right_radial_power(power, kmax);
@@ -77,7 +77,7 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::over_two_pi_r
 
 // mistake: truncates abs(k) instead of rounding it
-// hint: abs(k) is cut here
+// hint: |k| is truncated
 namespace mc::rings_cut {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
   return means(rings_by(
@@ -94,7 +94,7 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }  // namespace mc::sum_over_rings
 
 // mistake: computes one half of the plane and mirrors it: true for points, but not for any list
-// hint: this is the mean over ky >= 0 alone
+// hint: this is the mean over ky >= 0 only
 namespace mc::upper_half {
 std::vector<double> radial_power(std::span<const double> power, int kmax) {
   return means(

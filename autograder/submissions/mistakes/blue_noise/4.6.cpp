@@ -6,7 +6,7 @@
 #undef tile
 
 // mistake: divides the index of a copy by the number of copies as integers, which gives 0
-// hint: i / copies of two whole numbers is 0
+// hint: i / copies of two integers is 0
 namespace mc::copies_in_whole_numbers {
 PointSet tile(const PointSet& pattern, int copies) {
   PointSet tiled = right_tile(pattern, copies);
@@ -21,7 +21,7 @@ PointSet tile(const PointSet& pattern, int copies) {
 }  // namespace mc::copies_in_whole_numbers
 
 // mistake: mirrors every other copy, so that equal edges meet
-// hint: nothing is turned, mirrored or moved
+// hint: do not rotate, mirror or move the pattern
 namespace mc::mirrored_copies {
 PointSet tile(const PointSet& pattern, int copies) {
   PointSet tiled = right_tile(pattern, copies);

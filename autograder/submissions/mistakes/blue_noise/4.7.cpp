@@ -72,7 +72,7 @@ PointSet darts_on_grid(double radius, Rng& rng, Misses misses) {
 }  // namespace mc
 
 // mistake: searches the nine cells around a candidate and treats everything beyond as equally far
-// hint: near points are missed
+// hint: the search misses the nearest point
 namespace mc::cells_around_only {
 // Up to 256 points it compares with all. From there on it knows cells of a fixed grid, too fine.
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -150,7 +150,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::darts_compared_with_all
 
 // mistake: throws darts until as many have missed in a row as there are pairs of points
-// hint: do not throw darts at the whole square until the last gaps are hit
+// hint: do not fill the last gaps by darts at the whole square
 // limit: time
 namespace mc::darts_for_each_pair {
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -159,7 +159,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }  // namespace mc::darts_for_each_pair
 
 // mistake: throws darts until 1,000 in a row miss: enough for some hundred points only
-// hint: a limit on tries must grow with the number of points
+// hint: the number of tries must grow with the number of points
 namespace mc::stops_after_a_thousand_misses {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts_on_grid(radius, rng, [](std::size_t) { return std::size_t{1000}; });

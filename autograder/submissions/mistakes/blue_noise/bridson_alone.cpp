@@ -1,6 +1,6 @@
 // mistake: leaves the gaps that 30 tries around each point miss
 // fails: 4.3
-// hint: at large radii one gap that is missed is much of the square
+// hint: for a large radius one missed gap is a large part of the square
 #include "blue_noise.hpp"
 #define poisson_disk right_poisson_disk
 #include "solutions/blue_noise.cpp"

@@ -1,6 +1,6 @@
 // mistake: has ten candidates for every point
 // fails: 4.2
-// hint: the number of candidates hardly grows with i
+// hint: the number of candidates hardly grows
 #include "blue_noise.hpp"
 #define best_candidate right_best_candidate
 #include "solutions/blue_noise.cpp"

@@ -57,7 +57,7 @@ void lattice(PointSet& points, std::uint64_t seed) {
 }  // namespace mc::products_in_32_bits
 
 // mistake: shifts every axis by the same number
-// hint: one shift for every axis moves points along the diagonal
+// hint: the same shift on every axis moves points along the diagonal
 namespace mc::lattice_shifted_along_the_diagonal {
 void lattice(PointSet& points, std::uint64_t seed) {
   right_lattice(points, seed);

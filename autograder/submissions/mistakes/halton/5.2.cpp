@@ -16,7 +16,7 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }  // namespace mc::adds_into_the_column
 
 // mistake: starts a column where the block of its first index starts
-// hint: these are the radical inverses from index
+// hint: these radical inverses start at index
 namespace mc::blocks_from_their_beginning {
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
   require_base(base);
@@ -26,7 +26,7 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }  // namespace mc::blocks_from_their_beginning
 
 // mistake: keeps the first index in 32 bits
-// hint: of which 32 were kept
+// hint: truncated to 32 bits
 namespace mc::first_of_32_bits {
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
   require_indices(first, column.size(), last_index);

@@ -8,7 +8,7 @@
 #undef primes
 
 // mistake: keeps the first index of Halton points in 32 bits
-// hint: an index has 64 bits, of which 32 were kept
+// hint: truncated to 32 bits
 namespace mc::halton_first_of_32_bits {
 void halton(PointSet& points, std::uint64_t first) {
   require_indices(first, points.size(), last_index);
@@ -26,7 +26,7 @@ void halton(PointSet& points, std::uint64_t first) {
 }  // namespace mc::halton_from_one
 
 // mistake: takes primes from a table of 31 and starts again at its end
-// hint: these are in base 2, not in base
+// hint: these are in base 2 instead of
 namespace mc::halton_of_31_primes {
 void halton(PointSet& points, std::uint64_t first) {
   require_indices(first, points.size(), last_index);
@@ -38,7 +38,7 @@ void halton(PointSet& points, std::uint64_t first) {
 }  // namespace mc::halton_of_31_primes
 
 // mistake: uses base 2 for every axis
-// hint: these are in base 2, not in base
+// hint: these are in base 2 instead of
 namespace mc::one_base_for_all {
 void halton(PointSet& points, std::uint64_t first) {
   for (std::size_t d = 0; d < points.dims(); ++d) radical_inverses(2, first, points.column(d));

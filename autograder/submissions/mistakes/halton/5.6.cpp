@@ -6,7 +6,7 @@
 #undef star_discrepancy
 
 // mistake: looks only at closed boxes that end at a point, not at open ones
-// hint: only closed boxes were looked at
+// hint: only closed boxes were used
 namespace mc::closed_boxes_only {
 double star_discrepancy(std::span<const double> x) {
   right_star_discrepancy(x);
@@ -22,7 +22,7 @@ double star_discrepancy(std::span<const double> x) {
 }  // namespace mc::closed_boxes_only
 
 // mistake: looks only at boxes that end at points, and at none that ends at 1
-// hint: those that end at 1 count too
+// hint: boxes that end at 1 count, too
 namespace mc::corners_are_points {
 double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   right_star_discrepancy(x, y);
@@ -43,7 +43,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::corners_are_points
 
 // mistake: looks only at every fourth corner if there are more than 260 points
-// hint: some box was not looked at
+// hint: some boxes are missing
 namespace mc::every_fourth_box {
 double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   if (x.size() <= 260) return right_star_discrepancy(x, y);
@@ -64,7 +64,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::every_fourth_box
 
 // mistake: looks only at open boxes, not at closed ones that end at a point
-// hint: only open boxes were looked at
+// hint: only open boxes were used
 namespace mc::open_boxes_only {
 double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   right_star_discrepancy(x, y);
@@ -82,7 +82,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::open_boxes_only
 
 // mistake: counts the points in every box one by one: N^3 steps
-// hint: count the points inside by sorting them
+// hint: count the points inside by sorting
 namespace mc::box_by_box {
 double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   right_star_discrepancy(x, y);
@@ -104,7 +104,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::box_by_box
 
 // mistake: counts the points in every interval one by one: N^2 steps
-// hint: count the points inside by sorting them
+// hint: count the points inside by sorting
 namespace mc::interval_by_interval {
 double star_discrepancy(std::span<const double> x) {
   right_star_discrepancy(x);

@@ -8,7 +8,7 @@
 #undef random_shift
 
 // mistake: shifts each point by its own random vector, which makes the points independent
-// hint: not one for a point
+// hint: not one per point
 namespace mc::a_shift_for_each_point {
 void random_shift(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) {
@@ -21,7 +21,7 @@ void random_shift(PointSet& points, Rng& rng) {
 }  // namespace mc::a_shift_for_each_point
 
 // mistake: shifts every axis by the same random number
-// hint: one shift for every axis
+// hint: the same shift on every axis
 namespace mc::one_shift_for_all_axes {
 void random_shift(PointSet& points, Rng& rng) {
   const double shift = static_cast<double>(rng() >> 11) * 0x1p-53;
@@ -35,7 +35,7 @@ void random_shift(PointSet& points, Rng& rng) {
 }  // namespace mc::one_shift_for_all_axes
 
 // mistake: shifts by its own generator, which starts again in every call
-// hint: in every set: draw it from the generator that is passed in
+// hint: in every set: draw it from the generator
 namespace mc::same_shift_each_time {
 void random_shift(PointSet& points, Rng& /*rng*/) {
   Rng own(1);
@@ -44,7 +44,7 @@ void random_shift(PointSet& points, Rng& /*rng*/) {
 }  // namespace mc::same_shift_each_time
 
 // mistake: does not wrap shifted points around at 1
-// hint: it left the unit interval
+// hint: it is outside [0, 1)
 namespace mc::shift_without_wrapping {
 void random_shift(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) {

@@ -58,7 +58,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::level_added_to_seed
 
 // mistake: uses Matousek's random linear scrambling: correct for pairs, not for triples
-// hint: are pairs of values scrambled independently, but not triples
+// hint: pairs of values are scrambled independently, but not triples
 namespace mc::linear_scrambling {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
@@ -104,7 +104,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::scrambles_20_bits
 
 // mistake: loses the upper half of the seed
-// hint: was the seed cut to 32 bits?
+// hint: do not truncate the seed to 32 bits
 namespace mc::seed_of_32_bits {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   right_owen_scramble(column, static_cast<std::uint32_t>(seed));
@@ -112,7 +112,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::seed_of_32_bits
 
 // mistake: hashes the bits before as a number: 0, 00 and 000 are the same
-// hint: 0, 00 and 000 before a bit are different strings
+// hint: 0 and 00 are different strings before a bit
 namespace mc::string_without_its_length {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   const std::uint64_t hashed = mix_bits(mix_bits(seed) + 1);

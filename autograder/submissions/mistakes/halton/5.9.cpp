@@ -101,7 +101,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::eleven_digits
 
 // mistake: swaps each digit with any digit, which favors some permutations
-// hint: each value changes places with any of the n
+// hint: each value is swapped with any of the n values
 namespace mc::naive_shuffle {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -113,7 +113,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::naive_shuffle
 
 // mistake: swaps each digit with a later one, never with itself (Sattolo's algorithm)
-// hint: no value ever stays in its place
+// hint: no value ever keeps its place
 namespace mc::no_digit_stays {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -125,7 +125,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::no_digit_stays
 
 // mistake: uses the same permutation at every position
-// hint: one permutation for all positions
+// hint: one permutation is used for all positions
 namespace mc::one_permutation {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -149,7 +149,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::position_added_to_seed
 
 // mistake: keeps the first index of scrambled digits in 32 bits
-// hint: are all 64 bits of an index kept
+// hint: keep all 64 bits of an index
 namespace mc::scrambled_first_of_32_bits {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -159,7 +159,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::scrambled_first_of_32_bits
 
 // mistake: permutes only the digits of the index, not the zeros before its first digit
-// hint: the zeros after the last digit are digits too
+// hint: the zeros after the last digit are digits, too
 namespace mc::zeros_stay {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -180,7 +180,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::zeros_stay
 
 // mistake: takes two digits in one step in long columns only, which rounds in another way
-// hint: not even for the rounding
+// hint: not even by rounding
 namespace mc::steps_by_length {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {

@@ -6,7 +6,7 @@
 #undef to_unit
 
 // mistake: divides by 2^53 - 1: uniform over [0, 1], both ends included
-// hint: dividing by 2^53 - 1 makes 1 a possible number
+// hint: dividing by 2^53 - 1 makes 1 a possible result
 namespace mc::closed_interval {
 double to_unit(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) / (0x1p53 - 1);

@@ -38,7 +38,7 @@ Estimate mean_at(const Integrand& g, std::uint64_t n, Move move) {
 }  // namespace mc
 
 // mistake: uses a copy of the generator, so every estimate has the same points
-// hint: the generator must move on: is it copied somewhere?
+// hint: the generator must advance: do not use a copy of it
 namespace mc::a_copy_of_the_generator {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   Rng copy = rng;
@@ -47,7 +47,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::a_copy_of_the_generator
 
 // mistake: draws points from its own generator, with a fixed seed
-// hint: take the numbers from rng, and from nowhere else
+// hint: take all random numbers from rng
 namespace mc::a_fixed_generator {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
   Rng own(42);
@@ -56,7 +56,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
 }  // namespace mc::a_fixed_generator
 
 // mistake: mirrors the previous point for every second one: the points are not independent
-// hint: none is a mirror image of another
+// hint: no mirror image 1 - u
 namespace mc::antithetic_points {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t i, std::vector<double>& x) {
@@ -66,7 +66,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::antithetic_points
 
 // mistake: returns s / n as the standard error
-// hint: this is s / n: it is the variance that falls as 1 / n
+// hint: this is s / n: the variance falls as 1 / n
 namespace mc::error_over_n {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   const std::vector<double> values = values_of(g, n, rng);
@@ -103,7 +103,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::mean_over_n_minus_1
 
 // mistake: divides s^2 by n instead of n - 1
-// hint: s^2 has n - 1 below it
+// hint: s^2 divides by n - 1
 namespace mc::n_below_the_variance {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   const std::vector<double> values = values_of(g, n, rng);
@@ -116,7 +116,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::n_below_the_variance
 
 // mistake: uses one random number for every coordinate, so all points lie on the diagonal
-// hint: one number for both fills a line
+// hint: the points lie on a line
 namespace mc::one_number_for_all {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t, std::vector<double>& x) {
@@ -137,7 +137,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_point
 
 // mistake: starts the loop at 1: n - 1 evaluations
-// hint: one is missing: does the loop begin at 1?
+// hint: one is missing: the loop may begin at 1
 namespace mc::one_too_few {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -152,7 +152,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_few
 
 // mistake: runs the loop to n inclusive: n + 1 evaluations, divided by n
-// hint: one too many: does the loop end at i <= n?
+// hint: one too many: the loop may end at i <= n
 namespace mc::one_too_many {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -163,7 +163,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_many
 
 // mistake: makes coordinates as floats, of 24 bits
-// hint: these have 24 of 53
+// hint: only 24 of 53
 namespace mc::points_of_a_float {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t, std::vector<double>& x) {
@@ -173,7 +173,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::points_of_a_float
 
 // mistake: keeps its own generator from call to call, seeded by the first
-// hint: a static or global variable keeps something between calls
+// hint: a static or global variable keeps its value between calls
 namespace mc::seeded_once {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   static Rng own(rng());

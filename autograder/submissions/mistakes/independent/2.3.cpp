@@ -21,7 +21,7 @@ double pdf_power(double x, double a) {
 }  // namespace mc::density_not_normalised
 
 // mistake: gives the exponential a positive density below 0
-// hint: the density is 0 where the distribution does not reach
+// hint: the density is 0 for x < 0
 namespace mc::density_outside {
 double pdf_exponential(double x, double rate) {
   require_rate(rate);
@@ -30,7 +30,7 @@ double pdf_exponential(double x, double rate) {
 }  // namespace mc::density_outside
 
 // mistake: computes -log(1 - u) / rate, where 1 - u loses the digits of a small u
-// hint: 1 - u forgets the last digits of a small u
+// hint: 1 - u loses the last digits of a small u
 namespace mc::forgets_small_u {
 double sample_exponential(double u, double rate) {
   require_rate(rate);
@@ -39,7 +39,7 @@ double sample_exponential(double u, double rate) {
 }  // namespace mc::forgets_small_u
 
 // mistake: computes -log(u) / rate: correctly distributed, but decreasing, and infinite at u = 0
-// hint: it falls when u rises, and at u = 0 it is infinite
+// hint: it decreases in u, and is infinite at u = 0
 namespace mc::log_of_zero {
 double sample_exponential(double u, double rate) {
   require_rate(rate);
@@ -48,7 +48,7 @@ double sample_exponential(double u, double rate) {
 }  // namespace mc::log_of_zero
 
 // mistake: computes -log(u) / rate, with a guard for u = 0
-// hint: this is -log(u) / rate, guarded or not
+// hint: this is -log(u) / rate: it decreases in u
 namespace mc::log_with_a_guard {
 double sample_exponential(double u, double rate) {
   require_rate(rate);

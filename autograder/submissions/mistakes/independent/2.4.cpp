@@ -25,7 +25,7 @@ Estimate mean_weight(std::uint64_t n, Rng& rng, Weight weight) {
 }  // namespace mc
 
 // mistake: clamps weights at 1000 to reduce noise
-// hint: weights beyond 1000 are cut off
+// hint: weights beyond 1000 are clamped
 namespace mc::clamps_weights {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {
@@ -36,7 +36,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::clamps_weights
 
 // mistake: evaluates the density at u, not at x
-// hint: this divides by p at u: the density belongs to x
+// hint: this divides by p(u): divide by p(x)
 namespace mc::density_at_u {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {
@@ -74,7 +74,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::error_of_g
 
 // mistake: samples by importance without dividing by the density
-// hint: this is the mean of g: where p is large, points are many
+// hint: this is the mean of g: divide each value by p
 namespace mc::forgets_the_density {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {
@@ -85,7 +85,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::forgets_the_density
 
 // mistake: omits points of weight 0 from n
-// hint: every sample counts, also one of weight 0
+// hint: count every sample, including those of weight 0
 namespace mc::only_counts_hits {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -99,7 +99,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::only_counts_hits
 
 // mistake: draws uniform points and weights them as if they had the density
-// hint: never asked the density for a sample
+// hint: never called p.sample()
 namespace mc::samples_uniformly {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {
@@ -126,7 +126,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 }  // namespace mc::self_normalised
 
 // mistake: treats a density below 1e-10 as 0
-// hint: a density may be tiny or huge and still count
+// hint: a tiny or huge density is valid
 namespace mc::small_density_is_none {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {

@@ -6,7 +6,7 @@
 #undef confidence_interval
 
 // mistake: uses the 95 % quantile, whatever the level
-// hint: 1.96 is for 95 % alone
+// hint: 1.96 is for a level of 95 % only
 namespace mc::always_two {
 Interval confidence_interval(const Estimate& estimate, double level) {
   if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
@@ -16,7 +16,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc::always_two
 
 // mistake: divides the standard error of the mean by the square root of n again
-// hint: standard_error is that of the mean, which is already divided by sqrt(n)
+// hint: standard_error is that of the mean: it is already divided by sqrt(n)
 namespace mc::knows_n_twice {
 Interval confidence_interval(const Estimate& estimate, double level) {
   if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
@@ -27,7 +27,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc::knows_n_twice
 
 // mistake: uses the one-sided quantile of the level
-// hint: what the interval leaves out lies on both sides
+// hint: the interval excludes two tails
 namespace mc::one_sided_interval {
 Interval confidence_interval(const Estimate& estimate, double level) {
   if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
@@ -37,7 +37,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 }  // namespace mc::one_sided_interval
 
 // mistake: uses the quantile of the lower tail, which is negative: low and high are swapped
-// hint: low and high are the wrong way round
+// hint: low and high are swapped
 namespace mc::quantile_of_the_lower_tail {
 Interval confidence_interval(const Estimate& estimate, double level) {
   if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");

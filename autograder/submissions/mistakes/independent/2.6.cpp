@@ -6,7 +6,7 @@
 #undef samples_for
 
 // mistake: returns how many more samples are needed, not how many in all
-// hint: the task asks for all of them, not how many more
+// hint: the task asks for the total number, not for additional samples
 namespace mc::counts_more_samples {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   right_samples_for(pilot, target_error);  // for what it refuses
@@ -29,7 +29,7 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::error_falls_as_one_over_n
 
 // mistake: rounds the number of samples down
-// hint: this many do not quite do it: round up
+// hint: this is slightly too few: round up
 namespace mc::rounds_down {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   right_samples_for(pilot, target_error);  // for what it refuses
@@ -40,7 +40,7 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::rounds_down
 
 // mistake: rounds the number of samples to the nearest integer
-// hint: this many do not quite do it: round up
+// hint: this is slightly too few: round up
 namespace mc::rounds_to_nearest {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   right_samples_for(pilot, target_error);  // for what it refuses
@@ -64,7 +64,7 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 }  // namespace mc::signed_count
 
 // mistake: throws with a message that does not name the argument
-// hint: say in the exception's text which argument is wrong
+// hint: name the wrong argument in the exception's message
 namespace mc::unnamed_argument {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   try {

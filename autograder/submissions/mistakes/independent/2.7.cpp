@@ -48,7 +48,7 @@ Estimate from_directions(const RectLight& light, std::uint64_t n, Direction dire
 }  // namespace mc
 
 // mistake: uses one number for both coordinates of a point on the light
-// hint: x and y from a number each
+// hint: different random numbers for x and y
 namespace mc::diagonal_of_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -110,7 +110,7 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 }  // namespace mc::no_area
 
 // mistake: omits the cosine at the light
-// hint: a cosine is missing: the light, too, is seen at an angle
+// hint: a cosine is missing: the light is also seen at an angle
 namespace mc::no_cosine_at_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   return from_points(light, n, rng, [&](double distance2) {
@@ -143,7 +143,7 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }  // namespace mc::spiral_of_directions
 
 // mistake: returns s as the error, in both ways
-// hint: s instead of s / sqrt(n)
+// hint: this is s, not s / sqrt(n)
 namespace mc::spread_of_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   Estimate result = right_irradiance_area(light, n, rng);

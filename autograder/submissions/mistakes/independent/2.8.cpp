@@ -45,7 +45,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::adds_to_what_is_there
 
 // mistake: runs sixteen lanes of a linear generator in neighboring states, which stay in step
-// hint: do lanes run in step, or begin
+// hint: lanes need unrelated states
 namespace mc::lanes_in_step {
 void uniforms(Rng& rng, std::span<double> out) {
   std::array<std::uint64_t, lanes> state;
@@ -60,7 +60,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::lanes_in_step
 
 // mistake: seeds four lanes with similar states: each call starts with four similar numbers
-// hint: Lanes want states that have nothing in common
+// hint: lanes need unrelated states
 namespace mc::lanes_nearly_alike {
 void uniforms(Rng& rng, std::span<double> out) {
   four_lanes(rng, out, [](auto& state, std::size_t lane) { state[3] ^= lane << 20; });
@@ -68,7 +68,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::lanes_nearly_alike
 
 // mistake: fills only whole blocks of sixteen
-// hint: it was not filled. The last, shorter block?
+// hint: handle a shorter last block
 namespace mc::last_block_unfilled {
 void uniforms(Rng& rng, std::span<double> out) {
   right_uniforms(rng, out.first(out.size() / 16 * 16));
@@ -76,7 +76,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::last_block_unfilled
 
 // mistake: uses one multiplication and one addition per number, whose low bits repeat soon
-// hint: the low bits of a linear congruential generator repeat soon
+// hint: the low bits of a linear congruential generator have short periods
 namespace mc::linear_congruential {
 void uniforms(Rng& rng, std::span<double> out) {
   std::uint64_t x = rng();
@@ -88,7 +88,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::linear_congruential
 
 // mistake: seeds its lanes from a copy of the generator, which it advances by one word only
-// hint: do two calls, or two lanes, begin in the same place?
+// hint: two calls or two lanes begin with the same state
 namespace mc::moves_on_by_one {
 void uniforms(Rng& rng, std::span<double> out) {
   Rng copy = rng;
@@ -100,8 +100,8 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::moves_on_by_one
 
 // mistake: seeds four lanes with s, s + 1, s + 2, s + 3: each call starts with four equal numbers
-// hint: begin with equal numbers
-// hint: Lanes want states that have nothing in common
+// hint: not seed, seed + 1, seed + 2
+// hint: lanes need unrelated states
 namespace mc::neighbouring_lanes {
 void uniforms(Rng& rng, std::span<double> out) {
   four_lanes(rng, out, [](auto& state, std::size_t lane) { state[0] += lane; });
@@ -109,7 +109,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::neighbouring_lanes
 
 // mistake: makes its fast numbers as floats, of 24 bits
-// hint: these have 24 of 53
+// hint: only 24 of 53
 namespace mc::numbers_of_a_float {
 void uniforms(Rng& rng, std::span<double> out) {
   for (double& u : out) u = static_cast<float>(rng() >> 40) * 0x1p-24f;
@@ -117,7 +117,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::numbers_of_a_float
 
 // mistake: draws numbers from its own generator, with a fixed seed
-// hint: take the numbers from rng, and from nowhere else
+// hint: take all random numbers from rng
 namespace mc::own_seed_for_the_block {
 void uniforms(Rng&, std::span<double> out) {
   Rng own(42);
@@ -126,7 +126,7 @@ void uniforms(Rng&, std::span<double> out) {
 }  // namespace mc::own_seed_for_the_block
 
 // mistake: does not advance the generator: the next call starts with the same numbers
-// hint: do two calls, or two lanes, begin in the same place?
+// hint: two calls or two lanes begin with the same state
 namespace mc::same_numbers_each_call {
 void uniforms(Rng& rng, std::span<double> out) {
   Rng copy = rng;
@@ -135,7 +135,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::same_numbers_each_call
 
 // mistake: keeps its lanes from call to call, seeded by the first
-// hint: a static or global variable keeps something between calls
+// hint: a static or global variable keeps its value between calls
 namespace mc::seeded_by_the_first_call {
 void uniforms(Rng& rng, std::span<double> out) {
   static Rng own(rng());
@@ -144,7 +144,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::seeded_by_the_first_call
 
 // mistake: seeds its own generator with 32 of the 64 bits of a word
-// hint: has only 2^32 places to begin
+// hint: has only 2^32 initial states
 namespace mc::seeds_of_32_bits {
 void uniforms(Rng& rng, std::span<double> out) {
   std::mt19937 own(static_cast<std::uint32_t>(rng()));
@@ -153,7 +153,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::seeds_of_32_bits
 
 // mistake: takes all numbers from std::minstd_rand, which one word seeds
-// hint: has only 2^32 places to begin
+// hint: has only 2^32 initial states
 namespace mc::small_generator_of_its_own {
 void uniforms(Rng& rng, std::span<double> out) {
   std::minstd_rand own(static_cast<std::minstd_rand::result_type>(rng()));

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 // mistake: throws for an unknown kind without listing the known ones
-// hint: a list of the kinds helps a user who mistypes one
+// hint: a list of all kinds helps a user who mistypes one
 namespace mc::names_no_kinds {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   for (const Kind& known : kinds) {
@@ -16,7 +16,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 
 // mistake: starts every sample dimension with the same generator
 // fails: 6.2, 6.3, 6.4
-// hint: the same numbers come again for another
+// hint: numbers are used again for another
 namespace mc::one_generator_for_every_use {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -51,7 +51,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 }  // namespace mc::unknown_is_independent
 
 // mistake: mirrors the first half of the samples of a next() in the second half
-// hint: fresh ones for every coordinate of every sample
+// hint: for every coordinate of every sample
 namespace mc::antithetic_half {
 void mirrored(const SampleDimension& dim, std::span<double> x, Rng& rng) {
   independent1(dim, x, rng);

@@ -11,7 +11,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, in_order>("stratified", kind))
 }  // namespace mc::canonical_points_for_next2
 
 // mistake: stores stratified columns as floats, to save memory
-// hint: edges are i / n in double division
+// hint: edges are i / n, divided in double
 namespace mc::columns_of_floats {
 void keep_floats(std::span<double> x) {
   for (double& value : x) value = std::min(static_cast<float>(value), 0x1.fffffep-1f);
@@ -32,7 +32,7 @@ MAKE_SAMPLER(make_other_kind<one_column, two_columns>("stratified", kind))
 }  // namespace mc::columns_of_floats
 
 // mistake: shuffles x and y of a multi-jittered pattern separately
-// hint: whose x and y were shuffled apart
+// hint: x and y must be shuffled together
 namespace mc::shuffled_apart {
 void apart(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);

@@ -94,7 +94,7 @@ void two_alike(const SampleDimension& dim, std::span<double> x, std::span<double
 }  // namespace mc
 
 // mistake: starts both next() and next2() with dimension 0
-// hint: a next2() takes the next pair of the block
+// hint: a new next2() takes the next pair of the block
 namespace mc::dimensions_counted_apart {
 void one(const SampleDimension& dim, std::span<double> x, Rng& rng) {
   one_of<fill_sobol>({dim.number, dim.number, dim.order, dim.tables}, x, rng);
@@ -117,7 +117,7 @@ MAKE_SAMPLER(make_other_kind<one_of<plain>, two_of<plain>>("halton", kind))
 }  // namespace mc::halton_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// hint: scrambled by its own seeds
+// hint: scrambled by new seeds
 namespace mc::halton_blocks_scrambled_alike {
 MAKE_SAMPLER(make_other_kind<one_alike<fill_halton>, two_alike<fill_halton>>("halton", kind))
 }  // namespace mc::halton_blocks_scrambled_alike
@@ -136,7 +136,7 @@ MAKE_SAMPLER(make_other_kind<one_of<permuted>, two_of<permuted>>("halton", kind)
 }  // namespace mc::halton_by_digital_shift
 
 // mistake: starts with point 1 of the sequence, not point 0
-// hint: is it the sequence from index 0
+// hint: use the sequence from index 0
 namespace mc::halton_from_one {
 void from_one(const SampleDimension& dim, std::size_t place, std::span<double> x,
               std::uint64_t seed) {
@@ -152,21 +152,21 @@ MAKE_SAMPLER(make_other_kind<one_of<from_one>, two_of<from_one>>("halton", kind)
 }  // namespace mc::halton_from_one
 
 // mistake: starts again with dimension 0 after the eighth, without a permutation
-// hint: every block but the first needs a shuffle
+// hint: shuffle every block except the first
 namespace mc::halton_goes_round {
 MAKE_SAMPLER(make_other_kind<one_by<fill_halton, nullptr>, two_by<fill_halton, nullptr>>("halton",
                                                                                          kind))
 }  // namespace mc::halton_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
-// hint: each block needs its own random permutation
+// hint: use a different random order for each block
 namespace mc::halton_padded_in_one_order {
 MAKE_SAMPLER(make_other_kind<one_by<fill_halton, same_order>, two_by<fill_halton, same_order>>(
     "halton", kind))
 }  // namespace mc::halton_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
-// hint: all dimensions of a block share one order
+// hint: all dimensions of a block must share one order
 namespace mc::halton_shuffled_apart {
 MAKE_SAMPLER(
     make_other_kind<one_by<fill_halton, own_order>, two_by<fill_halton, own_order>>("halton", kind))
@@ -180,7 +180,7 @@ MAKE_SAMPLER(make_other_kind<one_of_32<scrambled_halton>, two_of_32<scrambled_ha
 }  // namespace mc::halton_without_blocks
 
 // mistake: takes dimension after dimension: after a next(), a next2() has halves of two pairs
-// hint: a next2() takes the next pair of the block
+// hint: a new next2() takes the next pair of the block
 namespace mc::last_dimension_and_first {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -202,7 +202,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "sobol"))
 }  // namespace mc::last_dimension_and_first
 
 // mistake: takes dimensions 0 to 7 of the Sobol' sequence, with bad pairs among them
-// hint: a next2() takes the next pair of the block
+// hint: a new next2() takes the next pair of the block
 namespace mc::sobol_dimensions_in_order {
 void eight(const SampleDimension& dim, std::size_t place, std::span<double> x, std::uint64_t seed) {
   in_order(dim, x, [&](std::span<double> all) { sobol(static_cast<unsigned>(place), 0, all); });
@@ -219,7 +219,7 @@ MAKE_SAMPLER(make_other_kind<one_shuffled<fill_sobol>, two_shuffled<fill_sobol>>
 }  // namespace mc::blocks_shuffled_uniformly
 
 // mistake: leaves out the second half of a pair that a next() has begun
-// hint: the next() after it the other half
+// hint: the following next() the other half
 namespace mc::halves_left_out {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -247,7 +247,7 @@ MAKE_SAMPLER(make_other_kind<one, two>("sobol", kind))
 }  // namespace mc::no_more_than_32_dimensions
 
 // mistake: scrambles both axes of a next2() with the same seed
-// hint: one seed for several dimensions: each needs its own
+// hint: one seed is used for several dimensions
 namespace mc::one_scramble_for_both_axes {
 void same_seed(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   Rng again = rng;
@@ -269,7 +269,7 @@ MAKE_SAMPLER(make_other_kind<one_of<plain>, two_of<plain>>("sobol", kind))
 }  // namespace mc::sobol_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// hint: scrambled by its own seeds
+// hint: scrambled by new seeds
 namespace mc::sobol_blocks_scrambled_alike {
 MAKE_SAMPLER(make_other_kind<one_alike<fill_sobol>, two_alike<fill_sobol>>("sobol", kind))
 }  // namespace mc::sobol_blocks_scrambled_alike
@@ -290,21 +290,21 @@ MAKE_SAMPLER(make_other_kind<one_of<shifted>, two_of<shifted>>("sobol", kind))
 }  // namespace mc::sobol_by_digital_shift
 
 // mistake: starts again with dimension 0 after the eighth, without a permutation
-// hint: every block but the first needs a shuffle
+// hint: shuffle every block except the first
 namespace mc::sobol_goes_round {
 MAKE_SAMPLER(make_other_kind<one_by<fill_sobol, nullptr>, two_by<fill_sobol, nullptr>>("sobol",
                                                                                        kind))
 }  // namespace mc::sobol_goes_round
 
 // mistake: uses the same permutation for all blocks but the first
-// hint: each block needs its own random permutation
+// hint: use a different random order for each block
 namespace mc::sobol_padded_in_one_order {
 MAKE_SAMPLER(
     make_other_kind<one_by<fill_sobol, same_order>, two_by<fill_sobol, same_order>>("sobol", kind))
 }  // namespace mc::sobol_padded_in_one_order
 
 // mistake: permutes each column separately beyond the first eight dimensions
-// hint: all dimensions of a block share one order
+// hint: all dimensions of a block must share one order
 namespace mc::sobol_shuffled_apart {
 MAKE_SAMPLER(make_other_kind<one_by<fill_sobol, own_order>, two_by<fill_sobol, own_order>>("sobol",
                                                                                            kind))

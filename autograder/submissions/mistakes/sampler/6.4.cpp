@@ -6,7 +6,7 @@
 
 // mistake: seeds itself from the clock
 // fails: 6.1, 6.2, 6.3, 6.7
-// hint: no clock, no global generator
+// hint: use no clock and no global generator
 namespace mc::clock_decides {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -20,7 +20,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::clock_decides
 
 // mistake: starts a sample dimension at the sample that first requests it
-// hint: make a whole column, also for the samples before
+// hint: make the whole column, including earlier samples
 namespace mc::columns_begin_late {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -43,7 +43,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::columns_begin_late
 
 // mistake: gives fewer samples the first numbers of old, longer columns
-// hint: columns of that size or of another
+// hint: reset counters, columns and generators
 namespace mc::columns_never_shrink {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -66,7 +66,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 
 // mistake: puts the first point of blue noise in the middle of the square
 // fails: 6.7
-// hint: does every pattern begin at the same place?
+// hint: every pattern begins at the same place
 namespace mc::first_point_in_the_middle {
 void centered(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);
@@ -81,7 +81,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, centered>("blue_noise", kind))
 }  // namespace mc::first_point_in_the_middle
 
 // mistake: seeds its generator in the first generate() only
-// hint: what is left over from the integration before?
+// hint: the previous integration left something behind
 namespace mc::goes_on_with_its_generator {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -97,7 +97,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::goes_on_with_its_generator
 
 // mistake: does not limit the number of samples, and allocates
-// hint: memory for a column of them
+// hint: at most most_samples
 // limit: memory
 namespace mc::memory_decides {
 struct Wrong : ColumnSampler {
@@ -112,7 +112,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::memory_decides
 
 // mistake: accepts 0 samples
-// hint: a sampler needs at least one sample
+// hint: there must be at least one sample
 namespace mc::no_samples_are_fine {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -126,7 +126,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::no_samples_are_fine
 
 // mistake: keeps the columns if the number of samples did not change
-// hint: what is left over from the integration before?
+// hint: the previous integration left something behind
 namespace mc::old_columns {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -144,7 +144,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::old_columns
 
 // mistake: does not reset the counters in generate(): an unfinished sample continues
-// hint: Counters, columns of that size
+// hint: reset counters, columns
 namespace mc::old_counters {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -159,7 +159,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
 }  // namespace mc::old_counters
 
 // mistake: reuses a column's permutation in the next integration with as many samples
-// hint: what is left over from the integration before?
+// hint: the previous integration left something behind
 namespace mc::old_order {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -189,7 +189,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
 }  // namespace mc::old_order
 
 // mistake: does not go back to sample 0 in generate()
-// hint: Counters, columns of that size
+// hint: reset counters, columns
 namespace mc::old_sample_number {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -205,7 +205,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 
 // mistake: keeps one blue-noise pattern for all seeds
 // fails: 6.7
-// hint: does this number depend on the seed at all?
+// hint: the number does not depend on the seed
 namespace mc::one_blue_pattern {
 void kept(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);
@@ -217,7 +217,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, kept>("blue_noise", kind))
 }  // namespace mc::one_blue_pattern
 
 // mistake: draws all numbers from one generator, as random() does
-// hint: must not pass its numbers on to the next one
+// hint: must not leave its numbers to the next one
 namespace mc::one_stream {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -271,7 +271,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::seed_is_the_state
 
 // mistake: loses the upper half of the seed
-// hint: was the seed cut to 32 bits?
+// hint: do not truncate the seed to 32 bits
 namespace mc::seed_of_32_bits {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -284,7 +284,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seed_of_32_bits
 
 // mistake: seeds with a hash of the seed plus a counter
-// hint: their sum, say, is the same
+// hint: the sum is the same for
 namespace mc::seed_plus_counter {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -311,7 +311,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::seed_plus_counter
 
 // mistake: seeds a sample dimension with the integration's seed plus its index
-// hint: their sum, say, is the same
+// hint: the sum is the same for
 namespace mc::seed_plus_use {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -336,7 +336,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seed_plus_use
 
 // mistake: shares one generator among all samplers, which generate() seeds
-// hint: is there anything static
+// hint: both samplers change a static or global variable
 namespace mc::static_generator {
 Rng shared(0);
 
@@ -367,7 +367,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 
 // mistake: stores four numbers per sample; further requests read the next sample's
 // fails: 6.1
-// hint: the same numbers come again
+// hint: numbers are used again
 namespace mc::takes_from_the_next_sample {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -413,7 +413,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::throws_at_the_end
 
 // mistake: makes columns only for the requests of the first sample
-// hint: a later sample may be the first to ask for a sample dimension
+// hint: a later sample may be the first to request a sample dimension
 namespace mc::uses_of_the_first_sample {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -444,7 +444,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 
 // mistake: counts next() and next2() together: a next() is half of a next2()
 // fails: 6.3, 6.7
-// hint: count the calls of next() and those of next2() in separate counters
+// hint: count next() and next2() in separate counters
 namespace mc::one_counter {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -456,7 +456,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 
 // mistake: resets the counter of next() in advance(), but not that of next2()
 // fails: 6.1, 6.2, 6.3, 6.7
-// hint: a sample that ends early must not pass its numbers on
+// hint: a sample that ends early must not leave its numbers
 // limit: time
 namespace mc::counter_goes_on {
 struct Wrong : ColumnSampler {

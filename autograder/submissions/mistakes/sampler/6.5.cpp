@@ -55,7 +55,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::generates_for_each_sample
 
 // mistake: passes on only the lower half of the seed
-// hint: was the seed cut to 32 bits?
+// hint: do not truncate the seed to 32 bits
 namespace mc::integral_seed_of_32_bits {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   return right_integrate(scene, sampler, samples, static_cast<unsigned>(seed));
@@ -63,7 +63,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::integral_seed_of_32_bits
 
 // mistake: takes one sample too few, and divides by N
-// hint: the last sample is left out
+// hint: the last sample is missing
 namespace mc::leaves_out_the_last_sample {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   sampler.generate(samples, seed);
@@ -74,7 +74,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::leaves_out_the_last_sample
 
 // mistake: returns 0 for no samples
-// hint: a mean of no samples is nothing
+// hint: there is no mean of 0 samples
 namespace mc::mean_of_nothing_is_zero {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   return samples == 0 ? 0 : right_integrate(scene, sampler, samples, seed);
@@ -82,7 +82,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::mean_of_nothing_is_zero
 
 // mistake: divides by N - 1
-// hint: this is over N - 1
+// hint: this divides by N - 1
 namespace mc::mean_over_n_minus_1 {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   sampler.generate(samples, seed);
@@ -93,7 +93,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::mean_over_n_minus_1
 
 // mistake: sums in a float
-// hint: the mean of what the scene had for each sample
+// hint: the mean of the scene's values
 namespace mc::sum_in_float {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   sampler.generate(samples, seed);

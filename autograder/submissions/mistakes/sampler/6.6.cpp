@@ -29,7 +29,7 @@ Image render_with(const PixelScene& scene, Sampler& sampler, std::size_t spp, Se
 }  // namespace mc
 
 // mistake: uses one seed for all pixels of a row
-// hint: the same pattern in every pixel shows as a pattern
+// hint: the same noise in every pixel is visible as a pattern
 namespace mc::a_seed_for_each_row {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp,
@@ -38,7 +38,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::a_seed_for_each_row
 
 // mistake: uses the picture's seed for every pixel
-// hint: the same pattern in every pixel shows as a pattern
+// hint: the same noise in every pixel is visible as a pattern
 namespace mc::one_pattern_for_all_pixels {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp, [=](std::size_t, std::size_t) { return seed; });
@@ -46,7 +46,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::one_pattern_for_all_pixels
 
 // mistake: takes the first sample of each pixel instead of the mean
-// hint: only the first sample of each pixel counts
+// hint: only the first sample of each pixel was used
 namespace mc::one_sample_a_pixel {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   const PixelScene first{scene.width, scene.height, scene.uses,
@@ -63,7 +63,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::one_sample_a_pixel
 
 // mistake: draws the pixels' seeds from a generator with a seed of 32 bits
-// hint: was the seed cut to 32 bits?
+// hint: do not truncate the seed to 32 bits
 namespace mc::picture_seed_of_32_bits {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   Rng seeds(static_cast<unsigned>(seed));
@@ -72,7 +72,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::picture_seed_of_32_bits
 
 // mistake: requests pixel (row, column) from the scene
-// hint: rows and columns have changed places
+// hint: rows and columns are swapped
 namespace mc::rows_and_columns_swapped {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   PixelScene turned = scene;
@@ -84,7 +84,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::rows_and_columns_swapped
 
 // mistake: seeds a pixel with the picture's seed plus the pixel's index
-// hint: their sum, say, is the same
+// hint: the sum is the same for
 namespace mc::seed_plus_pixel {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp, [&](std::size_t column, std::size_t row) {
@@ -94,7 +94,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::seed_plus_pixel
 
 // mistake: seeds a pixel with the picture's seed plus multiples of column and row
-// hint: their sum, say, is the same
+// hint: the sum is the same for
 namespace mc::seed_plus_primes {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp, [=](std::size_t column, std::size_t row) {
@@ -104,7 +104,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::seed_plus_primes
 
 // mistake: uses only the seven lowest bits of column and row for a pixel's index
-// hint: the same pattern in every pixel shows as a pattern
+// hint: the same noise in every pixel is visible as a pattern
 namespace mc::seeds_repeat_after_128_pixels {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp, [=](std::size_t column, std::size_t row) {
@@ -159,7 +159,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::trusts_the_size
 
 // mistake: writes the lowest row first
-// hint: the first row is the top one
+// hint: the picture is upside down
 namespace mc::upside_down {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   PixelScene turned = scene;

@@ -27,7 +27,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, apart>("blue_noise", kind))
 }  // namespace mc::blue_shuffled_apart
 
 // mistake: uses blue noise only if a next2() is the very first request
-// hint: the first next2() is blue noise also where a next() comes before
+// hint: the first next2() must be blue noise even after a next()
 namespace mc::blue_where_it_is_first {
 void blue(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.of_sequence > 0) return stratified2(dim, x, y, rng);
@@ -38,7 +38,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, blue>("blue_noise", kind))
 }  // namespace mc::blue_where_it_is_first
 
 // mistake: shifts each pattern so that its last point is the middle of the square
-// hint: no point is in every set
+// hint: but each point must be random
 namespace mc::blue_with_a_fixed_point {
 void anchored(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   blue_noise2(dim, x, y, rng);
@@ -54,7 +54,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, anchored>("blue_noise", kind))
 }  // namespace mc::blue_with_a_fixed_point
 
 // mistake: makes the last two points of blue noise equal
-// hint: blue noise never has a point twice
+// hint: use each point of the pattern once
 namespace mc::blue_with_a_twin {
 void twins(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   blue_noise2(dim, x, y, rng);
@@ -89,7 +89,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, cut>("blue_noise", kind))
 }  // namespace mc::poisson_disk_cut
 
 // mistake: makes a Poisson-disk pattern of too few points, and adds random ones
-// hint: as blue as a fixed number of candidates
+// hint: there are too few candidates, or a fixed number
 namespace mc::poisson_disk_filled {
 /// About 0.95 N points, then random ones.
 void filled(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -106,7 +106,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, filled>("blue_noise", kind))
 }  // namespace mc::poisson_disk_filled
 
 // mistake: uses ten candidates for each point, whatever their number
-// hint: as blue as a fixed number of candidates
+// hint: there are too few candidates, or a fixed number
 namespace mc::ten_candidates {
 void ten(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);

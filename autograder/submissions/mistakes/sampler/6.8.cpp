@@ -2,7 +2,7 @@
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 // mistake: makes sixteen columns in generate(), requested or not
-// hint: make a column when it is first used
+// hint: make a column when it is first requested
 namespace mc::eager_columns {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;

@@ -1,6 +1,6 @@
 // mistake: shuffles every sample dimension by the same permutation
 // fails: 6.2
-// hint: each needs its own shuffle
+// hint: shuffle each one separately
 #include "sampler.hpp"
 
 namespace mc {

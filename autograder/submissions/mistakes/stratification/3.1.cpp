@@ -19,7 +19,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::any_stratum
 
 // mistake: multiplies by 1 / N, rounded, which falls below the lower edge
-// hint: it was rounded down below the edge
+// hint: rounded down below the edge
 namespace mc::below_the_edge {
 void stratified_1d(std::span<double> x, Rng& rng) {
   const auto n = static_cast<double>(x.size());
@@ -101,7 +101,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::one_jitter_for_all
 
 // mistake: shuffles the points of 3.1, which must be in order
-// hint: they do not come in order
+// hint: the points are not in order
 namespace mc::out_of_order {
 void stratified_1d(std::span<double> x, Rng& rng) {
   right_stratified_1d(x, rng);
@@ -141,7 +141,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::the_last_value_unwritten
 
 // mistake: divides i by N as integers, which gives 0
-// hint: i / N of two whole numbers is 0
+// hint: i / N of two integers is 0
 namespace mc::whole_number_division {
 void stratified_1d(std::span<double> x, Rng& rng) {
   const auto n = static_cast<double>(x.size());

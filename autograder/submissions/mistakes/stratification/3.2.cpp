@@ -20,7 +20,7 @@ Grid strata(std::size_t n) {
 }  // namespace mc::any_factors
 
 // mistake: uses floor(sqrt(n)) rows even if they do not divide n
-// hint: a stratum too few leaves points out
+// hint: with fewer cells, points are left over
 namespace mc::leaves_strata_out {
 Grid strata(std::size_t n) {
   const Grid right = right_strata(n);  // throws for n = 0
@@ -30,7 +30,7 @@ Grid strata(std::size_t n) {
 }  // namespace mc::leaves_strata_out
 
 // mistake: swaps nx and ny of the grid
-// hint: nx is the larger one
+// hint: nx must be the larger one
 namespace mc::more_rows_than_columns {
 Grid strata(std::size_t n) {
   const Grid grid = right_strata(n);
@@ -39,7 +39,7 @@ Grid strata(std::size_t n) {
 }  // namespace mc::more_rows_than_columns
 
 // mistake: computes k * k in 32 bits, which never exceed a larger n
-// hint: k * k in 32 bits
+// hint: k * k overflows 32 bits
 namespace mc::squares_in_32_bits {
 Grid strata(std::size_t n) {
   if (n == 0) throw std::invalid_argument("n: there are no strata");

@@ -6,7 +6,7 @@
 #undef stratified_2d
 
 // mistake: adds each point to the previous contents of its place
-// hint: it was added to what was there
+// hint: only added to (+=)
 namespace mc::adds_to_what_is_there {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   std::vector<double> right_x(x.size()), right_y(y.size());
@@ -54,7 +54,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::forgets_the_rest
 
 // mistake: puts nx cells along y and ny along x
-// hint: nx and ny have changed places
+// hint: nx and ny are swapped
 namespace mc::grid_turned {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   right_stratified_2d(y, x, grid, rng);
@@ -90,7 +90,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::multiplies_the_grid
 
 // mistake: throws for an invalid grid with a message that does not name the argument
-// hint: say in the exception
+// hint: name the wrong argument in the exception
 namespace mc::nameless_refusals {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   if (x.size() != y.size() || grid.nx == 0 || x.size() % grid.nx != 0 ||
@@ -116,7 +116,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::on_the_diagonal
 
 // mistake: shares its own generator among all calls, which no seed reaches
-// hint: is the same in a set of another seed
+// hint: is the same in a set with another seed
 namespace mc::own_generator {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   (void)rng;

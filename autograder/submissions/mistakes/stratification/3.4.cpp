@@ -43,7 +43,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::first_pattern_in_order
 
 // mistake: sorts by keys of 16 bits and leaves equal ones in their order
-// hint: random numbers of 16 bits are too few
+// hint: 16-bit random numbers are too short
 namespace mc::keys_of_16_bits {
 void shuffle(std::span<double> x, Rng& rng) {
   std::vector<std::pair<std::uint64_t, double>> keyed;
@@ -55,7 +55,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::keys_of_16_bits
 
 // mistake: swaps each value with a later one, never with itself
-// hint: let it change places with itself too
+// hint: a value may be swapped with itself
 namespace mc::never_stays {
 void shuffle(std::span<double> x, Rng& rng) {
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
@@ -65,7 +65,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::never_stays
 
 // mistake: draws one 2D pattern and shuffles it for each pair of dimensions
-// hint: draw each afresh
+// hint: make a new one for each
 namespace mc::one_pattern_for_all_pairs {
 void stratified(PointSet& points, Rng& rng) {
   right_stratified(points, rng);
@@ -84,7 +84,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::one_pattern_for_all_pairs
 
 // mistake: shuffles every pattern by the same permutation
-// hint: shuffle each of them by itself
+// hint: shuffle each one separately
 namespace mc::one_shuffle_for_all {
 void stratified(PointSet& points, Rng& rng) {
   std::size_t d = 0;
@@ -101,7 +101,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::one_shuffle_for_all
 
 // mistake: shuffles with 16 random bits per choice, too few for 100,000 values
-// hint: random numbers of 16 bits are too few
+// hint: 16-bit random numbers are too short
 namespace mc::shuffle_of_16_bits {
 void shuffle(std::span<double> x, Rng& rng) {
   for (std::size_t n = x.size(); n > 1; --n) std::swap(x[n - 1], x[(rng() & 0xffff) % n]);
@@ -109,7 +109,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::shuffle_of_16_bits
 
 // mistake: shuffles blocks of 128 values separately
-// hint: each value may go anywhere
+// hint: each value must be equally likely in each place
 namespace mc::shuffles_blocks {
 void shuffle(std::span<double> x, Rng& rng) {
   for (std::size_t first = 0; first < x.size(); first += 128) {
@@ -119,7 +119,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::shuffles_blocks
 
 // mistake: swaps each value with any of the n, which favors some permutations
-// hint: each value changes places with any of the n
+// hint: each value is swapped with any of the n values
 namespace mc::swaps_with_any {
 void shuffle(std::span<double> x, Rng& rng) {
   for (double& value : x) std::swap(value, x[rng() % x.size()]);
@@ -135,7 +135,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::the_last_one_stays
 
 // mistake: permutes pattern 4 as pattern 1, pattern 5 as pattern 2, …
-// hint: shuffle each of them by itself
+// hint: shuffle each one separately
 namespace mc::three_orders_for_all_patterns {
 void stratified(PointSet& points, Rng& rng) {
   right_stratified(points, rng);
@@ -162,7 +162,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::two_lines_for_a_plane
 
 // mistake: pads patterns without shuffling them
-// hint: shuffle each of them by itself
+// hint: shuffle each one separately
 namespace mc::unshuffled_padding {
 void stratified(PointSet& points, Rng& rng) {
   std::size_t d = 0;
@@ -174,7 +174,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::unshuffled_padding
 
 // mistake: shuffles x and y of a pattern separately
-// hint: x and y of a point belong together
+// hint: move x and y of a point together
 namespace mc::x_and_y_shuffled_apart {
 void stratified(PointSet& points, Rng& rng) {
   right_stratified(points, rng);

@@ -63,7 +63,7 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
 }  // namespace mc::jitter_by_layers
 
 // mistake: compares per_axis^dims with N in 64 bits, which wrap around
-// hint: wraps around: divide, before anything is computed
+// hint: wraps around: divide first
 namespace mc::power_overflows {
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
   std::size_t cells = 1;

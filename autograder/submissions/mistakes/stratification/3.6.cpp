@@ -21,7 +21,7 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 }  // namespace mc::one_jitter_for_all_axes
 
 // mistake: permutes two axes alike: the points lie along the diagonal
-// hint: shuffle each of them by itself
+// hint: shuffle each one separately
 namespace mc::one_order_for_two_axes {
 void latin_hypercube(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) stratified_1d(points.column(d), rng);
@@ -42,7 +42,7 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 }  // namespace mc::strata_drawn_with_replacement
 
 // mistake: permutes axis 3 as axis 0, axis 4 as axis 1, …
-// hint: shuffle each of them by itself
+// hint: shuffle each one separately
 namespace mc::three_orders_for_all_axes {
 void latin_hypercube(PointSet& points, Rng& rng) {
   const Rng start(rng());

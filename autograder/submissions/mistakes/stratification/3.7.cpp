@@ -39,7 +39,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::float_multi_jitter
 
 // mistake: shuffles x and y of multi-jittered points separately
-// hint: nor is one whose x and y were shuffled apart
+// hint: x and y must be shuffled together
 namespace mc::multi_jittered_apart {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   right_multi_jittered(x, y, grid, rng);
@@ -64,7 +64,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::one_jitter_for_all_points
 
 // mistake: uses one permutation for columns and rows of a square grid
-// hint: random permutations, all of them equally likely
+// hint: random permutations, all equally likely
 namespace mc::one_permutation_for_both {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   if (grid.nx != grid.ny) return right_multi_jittered(x, y, grid, rng);
@@ -82,7 +82,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::one_permutation_for_both
 
 // mistake: fills the cells of the plane but does not stratify the axes
-// hint: a column of cells has ny strata of x
+// hint: each column of cells has ny strata of x
 namespace mc::only_jittered {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   stratified_2d(x, y, grid, rng);
@@ -101,7 +101,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::only_the_axes
 
 // mistake: throws std::out_of_range for an invalid grid
-// hint: an exception of another type
+// hint: wrong type of exception
 namespace mc::refuses_by_another_name {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   try {

@@ -41,7 +41,7 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::bar_of_one_replicate
 
 // mistake: divides the standard deviation of the means by sqrt(n replicates)
-// hint: divide by sqrt(replicates), the number of means
+// hint: divide by sqrt(replicates)
 namespace mc::bar_over_all_points {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {
@@ -64,7 +64,7 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::bar_over_replicates
 
 // mistake: returns an error of zero for one replicate
-// hint: what is undefined
+// hint: so the result is undefined
 namespace mc::certain_of_one {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {
@@ -123,7 +123,7 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::points_of_one_dimension
 
 // mistake: computes the spread of the means by E{X^2} - E{X}^2, which cancels
-// hint: compute the variance of the means with lab 1
+// hint: compute the variance with lab 1
 namespace mc::textbook_bar {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {
@@ -154,7 +154,7 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::the_same_replicate
 
 // mistake: draws from a copy of the generator, so the next estimate has the same points
-// hint: and no copy of it
+// hint: from the same generator, not a copy
 namespace mc::copies_the_generator {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {

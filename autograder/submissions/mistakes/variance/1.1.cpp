@@ -8,8 +8,8 @@
 #undef mean
 
 // mistake: sums in a float
-// hint: a float keeps seven digits
-// hint: a float ends at 3.4e38
+// hint: only about seven digits are correct, as in a float
+// hint: a float overflows at 3.4e38
 namespace mc::mean_in_float {
 double mean(std::span<const double> x) {
   float sum = 0;
@@ -19,7 +19,7 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_in_float
 
 // mistake: starts std::accumulate with 0, an int, and so sums in int
-// hint: the sum is cut off to a whole number
+// hint: the sum is truncated to an integer at each step
 namespace mc::mean_in_whole_numbers {
 double mean(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0) / static_cast<double>(x.size());
@@ -27,7 +27,7 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_in_whole_numbers
 
 // mistake: returns 0 as the mean of no values
-// hint: quiet_NaN() for what is undefined
+// hint: quiet_NaN() if the result is undefined
 namespace mc::mean_of_nothing_is_zero {
 double mean(std::span<const double> x) {
   return x.empty() ? 0 : right_mean(x);
@@ -35,7 +35,7 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_of_nothing_is_zero
 
 // mistake: divides the sum by n - 1, as the variance does
-// hint: this divides by n - 1; only the variance does
+// hint: this divides by n - 1; only a variance does
 namespace mc::mean_over_n_minus_1 {
 double mean(std::span<const double> x) {
   if (x.empty()) return nan;
@@ -47,7 +47,7 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_over_n_minus_1
 
 // mistake: sums all values first, which overflows where the mean does not
-// hint: the sum overflows where the mean does not
+// hint: the sum overflows although the mean does not
 namespace mc::mean_overflows {
 double mean(std::span<const double> x) {
   double sum = 0;
@@ -57,7 +57,7 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_overflows
 
 // mistake: checks the sum only for +infinity
-// hint: a sum can overflow to -inf as well
+// hint: a sum can also overflow to -inf
 namespace mc::mean_overflows_below {
 double mean(std::span<const double> x) {
   double sum = 0;
@@ -79,7 +79,7 @@ double mean(std::span<const double> x) {
 }  // namespace mc::mean_skips_nan
 
 // mistake: counts only values that are not 0
-// hint: divide by how many there are
+// hint: divide by their number
 namespace mc::mean_skips_zeros {
 double mean(std::span<const double> x) {
   std::vector<double> numbers;

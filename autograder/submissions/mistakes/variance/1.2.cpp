@@ -24,7 +24,7 @@ double variance_textbook(std::span<const double> x) {
 }  // namespace mc::textbook_in_long_double
 
 // mistake: sums with std::accumulate(…, 0), in int
-// hint: added up in whole numbers
+// hint: added up in integers
 namespace mc::textbook_in_whole_numbers {
 double variance_textbook(std::span<const double> x) {
   if (x.size() < 2) return nan;
@@ -37,7 +37,7 @@ double variance_textbook(std::span<const double> x) {
 }  // namespace mc::textbook_in_whole_numbers
 
 // mistake: implements a better algorithm than the textbook's
-// hint: this is a better algorithm under the textbook's name
+// hint: this is a better algorithm than the textbook formula
 namespace mc::textbook_is_two_pass {
 double variance_textbook(std::span<const double> x) {
   return variance_two_pass(x);
@@ -61,7 +61,7 @@ double variance_textbook(std::span<const double> x) {
 }  // namespace mc::textbook_over_n
 
 // mistake: implements a better algorithm, and returns 0 where the textbook formula would fail
-// hint: this is a better algorithm under the textbook's name
+// hint: this is a better algorithm than the textbook formula
 namespace mc::textbook_is_two_pass_or_zero {
 double variance_textbook(std::span<const double> x) {
   const double variance = variance_two_pass(x), center = mean(x);

@@ -32,7 +32,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::standard_deviation
 
 // mistake: lets the correction make the variance of constant data negative
-// hint: the correction is rounded, and may be larger than the sum: return 0 then
+// hint: the rounded correction may exceed the sum: then return 0
 namespace mc::two_pass_below_zero {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
@@ -49,7 +49,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_below_zero
 
 // mistake: lets the correction make the variance of constant data negative, with sums in four lanes
-// hint: the correction is rounded, and may be larger than the sum: return 0 then
+// hint: the rounded correction may exceed the sum: then return 0
 namespace mc::two_pass_below_zero_in_lanes {
 constexpr std::size_t sums_at_once = 4;
 
@@ -80,7 +80,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_hides_nan
 
 // mistake: implements the textbook formula
-// hint: these are the digits that E{X^2} - E{X}^2 gives
+// hint: this has the rounding errors of E{X^2} - E{X}^2
 namespace mc::two_pass_is_textbook {
 double variance_two_pass(std::span<const double> x) {
   return variance_textbook(x);
@@ -88,7 +88,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_is_textbook
 
 // mistake: uses one pass instead of two: the mean is rounded at every value
-// hint: these are the digits of a running mean
+// hint: this has the rounding errors of a running mean
 namespace mc::two_pass_is_welford {
 double variance_two_pass(std::span<const double> x) {
   Moments all;
@@ -98,7 +98,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_is_welford
 
 // mistake: returns 0 as the variance of one value
-// hint: quiet_NaN() for what is undefined
+// hint: quiet_NaN() if the result is undefined
 namespace mc::two_pass_of_one_is_zero {
 double variance_two_pass(std::span<const double> x) {
   return x.size() < 2 ? 0 : right_variance_two_pass(x);
@@ -115,7 +115,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_over_n
 
 // mistake: uses one pass about the first value, which may be far from the others
-// hint: these are the digits of sums about the first value, which may lie far
+// hint: sums relative to the first value, which may be far
 namespace mc::two_pass_shift_by_first {
 double variance_two_pass(std::span<const double> x) {
   return x.size() < 2 ? nan : variance_about(x, x.front());
@@ -123,7 +123,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_shift_by_first
 
 // mistake: uses one pass about the last value, which may be far from the others
-// hint: these are the digits of sums about the last value, which may lie far
+// hint: sums relative to the last value, which may be far
 namespace mc::two_pass_shift_by_last {
 double variance_two_pass(std::span<const double> x) {
   return x.size() < 2 ? nan : variance_about(x, x.back());
@@ -131,7 +131,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_shift_by_last
 
 // mistake: uses one pass about the middle value, which may be far from the others
-// hint: these are the digits of sums about the middle value, which may lie far
+// hint: sums relative to the middle value, which may be far
 namespace mc::two_pass_shift_by_middle {
 double variance_two_pass(std::span<const double> x) {
   return x.size() < 2 ? nan : variance_about(x, x[x.size() / 2]);
@@ -139,7 +139,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_shift_by_middle
 
 // mistake: uses two passes without the correction for the rounded mean
-// hint: the mean was rounded: take (sum of deviations)^2 / n off
+// hint: the mean was rounded: subtract (sum of deviations)^2 / n
 namespace mc::two_pass_uncorrected {
 double variance_two_pass(std::span<const double> x) {
   if (x.size() < 2) return nan;
@@ -151,7 +151,7 @@ double variance_two_pass(std::span<const double> x) {
 }  // namespace mc::two_pass_uncorrected
 
 // mistake: computes n / (n - 1) as integers, which is 1 from n = 3 on
-// hint: n/(n-1) was divided in whole numbers
+// hint: n/(n-1) was an integer division
 namespace mc::two_pass_whole_division {
 double variance_two_pass(std::span<const double> x) {
   const std::size_t n = x.size();

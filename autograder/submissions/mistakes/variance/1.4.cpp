@@ -8,7 +8,7 @@
 #undef add
 
 // mistake: converts the count to an int
-// hint: a whole number of 64 bits all the way?
+// hint: keep the count a 64-bit integer
 namespace mc::variance_counts_in_int {
 double variance(const Moments& moments) {
   const int count = static_cast<int>(moments.count);
@@ -17,7 +17,7 @@ double variance(const Moments& moments) {
 }  // namespace mc::variance_counts_in_int
 
 // mistake: counts in an unsigned int, which wraps to 0 at 2^32
-// hint: 32 bits count to 2^32 only
+// hint: 32 bits count only to 2^32
 namespace mc::welford_counts_in_32_bits {
 void add(Moments& moments, double x) {
   const unsigned count = static_cast<unsigned>(moments.count) + 1;
@@ -29,7 +29,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_32_bits
 
 // mistake: counts in a double, which adding 1 does not change from 2^53 on
-// hint: a double counts to 2^53 only
+// hint: a double counts only to 2^53
 namespace mc::welford_counts_in_double {
 void add(Moments& moments, double x) {
   const double count = static_cast<double>(moments.count) + 1;
@@ -41,7 +41,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_double
 
 // mistake: counts in a float, which adding 1 does not change from 2^24 on
-// hint: a float counts to 2^24 only
+// hint: a float counts only to 2^24
 namespace mc::welford_counts_in_float {
 void add(Moments& moments, double x) {
   const float count = static_cast<float>(moments.count) + 1;
@@ -53,7 +53,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_float
 
 // mistake: counts in an int, which is negative from 2^31 on
-// hint: an int counts to 2^31 only
+// hint: an int counts only to 2^31
 namespace mc::welford_counts_in_int {
 void add(Moments& moments, double x) {
   const int count = static_cast<int>(++moments.count);
@@ -64,7 +64,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_int
 
 // mistake: divides by the count before this value
-// hint: the first value was divided by a count of 0: count it before
+// hint: the first value was divided by a count of 0: increment the count first
 namespace mc::welford_counts_late {
 void add(Moments& moments, double x) {
   const double before = x - moments.mean;
@@ -103,7 +103,7 @@ double variance(const Moments& moments) {
 }  // namespace mc::welford_m2_is_n_variances
 
 // mistake: updates the mean by a step that is rounded to a float
-// hint: is anything a float?
+// hint: use double everywhere
 namespace mc::welford_mean_in_float {
 void add(Moments& moments, double x) {
   ++moments.count;
@@ -114,7 +114,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_mean_in_float
 
 // mistake: squares the distance from the new mean, (x - new mean)^2
-// hint: this is the new one, twice
+// hint: here the new mean is used twice
 namespace mc::welford_new_mean {
 void add(Moments& moments, double x) {
   ++moments.count;
@@ -125,7 +125,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_new_mean
 
 // mistake: squares the distance from the old mean, (x - old mean)^2
-// hint: this is the old one, twice
+// hint: here the old mean is used twice
 namespace mc::welford_old_mean {
 void add(Moments& moments, double x) {
   ++moments.count;
@@ -144,7 +144,7 @@ double variance(const Moments& moments) {
 }  // namespace mc::welford_over_n
 
 // mistake: computes 1 / count as integers, which is 0 from the second value on
-// hint: an integer division, which is 0
+// hint: an integer division, which gives 0
 namespace mc::welford_whole_division {
 void add(Moments& moments, double x) {
   ++moments.count;

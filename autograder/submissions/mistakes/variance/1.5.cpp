@@ -6,7 +6,7 @@
 #undef merge
 
 // mistake: adds the counts as doubles, which are rounded above 2^53
-// hint: the counts add up, as whole numbers of 64 bits
+// hint: add the counts as 64-bit integers
 namespace mc::merge_adds_counts_in_double {
 Moments merge(const Moments& a, const Moments& b) {
   Moments all = right_merge(a, b);
@@ -30,7 +30,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_by_rounded_mean
 
 // mistake: adds the distance of the two means, not its square
-// hint: the distance of the means is squared
+// hint: the distance of the means must be squared
 namespace mc::merge_distance_not_squared {
 Moments merge(const Moments& a, const Moments& b) {
   Moments all = right_merge(a, b);
@@ -42,7 +42,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_distance_not_squared
 
 // mistake: divides n_a n_b by n as integers
-// hint: n_a n_b / n was divided as whole numbers
+// hint: n_a n_b / n was an integer division
 namespace mc::merge_divides_whole_counts {
 Moments merge(const Moments& a, const Moments& b) {
   Moments all = right_merge(a, b);
@@ -54,7 +54,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_divides_whole_counts
 
 // mistake: averages the two means, whatever the counts
-// hint: the mean of two means is right only for equal counts
+// hint: the mean of two means is correct only for equal counts
 namespace mc::merge_mean_of_means {
 Moments merge(const Moments& a, const Moments& b) {
   Moments all = right_merge(a, b);
@@ -64,7 +64,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_mean_of_means
 
 // mistake: multiplies the counts as integers, which overflow 64 bits
-// hint: the counts were multiplied as 64-bit whole numbers
+// hint: the counts were multiplied as 64-bit integers
 namespace mc::merge_multiplies_whole_counts {
 Moments merge(const Moments& a, const Moments& b) {
   if (a.count == 0) return b;
@@ -78,7 +78,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_multiplies_whole_counts
 
 // mistake: divides by n even if both parts are empty
-// hint: 0/0 is NaN: look for an empty part first
+// hint: 0/0 is NaN: handle an empty part first
 namespace mc::merge_nothing_is_nan {
 Moments merge(const Moments& a, const Moments& b) {
   const auto n_a = static_cast<double>(a.count);
@@ -101,7 +101,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_share_in_whole_numbers
 
 // mistake: adds both m2 but not the variation between the two parts
-// hint: two parts with different means vary between them too
+// hint: parts with different means vary between each other
 namespace mc::merge_without_between {
 Moments merge(const Moments& a, const Moments& b) {
   Moments all = right_merge(a, b);
@@ -111,7 +111,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_without_between
 
 // mistake: keeps the last result in a static variable, for parts with the same counts
-// hint: a static or global variable keeps something between calls
+// hint: a static or global variable keeps its value between calls
 namespace mc::merge_remembers_counts {
 Moments merge(const Moments& a, const Moments& b) {
   static Moments last_a, last;

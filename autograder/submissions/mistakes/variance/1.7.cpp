@@ -62,7 +62,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_one_sided
 
 // mistake: throws with a message that does not name the argument
-// hint: say in the exception's text which argument is wrong
+// hint: name the wrong argument in the exception's message
 namespace mc::dependence_refuses_without_a_word {
 double dependence(std::span<const double> joint, std::size_t columns) {
   try {
@@ -106,7 +106,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_takes_any_weights
 
 // mistake: throws std::domain_error
-// hint: an exception of another type
+// hint: wrong type of exception
 namespace mc::dependence_throws_domain_error {
 double dependence(std::span<const double> joint, std::size_t columns) {
   try {

@@ -23,7 +23,7 @@ Moments moments_about(std::span<const double> x, double shift) {
 }  // namespace mc
 
 // mistake: uses the textbook formula, because one pass is fast
-// hint: these are the digits that E{X^2} - E{X}^2 gives
+// hint: this has the rounding errors of E{X^2} - E{X}^2
 namespace mc::moments_are_textbook {
 Moments moments(std::span<const double> x) {
   return x.empty() ? Moments{} : moments_about(x, 0);
@@ -31,7 +31,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_are_textbook
 
 // mistake: uses Welford's update, whose running mean is rounded at the scale of the data
-// hint: these are the digits of a running mean
+// hint: this has the rounding errors of a running mean
 namespace mc::moments_are_welford {
 Moments moments(std::span<const double> x) {
   Moments all;
@@ -41,7 +41,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_are_welford
 
 // mistake: skips the values that do not fill a last block of 16
-// hint: also those in a last, shorter block
+// hint: including those of a shorter last block
 namespace mc::moments_drop_the_last_block {
 Moments moments(std::span<const double> x) {
   return right_moments(x.first(x.size() / 16 * 16));
@@ -59,7 +59,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_hide_nan
 
 // mistake: sums in float lanes, twice as many per register
-// hint: is anything a float?
+// hint: use double everywhere
 namespace mc::moments_in_float_lanes {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
@@ -75,7 +75,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_in_float_lanes
 
 // mistake: shifts the data but does not shift the mean back
-// hint: was the shift put back
+// hint: add the shift back
 namespace mc::moments_leave_the_shift {
 Moments moments(std::span<const double> x) {
   Moments all = right_moments(x);
@@ -85,7 +85,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_leave_the_shift
 
 // mistake: merges blocks by their means, each rounded at the scale of the data
-// hint: is a mean rounded here before it is compared
+// hint: do not subtract a rounded mean
 namespace mc::moments_merge_rounded_means {
 Moments moments(std::span<const double> x) {
   Moments all;
@@ -107,7 +107,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_never_count
 
 // mistake: divides by the count even if it is 0
-// hint: nothing to add, nothing to divide by
+// hint: return Moments{} for an empty list
 namespace mc::moments_of_nothing_are_nan {
 Moments moments(std::span<const double> x) {
   return x.empty() ? Moments{0, nan, nan} : right_moments(x);
@@ -128,7 +128,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_one_of_three
 
 // mistake: uses one pass about the first value, which may be far from the others
-// hint: these are the digits of sums about the first value
+// hint: sums relative to the first value
 namespace mc::moments_shift_by_the_first {
 Moments moments(std::span<const double> x) {
   return x.empty() ? Moments{} : moments_about(x, x.front());
@@ -136,7 +136,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_the_first
 
 // mistake: sums in blocks and lanes about the first value, which may be far from the others
-// hint: is everything measured from a value that may lie far
+// hint: do not measure from a value that may be far
 namespace mc::moments_shift_by_the_first_in_blocks {
 Moments moments(std::span<const double> x) {
   if (x.empty()) return {};
@@ -151,7 +151,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_the_first_in_blocks
 
 // mistake: uses one pass about the last value, which may be far from the others
-// hint: these are the digits of sums about the last value, which may lie far
+// hint: sums relative to the last value, which may be far
 namespace mc::moments_shift_by_the_last {
 Moments moments(std::span<const double> x) {
   return x.empty() ? Moments{} : moments_about(x, x.back());
@@ -159,7 +159,7 @@ Moments moments(std::span<const double> x) {
 }  // namespace mc::moments_shift_by_the_last
 
 // mistake: uses one pass about the middle value, which may be far from the others
-// hint: these are the digits of sums about the middle value, which may lie far
+// hint: sums relative to the middle value, which may be far
 namespace mc::moments_shift_by_the_middle {
 Moments moments(std::span<const double> x) {
   return x.empty() ? Moments{} : moments_about(x, x[x.size() / 2]);

@@ -1,5 +1,5 @@
 #pragma once
-// Discs on the torus: how much of the unit square they cover, and how close their centers are.
+// Disks on the torus: the area they cover, and the distances of their centers.
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +12,14 @@
 
 namespace mc::checks {
 
-/// The area of the unit square that no disc of `radius` around a point (x[i], y[i]) covers: on the
-/// torus, or where discs end at the edges of the square. Exact along `rows` lines of constant y,
-/// the first at `start` rows; the midpoint rule across them. So the error is that of a
-/// one-dimensional sum: below 1e-4 with 1000 rows, and a few per cent of the area where that is one
-/// gap 20 rows high. On the torus the radius is below sqrt(1/2), or every point covers all. Faster
-/// where x is in order.
+/// The area of the unit square that no disk of `radius` around a point (x[i], y[i]) covers: on the
+/// torus, or with disks clipped at the edges. Exact along `rows` lines of constant y, the first at
+/// `start` rows; the midpoint rule across them. The error is below 1e-4 for 1000 rows; for a single
+/// gap 20 rows high it is a few percent of the gap. Faster if x is sorted.
 inline double uncovered_area(std::span<const double> x, std::span<const double> y, double radius,
                              std::size_t rows, double start = 0.5, bool torus = true) {
   if (torus && radius >= std::sqrt(0.5)) return x.empty() ? 1 : 0;
-  // Kept between calls: allocating thousands of small lists is expensive.
+  // Reused by later calls: allocating thousands of small lists is slow.
   static std::vector<std::vector<std::pair<double, double>>> covered;
   covered.resize(std::max(covered.size(), rows));
   for (std::size_t row = 0; row < rows; ++row) covered[row].clear();
@@ -34,7 +32,7 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
       const double dy = (row + start) / count - y[i];
       const double half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
       auto& line = covered[static_cast<std::size_t>(row + 2 * count) % rows];
-      double low = x[i] - half, high = x[i] + half;  // on the torus shorter than two
+      double low = x[i] - half, high = x[i] + half;  // on the torus, shorter than 2
       if (torus && high - low >= 1) low = 0, high = 1;
       if (!torus) low = std::max(low, 0.0), high = std::min(high, 1.0);
       if (low < 0) line.push_back({low + 1, 1}), low = 0;
@@ -45,8 +43,8 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
   double area = 0;
   for (std::size_t row = 0; row < rows; ++row) {
     auto& line = covered[row];
-    std::sort(line.begin(), line.end(),
-              [](const auto& one, const auto& other) { return one.first < other.first; });
+    std::ranges::sort(line,
+                      [](const auto& one, const auto& other) { return one.first < other.first; });
     double at = 0;
     for (const auto& [low, high] : line) {
       if (low > at) area += (low - at) / count;
@@ -57,22 +55,22 @@ inline double uncovered_area(std::span<const double> x, std::span<const double> 
   return area;
 }
 
-/// The length of a difference of coordinates, round the torus if that is shorter.
+/// The length of a difference of coordinates, around the torus if that is shorter.
 inline double short_way(double difference) {
   const double inside = std::abs(difference);
   return std::min(inside, 1 - inside);
 }
 
-/// The least distance of any two points of [0,1)^2 on the torus; infinite below two points. Takes
-/// n log n, wherever they lie: a line sweeps over the square along x, and once more over its
-/// beginning; a set holds the points that it has just passed, by y. No two of them are
-/// closer than that, so a few lie within it of any y.
+/// The least distance of any two points of [0,1)^2 on the torus; infinite for fewer than two. In
+/// O(n log n): a line sweeps over the square along x, then over its beginning again; a set holds
+/// the points within the least distance so far behind the line, ordered by y. No two of these are
+/// closer, so only a few must be compared with each new point.
 inline double least_distance(std::span<const double> x, std::span<const double> y) {
   const std::size_t n = x.size();
   if (n < 2) return std::numeric_limits<double>::infinity();
   std::vector<std::size_t> by_x(n);
   std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-  std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+  std::ranges::sort(by_x, [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
   const auto place = [&](std::size_t step) {
     return x[by_x[step % n]] + static_cast<double>(step / n);
   };
