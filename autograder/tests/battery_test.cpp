@@ -97,6 +97,11 @@ TEST_CASE("the battery detects what is not visible") {
   CHECK(fault_of([](Row u, std::size_t) {  // 16 strata instead of 16 independent numbers
           for (std::size_t i = 0; i < 16; ++i) u[i] = (static_cast<double>(i) + u[i]) / 16;
         }) != "");
+  CHECK(fault_of([](Row u, std::size_t) { u[15] = std::fmod(u[0] + u[1], 1.0); }) != "");
+  CHECK(fault_of([](Row u, std::size_t) {  // the same word, its halves exchanged
+          const auto word = static_cast<std::uint64_t>(u[0] * 0x1p53) << 11;
+          u[1] = static_cast<double>(std::rotl(word, 32) >> 11) * 0x1p-53;
+        }) != "");
   std::vector<double> before(16);
   CHECK(fault_of([&](Row u, std::size_t r) {  // every second replicate repeats the previous one
           if (r % 2 == 1) std::copy(before.begin(), before.end(), u.begin());

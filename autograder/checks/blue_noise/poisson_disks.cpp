@@ -178,7 +178,7 @@ CHECK_CASE("4.3 the message for a radius too small for memory contains the numbe
         "between 0.385 / radius^2 (fewer do not cover) and 1.155 / radius^2 (more do not fit)",
         number_between(call.outcome.bytes, squares / 1000, 1000 * squares)
             ? "this number of points is wrong: about 0.7 / radius^2 fit"
-            : "use std::to_string or %g: 1.5e+12");
+            : "the number is about 0.7 / radius^2, printed by std::to_string or %g: 1.5e+12");
   }
 }
 

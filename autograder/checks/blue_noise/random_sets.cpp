@@ -201,12 +201,14 @@ void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_
       if (kx != 0 || ky != 0) most = std::max(most, {mean.at(kx, ky), {kx, ky}});
     }
   }
-  expect_that(most.first < limit,
-              fmt::format("{}: power {:.1f} at k = ({}, {}), mean of {} sets", call, most.first,
-                          most.second[0], most.second[1], sets),
-              fmt::format("less than {:.1f} at every k", limit),
-              "random points have no period; without one, powers average to 1.9 at most",
-              "points on a lattice are not random, even if it is shifted");
+  expect_that(
+      most.first < limit,
+      fmt::format("{}: power {:.1f} at k = ({}, {}), mean of {} sets", call, most.first,
+                  most.second[0], most.second[1], sets),
+      fmt::format("less than {:.1f} at every k", limit),
+      "random points have no period; without one, powers average to 1.9 at most",
+      "the points prefer some places to others: points on a lattice are not random, even if "
+      "it is shifted, nor are darts that fall only into a part of each cell");
 }
 
 namespace {

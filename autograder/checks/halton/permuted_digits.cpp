@@ -87,6 +87,10 @@ void check_digits(Rng& rng, unsigned base) {
         (got[0] == 0 ? zeros_too
          : whole == 0
              ? "this position has no permutation: indices that differ there get the same value"
+         : std::abs(move - whole) * counts > 2 * inverse_tolerance
+             ? fmt::format("the difference is {:.2g} off such a multiple: do values have all 53 "
+                           "bits, and do the other digits stay the same? {}",
+                           std::abs(move - whole) * counts, one_each)
              : one_each) +
             (index > 0xffffffffu ? "; up to 2^32 all is correct: keep all 64 bits of an index"
                                  : ""));

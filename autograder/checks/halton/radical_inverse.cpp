@@ -61,12 +61,14 @@ Indices hard_indices(Rng& rng, unsigned base, std::size_t count) {
   return hard;
 }
 
-CHECK_CASE("5.1 the last digit is added last", "[5.1][points:2]") {
+CHECK_CASE("5.1 rounding errors do not add up", "[5.1][points:2]") {
   for (const unsigned base : {3u, 5u, 6u, 7u, 2u, 29u}) {
     Indices indices = base < 3 || base > 7 ? Indices{} : hard_indices(rng, base, 3);
     indices.push_back(2419277);  // the handout's example in base 3
     for (int i = 0; i < 100; ++i) indices.push_back(rng());
-    check_indices({base, indices, "each sum is rounded: add the smallest terms first"});
+    check_indices({base, indices,
+                   "each sum and each power of 1 / base is rounded: divide by the base "
+                   "once per digit, and add the smallest terms first"});
   }
 }
 

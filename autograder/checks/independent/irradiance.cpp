@@ -317,7 +317,32 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][
   }
 }
 
-CHECK_CASE("2.7 both estimates know their error", "[2.7][points:2][needs:2.1]") {
+CHECK_CASE("2.7 the size of the scene does not matter", "[2.7][points:1][needs:2.1]") {
+  // All lengths times a power of two: each direction and each value stays the same.
+  const RectLight light = above(rng).light;
+  for (const auto& measure : {by_area, by_hemisphere}) {
+    const std::uint64_t seed = rng(), replicates = 40;
+    const auto usual = measure(light, 64, seed, replicates);
+    const Values expected = values_of(usual.call, usual.exactly(replicates, any_number));
+    for (const double scale : {0x1p-8, 0x1p8}) {
+      RectLight scaled = light;
+      for (double* const length :
+           {&scaled.x0, &scaled.x1, &scaled.y0, &scaled.y1, &scaled.height}) {
+        *length *= scale;
+      }
+      const auto got = measure(scaled, 64, seed, replicates);
+      expect_each({got.call, values_of(got.call, got.exactly(replicates, any_number))},
+                  {.exact = expected,
+                   .tolerance = each(expected, [](double e) { return 1e-9 * std::abs(e); }),
+                   .because = fmt::format("irradiance does not depend on the unit of length: this "
+                                          "is {} with all lengths times {}",
+                                          usual.call, scale),
+                   .otherwise = "use no constant length: no minimal distance, no clamped value"});
+    }
+  }
+}
+
+CHECK_CASE("2.7 both estimates know their error", "[2.7][points:1][needs:2.1]") {
   for (const PlacedLight& placed : {above(rng), aside(rng)}) {
     const RectLight& light = placed.light;
     // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.

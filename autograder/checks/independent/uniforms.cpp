@@ -134,10 +134,12 @@ void judge_last_bits(const Uniforms& numbers, Rng& rng) {
   for (const double u : numbers.values) {
     last.values.push_back(fill_cell(bits_of(u) % 8192, 8192, rng));
   }
-  expect_independent_uniforms(last,
-                              {"the last bits of many numbers", alpha,
-                               "all 53 bits must be random: the low bits of a linear congruential "
-                               "generator have short periods, and a mantissa stores only 52 bits"});
+  expect_independent_uniforms(
+      last, {"the last bits of many numbers", alpha,
+             "all 53 bits of every number must be random, also of the last ones of "
+             "a call: the low bits of a linear congruential generator have short "
+             "periods, a sum of two numbers is rounded, and a mantissa stores only "
+             "52 bits"});
 }
 
 CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:2.1]") {

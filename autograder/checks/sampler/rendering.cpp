@@ -182,9 +182,11 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][ne
   const std::uint64_t seed = fresh_seed(rng);
   // A small, a wide and a high picture. Of 350,005 32-bit seeds, fourteen occur twice on average.
   for (const auto& [width, height] : {std::pair{16u, 12u}, {70001u, 5u}, {5u, 70001u}}) {
-    check_seeds({{width, height, seed}},
-                {"the same noise in every pixel is visible as a pattern",
-                 "compute each pixel's seed from the picture's seed and the pixel's index"});
+    check_seeds(
+        {{width, height, seed}},
+        {"the same noise in every pixel is visible as a pattern",
+         "compute each pixel's seed from the picture's seed and the pixel's index, with all "
+         "64 bits"});
   }
   // Other pictures: the next seed, seeds as far apart as those of neighboring pixels, other bits.
   const std::string because = "another picture must not have the same noise, shifted by a pixel";
@@ -197,7 +199,9 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][ne
   }
   std::vector<Picture> by_bit;
   for (const std::uint64_t other : domain::seeds_by_bit(rng)) by_bit.push_back({4, 3, other});
-  check_seeds(by_bit, {because, "do not truncate the seed to 32 bits"});
+  check_seeds(by_bit, {because,
+                       "do not truncate the seed to 32 bits, and do not add to it or multiply it: "
+                       "mix all its bits with the pixel's index"});
 }
 
 CHECK_CASE("6.6 the noise of a picture is white across pixels",

@@ -36,6 +36,10 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
                  are_rotations(orders)
                      ? fmt::format("these are rotations: only {} of the {}! permutations", orders.n,
                                    orders.n)
+                 : seen.size() > 2
+                     ? "only few of all permutations occur, as with rotations of one order or with "
+                       "a short seed; " +
+                           claim.repeated
                      : claim.repeated});
   }
 }

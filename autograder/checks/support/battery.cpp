@@ -198,6 +198,7 @@ std::optional<Failure> dependence_in(const Uniforms& numbers, const Randomness& 
   run(true, [&] { return test_bits(numbers, claim); });
   run(!only_each && has_replicates && !pairs.empty(),
       [&] { return test_waves(numbers, claim, pairs, z); });
+  run(!only_each && has_replicates, [&] { return test_triples(numbers, claim, z); });
   run(!only_each && has_replicates, [&] { return test_bit_pairs(numbers, claim, pairs); });
   run(!only_each, [&] { return test_repeats(numbers, claim); });
   run(!only_each, [&] { return test_lags(numbers, claim, z); });

@@ -9,13 +9,14 @@
 //   values      all values together are uniform (Kolmogorov-Smirnov)
 //   positions   each position is uniform
 //   pairs       positions are independent, pair by pair: m u + n v is uniform modulo 1
+//   triples     so are three positions: u + v + w and its variants are uniform modulo 1
 //   bits of pairs  any two bits, of one number or of two, are equal half of the time
 //   lags        values a power of two apart, or half the list apart, are independent, in one
 //               replicate and across replicates
 //   rows        the sum of a replicate has the variance of independent numbers
 //
 // Null distributions are exact or conservative (Rayleigh's test, Bonferroni's inequality). The
-// alpha of a call is divided evenly among these nine parts.
+// alpha of a call is divided evenly among these ten parts.
 
 #include <cstddef>
 #include <functional>

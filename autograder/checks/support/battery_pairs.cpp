@@ -1,4 +1,4 @@
-// The parts of the battery that test pairs of positions.
+// The parts of the battery that test pairs and triples of positions.
 
 #include <array>
 #include <bit>
@@ -145,17 +145,53 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
   return family.failure();
 }
 
+/// Three positions in a row, and the first two with the last: pairwise independent numbers may still
+/// determine a third.
+std::optional<Failure> test_triples(const Uniforms& numbers, const Randomness& claim,
+                                    std::span<const Complex> z) {
+  const std::size_t positions = numbers.positions, replicates = numbers.replicates();
+  if (positions < 3) return {};
+  std::vector<std::size_t> thirds{positions - 1};  // with positions 0 and 1, or the two before it
+  for (std::size_t k = 2; k < std::min<std::size_t>(positions, 64); ++k) thirds.push_back(k);
+  Family family(numbers, claim, "triples", 4 * thirds.size());
+  for (std::size_t t = 0; t < thirds.size(); ++t) {
+    const std::size_t k = thirds[t], i = t == 0 ? 0 : k - 2, j = i + 1;
+    std::array<std::complex<double>, 4> sums;
+    for (std::size_t r = 0; r < replicates; ++r) {
+      const Complex* const row = &z[r * positions];
+      const Complex sum = row[i] * row[j], difference = row[i] * std::conj(row[j]), w = row[k];
+      const Complex waves_of_three[] = {sum * w, sum * std::conj(w), difference * w,
+                                        difference * std::conj(w)};
+      for (std::size_t s = 0; s < 4; ++s) sums[s] += std::complex<double>(waves_of_three[s]);
+    }
+    constexpr const char* words[] = {"u + v + w", "u + v - w", "u - v + w", "u - v - w"};
+    for (std::size_t s = 0; s < 4; ++s) {
+      family.add(p_of_resultant(std::norm(sums[s]), static_cast<double>(replicates)), true, [&] {
+        return fmt::format(
+            "u = {}, v = {} and w = {} are not independent: {} is not uniform modulo 1",
+            name_of(numbers, i), name_of(numbers, j), name_of(numbers, k), words[s]);
+      });
+    }
+  }
+  return family.failure();
+}
+
 /// Any two bits, of one number or of two, are equal in half of the replicates.
 std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness& claim,
                                       const Pairs& pairs) {
   const std::size_t replicates = numbers.replicates();
-  const auto planes = static_cast<std::size_t>(std::clamp(numbers.bits - 3, 1, 32));
-  const std::size_t crossed = std::min<std::size_t>(planes, 8);  // of these, all pairs of bits
-  const BitPlanes bits(numbers, planes);
+  // Of all pairs the first bits; of a few neighbors, every bit of one with every bit of the other.
+  const auto planes = static_cast<std::size_t>(std::clamp(numbers.bits - 3, 1, 50));
+  const std::size_t first = std::min<std::size_t>(planes, 32);
   const std::size_t inside = std::min<std::size_t>(numbers.positions, 64);
-  Family family(
-      numbers, claim, "bits of pairs",
-      pairs.size() * (planes + crossed * (crossed - 1)) + inside * planes * (planes - 1) / 2);
+  constexpr std::size_t neighbors = 8;
+  const auto crossed = [=](std::size_t p, std::size_t q) {
+    return p + 1 == q && p < neighbors ? planes : std::min<std::size_t>(planes, 8);
+  };
+  const BitPlanes bits(numbers, planes);
+  std::size_t tests = inside * planes * (planes - 1) / 2;
+  for (const auto& [p, q] : pairs) tests += first + crossed(p, q) * (crossed(p, q) - 1);
+  Family family(numbers, claim, "bits of pairs", tests);
   // Below this deviation nothing can fail: it saves most binomial tails.
   const auto n = static_cast<double>(replicates);
   const double bound = std::sqrt(n * 10);
@@ -169,9 +205,9 @@ std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness&
     });
   };
   for (const auto& [p, q] : pairs) {
-    for (std::size_t k = 0; k < planes; ++k) compare(p, k, q, k);
-    for (std::size_t k = 0; k < crossed; ++k) {
-      for (std::size_t l = 0; l < crossed; ++l) {
+    for (std::size_t k = 0; k < first; ++k) compare(p, k, q, k);
+    for (std::size_t k = 0; k < crossed(p, q); ++k) {
+      for (std::size_t l = 0; l < crossed(p, q); ++l) {
         if (k != l) compare(p, k, q, l);
       }
     }

@@ -17,7 +17,7 @@
 
 namespace mc::checks::battery {
 
-constexpr double parts = 9;  // the alpha of a call is divided among them
+constexpr double parts = 10;  // the alpha of a call is divided among them
 
 inline std::string name_of(const Uniforms& numbers, std::size_t position) {
   if (numbers.name) return numbers.name(position);
@@ -107,6 +107,8 @@ Pairs compared_pairs(std::size_t positions);
 
 std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& claim,
                                   const Pairs& pairs, std::span<const Complex> z);
+std::optional<Failure> test_triples(const Uniforms& numbers, const Randomness& claim,
+                                    std::span<const Complex> z);
 std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness& claim,
                                       const Pairs& pairs);
 

@@ -205,7 +205,8 @@ void require_value(const Call& call) {
                                                                             : "invalid_argument",
                                outcome.bytes),
                    "a value: these arguments are valid", "",
-                   "find the condition that refuses them; it may test a value that overflowed"});
+                   "find the condition that refuses them; it may test a value that overflowed, or "
+                   "set a limit too low"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
   }

@@ -82,6 +82,8 @@ CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1]"
                                                   {1e-9, 1e9},    {1e-150, 1e150}, {1e-100, 1e-100},
                                                   {-1e100, 1e-3}, {0, 1},          {1, 0}};
   for (const auto& [of_x, of_y] : scales) pairs.push_back(tame_pairs(rng, 100, of_x, of_y));
+  constexpr double d = 0x1p-43;  // a covariance of 4/3 d: small compared with sigma x sigma y
+  pairs.push_back({{1, -1, 1, -1}, {1 + d, 1 - d, -1 + d, -1 - d}});
   judge_pairs(pairs,
               "a covariance scales as x y: no term may scale as x^2 or y^2, as in Var{X + Y} or in "
               "a correction with the wrong sum; and use no threshold: small is not zero");

@@ -51,7 +51,8 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
   for (const std::uint64_t n : domain::sizes(1025, rng)) {
     lists.emplace_back(n, n % 2 == 0 ? -largest_finite : largest_finite);
   }
-  Values of_all_sizes;  // ascending from 1e-300, and descending
+  lists.emplace_back(3'000'000, largest_finite);  // more than 2^21: a sum of x 2^-20 overflows
+  Values of_all_sizes;                            // ascending from 1e-300, and descending
   for (double exponent = -300; exponent < 300; exponent += 25) {
     of_all_sizes.push_back(std::pow(10, exponent + uniform(rng, 0, 8)));
   }
@@ -60,10 +61,10 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
   lists.emplace_back(of_all_sizes.rbegin(), of_all_sizes.rend());
   Results means;
   for (const Values& x : lists) {
-    Values smaller = x;  // scaled by 2^-20, which is exact: no sum overflows
-    for (double& value : smaller) value *= 0x1p-20;
+    Values smaller = x;  // scaled by 2^-24, which is exact: no sum overflows
+    for (double& value : smaller) value *= 0x1p-24;
     // The last of 106 bits may exceed the largest double.
-    const double exact = std::clamp(static_cast<double>(exact_mean(smaller)) * 0x1p20,
+    const double exact = std::clamp(static_cast<double>(exact_mean(smaller)) * 0x1p24,
                                     -largest_finite, largest_finite);
     const auto got = MEASURE(mean, x);
     means.add_digits(got.call, got.value, exact, floor_of(static_cast<double>(x.size() + 20) * eps),

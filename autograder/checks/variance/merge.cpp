@@ -6,7 +6,8 @@ namespace mc::checks {
 namespace {
 
 const std::string empty_part = "0/0 is NaN: handle an empty part first";
-const std::string merged_mean = "weight the means by the counts: n_a / n mean_a + n_b / n mean_b";
+const std::string merged_mean =
+    "weight the means by the counts, n_a / n mean_a + n_b / n mean_b, however small a part is";
 const std::string merged_m2 =
     "a.m2 + b.m2 + (mean_b - mean_a)^2 n_a n_b / n; the product of the counts may overflow 64 bits";
 

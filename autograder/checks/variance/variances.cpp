@@ -84,7 +84,10 @@ CHECK_CASE("1.3 two passes keep their digits under a large mean", "[1.3][points:
   std::vector<List> lists = lists_with_large_means(rng, {1000, 4, 4097});
   lists.emplace_back(Values{1e15, 1e15 + 1});  // a small deviation
   variances_of(lists, by_two_passes, two_pass_floor)
-      .expect(because_sum, "squared deviations from the mean, corrected for its rounding");
+      .expect(because_sum,
+              "sum the squared deviations d^2 from the mean, and subtract the correction (sum d)^2 "
+              "/ n: "
+              "here n, not n - 1");
 }
 
 CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][needs:1.1]") {
@@ -148,6 +151,8 @@ CHECK_CASE("1.3 sigma of aX is the absolute value of a times sigma of X",
     for (double& value : x) value = a * static_cast<double>(rng() >> 44);
     lists.emplace_back(x);
   }
+  const double c = uniform(rng, 1, 2);  // values that differ by one rounding unit only
+  lists.emplace_back(Values{c, c, c, std::nextafter(c, 2.0)});
   variances_of(lists, by_two_passes, two_pass_floor)
       .expect(because_sum + "; Var{aX} = a^2 Var{X}",
               "small is not zero: the result depends on the scale of the data; use no threshold");

@@ -174,7 +174,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::unshuffled_padding
 
 // mistake: shuffles x and y of a pattern separately
-// hint: move x and y of a point together
+// hint: x and y of a point must move together
 namespace mc::x_and_y_shuffled_apart {
 void stratified(PointSet& points, Rng& rng) {
   right_stratified(points, rng);
