@@ -13,7 +13,6 @@ using Sets = SampleSets;
 /// The alpha of each of the at most 110 random tests of lab 3: 5e-7 in total.
 constexpr double alpha = 4.5e-9;
 
-/// Jitters of task `task` are independent and uniform.
 inline Randomness random_jitters(const std::string& task) {
   return {
       .words = "points are uniform in the cells of " + task + ", and independent",
@@ -68,7 +67,6 @@ inline constexpr auto centered_exponential = [](double x) { return std::exp(x - 
 inline constexpr auto gaussian = [](double x) { return std::exp(-x * x); };
 inline constexpr auto centered = [](double x) { return x - 0.5; };
 
-/// h(x) + h(y) + … and h(x) h(y) ….
 inline auto sum_over_axes(double (*h)(double)) {
   return [h](View x) {
     return std::accumulate(x.begin(), x.end(), 0.0,

@@ -7,7 +7,8 @@ namespace mc::checks {
 namespace {
 
 const std::string fair = "each of the remaining values must be equally likely to come next";
-const std::string always_same = "the permutation is always the same: draw it from the generator";
+const std::string always_same =
+    "the permutation is always the same: draw it from the given generator";
 
 Randomness random_orders(const std::string& words, const std::string& otherwise,
                          const std::string& repeated) {

@@ -258,7 +258,7 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     }
     if (is_constant) {
       return fmt::format(
-          "{} has the same random number, {:.4g}, in every set: draw it from the generator{}",
+          "{} has the same random number, {:.4g}, in every set: draw it from the given generator{}",
           battery::name_of(numbers, p), numbers.values[p], and_repeated);
     }
   }

@@ -27,7 +27,6 @@ inline double mean_of(const WithinStrata& strata) {
   return sum_of(strata.mean) / static_cast<double>(strata.size());
 }
 
-/// The sum of squared deviations of the strata's means from their mean.
 inline double between(const WithinStrata& strata) {
   return squared_deviations(strata.mean);
 }

@@ -134,7 +134,7 @@ void expect_fresh(const SampleSets& sets, const SampleSets& other_seed,
             *high - *low < 1e-6
                 ? fmt::format("every point lies at {:.3g} of its stratum: choose a random place",
                               *low)
-                : "the same numbers are used again: draw new ones from the generator"});
+                : "the same numbers are used again: draw new ones from the given generator"});
       }
     }
   }

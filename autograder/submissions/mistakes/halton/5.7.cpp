@@ -35,7 +35,7 @@ void random_shift(PointSet& points, Rng& rng) {
 }  // namespace mc::one_shift_for_all_axes
 
 // mistake: shifts by its own generator, which starts again in every call
-// hint: in every set: draw it from the generator
+// hint: in every set: draw it from the given generator
 namespace mc::same_shift_each_time {
 void random_shift(PointSet& points, Rng& /*rng*/) {
   Rng own(1);

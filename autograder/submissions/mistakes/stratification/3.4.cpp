@@ -11,7 +11,7 @@
 #undef stratified
 
 // mistake: shuffles with its own generator, always with the same seed
-// hint: draw it from the generator that is passed in
+// hint: draw it from the given generator
 namespace mc::always_the_same_order {
 void shuffle(std::span<double> x, Rng& /*rng*/) {
   std::mt19937 mine;
