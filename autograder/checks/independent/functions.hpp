@@ -43,7 +43,7 @@ inline Values values_of(const std::string& call, const std::vector<Estimate>& es
 }
 
 /// An estimate of a g that is infinite or NaN everywhere.
-inline void expect_not_finite(const Measured<std::vector<experiments::Counted>>& got) {
+inline void expect_not_finite(const Measured<std::vector<experiments::CountedEstimate>>& got) {
   expect_not_finite(got.call, got.exactly(1, any_number)[0].value,
                     "g is infinite or NaN: a finite estimate hides it",
                     "use values of g unchanged");
