@@ -67,24 +67,43 @@ constexpr std::size_t largest_table = 1024;
 /// digits. `append(digit)` maps an entry to that of its string with `digit` added at the front. The
 /// digit 0 is last, because it overwrites the entries that the others are computed from.
 template <class Entry>
-void append_digit(Entry* table, std::size_t size, std::size_t base, auto append) {
-  for (std::size_t digit = base; digit-- > 0;) {
+void append_digit(Entry* table, std::size_t size, unsigned base, auto append) {
+  for (unsigned digit = base; digit-- > 0;) {
     std::transform(table, table + size, table + digit * size, append(digit));
   }
 }
 
-/// Writes the values of the indices first, first + 1, … to `column`, by blocks of table.size()
-/// indices. `value_in(block)` is called once per block, in order; it maps the table's entry for an
-/// index to the value of that index.
+/// Writes the values of consecutive indices to `column`, by blocks of table.size() indices. The
+/// first index has the position `start` in its block. `value_in(k)` is called once for block k = 0,
+/// 1, …, in this order; it returns the function that maps an entry of the table to the value of its
+/// index.
 template <class Entry>
-void fill_by_blocks(std::span<double> column, std::uint64_t first, std::span<const Entry> table,
+void fill_by_blocks(std::span<double> column, std::size_t start, std::span<const Entry> table,
                     auto value_in) {
-  std::uint64_t block = first / table.size();
-  for (std::size_t skip = first % table.size(); !column.empty(); skip = 0, ++block) {
-    const auto part = table.subspan(skip, std::min(table.size() - skip, column.size()));
-    std::transform(part.begin(), part.end(), column.begin(), value_in(block));
+  for (std::size_t k = 0; !column.empty(); ++k, start = 0) {
+    const auto part = table.subspan(start, std::min(table.size() - start, column.size()));
+    std::transform(part.begin(), part.end(), column.begin(), value_in(k));
     column = column.subspan(part.size());
   }
+}
+
+/// The step of 5.1 with `size` in place of the base. The sum must not be rounded up to `size`,
+/// hence the minimum. It changes a value by 2 * 2^-53 at most; the roundings of sum, scale and
+/// product add 2 * 2^-53.
+auto step_of(double size, double others) {
+  return [rest = std::min(others, 1 - 0x1p-52 * size), scale = 1 / size](double digits) {
+    return (digits + rest) * scale;
+  };
+}
+
+/// The steps of a column by blocks, with the mirrored `digits` of the indices of a block, and one
+/// value of `others` for each block.
+void step(std::span<double> column, std::size_t start, std::span<const double> digits,
+          std::span<const double> others) {
+  fill_by_blocks(column, start, digits,
+                 [next = others.begin(), size = double(digits.size())](std::size_t) mutable {
+                   return step_of(size, *next++);
+                 });
 }
 }  // namespace
 
@@ -95,23 +114,17 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
     return definition::radical_inverses(base, first, column);
   }
   std::array<double, largest_table> table;
-  std::iota(&table[0], &table[base], 0);
+  std::iota(table.begin(), table.begin() + base, 0);
   std::size_t size = base;
   for (; size * base <= std::min(largest_table, column.size()); size *= base) {
-    append_digit(&table[0], size, base, [=](std::size_t digit) {
-      return [=, front = double(digit)](double digits) { return digits * base + front; };
+    append_digit(table.data(), size, base, [=](unsigned digit) {
+      return [=](double digits) { return digits * base + digit; };
     });
   }
   // `others` is stored at the end of the column: each value is read before it is overwritten.
   const auto others = column.last((first % size + column.size() - 1) / size + 1);
   radical_inverses(base, first / size, others);
-  fill_by_blocks(
-      column, first, std::span<const double>(table).first(size), [=](std::uint64_t block) {
-        // The sum must not be rounded up to `size`, hence the minimum. It changes a value by 2 *
-        // 2^-53 at most; the roundings of sum, scale and product add 2 * 2^-53.
-        const double rest = std::min(others[block - first / size], 1 - 0x1p-52 * double(size));
-        return [=, scale = 1 / double(size)](double digits) { return (digits + rest) * scale; };
-      });
+  step(column, first % size, std::span(table).first(size), others);
 }
 
 // 5.3 --------------------------------------------------------------------------------------------
@@ -163,7 +176,7 @@ constexpr Directions directions_of(const JoeKuo& given) {
 }
 
 /// The XOR of the direction numbers of the bits that are set in `index`.
-std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
+constexpr std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
   std::uint32_t word = 0;
   for (unsigned k = 0; k < 32; ++k) word ^= v[k] & -(std::uint32_t(index) >> k & 1);
   return word;
@@ -213,12 +226,12 @@ constexpr auto sobol_tables = [] {
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   if (dimension >= joe_kuo.size()) throw std::invalid_argument("dimension: must be below 32");
   require_indices(first, column.size(), 0xffffffffu);
-  const SobolTable& table = sobol_tables[dimension];
-  const auto words = std::span<const std::uint64_t>(table.words);
-  fill_by_blocks(column, first, words, [&](std::uint64_t block) {
-    const auto above = wide(definition::sobol_word(table.v, block * 256));
+  const auto& [v, words] = sobol_tables[dimension];
+  const auto value_in = [&v = v, block = first / 256](std::size_t k) {
+    const auto above = wide(definition::sobol_word(v, 256 * (block + k)));
     return [=](std::uint64_t word) { return number(word ^ above) - 1; };
-  });
+  };
+  fill_by_blocks(column, first % 256, std::span<const std::uint64_t>(words), value_in);
 }
 
 // 5.6 --------------------------------------------------------------------------------------------
@@ -407,18 +420,19 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
          (table.size() == 1 || table.size() * base <= largest_table)) {
     const std::size_t size = table.size();
     table.resize(size * base);
-    append_digit(table.data(), size, base, [=](std::size_t digit) {
+    append_digit(table.data(), size, base, [=](unsigned digit) {
       return [move = rows[digit]](std::uint64_t sum) { return sum + move; };
     });
     rows = rows.subspan(base);
   }
-  fill_by_blocks(column, first, std::span<const std::uint64_t>(table), [=](std::uint64_t block) {
+  const auto value_in = [=, block = first / table.size()](std::size_t k) {
     std::uint64_t above = 0, position = 0;
-    for (auto n = block; n > 0; n /= base) above += rows[position++ * base + n % base];
+    for (auto n = block + k; n > 0; n /= base) above += rows[position++ * base + n % base];
     return [=](std::uint64_t sum) {
       return joined((sum + above) >> 32, (sum + above) >> 11 & 0x1fffff);
     };
-  });
+  };
+  fill_by_blocks(column, first % table.size(), std::span<const std::uint64_t>(table), value_in);
 }
 
 // 5.10 -------------------------------------------------------------------------------------------
