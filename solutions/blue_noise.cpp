@@ -1,4 +1,5 @@
-// Lab 4 · blue noise: the reference solution. Speed tasks show a definition, then the faster way.
+// Lab 4 · blue noise: the reference solution. A speed task has its definition first, then a faster
+// version with the reason why it is faster.
 
 #include "blue_noise.hpp"
 
@@ -15,7 +16,7 @@
 namespace mc {
 namespace {
 
-constexpr double below_one = 1 - 0x1p-53;  // the largest double that is
+constexpr double below_one = 1 - 0x1p-53;  // the largest double below 1
 
 double uniform(Rng& rng) {
   return static_cast<double>(rng() >> 11) * 0x1p-53;
@@ -28,19 +29,19 @@ Point2 uniform_point(Rng& rng) {
 
 void require_pairs(std::size_t x, std::size_t y) {
   if (x != y) throw std::invalid_argument("x and y: sizes differ");
-  if (x == 0) throw std::invalid_argument("x: there are no points");
+  if (x == 0) throw std::invalid_argument("x: no points");
 }
 
-/// A number with two digits: 1.5e+12.
-std::string in_words(double number) {
+/// A number printed with two digits: 1.5e+12.
+std::string two_digits(double number) {
   char text[32];
   return {text, text + std::snprintf(text, sizeof text, "%.2g", number)};
 }
 
 std::size_t require_square(std::size_t size, int kmax) {
-  if (kmax < 1) throw std::invalid_argument("kmax: below 1");
+  if (kmax < 1) throw std::invalid_argument("kmax: must be at least 1");
   const std::size_t side = 2 * static_cast<std::size_t>(kmax) + 1;
-  if (size != side * side) throw std::invalid_argument("power: its size is not (2 kmax + 1)^2");
+  if (size != side * side) throw std::invalid_argument("power: the size must be (2 kmax + 1)^2");
   return side;
 }
 
@@ -74,37 +75,39 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }
 }  // namespace definition
 
-// The definition looks at N points for each of N^2 / 2 candidates: O(N^3).
-// 4.7  Two ideas make it O(N^2):
+// 4.7  The definition looks at up to N points for each of c N^2 / 2 candidates: O(c N^3). Two ideas
+// reduce it to O(c N^2):
 //
-// * A grid of about as many cells as points: near points lie in near cells, so a few cells are
-//   enough.
-// * Most candidates are bad. One that has a point nearer than the best candidate's nearest cannot
-//   win, and that point usually lies in the candidate's own cell.
+// * A grid with about as many cells as points: nearby points lie in nearby cells, so a search
+//   visits only a few cells.
+// * Most candidates are bad. A candidate cannot win if it has a point that is nearer than the
+//   nearest point of the best candidate so far, and such a point usually lies in the candidate's
+//   own cell.
 
 namespace {
 
-/// A grid that finds points of the torus by their position: side x side cells, as many as points or
-/// up to four times as many.
+/// Points of the torus in a grid of side x side cells, for searches by position. The number of
+/// cells is between once and four times the number of points.
 class Neighbors {
  public:
   void add(Point2 point) {
     points_.push_back(point);
     if (points_.size() <= first_.size()) return link(points_.size() - 1);
-    side_ *= 2;  // four times the cells: each point moves once, on average
+    side_ *= 2;  // amortized, each point moves about once
     first_.assign(4 * first_.size(), none);
     next_.clear();
     for (std::size_t p = 0; p < points_.size(); ++p) link(p);
   }
 
-  /// Squared distance to the nearest point, or to any point that is nearer than sqrt(`enough`).
+  /// The squared distance from `to` to the nearest point; or, if there are points whose squared
+  /// distance is below `enough`, that of any one of them. Infinite if there are no points.
   double nearest(Point2 to, double enough) const {
     const long column = cell_of(to.x), row = cell_of(to.y);
     double least = std::numeric_limits<double>::infinity();
     for (long ring = 0; 2 * (ring - 1) < side_; ++ring) {
-      // Rings 0 … ring-1 hold everything within ring - 1 cells.
-      const double seen = double(ring - 1) / double(side_);
-      if (ring > 0 && least <= seen * seen) break;
+      // Rings 0 … ring-1 contain all points within a distance of ring - 1 cells.
+      const double searched = double(ring - 1) / double(side_);
+      if (ring > 0 && least <= searched * searched) break;
       for (long j = -ring; j <= ring; ++j) {
         const long step = std::abs(j) == ring || ring == 0 ? 1 : 2 * ring;
         for (long i = -ring; i <= ring; i += step) {
@@ -135,15 +138,15 @@ class Neighbors {
 
   long side_ = 1;  // a power of 2
   std::vector<Point2> points_;
-  std::vector<std::uint32_t> first_ = {none};  // of each cell: one of its points,
-  std::vector<std::uint32_t> next_;            // and of each point: another one in its cell
+  std::vector<std::uint32_t> first_ = {none};  // for each cell, its first point
+  std::vector<std::uint32_t> next_;            // for each point, the next point in its cell
 };
 
 }  // namespace
 
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
   Neighbors points;
   for (std::size_t i = 0; i < x.size(); ++i) {
     double farthest = -1;
@@ -174,7 +177,7 @@ PointSet columns_of(const std::vector<Point2>& from) {
 namespace definition {
 PointSet poisson_disk(double radius, Rng& rng) {
   std::vector<Point2> points;
-  for (int misses = 0; misses < 10000; ++misses) {  // then 0.1 % is left, or less
+  for (int misses = 0; misses < 10000; ++misses) {  // by then, at most 0.1 % is uncovered
     const Point2 dart = uniform_point(rng);
     const auto covers = [&](Point2 p) {
       return toroidal_distance_squared(p, dart) < radius * radius;
@@ -187,26 +190,28 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }
 }  // namespace definition
 
-// Darts rarely hit the last, small gaps. 4.7: throw only where a gap may be (Ebeida
-// et al. 2012, "A simple algorithm for maximal Poisson-disk sampling in high dimensions"):
+// 4.7  Darts rarely hit the last, small gaps. So throw them only where a gap may be (Ebeida et al.
+// 2012, "A simple algorithm for maximal Poisson-disk sampling in high dimensions"):
 //
-// * The square is cut into cells so small that a cell holds one point at most. All are active.
-// * Darts fall on active cells, which cover every gap: the next point that is kept is uniform in
-//   the gaps, as with darts thrown at the whole square. The pattern has exactly the distribution of
-//   dart throwing.
-// * After one dart a cell, every active cell is quartered. A quarter is dropped if it lies within
-//   one disc: it has no gap. After ten quarterings, less than 1e-4 of the square is active.
+// * Divide the square into cells so small that no cell can contain two points. At first all cells
+//   are active.
+// * Throw darts at active cells only. These cover all gaps, so the next accepted point is uniform
+//   in the gaps, as it is with darts thrown at the whole square: the pattern has exactly the
+//   distribution of dart throwing.
+// * After as many darts as there were active cells, split each active cell into quarters. Drop a
+//   quarter if it lies within one disk, since it has no gap. After ten splits, less than 1e-4 of
+//   the square is active.
 
 PointSet poisson_disk(double radius, Rng& rng) {
-  if (!(radius > 0)) throw std::invalid_argument("radius: not positive");
+  if (!(radius > 0)) throw std::invalid_argument("radius: must be positive");
   if (radius < 1e-5) {
-    throw std::invalid_argument("radius: too small for memory, about " +
-                                in_words(0.7 / radius / radius) + " points");
+    throw std::invalid_argument("radius: too small, would give about " +
+                                two_digits(0.7 / radius / radius) + " points");
   }
-  radius = std::min(radius, 1.0);  // from sqrt(1/2) on, one disc covers everything
+  radius = std::min(radius, 1.0);  // above sqrt(1/2), one disk covers everything
   Neighbors points;
-  const auto covered = [&](Point2 place, double by) {
-    return points.nearest(place, by * by) < by * by;
+  const auto has_point_within = [&](double distance, Point2 place) {
+    return points.nearest(place, distance * distance) < distance * distance;
   };
   const double side = std::ceil(std::numbers::sqrt2 / radius);
   double width = 1 / side;
@@ -220,7 +225,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
       const Point2 u = uniform_point(rng);
       const Point2 dart{std::min(cell.x + u.x * width, below_one),
                         std::min(cell.y + u.y * width, below_one)};
-      if (covered(dart, radius)) continue;
+      if (has_point_within(radius, dart)) continue;
       points.add(dart);
       cell = active.back();
       active.pop_back();
@@ -232,7 +237,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
       for (const Point2 step : {Point2{0, 0}, {width, 0}, {0, width}, {width, width}}) {
         const Point2 quarter{cell.x + step.x, cell.y + step.y};
         const Point2 center{quarter.x + width / 2, quarter.y + width / 2};
-        if (!covered(center, radius - half_diagonal)) quarters.push_back(quarter);
+        if (!has_point_within(radius - half_diagonal, center)) quarters.push_back(quarter);
       }
     }
     active.swap(quarters);
@@ -259,8 +264,8 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace definition
 
 // The definition computes a sine and a cosine for each of N (2 kmax + 1)^2 terms. But exp(a + b) =
-// exp(a) exp(b): the waves along x and along y are enough, N (2 kmax + 1) of each, and a term is a
-// product.
+// exp(a) exp(b): a term is the product of a wave along x and a wave along y, and there are only
+// N (2 kmax + 1) of each.
 
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
@@ -302,10 +307,10 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 // 4.6 --------------------------------------------------------------------------------------------
 
 PointSet tile(const PointSet& pattern, int copies) {
-  if (copies < 1) throw std::invalid_argument("copies: below 1");
-  if (pattern.dims() != 2) throw std::invalid_argument("pattern: not in two dimensions");
-  if (pattern.size() == 0) throw std::invalid_argument("pattern: there are no points");
-  const auto place = [&](int cell, double x) {  // the sum may be rounded up to the next cell
+  if (copies < 1) throw std::invalid_argument("copies: must be at least 1");
+  if (pattern.dims() != 2) throw std::invalid_argument("pattern: must have two dimensions");
+  if (pattern.size() == 0) throw std::invalid_argument("pattern: no points");
+  const auto place = [&](int cell, double x) {  // cell + x may be rounded up to `copies`
     return std::min((cell + x) / copies, below_one);
   };
   const auto repeats = static_cast<std::size_t>(copies);

@@ -1,4 +1,5 @@
-// Lab 5 · Halton and quasi-Monte Carlo: the reference solution. Speed tasks: as defined, then fast.
+// Lab 5 · Halton and quasi-Monte Carlo: the reference solution. A speed task has its definition
+// first, then a faster version with the reason why it is faster.
 
 #include "halton.hpp"
 #include "common/choices.hpp"
@@ -13,11 +14,11 @@
 
 namespace mc {
 namespace {
-constexpr double below_one = 1 - 0x1p-53;  // the largest double that is
+constexpr double below_one = 1 - 0x1p-53;  // the largest double below 1
 constexpr std::uint64_t last_index = ~std::uint64_t{0};
 
 void require_base(unsigned base) {
-  if (base < 2) throw std::invalid_argument("base: there are no digits below base 2");
+  if (base < 2) throw std::invalid_argument("base: must be at least 2");
 }
 
 void require_indices(std::uint64_t first, std::size_t count, std::uint64_t last) {
@@ -27,7 +28,7 @@ void require_indices(std::uint64_t first, std::size_t count, std::uint64_t last)
 }
 
 void require_points(std::span<const double> x, const std::string& name) {
-  if (x.empty()) throw std::invalid_argument(name + ": there are no points");
+  if (x.empty()) throw std::invalid_argument(name + ": no points");
   const auto out = [](double value) { return !(value >= 0 && value <= 1); };
   if (std::any_of(x.begin(), x.end(), out)) throw std::invalid_argument(name + ": not in [0, 1]");
 }
@@ -37,9 +38,9 @@ void require_points(std::span<const double> x, const std::string& name) {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);
   if (index == 0) return 0;
-  // The last digit comes first, then the inverse of the others. Small terms are added first, and
-  // each division shrinks the errors so far, so that 2 * 2^-53 remain. In base 2, 54 ones would
-  // round to 1.
+  // The last digit becomes the first digit of the result, followed by the radical inverse of the
+  // other digits. Small terms are added first, and each division shrinks the earlier rounding
+  // errors, so the total error is below 2 * 2^-53. In base 2, an index of 54 ones would round to 1.
   const double others = radical_inverse(base, index / base);
   return std::min(below_one, (double(index % base) + others) / base);
 }
@@ -51,54 +52,79 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }
 }  // namespace definition
 
-// The definition divides once per digit. But k digits in base b are one digit in base b^k, so 5.1
-// can take k of them in one step, (digit + others) / b^k, where `digit` is k digits, mirrored. A
-// table holds all b^k of these whole numbers exactly. A block of b^k indices uses the whole table
-// with one value of `others`, and the `others` of successive blocks are again a column of radical
-// inverses, a shorter one.
+// The definition divides once per digit. But k digits in base b are one digit in base b^k, so the
+// step of 5.1 can process k digits at once: (digits + others) / b^k, where `digits` is the integer
+// that the k last digits form when they are mirrored. A table holds all b^k of these integers. A
+// block of b^k consecutive indices uses the whole table with one value of `others`. The values of
+// `others` of consecutive blocks are radical inverses of consecutive indices: the same problem, b^k
+// times smaller.
 
 namespace {
-/// The step of 5.1 with `size` in place of the base. A sum 2^-52 size below the size is not rounded
-/// up to 1. Staying there is wrong by 2 * 2^-53 at most; sum, scale and product are rounded by
-/// 2 * 2^-53 more.
+/// Entries of the table of a block: at most 8 KB, a quarter of the first-level cache.
+constexpr std::size_t largest_table = 1024;
+
+/// Extends a table from `size` entries, one for each string of k digits, to strings of k + 1
+/// digits. `append(digit)` maps an entry to that of its string with `digit` added at the front. The
+/// digit 0 is last, because it overwrites the entries that the others are computed from.
+template <class Entry>
+void append_digit(Entry* table, std::size_t size, unsigned base, auto append) {
+  for (unsigned digit = base; digit-- > 0;) {
+    std::transform(table, table + size, table + digit * size, append(digit));
+  }
+}
+
+/// Writes the values of consecutive indices to `column`, by blocks of table.size() indices. The
+/// first index has the position `start` in its block. `value_in(k)` is called once for block k = 0,
+/// 1, …, in this order; it returns the function that maps an entry of the table to the value of its
+/// index.
+template <class Entry>
+void fill_by_blocks(std::span<double> column, std::size_t start, std::span<const Entry> table,
+                    auto value_in) {
+  for (std::size_t k = 0; !column.empty(); ++k, start = 0) {
+    const auto part = table.subspan(start, std::min(table.size() - start, column.size()));
+    std::transform(part.begin(), part.end(), column.begin(), value_in(k));
+    column = column.subspan(part.size());
+  }
+}
+
+/// The step of 5.1 with `size` in place of the base. The sum must not be rounded up to `size`,
+/// hence the minimum. It changes a value by 2 * 2^-53 at most; the roundings of sum, scale and
+/// product add 2 * 2^-53.
 auto step_of(double size, double others) {
   return [rest = std::min(others, 1 - 0x1p-52 * size), scale = 1 / size](double digits) {
     return (digits + rest) * scale;
   };
 }
 
-/// The steps of a column that begins `skip` places after the beginning of a block. `digits` are
-/// those of a block, mirrored. `others`, one for each block, may be at the column's end: they
-/// are read before they are overwritten.
-void step(std::span<double> column, std::size_t skip, std::span<const double> digits,
+/// The steps of a column by blocks, with the mirrored `digits` of the indices of a block, and one
+/// value of `others` for each block.
+void step(std::span<double> column, std::size_t start, std::span<const double> digits,
           std::span<const double> others) {
-  for (const double other : others) {
-    const auto part = digits.subspan(skip, std::min(digits.size() - skip, column.size()));
-    std::transform(part.begin(), part.end(), column.begin(), step_of(double(digits.size()), other));
-    column = column.subspan(part.size()), skip = 0;
-  }
+  fill_by_blocks(column, start, digits,
+                 [next = others.begin(), size = double(digits.size())](std::size_t) mutable {
+                   return step_of(size, *next++);
+                 });
 }
 }  // namespace
 
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
   require_base(base);
   require_indices(first, column.size(), last_index);
-  constexpr std::size_t largest = 1024;  // values of a table: a quarter of the first-level cache
-  if (column.size() <= 2 || base > largest) {
+  if (column.size() <= 2 || base > largest_table) {
     return definition::radical_inverses(base, first, column);
   }
-  std::array<double, largest> table;
-  std::iota(&table[0], &table[base], 0);
-  std::size_t block = base;
-  for (; block * base <= std::min(largest, column.size()); block *= base) {
-    for (unsigned digit = base; digit-- > 0;) {  // 0 comes last: it overwrites what is appended to
-      const auto append = [=](double x) { return x * base + digit; };
-      std::transform(&table[0], &table[block], &table[digit * block], append);
-    }
+  std::array<double, largest_table> table;
+  std::iota(table.begin(), table.begin() + base, 0);
+  std::size_t size = base;
+  for (; size * base <= std::min(largest_table, column.size()); size *= base) {
+    append_digit(table.data(), size, base, [=](unsigned digit) {
+      return [=](double digits) { return digits * base + digit; };
+    });
   }
-  const auto others = column.last((first % block + column.size() - 1) / block + 1);
-  radical_inverses(base, first / block, others);
-  step(column, first % block, std::span(table).first(block), others);
+  // `others` is stored at the end of the column: each value is read before it is overwritten.
+  const auto others = column.last((first % size + column.size() - 1) / size + 1);
+  radical_inverses(base, first / size, others);
+  step(column, first % size, std::span(table).first(size), others);
 }
 
 // 5.3 --------------------------------------------------------------------------------------------
@@ -133,7 +159,8 @@ void hammersley(PointSet& points) {
 namespace definition {
 using Directions = std::array<std::uint32_t, 32>;
 
-/// Number k is what bit k of the index contributes (Bratley, Fox 1988, "Algorithm 659", eq. 2, 3).
+/// Direction number k is the contribution of bit k of the index (Bratley, Fox 1988, "Algorithm
+/// 659", equations 2 and 3).
 constexpr Directions directions_of(const JoeKuo& given) {
   Directions v{};
   const unsigned s = given.degree;
@@ -148,8 +175,8 @@ constexpr Directions directions_of(const JoeKuo& given) {
   return v;
 }
 
-/// The coordinate that the bits of `index` choose.
-std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
+/// The XOR of the direction numbers of the bits that are set in `index`.
+constexpr std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
   std::uint32_t word = 0;
   for (unsigned k = 0; k < 32; ++k) word ^= v[k] & -(std::uint32_t(index) >> k & 1);
   return word;
@@ -161,22 +188,24 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 }
 }  // namespace definition
 
-// As in 5.2, a table covers the last 8 bits, and the bits above them contribute one word per block.
-// A double in [1, 2) consists of the exponent of 1, the 32 bits of the coordinate and 20 zeros. So
-// a value takes one load, one XOR, one subtraction of 1 and one store.
+// As in 5.2, a table covers the 8 lowest bits of the index, and the bits above them contribute one
+// word per block. A double in [1, 2) consists of the exponent of 1, the 32 bits of the coordinate
+// and 20 zeros. So a value costs one load, one XOR, one subtraction of 1 and one store.
 
 namespace {
 constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
 constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
+/// A coordinate's bits, moved to the top of the mantissa.
 constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
-/// The double whose first 32 bits after the point are `upper`, and whose last 21 bits are `lower`.
+/// The double in [0, 1) whose first 32 bits after the point are `upper`, and whose next 21 bits are
+/// `lower`.
 constexpr auto joined = [](std::uint64_t upper, std::uint64_t lower) {
   return number(bits(1) | upper << 20) - 1.5 + number(bits(0.5) | lower);
 };
 
 struct SobolTable {
   definition::Directions v;
-  std::array<std::uint64_t, 256> words;  ///< of the first indices, with the exponent of 1
+  std::array<std::uint64_t, 256> words;  ///< the doubles 1 + x of indices 0 … 255, as bits
 };
 
 constexpr auto sobol_tables = [] {
@@ -186,7 +215,8 @@ constexpr auto sobol_tables = [] {
     v = definition::directions_of(joe_kuo[d]);
     words[0] = bits(1);
     for (std::size_t i = 1; i < words.size(); ++i) {
-      words[i] = words[i & (i - 1)] ^ wide(v[std::size_t(std::countr_zero(i))]);  // its lowest bit
+      const auto lowest = std::size_t(std::countr_zero(i));  // a bit; words[i] without it is known
+      words[i] = words[i & (i - 1)] ^ wide(v[lowest]);
     }
   }
   return all;
@@ -194,17 +224,14 @@ constexpr auto sobol_tables = [] {
 }  // namespace
 
 void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
-  if (dimension >= joe_kuo.size()) throw std::invalid_argument("dimension: there are only 32");
+  if (dimension >= joe_kuo.size()) throw std::invalid_argument("dimension: must be below 32");
   require_indices(first, column.size(), 0xffffffffu);
   const auto& [v, words] = sobol_tables[dimension];
-  std::uint64_t n = first / 256;
-  for (std::size_t skip = first % 256; !column.empty(); skip = 0, ++n) {
-    const auto part = std::span(words).subspan(skip, std::min(256 - skip, column.size()));
-    const auto above = wide(definition::sobol_word(v, 256 * n));
-    const auto value = [=](std::uint64_t word) { return number(word ^ above) - 1; };
-    std::transform(part.begin(), part.end(), column.begin(), value);
-    column = column.subspan(part.size());
-  }
+  const auto value_in = [&v = v, block = first / 256](std::size_t k) {
+    const auto above = wide(definition::sobol_word(v, 256 * (block + k)));
+    return [=](std::uint64_t word) { return number(word ^ above) - 1; };
+  };
+  fill_by_blocks(column, first % 256, std::span<const std::uint64_t>(words), value_in);
 }
 
 // 5.6 --------------------------------------------------------------------------------------------
@@ -213,8 +240,8 @@ double star_discrepancy(std::span<const double> x) {
   std::vector<double> sorted(x.begin(), x.end());
   std::sort(sorted.begin(), sorted.end());
   const double n = double(x.size());
-  // The worst interval ends at a point: just before it, with i points inside, or just after it,
-  // with i + 1.
+  // The worst interval ends at a point x_i: either it is [0, x_i), with i points inside, or [0,
+  // x_i], with i + 1 points.
   double worst = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     worst = std::max({worst, sorted[i] - double(i) / n, double(i + 1) / n - sorted[i]});
@@ -226,12 +253,13 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
   require_points(x, "x");
   require_points(y, "y");
-  std::vector<std::array<double, 2>> points{{1, 1}};  // the last: where the square ends
+  std::vector<std::array<double, 2>> points{{1, 1}};  // the corner of the square
   for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
   std::sort(points.begin(), points.end());
-  // The worst box has its corner on coordinates of points, or on 1. From left to right, `ys` holds
-  // the points so far, sorted: up to the k-th of them a closed box that ends at `here` has k points
-  // or more; an open one that ends at `next` and the k + 1st, k or fewer. (k but for equal ones.)
+  // Each side of the worst box ends at a coordinate of a point, or at 1. Sweep from left to right;
+  // `ys` holds the y coordinates of the points so far, sorted, after a 0 and before a 1. The closed
+  // box up to (here, ys[k]) contains at least k points; the open box up to (next, ys[k + 1])
+  // contains at most k. (Both contain exactly k if all coordinates differ.)
   std::vector<double> ys{0, 1};
   double worst = 0, here = 0;
   for (const auto& [next, value] : points) {
@@ -259,7 +287,7 @@ void random_shift(PointSet& points, Rng& rng) {
 // 5.8 --------------------------------------------------------------------------------------------
 namespace definition {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
-  const std::uint64_t hashed = mix_bits(mix_bits(seed) + 1);  // seeds may follow each other
+  const std::uint64_t hashed = mix_bits(mix_bits(seed) + 1);  // seeds may be consecutive
   for (double& value : column) {
     const auto word = static_cast<std::uint64_t>(value * 0x1p53) << 11;
     std::uint64_t flips = 0;
@@ -272,16 +300,20 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 }  // namespace definition
 
-// The definition takes two hashes for each of 53 bits. Mirror the word instead: now additions and
-// multiplications flip each bit depending on those before it, since carries propagate upward
-// (Laine, Karras 2011). Two words that agree in k bits differ by 2^k times an odd number. z -> m z
-// + s with a random odd m makes it *any* odd number, a random s moves the pair anywhere, as nested
-// scrambling does: every variance, made of pairs, is Owen's. The fixed steps z -> z ^ z c, c even,
-// break up the lattice that three words would lie on (Vegdahl 2021; the handout has the kurtosis).
-// Four words are not quite independent: of the flips of the fourth bit, the product of four signs
-// has the mean -1/4 in the worst case, not 0. That is in no variance, only in fourth powers of
-// errors of few points. Vector registers multiply 32 bits at a time: a hash of these flips the
-// remaining 21, which are zero in Sobol' points.
+// The definition evaluates two hashes for each of 53 bits. In a mirrored word, where the first bit
+// is the lowest, additions and multiplications do the same at once: carries propagate upward, so
+// each bit is flipped depending on the bits before it (Laine, Karras 2011).
+//
+// * Two words that agree in exactly k bits differ by 2^k times an odd number. z -> m z + s with a
+//   random odd m makes that *any* odd number with equal probability, and a random s moves the pair
+//   anywhere, as nested scrambling does. A variance depends on pairs only, so it is Owen's.
+// * The fixed steps z -> z ^ z c with an even c break up the lattice on which three or more words
+//   would otherwise lie (Vegdahl 2021; the handout shows the kurtosis). Four words are still not
+//   quite independent: the product of the signs with which their fourth bits are flipped has mean
+//   -1/4 in the worst case, not 0. This affects no variance, only the fourth moment of the error of
+//   few points.
+// * Vector registers multiply 32 bits at a time. So the first 32 bits are scrambled like this, and
+//   a hash of them flips the remaining 21 bits, which are zero in Sobol' points.
 
 static constexpr std::uint32_t mirrored(std::uint32_t word) {
   word = (word >> 1 & 0x55555555u) | (word & 0x55555555u) << 1;
@@ -295,18 +327,19 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
   const std::uint64_t one = rng(), two = rng();
   const std::uint32_t m = std::uint32_t(one) | 1, s = std::uint32_t(one >> 32);
   const std::uint32_t a = std::uint32_t(two) | 1, b = std::uint32_t(two >> 32);
-  const auto scrambled = [=](std::uint32_t z) {  // the first 32 bits, mirrored
+  const auto scrambled = [=](std::uint32_t z) {  // z is the first 32 bits, mirrored
     z ^= z * 0x3d20adeau;
     z = z * m + s;
     z ^= z * 0x05526c56u;
     return z ^ z * 0x53a22864u;
   };
-  const auto lower = [=](std::uint32_t z) {  // a hash of them: its upper 21 bits flip the lower 21
+  const auto hash = [=](std::uint32_t z) {  // its upper 21 bits flip the lower 21 of a value
     z = (z ^ z >> 16) * a;
     return (z ^ z >> 15) * 0x846ca68bu + b;
   };
-  const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };  // past 32 bits, rounded
-  constexpr std::size_t block = 256;  // short loops fill a processor's registers better
+  // x minus x rounded to 32 bits. It is negative if x was rounded up.
+  const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };
+  constexpr std::size_t block = 256;  // short loops over a block are vectorized
   std::uint32_t words[block], flips[block];
   for (; !column.empty(); column = column.subspan(std::min(block, column.size()))) {
     double* const x = column.data();
@@ -316,12 +349,12 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
       words[i] = std::uint32_t(bits(x[i] + 0x1p20));
       longer |= bits(rest(x[i]));
     }
-    const std::size_t rests = longer == 0 ? 0 : size;  // Sobol' points have none
+    const std::size_t rests = longer == 0 ? 0 : size;  // 0 for Sobol' points: they have 32 bits
     for (std::size_t i = 0; i < rests; ++i) words[i] -= rest(x[i]) < 0;
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) words[i] = scrambled(words[i]);
-    for (std::size_t i = 0; i < size; ++i) flips[i] = lower(words[i]);
-    for (std::size_t i = 0; i < rests; ++i) {  // nested too; trailing zeros stay zeros
+    for (std::size_t i = 0; i < size; ++i) flips[i] = hash(words[i]);
+    for (std::size_t i = 0; i < rests; ++i) {  // nested, too
       const std::uint32_t last = mirrored(std::uint32_t(bits(rest(x[i]) + 0.75)) << 11);
       const std::uint64_t random = mix_bits(words[i] ^ one);
       const std::uint32_t odd = std::uint32_t(random) | 1, add = std::uint32_t(random >> 32);
@@ -335,13 +368,16 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
-// A value is a sum of whole numbers, in units of 2^-64 and modulo 1: the value of index 0, which is
-// a random word, and for each digit of the index what it adds to that. Whole numbers have the same
-// sum in any order, so a value is the same to the last bit in every column. The digits of the
-// random word are those that the permutations map 0 to, down to 2^-64.
+// A value is a sum of integers, in units of 2^-64 and modulo 1: the value of index 0, which is a
+// random word, and the change that each nonzero digit of the index makes to it. A sum of integers
+// does not depend on the order of its terms, so an index has the same value, to the last bit, in
+// every column. The digits of the random word are the images of 0 under the permutations, for all
+// positions down to 2^-64.
 
 namespace {
-/// What the digits at one position add to a value: a random permutation, as units of 2^-64.
+/// For one position of the digits: `row[digit]` becomes the change that `digit` makes to the value
+/// of index 0, in units of 2^-64. A digit at this position is worth `unit` (in units of 2^-128),
+/// and a random permutation maps 0 to `zero`.
 void fill_moves(std::span<std::uint64_t> row, std::size_t zero, unsigned __int128 unit, Rng rng) {
   std::iota(row.begin(), row.end(), 0u);
   std::swap(row[0], row[zero]);
@@ -355,15 +391,16 @@ void fill_moves(std::span<std::uint64_t> row, std::size_t zero, unsigned __int12
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
   require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  if (base > 65536) throw std::invalid_argument("base: must be at most 2^16");
   require_indices(first, column.size(), last_index);
   if (column.empty()) return;
   const std::uint64_t hashed = mix_bits(seed ^ mix_bits(base));
   const std::uint64_t value_of_zero = Rng(hashed)();
 
-  std::array<std::byte, 16384> stack;  // few points cost no more than a piece of memory does
+  // Memory on the stack: for few points, an allocation would cost more than everything else.
+  std::array<std::byte, 16384> stack;
   std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
-  std::pmr::vector<std::uint64_t> moves(&memory);  // of position 0, of position 1, …
+  std::pmr::vector<std::uint64_t> moves(&memory);  // a row of `base` entries per position
   moves.reserve(4 * base);
   auto unit = ~static_cast<unsigned __int128>(0);
   auto zeros = static_cast<unsigned __int128>(value_of_zero);
@@ -375,35 +412,34 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
                Rng(hashed + moves.size() / base));
   }
 
-  // As in 5.2, a table has the sums for the last digits, as many as are worth it.
-  constexpr std::size_t largest = 1024;
+  // As in 5.2, a table has the sums of the last digits: of the last one in any case, and of more
+  // while the table stays small.
   std::pmr::vector<std::uint64_t> table({value_of_zero}, &memory);
-  auto rows = std::span<const std::uint64_t>(moves);
-  while (table.size() < column.size() && (table.size() == 1 || table.size() * base <= largest)) {
+  auto rows = std::span<const std::uint64_t>(moves);  // of the digits before those in the table
+  while (table.size() < column.size() &&
+         (table.size() == 1 || table.size() * base <= largest_table)) {
     const std::size_t size = table.size();
     table.resize(size * base);
-    for (std::size_t digit = base; digit-- > 0;) {
-      const auto append = [move = rows[digit]](std::uint64_t sum) { return sum + move; };
-      std::transform(&table[0], &table[0] + size, &table[digit * size], append);
-    }
+    append_digit(table.data(), size, base, [=](unsigned digit) {
+      return [move = rows[digit]](std::uint64_t sum) { return sum + move; };
+    });
     rows = rows.subspan(base);
   }
-  std::uint64_t block = first / table.size();
-  for (std::size_t skip = first % table.size(); !column.empty(); skip = 0, ++block) {
+  const auto value_in = [=, block = first / table.size()](std::size_t k) {
     std::uint64_t above = 0, position = 0;
-    for (auto n = block; n > 0; n /= base) above += rows[position++ * base + n % base];
-    const auto part = std::span(table).subspan(skip, std::min(table.size() - skip, column.size()));
-    const auto value = [=](std::uint64_t sum) {
+    for (auto n = block + k; n > 0; n /= base) above += rows[position++ * base + n % base];
+    return [=](std::uint64_t sum) {
       return joined((sum + above) >> 32, (sum + above) >> 11 & 0x1fffff);
     };
-    std::transform(part.begin(), part.end(), column.begin(), value);
-    column = column.subspan(part.size());
-  }
+  };
+  fill_by_blocks(column, first % table.size(), std::span<const std::uint64_t>(table), value_in);
 }
 
 // 5.10 -------------------------------------------------------------------------------------------
 void lattice(PointSet& points, std::uint64_t seed) {
-  if (points.dims() > lattice_vector.size()) throw std::invalid_argument("points: 16 dimensions");
+  if (points.dims() > lattice_vector.size()) {
+    throw std::invalid_argument("points: more than 16 dimensions");
+  }
   const std::uint64_t n = points.size();
   for (std::size_t d = 0; d < points.dims(); ++d) {
     const auto x = points.column(d);
@@ -414,7 +450,7 @@ void lattice(PointSet& points, std::uint64_t seed) {
 }
 
 void tent(std::span<double> column) {
-  for (double& x : column) x = std::min(below_one, 2 * std::min(x, 1 - x));  // of 1/2: not 1
+  for (double& x : column) x = std::min(below_one, 2 * std::min(x, 1 - x));  // 1/2 gives no 1
 }
 
 }  // namespace mc

@@ -18,7 +18,7 @@ void require_samples(std::uint64_t n) {
   if (n == 0) throw std::invalid_argument("n: an estimate needs at least one sample");
 }
 
-/// What n values say about their expectation: their mean, and how far it is likely to be off.
+/// The estimate of an expectation from n values: their mean, and its standard error.
 Estimate mean_of(const Moments& values) {
   const double error = std::sqrt(variance(values) / static_cast<double>(values.count));
   return {values.mean, error, values.count};
@@ -50,7 +50,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 namespace {
 
 void require_rate(double rate) {
-  if (!(rate > 0)) throw std::invalid_argument("rate: must be positive");  // NaN is not either
+  if (!(rate > 0)) throw std::invalid_argument("rate: must be positive");  // also refuses NaN
 }
 
 void require_power(double a) {
@@ -97,9 +97,9 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 
 Interval confidence_interval(const Estimate& estimate, double level) {
   if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
-  const double outside = (1 - level) / 2;  // on either side
-  const double reach = -normal_quantile(outside) * estimate.standard_error;
-  return {estimate.value - reach, estimate.value + reach};
+  const double tail = (1 - level) / 2;  // the probability below the interval, and above it
+  const double half_width = -normal_quantile(tail) * estimate.standard_error;
+  return {estimate.value - half_width, estimate.value + half_width};
 }
 
 // 2.6 ---------------------------------------------------------------------------------------------
@@ -107,7 +107,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   if (!(target_error > 0)) throw std::invalid_argument("target_error: must be positive");
   if (pilot.n == 0 || std::isnan(pilot.standard_error)) {
-    throw std::invalid_argument("pilot: its standard error is not known");
+    throw std::invalid_argument("pilot: its standard error is unknown");
   }
   const double ratio = pilot.standard_error / target_error;
   const double n = std::ceil(static_cast<double>(pilot.n) * ratio * ratio);
@@ -125,7 +125,7 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
     const double x = light.x0 + width * to_unit(rng());
     const double y = light.y0 + depth * to_unit(rng());
     const double distance2 = x * x + y * y + light.height * light.height;
-    const double cosines = light.height * light.height / distance2;  // one at each end, equal
+    const double cosines = light.height * light.height / distance2;  // equal at both ends
     add(values, width * depth * light.radiance * cosines / distance2);
   }
   return mean_of(values);
@@ -135,10 +135,11 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
   require_samples(n);
   Moments values;
   for (std::uint64_t i = 0; i < n; ++i) {
-    // A uniform point of the unit disk, lifted to the hemisphere, has density cos / pi (Malley).
+    // A uniform point of the unit disk, projected up to the hemisphere, has density cos / pi
+    // (Malley).
     const double u = to_unit(rng());
     const double radius = std::sqrt(u), angle = 2 * std::numbers::pi * to_unit(rng());
-    const double scale = light.height / std::sqrt(1 - u);  // to where it meets the light's plane
+    const double scale = light.height / std::sqrt(1 - u);  // to the plane of the light
     const double x = radius * std::cos(angle) * scale;
     const double y = radius * std::sin(angle) * scale;
     const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
@@ -155,13 +156,13 @@ void uniforms(Rng& rng, std::span<double> out) {
 }
 }  // namespace definition
 
-// Vector units before AVX-512 can neither multiply 64-bit words, as the generator does, nor convert
-// them to double. There is a way around both:
+// Before AVX-512, vector units can neither multiply 64-bit words, as the generator does, nor
+// convert them to double. Both can be avoided:
 //
-// * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") only
-//   adds, shifts and XORs; it is designed for the upper 53 bits. Sixteen of them run in parallel,
-//   each from its own 256 random bits: four lanes fill a register, and no step waits for the one
-//   before it.
+// * xoshiro256+ (Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators") needs
+//   only additions, shifts, rotations and XORs; it is designed for generators of doubles, which use
+//   the upper 53 bits. Sixteen of them run in parallel, each from its own 256 random bits: four
+//   lanes fill a register, and the four registers do not wait for each other.
 // * A word becomes a double by writing its bits into the mantissas of two powers of two: the upper
 //   21 next to 2^31, whose last place is 2^-21, the lower 32 next to 1/2, whose last place is
 //   2^-53. Subtracting the powers is exact.
@@ -170,7 +171,7 @@ namespace {
 
 constexpr std::size_t lanes = 16;
 
-/// floor(bits / 2^11) 2^-53, without a conversion.
+/// floor(bits / 2^11) 2^-53, without a conversion from integer to double.
 double to_unit_by_mantissa(std::uint64_t bits) {
   const std::uint64_t upper = bits >> 43, lower = (bits >> 11) & 0xffffffffu;
   return (std::bit_cast<double>(std::bit_cast<std::uint64_t>(0x1p31) | upper) - (0x1p31 + 0.5)) +
@@ -181,13 +182,13 @@ double to_unit_by_mantissa(std::uint64_t bits) {
 
 void uniforms(Rng& rng, std::span<double> out) {
   std::size_t i = 0;
-  if (out.size() >= 8 * lanes) {  // below that, the seeds cost more than the numbers
+  if (out.size() >= 8 * lanes) {  // for fewer numbers, seeding costs more than it saves
     std::array<std::uint64_t, lanes> a, b, c, d;
     for (auto* const word : {&a, &b, &c, &d}) {
       for (std::uint64_t& seed : *word) seed = rng();
     }
     for (; i + lanes <= out.size(); i += lanes) {
-      double* const next = out.data() + i;  // a span's index may be checked, one by one
+      double* const next = out.data() + i;  // a span may check every index
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         next[lane] = to_unit_by_mantissa(a[lane] + d[lane]);
         const std::uint64_t shifted = b[lane] << 17;
@@ -200,9 +201,10 @@ void uniforms(Rng& rng, std::span<double> out) {
       }
     }
   }
-  // For few numbers, or the last ones: all words first, then all doubles, so that vector registers
-  // can do both. The generator is a counter: its words do not wait for each other, and a product of
-  // 64 bits is made of three of 32, which costs few numbers less than lanes would.
+  // The last numbers of a long span, or all numbers of a short one: first all words, then all
+  // doubles, so that both loops can use vector registers. The generator is a counter, so its words
+  // do not wait for each other. Vector units replace a 64-bit product by three 32-bit ones; for few
+  // numbers that costs less than seeding the lanes.
   std::uint64_t words[8 * lanes];
   double* const rest = out.data() + i;
   const std::size_t count = out.size() - i;

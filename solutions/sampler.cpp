@@ -1,5 +1,5 @@
-// Lab 6 · the sampler: the reference solution. The point sets of labs 3 to 5 fill columns; the
-// sampler makes a column when a scene first asks for it, and then steps through the samples.
+// Lab 6 · the sampler: the reference solution. A sample dimension is a column of numbers, filled by
+// a point set of labs 3 to 5 when it is first requested. The sampler then steps through its rows.
 
 #include "sampler.hpp"
 #include "common/choices.hpp"
@@ -16,21 +16,22 @@ namespace {
 
 // 6.1 ---------------------------------------------------------------------------------------------
 
-/// The first points of a sequence's dimensions, not randomized yet (6.3).
+/// The first points of a sequence in each of eight dimensions, not yet randomized (6.3).
 using Tables = std::array<std::vector<double>, 8>;
 
-/// A sample dimension, or two, asked for the first time in this integration.
+/// One sample dimension, or a pair, that is requested for the first time in this integration.
 struct SampleDimension {
-  /// How many came before it, next() and next2() counted separately.
+  /// How many were requested before, with next() and next2() counted separately.
   std::size_t number;
-  /// The dimension of the sequence, or the first of two, over all blocks (6.3).
+  /// Its dimension of the sequence, or the first of the pair, counted over all blocks (6.3).
   std::size_t of_sequence;
-  /// The order of its block's points; empty for the first block (6.3).
+  /// The order of the points in its block; empty for the first block (6.3).
   std::span<const std::uint32_t> order;
   Tables& tables;
 };
 
-/// A kind of sampler: how it fills the column of a next(), or the two columns of a next2().
+/// A kind of sampler: a function that fills the column of a next(), and one for the pair of columns
+/// of a next2().
 struct Kind {
   std::string_view name;
   void (*one)(const SampleDimension&, std::span<double> x, Rng&);
@@ -47,20 +48,20 @@ void independent2(const SampleDimension&, std::span<double> x, std::span<double>
 
 // 6.2 ---------------------------------------------------------------------------------------------
 
-constexpr std::size_t few = 4096;  // samples whose columns stay in a cache
+constexpr std::size_t few = 4096;  // columns of this many samples stay in the cache
 
 void stratified1(const SampleDimension&, std::span<double> x, Rng& rng) {
   stratified_1d(x, rng);
   shuffle(x, rng);
 }
 
-/// 6.8 Puts points into random order, x and y together. Many points are swapped column by column,
-/// which memory is faster at.
+/// 6.8  Puts points into random order, x and y together. Columns that do not fit into the cache are
+/// shuffled one after the other, which is faster there.
 void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
   if (x.size() > few) {
     Rng again = rng;
     shuffle(x, rng);
-    shuffle(y, again);  // the same numbers, so the same order: pairs stay together
+    shuffle(y, again);  // the same random numbers, so the same order
     return;
   }
   double *const xs = x.data(), *const ys = y.data();
@@ -79,16 +80,17 @@ void stratified2(const SampleDimension&, std::span<double> x, std::span<double> 
 
 // 6.3 ---------------------------------------------------------------------------------------------
 
-// Nested scrambling moves points within elementary intervals: cells that a pair of dimensions
-// leaves empty stay empty. Of Sobol' dimensions 6 and 7 the first 16 points leave 12 of 16 cells
-// empty. Of all pairs of the 32 dimensions eight leave no cell of a square grid empty at N = 4, 16,
-// 64, 256 and 1024: (0,1), (0,12), (0,13), (4,6), (7,13), (10,20), (15,21), (16,20). A block is
-// four of them, and a next2() gets one of these pairs, whatever next() came before it. If each call
-// took the next single dimension, a next() would shift all later pairs, and no order of eight
-// dimensions has good neighbors everywhere (four is the longest).
+// Nested scrambling maps elementary intervals to elementary intervals: it cannot fill cells that a
+// pair of dimensions leaves empty. The first 16 points of Sobol' dimensions 6 and 7 leave 12 of 16
+// cells empty. Among all pairs of the 32 dimensions, eight leave no cell of a square grid of N
+// cells empty at N = 4, 16, 64, 256 and 1024: (0,1), (0,12), (0,13), (4,6), (7,13), (10,20),
+// (15,21), (16,20). A block consists of four of these pairs, and every next2() gets one of them,
+// whatever calls of next() came before. If each call took the next single dimension instead, a
+// next() would shift all later pairs, and there is no order of eight dimensions in which all
+// neighbors are good pairs (at most four).
 //
-// Mean squared errors by those of independent samples, of exp(x + y + ...) (./lab bench sampler
-// --tables) and, of pairs, of a half-plane too:
+// Mean squared errors relative to independent samples, for exp(x + y + ...) (./lab bench sampler
+// --tables) and, for pairs, also for a half-plane:
 //
 //                                       N = 16      64       256      1024
 //   0 1 2 3 4 5 6 7      worst pair       1.1e-1   1.2e-3   1.6e-3   1.1e-5
@@ -100,22 +102,23 @@ void stratified2(const SampleDimension&, std::span<double> x, std::span<double> 
 //                        first four       1.9e-1   6.1e-3   2.0e-3   1.2e-4
 //                        all eight        4.9e-1   9.2e-2   3.2e-2   2.7e-2
 //
-// So integrands that are smooth in four or eight dimensions lose. But most pixels show edges in
-// pairs of dimensions, with few samples, and there the worst pair is no longer worse than
-// independent samples. Of the orders that begin with (0,1), (4,6) this one is among the two best in
-// four and eight dimensions, by the logarithms of such numbers.
+// So integrands that are smooth in four or eight dimensions lose accuracy. But most pixels have
+// edges in pairs of dimensions and few samples, and there even the worst pair is now better than
+// independent samples. Among the orders that begin with (0,1), (4,6), this is one of the two best
+// in four and eight dimensions, by the logarithms of such ratios.
 
-/// Halton's primes need no choice: digits are permuted, and the first are the smallest.
+/// The Halton sequence needs no such choice: its digits are permuted, and it takes the first
+/// primes.
 constexpr std::array<unsigned, 8> sobol_block{0, 1, 4, 6, 16, 20, 15, 21};
 constexpr std::size_t block = sobol_block.size();
 
-// Further dimensions are the same eight again, scrambled anew and with the points in another order,
-// so that each block is independent of the one before it. The columns of a block share their order,
-// which keeps its points together. It is a nested shuffle (Burley 2020): the first 2^k samples get
-// 2^k consecutive points, which are as good as the first 2^k.
+// Later blocks use the same eight dimensions with new scrambling and with the points in another
+// order, so that the blocks are independent of each other. The columns of one block share the
+// order, so that its points stay together. The order is a nested shuffle (Burley 2020): the first
+// 2^k samples get 2^k consecutive points, which are as well distributed as the first 2^k.
 
-/// Nested scrambling of the numbers 0, 1, … below `samples`, read as bits after the point: a bit
-/// is flipped depending on those before it.
+/// Nested scrambling of the numbers 0, 1, … samples - 1, with their bits placed after the point:
+/// each bit is flipped depending on the bits before it.
 std::vector<std::uint32_t> nested_order(std::size_t samples, std::uint64_t seed) {
   const auto size = double(std::bit_ceil(samples));
   std::vector<double> index(samples);
@@ -127,7 +130,8 @@ std::vector<std::uint32_t> nested_order(std::size_t samples, std::uint64_t seed)
   return order;
 }
 
-/// Lets `fill` write the points from 0 on, and x have them in the order of the block.
+/// Writes the points 0, 1, … to x in the order of the block. `fill(column)` writes them in
+/// sequence.
 template <class Fill>
 void in_order(const SampleDimension& dim, std::span<double> x, Fill fill) {
   if (dim.order.empty()) return fill(x);
@@ -137,8 +141,8 @@ void in_order(const SampleDimension& dim, std::span<double> x, Fill fill) {
                  [&](std::uint32_t index) { return all[index]; });
 }
 
-// 6.8 A picture needs the same few points in every pixel, each time scrambled anew, so short
-// columns are kept before they are scrambled.
+// 6.8  A picture with few samples needs the same few points in every pixel, with new scrambling. So
+// short columns are stored before they are scrambled.
 void sobol_points(std::size_t place, std::span<double> x, Tables& tables) {
   std::vector<double>& kept = tables[place];
   if (x.size() > few) return sobol(sobol_block[place], 0, x);
@@ -149,7 +153,7 @@ void sobol_points(std::size_t place, std::span<double> x, Tables& tables) {
   std::copy_n(kept.begin(), x.size(), x.begin());
 }
 
-/// The points of a dimension, randomized by `seed`.
+/// Fills x with the points in dimension `place` of the block, randomized by `seed`.
 using Randomized = void(const SampleDimension&, std::size_t place, std::span<double> x,
                         std::uint64_t seed);
 
@@ -159,9 +163,9 @@ void fill_sobol(const SampleDimension& dim, std::size_t place, std::span<double>
   owen_scramble(x, seed);
 }
 
-/// In base 2 a permutation of a digit flips a bit or does not, for all points alike: no more than a
-/// digital shift. Nested scrambling costs the same (5.8), and the radical inverses
-/// in base 2 are Sobol's dimension 0.
+/// In base 2, permuting a digit flips the bit in all points or in none, which is only a digital
+/// shift. Nested scrambling (5.8) is better at the same cost, and the radical inverses in base 2
+/// are dimension 0 of the Sobol' sequence.
 void fill_halton(const SampleDimension& dim, std::size_t place, std::span<double> x,
                  std::uint64_t seed) {
   if (place == 0) return fill_sobol(dim, 0, x, seed);
@@ -170,14 +174,15 @@ void fill_halton(const SampleDimension& dim, std::size_t place, std::span<double
            [&](std::span<double> all) { radical_inverses_scrambled(bases[place], 0, all, seed); });
 }
 
-/// Sobol's dimension 0 is phi, with so few bits that its products with z are exact.
+/// The radical inverse phi is dimension 0 of the Sobol' sequence. It has at most 32 bits, so its
+/// products with z are exact.
 void fill_lattice(const SampleDimension& dim, std::size_t place, std::span<double> x,
                   std::uint64_t seed) {
   in_order(dim, x, [&](std::span<double> all) { sobol_points(0, all, dim.tables); });
   const auto z = double(lattice_vector[place]), shift = to_unit(Rng(seed)());
   for (double& value : x) {
     value *= z;
-    value -= double(int(value));  // exact; a shift added before would lose digits
+    value -= double(int(value));  // exact, because the shift is not yet added
     value += shift;
     if (value >= 1) value -= 1;
     value = std::min(1 - 0x1p-53, 2 * std::min(value, 1 - value));
@@ -198,7 +203,7 @@ void two_of(const SampleDimension& dim, std::span<double> x, std::span<double> y
 
 void blue_noise2(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);
-  best_candidate(x, y, 1, rng);  // the first few of them are blue noise too, so no shuffle
+  best_candidate(x, y, 1, rng);  // no shuffle: any first few of them are blue noise, too
 }
 
 constexpr Kind kinds[] = {{"independent", independent1, independent2},
@@ -210,21 +215,22 @@ constexpr Kind kinds[] = {{"independent", independent1, independent2},
 
 // 6.4 ---------------------------------------------------------------------------------------------
 
-// 6.8 What a number costs: the vectorized loops of labs 2 to 5 make a whole column when a sample
-// dimension is first used. After that a number costs its virtual call, one comparison and two
-// loads, by data(), since a vector's index may be checked. `ready_` is how many dimensions have
-// columns, and 0 where there is no sample, so one comparison answers both questions. Rare work is
-// in separate functions, or the compiler would save registers for it in every next(). Columns
-// keep their memory from one integration to the next: a picture has one integration per pixel.
+// 6.8  The cost of a number: when a sample dimension is first requested, the vectorized loops of
+// labs 2 to 5 fill the whole column. After that, a number costs its virtual call, one comparison
+// and two loads (by data(), since a vector may check every index). `ready_` is the number of
+// columns, or 0 if there is no current sample, so that one comparison covers both cases. Rare work
+// is in separate functions: otherwise the compiler would save registers for it in every next().
+// Columns keep their memory from one integration to the next, since a picture has one integration
+// per pixel.
 
 class ColumnSampler final : public Sampler {
  public:
-  explicit ColumnSampler(const Kind& kind) : of_many_(kind) {}
+  explicit ColumnSampler(const Kind& kind) : requested_kind_(kind) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
-    if (samples == 0) throw std::invalid_argument("samples: there are none");
-    if (samples > most_samples) throw std::invalid_argument("samples: more than memory may hold");
-    kind_ = samples == 1 ? &kinds[0] : &of_many_;  // a single sample is uniform, whatever the kind
+    if (samples == 0) throw std::invalid_argument("samples: must be positive");
+    if (samples > most_samples) throw std::invalid_argument("samples: more than most_samples");
+    kind_ = samples == 1 ? &kinds[0] : &requested_kind_;  // one sample is just uniform
     samples_ = samples;
     rng_ = Rng(seed);
     sample_ = next_ = next2_ = ready_ = ready2_ = dimension_ = half_ = 0;
@@ -256,7 +262,7 @@ class ColumnSampler final : public Sampler {
     require_sample();
     if (ready_ == ones_.size()) ones_.emplace_back();
     ones_[ready_].resize(samples_);
-    kind_->one(taking(1, ready_), ones_[ready_], rng_);
+    kind_->one(assign(1, ready_), ones_[ready_], rng_);
     ++ready_;
     return next();
   }
@@ -267,14 +273,14 @@ class ColumnSampler final : public Sampler {
     Pair& pair = twos_[ready2_];
     pair.x.resize(samples_);
     pair.y.resize(samples_);
-    kind_->two(taking(2, ready2_), pair.x, pair.y, rng_);
+    kind_->two(assign(2, ready2_), pair.x, pair.y, rng_);
     ++ready2_;
     return next2();
   }
 
-  /// The sample dimension that takes the next pair of the sequence, or half of one. After the last
-  /// pair of a block the next block begins; a half that is left over then stays unused.
-  SampleDimension taking(std::size_t count, std::size_t number) {
+  /// Assigns the next pair of the sequence, or half of a pair if `count` is 1, to a sample
+  /// dimension. After the last pair of a block a new block begins; an unused half is then dropped.
+  SampleDimension assign(std::size_t count, std::size_t number) {
     std::size_t dimension = half_;
     if (count == 1 && half_ > 0) {
       half_ = 0;
@@ -292,19 +298,19 @@ class ColumnSampler final : public Sampler {
 
   void require_sample() const {
     if (sample_ < samples_) return;
-    throw std::out_of_range(samples_ == 0 ? "no samples yet: generate() comes first"
-                                          : "all samples are done: generate() makes new ones");
+    throw std::out_of_range(samples_ == 0 ? "no samples yet: call generate() first"
+                                          : "no samples left: call generate() for new ones");
   }
 
-  const Kind& of_many_;
-  const Kind* kind_ = nullptr;  // of_many_, or independent for one sample
+  const Kind& requested_kind_;
+  const Kind* kind_ = nullptr;  // requested_kind_, or independent for one sample
   Rng rng_{0};
-  std::size_t samples_ = 0, sample_ = 0;  // how many there are, and which this is
-  std::size_t next_ = 0, next2_ = 0;      // uses that this sample has asked for
-  std::size_t ready_ = 0, ready2_ = 0;    // uses that have columns; none after the last sample
-  std::size_t dimension_ = 0;             // of a sequence: the first of the next pair
-  std::size_t half_ = 0;                  // the other half of a pair that a next() began, or 0
-  std::vector<std::uint32_t> order_;      // of the block's points; none in the first block
+  std::size_t samples_ = 0, sample_ = 0;  // their number, and the current one
+  std::size_t next_ = 0, next2_ = 0;      // calls made by the current sample
+  std::size_t ready_ = 0, ready2_ = 0;    // valid columns; 0 after the last sample
+  std::size_t dimension_ = 0;             // first dimension of the sequence's next pair
+  std::size_t half_ = 0;                  // the unused half of a pair, or 0
+  std::vector<std::uint32_t> order_;      // of the points in this block; empty in the first
   Tables tables_;
   std::vector<std::vector<double>> ones_;
   std::vector<Pair> twos_;
@@ -318,7 +324,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
     if (known.name == kind) return std::make_unique<ColumnSampler>(known);
     names += ' ' + std::string(known.name);
   }
-  throw std::invalid_argument("kind: there is no '" + std::string(kind) + "', only" + names);
+  throw std::invalid_argument("kind: '" + std::string(kind) + "' is unknown; known kinds:" + names);
 }
 
 // 6.5 ---------------------------------------------------------------------------------------------
@@ -333,9 +339,9 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 // 6.6 ---------------------------------------------------------------------------------------------
 
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (spp == 0) throw std::invalid_argument("spp: must be positive");
   if (scene.width > 0 && scene.height > most_samples / scene.width) {
-    throw std::invalid_argument("scene: more pixels than memory may hold");
+    throw std::invalid_argument("scene: more than most_samples pixels");
   }
   Image image{scene.width, scene.height, {}};
   image.pixels.reserve(scene.width * scene.height);

@@ -1,5 +1,5 @@
-// Lab 3 · stratification: the reference solution. Speed tasks have their definitions
-// first, then a faster version with the reason why it is faster.
+// Lab 3 · stratification: the reference solution. A speed task has its definition first, then a
+// faster version with the reason why it is faster.
 
 #include "stratification.hpp"
 #include "common/choices.hpp"
@@ -19,23 +19,23 @@ namespace mc {
 // 3.9 ---------------------------------------------------------------------------------------------
 
 namespace definition {
-/// Maps u in [0, 1) to stratum i of n. Sum and quotient may be rounded up to the upper edge of the
-/// stratum; the result is then the double just below it.
+/// Maps u in [0, 1) to stratum i of n. The sum or the quotient may be rounded up to the upper edge
+/// of the stratum; the result is then the double just below the edge.
 double in_stratum(std::size_t i, std::size_t n, double u) {
   const auto stratum = static_cast<double>(i), strata = static_cast<double>(n);
   return std::min((stratum + u) / strata, std::nextafter((stratum + 1) / strata, 0.0));
 }
 }  // namespace definition
 
-// The definition needs two divisions and, in 3.1 and 3.3, one call of the generator per number, one
-// after the other. Here nothing is divided or clamped, and no number waits for another:
+// The definition needs two divisions per number and, in 3.1 and 3.3, one call of the generator, one
+// after another. The faster version neither divides nor clamps, and no number waits for another:
 //
-// * The jitter keeps away from both edges of its stratum, by 2^-50 of the whole axis: more than all
-//   rounding errors together. So no value reaches an edge, and the rounded factor 1/n is accurate
-//   enough.
-// * Random numbers are drawn many at a time (2.8), in blocks that stay in the first-level cache
-//   until they have been moved to their strata.
-// * A stratum's number is an int within its block: vector registers convert those to double.
+// * The jitter keeps a margin from both edges of its stratum, 2^-50 of the whole axis, which is
+//   more than the sum of all rounding errors. So no value reaches an edge, and multiplying by the
+//   rounded 1/n is accurate enough.
+// * Random numbers are generated in blocks (2.8), which stay in the first-level cache until they
+//   have been moved into their strata.
+// * Within a block, the number of a stratum is an int, which vector units can convert to double.
 
 namespace {
 
@@ -49,15 +49,16 @@ class Strata {
         scale_(1 - 2 * margin_),
         width_(1 / static_cast<double>(n)) {}
 
-  /// Maps u in [0,1) to stratum i. Jitter, sum, width, product, and the edge
-  /// that it must not reach, are rounded by 2^-53 of the axis each, at most: 5 of the margin's 8.
+  /// Maps u in [0,1) to stratum i. Five quantities are rounded, each by at most 2^-53 of the axis:
+  /// the jitter, the sum, the width, the product, and the edge that must not be reached. The margin
+  /// is 8 * 2^-53.
   double place(double i, double u) const { return (i + (margin_ + scale_ * u)) * width_; }
 
  private:
-  double margin_, scale_, width_;  // the first two in strata, the last one of [0,1)
+  double margin_, scale_, width_;  // in units of a stratum, a factor, in units of the axis
 };
 
-/// Moves the values of `u`, in [0,1), to the strata first, first + 1, …
+/// Moves the values of `u`, each in [0,1), into the strata first, first + 1, …
 void move_into(const Strata& strata, std::size_t first, std::span<double> u) {
   const auto start = static_cast<double>(first);
   double* const x = u.data();
@@ -86,7 +87,7 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 // 3.2 ---------------------------------------------------------------------------------------------
 
 Grid strata(std::size_t n) {
-  if (n == 0) throw std::invalid_argument("n: there are no strata");
+  if (n == 0) throw std::invalid_argument("n: must be positive");
   auto ny = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
   while (n % ny != 0) --ny;  // 1 divides everything
   return {n / ny, ny};
@@ -98,8 +99,8 @@ namespace {
 
 void require_grid(std::span<const double> x, std::span<const double> y, Grid grid) {
   if (x.size() != y.size()) throw std::invalid_argument("x and y: sizes differ");
-  if (grid.nx == 0 || grid.ny == 0) throw std::invalid_argument("grid: it has no cells");
-  // Do not compare with the product: it may overflow 64 bits and look right.
+  if (grid.nx == 0 || grid.ny == 0) throw std::invalid_argument("grid: nx and ny must be positive");
+  // Do not compare with the product nx * ny: it may overflow and be equal by chance.
   if (x.size() % grid.nx != 0 || x.size() / grid.nx != grid.ny) {
     throw std::invalid_argument("grid: nx * ny is not the number of points");
   }
@@ -118,7 +119,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
   const Strata columns(grid.nx), rows(grid.ny);
-  std::size_t column = 0, row = 0;  // of the next cell: they come row by row
+  std::size_t column = 0, row = 0;  // of the next cell, row by row
   for (std::size_t first = 0; first < x.size(); first += block_size) {
     const std::size_t end = std::min(first + block_size, x.size());
     uniforms(rng, x.subspan(first, end - first));
@@ -140,9 +141,10 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 
 namespace {
 
-/// Puts n things into random order, by `swap` of two of their numbers: which of the first n comes
-/// last, which of the others before it, and so on. Choices are made ahead of the swaps: where
-/// things are too many for a cache, a processor fetches many of them at a time.
+/// Fisher-Yates: puts n items into random order. `swap(i, j)` exchanges two items. First a random
+/// one of all n items becomes the last one, then a random one of the other n - 1 becomes the one
+/// before it, and so on. Random numbers are drawn ahead of the swaps, so that a processor can fetch
+/// many items at once when they do not fit into the cache.
 void shuffle_by(auto swap, std::size_t n, Rng& rng) {
   std::array<std::size_t, 64> ahead;
   for (Choices any(rng); n > 1;) {
@@ -155,7 +157,7 @@ void shuffle_by(auto swap, std::size_t n, Rng& rng) {
 }  // namespace
 
 void shuffle(std::span<double> values, Rng& rng) {
-  double* const x = values.data();  // a span's index may be checked, one by one
+  double* const x = values.data();  // a span may check every index
   shuffle_by([x](std::size_t i, std::size_t j) { std::swap(x[i], x[j]); }, values.size(), rng);
 }
 
@@ -164,7 +166,7 @@ void stratified(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d + odd < points.dims(); d += 2) {
     const auto x = points.column(d), y = points.column(d + 1);
     stratified_2d(x, y, strata(n), rng);
-    const auto swap = [&](std::size_t i, std::size_t j) {  // pairs stay together
+    const auto swap = [&](std::size_t i, std::size_t j) {  // x and y of a point stay together
       std::swap(x[i], x[j]);
       std::swap(y[i], y[j]);
     };
@@ -180,8 +182,8 @@ void stratified(PointSet& points, Rng& rng) {
 // 3.5 ---------------------------------------------------------------------------------------------
 
 void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
-  if (per_axis == 0) throw std::invalid_argument("per_axis: there are no strata");
-  std::size_t rest = points.size();  // divided, since the power may be too large for 64 bits
+  if (per_axis == 0) throw std::invalid_argument("per_axis: must be positive");
+  std::size_t rest = points.size();  // divide, since the power may overflow
   bool divides = true;
   for (std::size_t d = 0; d < points.dims(); ++d) {
     divides = divides && rest % per_axis == 0;
@@ -191,8 +193,8 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
     throw std::invalid_argument("per_axis: per_axis^dims is not the number of points");
   }
 
-  // Point k lies in cell k: its stratum along axis d is digit d of k in base per_axis, which stays
-  // for per_axis^d points and then moves on.
+  // Point k lies in cell k. Its stratum along axis d is digit d of k in base per_axis, which is the
+  // same for per_axis^d consecutive points.
   const Strata strata(per_axis);
   std::size_t stride = 1;
   for (std::size_t d = 0; d < points.dims(); ++d, stride *= per_axis) {
@@ -219,20 +221,21 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 
 // 3.7 ---------------------------------------------------------------------------------------------
 
-// A column of cells has ny of the N strata of x, one per cell, assigned by a random permutation for
-// each column. A row of cells has nx strata of y, assigned in the same way.
+// A column of cells contains ny of the N strata of x; a random permutation assigns one of them to
+// each cell. In the same way, a row of cells contains nx strata of y.
 //
-// That is N random numbers for each axis. If all columns share one permutation (Kensler 2013), all
-// points of a row lie at the same place in their cells: their errors add up and fall as N^-3/4
-// instead of N^-1. So let each column begin the shared permutation at a random place. Then any two
-// points lie as they would with independent permutations (in one column: as two entries of a
-// random permutation; in two columns: independently), and the variance of an estimate, which is
-// made of pairs, is the same for every integrand, for the price of one number per column.
-// docs/multi-jittered.md has the proof.
+// An independent permutation for each column takes N random numbers per axis. If all columns share
+// one permutation (Kensler 2013), the points of a row lie at the same place in their cells: their
+// errors add up, and the RMSE falls as N^-3/4 instead of N^-1. So each column uses the shared
+// permutation from a random start. Then any two points have the same joint distribution as with
+// independent permutations (in one column: two entries of a random permutation; in different
+// columns: independent). The variance of an estimate depends on pairs only, so it is the same for
+// every integrand, and it costs one random number per column. docs/multi-jittered.md has the proof.
 
 namespace {
 
-/// A random permutation of 0 … n-1, twice, so that it may begin at any of its first n entries.
+/// Writes a random permutation of 0 … n-1 twice in a row, n = order.size() / 2, so that n entries
+/// can be read from any start below n.
 void permute_twice(std::span<double> order, Rng& rng) {
   const auto once = order.first(order.size() / 2);
   std::iota(once.begin(), once.end(), 0.0);
@@ -245,19 +248,19 @@ void permute_twice(std::span<double> order, Rng& rng) {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   require_grid(x, y, grid);
   const std::size_t nx = grid.nx, ny = grid.ny;
-  // On the stack where they are few: few points cost no more than a piece of memory does.
+  // Memory on the stack: for few points, an allocation would cost more than everything else.
   std::array<std::byte, 2048> stack;
   std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
   std::pmr::vector<double> in_column(2 * ny, &memory), in_row(2 * nx, &memory);
   permute_twice(in_column, rng);
   permute_twice(in_row, rng);
-  std::pmr::vector<std::size_t> row_begins(ny, &memory);
+  std::pmr::vector<std::size_t> row_starts(ny, &memory);
   Choices any(rng);
-  for (std::size_t& begin : row_begins) begin = any.below(nx);
+  for (std::size_t& start : row_starts) start = any.below(nx);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
-  const std::size_t* const begins = row_begins.data();
+  const std::size_t* const starts = row_starts.data();
   for (std::size_t i = 0; i < nx; ++i) {  // column by column of cells
     double *const column_x = x.data() + i * ny, *const column_y = y.data() + i * ny;
     const double* const stratum = in_column.data() + any.below(ny);
@@ -266,7 +269,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
     const double* const in_rows = in_row.data() + i;
     for (std::size_t j = 0; j < ny; ++j) {
       const auto row = static_cast<double>(static_cast<std::int64_t>(j * nx));
-      column_y[j] = all.place(row + in_rows[begins[j]], column_y[j]);
+      column_y[j] = all.place(row + in_rows[starts[j]], column_y[j]);
     }
   }
 }
@@ -275,11 +278,11 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {
-  if (n == 0) throw std::invalid_argument("n: there are no points");
-  if (replicates == 0) throw std::invalid_argument("replicates: there are none");
+  if (n == 0) throw std::invalid_argument("n: must be positive");
+  if (replicates == 0) throw std::invalid_argument("replicates: must be positive");
   PointSet points(n, g.dims);
   std::vector<double> point(g.dims);
-  Moments means;  // of the replicates: their means are independent, the points in them are not
+  Moments means;  // of the replicates, which are independent; the points within one are not
   for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
     generator(points, rng);
     Moments values;

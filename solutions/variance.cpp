@@ -23,10 +23,11 @@ double mean(std::span<const double> x) {
   const auto n = static_cast<double>(x.size());
   double sum = 0;
   for (double value : x) sum += value;
-  if (std::isfinite(sum)) return sum / n;  // 0/0 is NaN: the mean of nothing
+  if (std::isfinite(sum)) return sum / n;  // 0/0 is NaN: the mean of an empty list
 
-  // The sum overflowed; a running mean does not, since it stays between the smallest value and the
-  // largest. Shares x / n are rounded: three of the largest double add up to infinity.
+  // The sum overflowed. A running mean does not overflow, since it stays between the smallest and
+  // the largest value. A sum of the quotients x / n would not do: they are rounded, and for three
+  // values equal to the largest double they add up to infinity.
   double running = 0, count = 0;
   for (double value : x) {
     ++count;
@@ -89,13 +90,14 @@ Moments merge(const Moments& a, const Moments& b) {
   const auto n_a = static_cast<double>(a.count);
   const auto n_b = static_cast<double>(b.count);
   const double share = n_b / (n_a + n_b);
-  const double apart = b.mean - a.mean;
-  return {a.count + b.count,
-          // From the larger part's mean: a small step is a small rounding error. Two shares, since
-          // the distance of two means may overflow where the step does not.
-          a.mean + (b.mean * share - a.mean * share),
-          // The weight first: the square of a small distance may be less than any double.
-          a.m2 + b.m2 + apart * (n_a * share) * apart};
+  const double distance = b.mean - a.mean;
+  return {
+      a.count + b.count,
+      // Start from the larger part's mean: the step is then small, and so is its rounding error.
+      // Each mean is weighted separately, since their distance may overflow.
+      a.mean + (b.mean * share - a.mean * share),
+      // Multiply by the weight first: the square of a small distance may underflow.
+      a.m2 + b.m2 + distance * (n_a * share) * distance};
 }
 
 // 1.6 ---------------------------------------------------------------------------------------------
@@ -114,13 +116,13 @@ double covariance(std::span<const double> x, std::span<const double> y) {
     deviations_x += x[i] - mean_x;
     deviations_y += y[i] - mean_y;
   }
-  return (products - deviations_x * deviations_y / n) / (n - 1);  // corrected as 1.3 is
+  return (products - deviations_x * deviations_y / n) / (n - 1);  // corrected as in 1.3
 }
 
 // 1.7 ---------------------------------------------------------------------------------------------
 
 double dependence(std::span<const double> joint, std::size_t columns) {
-  if (columns == 0) throw std::invalid_argument("columns: there are none");
+  if (columns == 0) throw std::invalid_argument("columns: must be positive");
   if (joint.size() % columns != 0) throw std::invalid_argument("joint: the last row is ragged");
   double total = 0;
   for (double weight : joint) {
@@ -154,25 +156,26 @@ Moments moments(std::span<const double> x) {
 }
 }  // namespace definition
 
-// Each step above waits for a division, which waits for the step before it. Here the additions are
-// independent:
+// Each step of the definition waits for a division, which waits for the previous step. In the
+// faster version the additions are independent:
 //
-// * All deviations are from one shift, a value near the data. Then sums of d and of d^2 are enough,
-//   which is the textbook formula again. Its relative error grows with (mean - shift)^2 / variance,
-//   which is large for shift = 0 and small for a shift near the mean.
-// * Both sums run in independent lanes, several to a vector register. A single sum would wait four
-//   cycles for each addition to finish before it could begin the next.
-// * Blocks are short, so that no sum collects many rounding errors, and they are merged as in 1.5.
-//   Their means stay offsets from the shift until the end: near 1e9 a mean is rounded to 1e-7, a
-//   small offset to far less.
+// * All deviations d are from one shift, a value near the data. Then the sums of d and of d^2 are
+//   enough; this is the textbook formula again. Its relative error grows with (mean - shift)^2 /
+//   variance, which can be large for shift = 0 and is small for a shift near the mean.
+// * Both sums are split into independent lanes, several per vector register. A single sum would
+//   have to wait four cycles for each addition before it could start the next.
+// * Blocks are short, so that no sum accumulates many rounding errors, and they are merged as in
+//   1.5. Until the end their means are stored as offsets from the shift: near 1e9 a mean is rounded
+//   to 1e-7, a small offset to far less.
 
 namespace {
 
 constexpr std::size_t block_size = 4096;
 
-/// A value near the data, and near it even if one value is far off: the mean of 32 of them, spread
-/// over the data, without the smallest and the largest. Of up to 64 values, the mean of four will
-/// do: if one of the four is off by D, n (D/4)^2 are lost of about D^2, a factor of 4.
+/// A value near the data, even if the data have an outlier: the mean of 32 values spread over the
+/// list, without the smallest and the largest of them. For up to 64 values, the mean of four is
+/// enough: if one of the four is an outlier at distance D, the shift is off by D/4, which adds n
+/// (D/4)^2 <= 4 D^2 to squares whose sum is about D^2.
 double shift_near(std::span<const double> x) {
   constexpr std::size_t count = 32;
   const std::size_t n = x.size();
@@ -189,9 +192,9 @@ double shift_near(std::span<const double> x) {
   return sum - smallest * share - largest * share;
 }
 
-/// A register of doubles, which are added and multiplied at once, by an extension that GCC and
-/// Clang share: arrays as in 2.8 would stay in memory, and take five times as long. Four sums in
-/// turn, since an addition takes four cycles.
+/// A vector register of doubles, by an extension of GCC and Clang. (Arrays as in 2.8 would stay in
+/// memory, which takes five times as long.) Four registers take turns, since an addition has a
+/// latency of four cycles.
 #ifdef __AVX__
 constexpr std::size_t lanes = 4, in_turn = 4;
 #else

@@ -12,11 +12,11 @@
 
 namespace mc {
 
-/// An example of style, and no task: p, moved by (dx, dy) on the torus.
+/// An example of style, not a task: p, moved by (dx, dy) on the torus.
 [[maybe_unused]] static Point2 moved(Point2 p, double dx, double dy) {
   const auto wrapped = [](double t) {
     t -= std::floor(t);
-    return t < 1 ? t : 0;  // -1e-20 + 1 is 1 in double, and on the torus 1 is 0
+    return t < 1 ? t : 0;  // -1e-20 + 1 rounds to 1, which is 0 on the torus
   };
   return {wrapped(p.x + dx), wrapped(p.y + dy)};
 }

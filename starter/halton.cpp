@@ -13,7 +13,7 @@
 
 namespace mc {
 
-/// An example of style, and no task: the digits of the index, the last one first; none for 0.
+/// An example of style, not a task: the digits of the index, starting with the last one; none for 0.
 [[maybe_unused]] static std::vector<unsigned> digits(unsigned base, std::uint64_t index) {
   if (base < 2) throw std::invalid_argument("base: must be at least 2");
   std::vector<unsigned> result;
@@ -67,7 +67,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }
 
 void lattice(PointSet& points, std::uint64_t seed) {
-  throw todo("5.10");  // TODO(5.10): i z / N modulo 1, shifted as in 5.7; a stretch, without points
+  throw todo("5.10");  // TODO(5.10): i z / N modulo 1, shifted as in 5.7 (a stretch task)
 }
 
 void tent(std::span<double> column) {

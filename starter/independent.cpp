@@ -13,9 +13,9 @@
 
 namespace mc {
 
-/// An example of style, and no task: the density at x of the uniform distribution on [low, high).
+/// An example of style, not a task: the density at x of the uniform distribution on [low, high).
 [[maybe_unused]] static double pdf_uniform(double x, double low, double high) {
-  if (!(low < high)) {  // also if one of them is NaN
+  if (!(low < high)) {  // also true if one of them is NaN
     throw std::invalid_argument("low: must be less than high");
   }
   return x >= low && x < high ? 1 / (high - low) : 0;

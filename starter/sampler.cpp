@@ -12,13 +12,13 @@
 
 namespace mc {
 
-/// An example of style, and no task: a sampler whose every coordinate is 1/2. Pictures by it have
-/// no noise, and are wrong.
+/// An example of style, not a task: a sampler that always returns 1/2. Its pictures have no
+/// noise, but they are wrong.
 class [[maybe_unused]] Middle : public Sampler {
  public:
   void generate(std::size_t samples, std::uint64_t) override { left_ = samples; }
   double next() override {
-    if (left_ == 0) throw std::out_of_range("next: there are no more samples");
+    if (left_ == 0) throw std::out_of_range("next: no samples left");
     return 0.5;
   }
   Point2 next2() override { return {next(), next()}; }
@@ -27,7 +27,7 @@ class [[maybe_unused]] Middle : public Sampler {
   }
 
  private:
-  std::size_t left_ = 0;  ///< samples, this one included
+  std::size_t left_ = 0;  ///< samples left, including the current one
 };
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {

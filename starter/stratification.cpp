@@ -13,10 +13,9 @@
 
 namespace mc {
 
-/// An example of style, and no task: how many of the points lie in [x.low, x.high) x [y.low,
-/// y.high).
+/// An example of style, not a task: the number of points in [x.low, x.high) x [y.low, y.high).
 [[maybe_unused]] static std::size_t count_in_box(const PointSet& points, Interval x, Interval y) {
-  if (points.dims() < 2) throw std::invalid_argument("points: two dimensions are needed");
+  if (points.dims() < 2) throw std::invalid_argument("points: must have at least two dimensions");
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double px = points.column(0)[i];
@@ -39,7 +38,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }
 
 void shuffle(std::span<double> x, Rng& rng) {
-  throw todo("3.4");  // TODO(3.4): swap each value with itself or one not yet placed
+  throw todo("3.4");  // TODO(3.4): swap each value with itself or with one not yet placed
 }
 
 void stratified(PointSet& points, Rng& rng) {

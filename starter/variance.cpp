@@ -14,16 +14,16 @@
 
 namespace mc {
 
-/// An example of style, and no task: the largest value minus the smallest; NaN for no values.
+/// An example of style, not a task: the largest value minus the smallest; NaN for no values.
 [[maybe_unused]] static double range(std::span<const double> x) {
   if (x.empty()) return std::numeric_limits<double>::quiet_NaN();
   double low = x[0], high = x[0];
   for (const double value : x) {
-    if (std::isnan(value)) return value;  // min and max would skip it: comparisons are false
+    if (std::isnan(value)) return value;  // min and max would skip it: its comparisons are false
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  return high - low;  // may be infinite, and then no double is closer
+  return high - low;  // infinite if the difference is too large for a double
 }
 
 double mean(std::span<const double> x) {

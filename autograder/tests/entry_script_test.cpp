@@ -274,8 +274,8 @@ TEST_CASE("--first does not stop at a stretch task that is not written", "[scrip
   remove_from(
       text,
       ",\n                          {\"lattice\", one_of<fill_lattice>, two_of<fill_lattice>}");
-  remove_from(text,
-              "    if (samples == 0) throw std::invalid_argument(\"samples: there are none\");\n");
+  remove_from(
+      text, "    if (samples == 0) throw std::invalid_argument(\"samples: must be positive\");\n");
   write_text(file, text);
   const auto run = lab({"check", "sampler", file.parent_path().string(), "--first"});
   CHECK(contains(run.output, "✗ 6.4 0 samples and too many are refused"));

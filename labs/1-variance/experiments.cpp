@@ -60,7 +60,7 @@ double variance_of(Moments moments) {
 }
 
 Moments stream(Moments moments, std::vector<double> x, std::uint64_t count) {
-  if (x.empty()) throw std::invalid_argument("x: there are no values to add");
+  if (x.empty()) throw std::invalid_argument("x: no values to add");
   std::size_t next = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
     add(moments, x[next]);
@@ -111,7 +111,7 @@ double variance_by(unsigned task, std::span<const double> x) {
 }  // namespace
 
 std::vector<double> variances(unsigned task, std::vector<double> x, std::uint64_t size) {
-  if (size == 0) throw std::invalid_argument("size: parts of no values");
+  if (size == 0) throw std::invalid_argument("size: must be positive");
   std::vector<double> all;
   std::span<const double> left = x;
   for (; left.size() >= size; left = left.subspan(size)) {
@@ -121,7 +121,7 @@ std::vector<double> variances(unsigned task, std::vector<double> x, std::uint64_
 }
 
 double repeat(unsigned task, std::vector<double> x, std::uint64_t rounds, std::uint64_t seed) {
-  if (x.empty()) throw std::invalid_argument("x: there are no values");
+  if (x.empty()) throw std::invalid_argument("x: no values");
   const std::vector<double> original = x;
   Rng changes(seed);
   double sum = 0;
@@ -154,21 +154,21 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(welford, "x", "1.4  moments after add() of each value of x"),
       MC_EXPERIMENT(variance_of, "moments", "1.4  variance() of given moments"),
       MC_EXPERIMENT(stream, "moments x count",
-                    "1.4  add() of count values (x over and over) to moments"),
+                    "1.4  moments after count calls of add(), with x repeated"),
       MC_EXPERIMENT(merge, "a b", "1.5  merge() of two moments"),
       MC_EXPERIMENT(merge_parts, "x sizes",
-                    "1.5  add() of x in parts of these sizes, each merged into the whole"),
+                    "1.5  moments of x, computed in parts of these sizes and merged"),
       MC_EXPERIMENT(covariance, "x y", "1.6  covariance of the pairs (x[i], y[i])"),
       MC_EXPERIMENT(dependence, "joint columns",
-                    "1.7  dependence of a joint table of weights, row by row"),
-      MC_EXPERIMENT(moments, "x", "1.8  moments of x, all at once"),
+                    "1.7  dependence of a joint table of weights, stored row by row"),
+      MC_EXPERIMENT(moments, "x", "1.8  moments of x in one call"),
       MC_EXPERIMENT(variances, "task x size",
-                    "variance by task 1.task of each part of x, size values long (plots)",
+                    "variance of each part of x, size values long, by task 1.task (plots)",
                     {.columns = "variance", .index = "part"}),
       MC_EXPERIMENT(repeat, "task x rounds seed",
-                    "mean of rounds variances by task 1.task, x changing (timing)"),
+                    "mean of rounds variances by task 1.task, while x changes (timing)"),
       MC_EXPERIMENT(repeat_made, "task n rounds seed",
-                    "the same over n values near 1e9 that are made here (timing)"),
+                    "the same for n generated values near 1e9 (timing)"),
   };
   return all;
 }

@@ -1,7 +1,7 @@
 # Draws lab 1. Called by ./lab plot with
-#   count      how many submissions are drawn side by side
+#   count      the number of submissions, drawn side by side
 #   labels[i]  their names, data[i] the folder of their data
-#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+#   draw       the style of all plots (common/draw.gp): load it after setting name, width and height
 
 array ways[5] = ["textbook_formula", "two_passes", "welford", "merged", "fast_moments"]
 
@@ -29,7 +29,7 @@ do for [s=1:count] {
 unset multiplot
 
 # Error against time ------------------------------------------------------------------------------
-# Every point carries its name; merged parts have it below their point, since Welford's is close.
+# Every point has a label. That of the merged parts is below its point, since Welford's is close.
 name = "speed"; width = 80 + 420 * count; height = 400
 load draw
 set multiplot layout 1,count margins 85./width, 1 - 25./width, 60./height, 1 - head(count)/height \

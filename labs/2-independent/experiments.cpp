@@ -10,7 +10,7 @@
 namespace mc::experiments {
 namespace {
 
-/// The initial content of a span that is to be filled.
+/// The initial value of everything that a submission must write.
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
 template <class Make>
@@ -36,8 +36,8 @@ std::vector<double> to_unit(std::vector<std::uint64_t> words) {
   return all;
 }
 
-std::vector<Counted> estimates(Function g, std::uint64_t n, std::uint64_t seed,
-                               std::uint64_t replicates) {
+std::vector<CountedEstimate> estimates(Function g, std::uint64_t n, std::uint64_t seed,
+                                       std::uint64_t replicates) {
   std::uint64_t evaluations = 0;
   const Integrand f = integrand(g);
   const Integrand counted{f.dims, [&](std::span<const double> x) {
@@ -47,7 +47,7 @@ std::vector<Counted> estimates(Function g, std::uint64_t n, std::uint64_t seed,
   return replicate(seed, replicates, [&](Rng& rng) {
     evaluations = 0;
     const Estimate one = estimate(counted, n, rng);
-    return Counted{one.value, one.standard_error, one.n, evaluations};
+    return CountedEstimate{one.value, one.standard_error, one.n, evaluations};
   });
 }
 
@@ -65,7 +65,7 @@ Traces traces(Function g, std::uint64_t n, std::uint64_t seed, std::uint64_t rep
 
 std::vector<Estimate> estimates_in_turn(std::vector<Function> g, std::uint64_t n,
                                         std::vector<std::uint64_t> seeds) {
-  if (g.size() != seeds.size()) throw std::out_of_range("seeds: one for each g");
+  if (g.size() != seeds.size()) throw std::out_of_range("seeds: must be as many as g");
   std::vector<Estimate> all;
   for (std::size_t i = 0; i < g.size(); ++i) {
     Rng rng(seeds[i]);
@@ -111,8 +111,8 @@ std::vector<double> pdf_power(std::vector<double> x, double a) {
   return each(x, [=](double value) { return mc::pdf_power(value, a); });
 }
 
-std::vector<Counted> importance_estimates(Function g, Sampling p, std::uint64_t n,
-                                          std::uint64_t seed, std::uint64_t replicates) {
+std::vector<CountedEstimate> importance_estimates(Function g, Sampling p, std::uint64_t n,
+                                                  std::uint64_t seed, std::uint64_t replicates) {
   std::uint64_t evaluations = 0;
   const Integrand f = integrand(g);
   const Density by = density(p);
@@ -123,7 +123,7 @@ std::vector<Counted> importance_estimates(Function g, Sampling p, std::uint64_t 
   return replicate(seed, replicates, [&](Rng& rng) {
     evaluations = 0;
     const Estimate one = estimate_importance(counted, by, n, rng);
-    return Counted{one.value, one.standard_error, one.n, evaluations};
+    return CountedEstimate{one.value, one.standard_error, one.n, evaluations};
   });
 }
 
@@ -149,7 +149,7 @@ ImportanceTraces importance_traces(Function g, Sampling p, std::uint64_t n, std:
   seen.estimates = replicate(seed, replicates, [&](Rng& rng) {
     evaluations = 0;
     const Estimate one = estimate_importance(counted, watched, n, rng);
-    return Counted{one.value, one.standard_error, one.n, evaluations};
+    return CountedEstimate{one.value, one.standard_error, one.n, evaluations};
   });
   return seen;
 }
@@ -213,7 +213,7 @@ std::vector<double> uniforms_in_turn(std::vector<std::uint64_t> seeds, std::uint
 }
 
 std::vector<double> first_uniforms(std::uint64_t seed, std::uint64_t size, std::uint64_t calls) {
-  if (size == 0) throw std::invalid_argument("size: a call without numbers has no first one");
+  if (size == 0) throw std::invalid_argument("size: must be positive");
   std::vector<double> block(size);
   return replicate(seed, calls, [&](Rng& rng) {
     mc::uniforms(rng, block);
@@ -230,7 +230,7 @@ std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size) {
 
 namespace {
 
-/// Fills a block from a source of means_of().
+/// A source of random numbers, as numbered in means_of().
 class Source {
  public:
   Source(unsigned source, std::uint64_t seed) : source_(source), rng_(seed), twister_(seed) {
@@ -295,50 +295,52 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
       MC_EXPERIMENT(to_unit, "words", "2.1  a number in [0, 1) from each word",
                     {.row_labels = "words"}),
-      MC_EXPERIMENT(estimates, "g n seed replicates", "2.2  estimates from n samples each"),
+      MC_EXPERIMENT(estimates, "g n seed replicates", "2.2  estimates of g from n samples each"),
       MC_EXPERIMENT(traces, "g n seed replicates",
-                    "2.2  the same, with the points and values that g saw"),
+                    "2.2  the same, with all points and values of g"),
       MC_EXPERIMENT(estimates_in_turn, "g n seeds",
-                    "2.2  an estimate of each g, each from its own generator",
+                    "2.2  one estimate per g, each with its own seed",
                     {.index = "seed", .row_labels = "seeds"}),
-      MC_EXPERIMENT(by_lab_1, "values", "2.2  what lab 1's functions make of the values"),
-      MC_EXPERIMENT(sample_exponential, "u rate", "2.3  the x of each u", {.row_labels = "u"}),
-      MC_EXPERIMENT(sample_power, "u a", "2.3  the x of each u", {.row_labels = "u"}),
+      MC_EXPERIMENT(by_lab_1, "values",
+                    "2.2  mean and variance of the values by lab 1's functions"),
+      MC_EXPERIMENT(sample_exponential, "u rate", "2.3  the quantile x at each u",
+                    {.row_labels = "u"}),
+      MC_EXPERIMENT(sample_power, "u a", "2.3  the quantile x at each u", {.row_labels = "u"}),
       MC_EXPERIMENT(pdf_exponential, "x rate", "2.3  the density at each x", {.row_labels = "x"}),
       MC_EXPERIMENT(pdf_power, "x a", "2.3  the density at each x", {.row_labels = "x"}),
       MC_EXPERIMENT(importance_estimates, "g p n seed replicates",
-                    "2.4  estimates from n samples of a density each"),
+                    "2.4  estimates of g from n samples of the density p each"),
       MC_EXPERIMENT(importance_traces, "g p n seed replicates",
-                    "2.4  the same, with each u and what g and the density are at its x"),
+                    "2.4  the same, with u, x, g(x) and p(x) of all samples"),
       MC_EXPERIMENT(confidence_interval, "estimate level", "2.5  the interval around one estimate"),
       MC_EXPERIMENT(confidence_intervals, "g n level seed replicates",
                     "2.5  the intervals around estimates from n samples each"),
       MC_EXPERIMENT(interval_traces, "g n level seed replicates",
-                    "2.5  the same, with the values that g gave"),
+                    "2.5  the same, with all values of g"),
       MC_EXPERIMENT(samples_for, "pilot target_error",
-                    "2.6  how many samples reach the target error"),
+                    "2.6  the number of samples for the target error"),
       MC_EXPERIMENT(irradiance_area, "light n seed replicates",
                     "2.7  estimates from n points on the light each"),
       MC_EXPERIMENT(irradiance_hemisphere, "light n seed replicates",
                     "2.7  estimates from n directions each"),
       MC_EXPERIMENT(uniforms, "seed sizes before",
-                    "2.8  calls for so many numbers, in a span that held `before`",
+                    "2.8  numbers of calls of these sizes, into spans filled with `before`",
                     {.columns = "u", .index = "i"}),
       MC_EXPERIMENT(uniforms_in_turn, "seeds size",
-                    "2.8  a call for so many numbers from the generator of each seed",
+                    "2.8  size numbers from the generator of each seed",
                     {.columns = "u", .sets = "seeds"}),
       MC_EXPERIMENT(first_uniforms, "seed size calls",
-                    "2.8  the first number of each of so many calls", {.columns = "u"}),
-      MC_EXPERIMENT(uniforms_constant, "word size", "2.8  from a generator of one word",
-                    {.columns = "u"}),
+                    "2.8  the first number of each of these calls", {.columns = "u"}),
+      MC_EXPERIMENT(uniforms_constant, "word size",
+                    "2.8  numbers from a generator that always returns word", {.columns = "u"}),
       MC_EXPERIMENT(means_of, "source size seed replicates",
-                    "2.8  means of numbers by mt19937_64 (0), to_unit (1), uniforms (2)",
+                    "2.8  means of size numbers: source 0 mt19937_64, 1 to_unit, 2 uniforms",
                     {.columns = "mean"}),
       MC_EXPERIMENT(repeat_source, "source size rounds seed",
-                    "2.8  numbers, rounds times; the last one (timing)",
+                    "2.8  size numbers, rounds times; returns the last one (timing)",
                     {.columns = "u", .points = "size"}),
       MC_EXPERIMENT(repeat_irradiance, "way n rounds",
-                    "2.7  by area (0) or hemisphere (1), rounds times (timing)"),
+                    "2.7  irradiance by area (way 0) or hemisphere (1), rounds times (timing)"),
   };
   return all;
 }

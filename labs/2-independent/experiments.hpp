@@ -1,6 +1,6 @@
 #pragma once
-// What lab 2 measures of a submission. Where an experiment has a seed, its numbers come from one
-// Rng(seed), and replicates are drawn from it one after the other.
+// The experiments of lab 2: what is run and measured in a submission. An experiment with a seed
+// draws all its random numbers from one Rng(seed), replicate after replicate.
 
 #include <cstdint>
 #include <vector>
@@ -17,40 +17,41 @@ MC_FIELDS(RectLight, x0, x1, y0, y1, height, radiance)
 
 namespace mc::experiments {
 
-/// An estimate, and how often the integrand was evaluated for it.
-struct Counted {
+/// An estimate and the number of evaluations of the integrand that it took.
+struct CountedEstimate {
   double value = 0, standard_error = 0;
   std::uint64_t n = 0;
   std::uint64_t evaluations = 0;
 };
-MC_FIELDS(Counted, value, standard_error, n, evaluations)
+MC_FIELDS(CountedEstimate, value, standard_error, n, evaluations)
 
-/// Estimates, one after the other from one generator, and what the integrand saw of them all.
+/// Consecutive estimates from one generator, with every evaluation of the integrand.
 struct Traces {
   std::vector<Estimate> estimates;
-  std::vector<double> points;  ///< where g was evaluated, coordinate by coordinate
-  std::vector<double> values;  ///< g there
+  std::vector<double> points;  ///< the points at which g was evaluated, point by point
+  std::vector<double> values;  ///< g at these points
 };
 MC_FIELDS(Traces, estimates, points, values)
 
-/// The same with a density: each u that it made a sample of, and what there is at that.
+/// Consecutive importance-sampling estimates, with every sample that was drawn from the density p.
 struct ImportanceTraces {
-  std::vector<Counted> estimates;
-  std::vector<double> u;
+  std::vector<CountedEstimate> estimates;
+  std::vector<double> u;          ///< the argument of p.sample
   std::vector<double> points;     ///< x = p.sample(u)
   std::vector<double> values;     ///< g(x)
   std::vector<double> densities;  ///< p.pdf(x)
 };
 MC_FIELDS(ImportanceTraces, estimates, u, points, values, densities)
 
-/// Confidence intervals, and the values of g that they were computed from.
+/// Confidence intervals and the values of g from which they were computed.
 struct IntervalTraces {
   std::vector<Interval> intervals;
   std::vector<double> values;
 };
 MC_FIELDS(IntervalTraces, intervals, values)
 
-/// What the functions of lab 1 make of a list of values; NaN where one is not written yet.
+/// The results of lab 1's functions for one list of values; NaN for a function that is still a
+/// TODO.
 struct ByLab1 {
   double mean = 0, variance_textbook = 0, variance_two_pass = 0;
   double mean_of_add = 0, variance_of_add = 0;
@@ -59,63 +60,67 @@ struct ByLab1 {
 MC_FIELDS(ByLab1, mean, variance_textbook, variance_two_pass, mean_of_add, variance_of_add,
           mean_of_moments, variance_of_moments)
 
-/// 2.1: of each word.
+/// 2.1: to_unit() of each word.
 std::vector<double> to_unit(std::vector<std::uint64_t> words);
 
-/// 2.2: replicates of n samples each; the same looked at closely; and one estimate for each
-/// integrand, from its own generator, in one process.
-std::vector<Counted> estimates(Function g, std::uint64_t n, std::uint64_t seed,
-                               std::uint64_t replicates);
+/// 2.2: `replicates` estimates of `g` from n samples each; and the same with every evaluation of g.
+/// estimates_in_turn: one estimate per integrand, g[i] with the generator Rng(seeds[i]), all in one
+/// process. by_lab_1: the statistics of `values` by lab 1's functions.
+std::vector<CountedEstimate> estimates(Function g, std::uint64_t n, std::uint64_t seed,
+                                       std::uint64_t replicates);
 Traces traces(Function g, std::uint64_t n, std::uint64_t seed, std::uint64_t replicates);
 std::vector<Estimate> estimates_in_turn(std::vector<Function> g, std::uint64_t n,
                                         std::vector<std::uint64_t> seeds);
 ByLab1 by_lab_1(std::vector<double> values);
 
-/// 2.3: at each u, at each x.
+/// 2.3: the quantile functions at each u, and the densities at each x.
 std::vector<double> sample_exponential(std::vector<double> u, double rate);
 std::vector<double> sample_power(std::vector<double> u, double a);
 std::vector<double> pdf_exponential(std::vector<double> x, double rate);
 std::vector<double> pdf_power(std::vector<double> x, double a);
 
-/// 2.4: as 2.2, with a density.
-std::vector<Counted> importance_estimates(Function g, Sampling p, std::uint64_t n,
-                                          std::uint64_t seed, std::uint64_t replicates);
+/// 2.4: as in 2.2, but with samples from the density `p`.
+std::vector<CountedEstimate> importance_estimates(Function g, Sampling p, std::uint64_t n,
+                                                  std::uint64_t seed, std::uint64_t replicates);
 ImportanceTraces importance_traces(Function g, Sampling p, std::uint64_t n, std::uint64_t seed,
                                    std::uint64_t replicates);
 
-/// 2.5: of one estimate; of replicates of 2.2; and of those with what they saw.
+/// 2.5: the interval around the given estimate; the intervals around `replicates` estimates of 2.2;
+/// and the same with the values of g.
 Interval confidence_interval(Estimate estimate, double level);
 std::vector<Interval> confidence_intervals(Function g, std::uint64_t n, double level,
                                            std::uint64_t seed, std::uint64_t replicates);
 IntervalTraces interval_traces(Function g, std::uint64_t n, double level, std::uint64_t seed,
                                std::uint64_t replicates);
 
-/// 2.6
+/// 2.6: the number of samples that reach `target_error`, according to the pilot run.
 std::uint64_t samples_for(Estimate pilot, double target_error);
 
-/// 2.7: replicates of n samples each.
+/// 2.7: `replicates` estimates from n samples each.
 std::vector<Estimate> irradiance_area(RectLight light, std::uint64_t n, std::uint64_t seed,
                                       std::uint64_t replicates);
 std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, std::uint64_t seed,
                                             std::uint64_t replicates);
 
-/// 2.8: calls for these many numbers, one after the other, all of them, in a span that holds
-/// `before` everywhere; a call for `size` numbers from the generator of each seed, in one process;
-/// the first number of each of `calls` calls for `size`, one after the other from one generator;
-/// and `size` numbers from a generator that only knows one word.
+/// 2.8, uniforms: all numbers of consecutive calls, one call for each of `sizes`; every value of a
+/// span is `before` until the call. uniforms_in_turn: `size` numbers from Rng(seed) for each seed,
+/// in one process. first_uniforms: the first number of each of `calls` consecutive calls for `size`
+/// numbers. uniforms_constant: `size` numbers from Rng::constant(word).
 std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes, double before);
 std::vector<double> uniforms_in_turn(std::vector<std::uint64_t> seeds, std::uint64_t size);
 std::vector<double> first_uniforms(std::uint64_t seed, std::uint64_t size, std::uint64_t calls);
 std::vector<double> uniforms_constant(std::uint64_t word, std::uint64_t size);
 
-/// Means of `size` numbers made by a source: 0 std::mt19937_64 and std::uniform_real_distribution,
-/// 1 to_unit(rng()) number by number, 2 uniforms.
+/// `replicates` means of `size` numbers each. The source of the numbers is 0 for std::mt19937_64
+/// with std::uniform_real_distribution, 1 for to_unit(rng()) number by number, and 2 for
+/// uniforms().
 std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t seed,
                              std::uint64_t replicates);
 
-/// For timing: `size` numbers by a source, `rounds` times; round r has its own generator, of
-/// seed `seed` + r (but source 0, whose seeding takes long: one for all). The last number. And 2.7
-/// by way of the area (0) or the hemisphere (1) with n samples, `rounds` times: the last estimate.
+/// For timing: makes `size` numbers `rounds` times and returns the last number. Round r uses a
+/// generator with the seed `seed` + r; source 0, whose seeding is slow, uses one generator for all
+/// rounds. repeat_irradiance: `rounds` estimates of 2.7 with n samples, over the area (`way` 0) or
+/// the hemisphere (`way` 1); returns the last value.
 double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds, std::uint64_t seed);
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);
 

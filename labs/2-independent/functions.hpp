@@ -1,6 +1,5 @@
 #pragma once
-// The integrands and densities that lab 2's experiments know, by number and by name. They are
-// written here and not by the submission.
+// The integrands and densities of lab 2's experiments, which a request selects by number.
 
 #include <array>
 #include <cmath>
@@ -18,13 +17,14 @@
 
 namespace mc::experiments {
 
-/// scale * g + offset, g the one of these names; {} is the parameter.
+/// The integrand scale * g + offset, where `g` is an index into function_names.
 struct Function {
   unsigned g = 0;
   double parameter = 0, scale = 1, offset = 0;
 };
 MC_FIELDS(Function, g, parameter, scale, offset)
 
+/// The formulas of g; {} is the parameter.
 inline constexpr std::array<std::string_view, 9> function_names{
     "1",
     "exp(x)",
@@ -35,21 +35,23 @@ inline constexpr std::array<std::string_view, 9> function_names{
     "normal_quantile(x)",
     "x exp(-x)",
     "v w x y z"};
+/// The number of dimensions of each g.
 inline constexpr std::array<std::size_t, 9> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5};
 
-/// A density to sample by, the one of these names; {} is the parameter. That of number 3 is there
-/// for points that must not count.
+/// A density for importance sampling: `p` is an index into sampling_names.
 struct Sampling {
   unsigned p = 0;
   double parameter = 0;
 };
 MC_FIELDS(Sampling, p, parameter)
 
+/// The formulas of p; {} is the parameter. Number 3 samples the uniform density but reports a pdf
+/// of 0 or infinity for some points: these must contribute 0 to the estimate (2.4).
 inline constexpr std::array<std::string_view, 4> sampling_names{
     "1 on [0, 1]", "({} + 1) x^{} on [0, 1]", "{} exp(-{} x) for x >= 0",
-    "1 on [0, 1], which claims to be 0 below {} / 2 and infinite from there to {}"};
+    "1 on [0, 1], reported as 0 below {} / 2 and as infinite from there to {}"};
 
-/// As a formula: "2 * x^0.5 + 1".
+/// The formula of an integrand, such as "2 * x^0.5 + 1", and of a density.
 inline std::string spelled(const Function& function) {
   std::string all(text::filled(function_names.at(function.g), text::print(function.parameter)));
   if (function.scale != 1) all = text::print(function.scale) + " * " + all;
@@ -86,13 +88,13 @@ inline double value_of(const Function& function, std::span<const double> x) {
 }
 
 inline Integrand integrand(const Function& function) {
-  if (function.g >= dimensions.size()) throw std::out_of_range("g: 0 to 8");
+  if (function.g >= dimensions.size()) throw std::out_of_range("g: must be 0 to 8");
   const std::size_t dims = dimensions[function.g];
   return {dims, [=](std::span<const double> x) {
             if (x.size() != dims) {
-              throw std::logic_error("the integrand of " + std::to_string(dims) +
-                                     " dimensions was given a point of " +
-                                     std::to_string(x.size()));
+              throw std::logic_error("an integrand of " + std::to_string(dims) +
+                                     " dimensions was called with a point of " +
+                                     std::to_string(x.size()) + " dimensions");
             }
             return function.scale * value_of(function, x) + function.offset;
           }};
@@ -116,7 +118,7 @@ inline Density density(const Sampling& sampling) {
                 return x < parameter ? std::numeric_limits<double>::infinity() : 1.0;
               }};
     default:
-      throw std::out_of_range("p: 0 to 3");
+      throw std::out_of_range("p: must be 0 to 3");
   }
 }
 

@@ -8,7 +8,7 @@
 // * Undefined results are a quiet NaN. Misuse throws std::invalid_argument with a message that
 //   names the argument. A function without a `throws:` line never throws.
 // * Random numbers come from the generator that is passed in, in any order, and from nowhere else;
-//   it moves on, so that the next call takes others.
+//   it advances, so that the next call uses different numbers.
 // * A function without a `cost:` line takes constant time per number, or time linear in n.
 
 #include <cstdint>
@@ -95,8 +95,8 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error);
 /// source: Pharr, Jakob, Humphreys 2023, section 4.2.
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng);
 
-/// 2.7  The same irradiance from `n` independent directions of the receiver's hemisphere, of
-/// density cos / pi: the mean of pi · radiance if a direction hits the light, and 0 if not.
+/// 2.7  The same irradiance from `n` independent directions in the receiver's hemisphere, with
+/// density cos / pi: a sample is pi · radiance if its direction hits the light, and 0 if not.
 /// requires: as irradiance_area.
 /// throws: std::invalid_argument for n = 0.
 /// source: Pharr, Jakob, Humphreys 2023, section 4.2, and appendix A.5.3 for Malley's method.

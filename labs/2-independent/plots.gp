@@ -1,12 +1,12 @@
 # Draws lab 2. Called by ./lab plot with
-#   count      how many submissions are drawn side by side
+#   count      the number of submissions, drawn side by side
 #   labels[i]  their names, data[i] the folder of their data
-#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+#   draw       the style of all plots (common/draw.gp): load it after setting name, width and height
 
 array of[6] = ["exp(x)", "x < √½", "x < 0.01", "x^{−0.4}", "x^{−0.75}", "normal"]
 
 # Error against samples ---------------------------------------------------------------------------
-# The median of 201 estimates, 101 from 16384 samples on.
+# The median of 201 estimates, or of 101 for 16384 samples and more.
 name = "error"; width = 80 + 420 * count; height = 470
 load draw
 set termoption enhanced
@@ -61,7 +61,7 @@ name = "intervals"; width = 80 + 460 * count; height = 500
 load draw
 set termoption enhanced
 array shown[2] = ["exp", "power"]
-array misses[2 * count]  # counted before there are ranges, which would apply to stats
+array misses[2 * count]  # counted before ranges are set, because stats would apply them
 do for [s=1:count] {
   do for [k=0:1] {
     stats data[s]."/intervals-".shown[k+1].".tsv" using "covers" nooutput
@@ -116,7 +116,7 @@ unset multiplot
 # Time against error ------------------------------------------------------------------------------
 name = "speed"; width = 80 + 420 * count; height = 470
 load draw
-array ns[3 * count]  # measured nanoseconds per number; before there are ranges, which apply to stats
+array ns[3 * count]  # measured nanoseconds per number; read before ranges are set, as above
 do for [s=1:count] {
   do for [i=1:3] {
     stats data[s]."/speed-".(i-1).".tsv" using "ns" nooutput

@@ -12,7 +12,7 @@
 namespace mc::experiments {
 namespace {
 
-/// The whole number nearest to the d-th root of n.
+/// The integer nearest to the d-th root of n.
 std::size_t root(std::size_t n, std::size_t d) {
   return static_cast<std::size_t>(
       std::llround(std::pow(static_cast<double>(n), 1 / static_cast<double>(d))));
@@ -20,14 +20,14 @@ std::size_t root(std::size_t n, std::size_t d) {
 
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
-/// What a function leaves unwritten shows.
+/// Fills the points with NaN, so that values that are not written can be detected.
 void clear(PointSet& points) {
   for (std::size_t d = 0; d < points.dims(); ++d) {
     std::fill(points.column(d).begin(), points.column(d).end(), unwritten);
   }
 }
 
-/// Points of task 3.`task`. Two-dimensional patterns take the first two columns.
+/// Writes points of task 3.`task`. Two-dimensional patterns use the first two columns.
 void make_points(unsigned task, PointSet& points, Rng& rng) {
   const std::size_t n = points.size();
   switch (task) {
@@ -49,7 +49,7 @@ void make_points(unsigned task, PointSet& points, Rng& rng) {
     case 7:
       return mc::multi_jittered(points.column(0), points.column(1), {root(n, 2), root(n, 2)}, rng);
     default:
-      throw std::out_of_range("task: 0, 1, 3, 4, 5, 6 or 7");
+      throw std::out_of_range("task: must be 0, 1, 3, 4, 5, 6 or 7");
   }
 }
 
@@ -77,7 +77,7 @@ double evaluate(const Function& function, std::size_t dims, Coordinate x) {
       g = std::cos(1.0) * (x(0) - 0.5) + std::sin(1.0) * (x(1) - 0.5) < function.edge ? 1 : 0;
       break;
     default:
-      throw std::out_of_range("kind: 1 to 5");
+      throw std::out_of_range("kind: must be 1 to 5");
   }
   return function.a * g + function.b;
 }
@@ -90,7 +90,7 @@ double mean_of(const Function& g, const PointSet& points, std::size_t used) {
   return sum / static_cast<double>(used);
 }
 
-/// Points at the end of a list, column by column.
+/// Appends points to a list, column by column.
 void append(std::vector<double>& all, const PointSet& points) {
   for (std::size_t d = 0; d < points.dims(); ++d) {
     const auto column = points.column(d);
@@ -98,7 +98,7 @@ void append(std::vector<double>& all, const PointSet& points) {
   }
 }
 
-/// `sets` sets of points, each column by column, one after the other.
+/// `sets` sets of points, one after another, each column by column.
 template <class Fill>
 std::vector<double> many(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
                          std::uint64_t seed, Fill fill) {
@@ -132,10 +132,12 @@ Points one_2d(Pattern2D pattern, std::uint64_t size_x, std::uint64_t size_y, Gri
   return one;
 }
 
-/// `first_words` are those that the generator drew first in its calls, in earlier estimates too.
-Replicated with_counts(const Integrand& g, const Generator& generator, std::uint64_t n,
-                       std::uint64_t replicates, Rng& rng, std::set<std::uint64_t>& first_words) {
-  Replicated got;
+/// Estimates, and counts the calls. `first_words` has the first random word of each call of the
+/// generator, including those of earlier estimates: a word that occurs twice is a repeated state.
+ReplicatedEstimate with_counts(const Integrand& g, const Generator& generator, std::uint64_t n,
+                               std::uint64_t replicates, Rng& rng,
+                               std::set<std::uint64_t>& first_words) {
+  ReplicatedEstimate got;
   const Integrand counted{g.dims, [&](std::span<const double> x) {
                             ++got.evaluated;
                             if (x.size() != g.dims) ++got.misshapen;
@@ -144,7 +146,7 @@ Replicated with_counts(const Integrand& g, const Generator& generator, std::uint
   const Generator counting = [&](PointSet& points, Rng& from) {
     ++got.generated;
     if (points.size() != n || points.dims() != g.dims) ++got.misshapen;
-    Rng copy = from;  // what it would draw first
+    Rng copy = from;  // `from` itself must not advance
     if (!first_words.insert(copy()).second) ++got.repeated;
     clear(points);
     generator(points, from);
@@ -231,11 +233,11 @@ std::vector<double> estimates(unsigned task, Function g, std::uint64_t dims, std
   return means;
 }
 
-Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std::uint64_t dims,
-                               std::uint64_t replicates) {
+ReplicatedEstimate estimate_replicated(std::vector<double> values, std::uint64_t n,
+                                       std::uint64_t dims, std::uint64_t replicates) {
   std::size_t next = 0;
-  const Generator dealing = [&](PointSet& points, Rng& from) {
-    from();  // as one that needs random numbers would
+  const Generator copying = [&](PointSet& points, Rng& from) {
+    from();  // as a generator of random points would
     for (std::size_t d = 0; d < points.dims(); ++d) {
       for (double& value : points.column(d)) value = values[next++ % values.size()];
     }
@@ -247,7 +249,7 @@ Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std:
   };
   Rng rng(1);
   std::set<std::uint64_t> first_words;
-  return with_counts({dims, weighted}, dealing, n, replicates, rng, first_words);
+  return with_counts({dims, weighted}, copying, n, replicates, rng, first_words);
 }
 
 ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t dims,
@@ -272,9 +274,10 @@ ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t d
 
 std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n,
                            std::uint64_t seed) {
-  // The floor is the unit square, the light another of the same size 1.2 above it; between them a
-  // ball. A point of the light is hidden where the way to it passes the ball's center within r.
-  constexpr double height = 1.2, ball[] = {0.5, 0.5, 0.35}, r = 0.22;
+  // The floor is the unit square. The light is a square of the same size, 1.2 above the floor, and
+  // a sphere of radius r floats between them. A point of the light is hidden if the line to it
+  // passes the sphere's center at a distance below r.
+  constexpr double height = 1.2, center[] = {0.5, 0.5, 0.35}, r = 0.22;
   Rng rng(seed);
   PointSet points(n, 2);
   std::vector<double> picture;
@@ -282,17 +285,17 @@ std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n,
     for (std::uint64_t column = 0; column < width; ++column) {
       const double floor_x = (static_cast<double>(column) + 0.5) / static_cast<double>(width);
       const double floor_y = (static_cast<double>(row) + 0.5) / static_cast<double>(width);
-      const double cx = ball[0] - floor_x, cy = ball[1] - floor_y, cz = ball[2];
+      const double cx = center[0] - floor_x, cy = center[1] - floor_y, cz = center[2];
       make_points(task, points, rng);
-      double seen = 0;
+      double visible = 0;
       for (std::size_t i = 0; i < n; ++i) {
         const double wx = points.column(0)[i] - floor_x, wy = points.column(1)[i] - floor_y;
         const double along = cx * wx + cy * wy + cz * height;
         const double length = wx * wx + wy * wy + height * height;
         const bool hidden = cx * cx + cy * cy + cz * cz - along * along / length < r * r;
-        seen += hidden ? 0 : 1;
+        visible += hidden ? 0 : 1;
       }
-      picture.push_back(seen / static_cast<double>(n));
+      picture.push_back(visible / static_cast<double>(n));
     }
   }
   return picture;
@@ -310,7 +313,7 @@ double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t 
 }
 
 double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds) {
-  if (dims != 1 && dims != 2) throw std::out_of_range("dims: 1 or 2");
+  if (dims != 1 && dims != 2) throw std::out_of_range("dims: must be 1 or 2");
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<double> random(0.0, 1.0);
   const std::size_t nx = root(n, dims), ny = dims == 1 ? 1 : nx;
@@ -331,21 +334,20 @@ double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds) {
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
-      // a grid is typed nx:ny, a function kind:a:b:edge
+      // On the command line a grid is nx:ny, and a function is kind:a:b:edge.
       MC_EXPERIMENT(stratified_1d, "n sets seed", "3.1  sets of stratified points, in order",
                     {.columns = "x", .sets = "sets"}),
       MC_EXPERIMENT(stratified_1d_constant, "n word",
-                    "3.1  points from a generator that returns one word for ever",
-                    {.columns = "x"}),
-      MC_EXPERIMENT(strata, "n", "3.2  the most square grid of each number of cells",
+                    "3.1  points from a generator that always returns word", {.columns = "x"}),
+      MC_EXPERIMENT(strata, "n", "3.2  the grid closest to a square for each number of cells",
                     {.row_labels = "n"}),
       MC_EXPERIMENT(stratified_2d, "grid sets seed", "3.3  jittered grids of nx x ny cells",
                     {.sets = "sets"}),
       MC_EXPERIMENT(stratified_2d_into, "size_x size_y grid",
-                    "3.3  a jittered grid into an x and a y of these sizes"),
+                    "3.3  a jittered grid, written to an x and a y of these sizes"),
       MC_EXPERIMENT(stratified_2d_upper_bits, "grid word",
-                    "3.3  a jittered grid from words that all have the upper 53 bits of one"),
-      MC_EXPERIMENT(shuffle, "x times seed", "3.4  the values x in random orders",
+                    "3.3  a jittered grid from words with the upper 53 bits of word"),
+      MC_EXPERIMENT(shuffle, "x times seed", "3.4  x in random orders, times times",
                     {.columns = "x", .sets = "times"}),
       MC_EXPERIMENT(stratified, "n dims sets seed", "3.4  padded patterns",
                     {.dims = "dims", .sets = "sets"}),
@@ -354,22 +356,22 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(latin_hypercube, "n dims sets seed", "3.6  Latin hypercubes",
                     {.dims = "dims", .sets = "sets"}),
       MC_EXPERIMENT(multi_jittered, "grid sets seed",
-                    "3.7  multi-jittered points of grids of nx x ny cells", {.sets = "sets"}),
+                    "3.7  multi-jittered points on grids of nx x ny cells", {.sets = "sets"}),
       MC_EXPERIMENT(multi_jittered_into, "size_x size_y grid",
-                    "3.7  multi-jittered points of a grid into an x and a y of these sizes"),
+                    "3.7  multi-jittered points, written to an x and a y of these sizes"),
       MC_EXPERIMENT(estimates, "task g dims n used sets seed",
-                    "means of g over the first points used, by task 3.task",
+                    "means of g over the first `used` points of task 3.task",
                     {.columns = "mean", .index = "set"}),
       MC_EXPERIMENT(estimate_replicated, "values n dims replicates",
-                    "3.8  replicated means of x0 + 2 x1 + …, coordinates dealt out in turn"),
+                    "3.8  replicated means of x0 + 2 x1 + …, over coordinates from values"),
       MC_EXPERIMENT(estimates_replicated, "task g dims n replicates times seed",
-                    "3.8  replicated estimates of g by points of task 3.task"),
-      MC_EXPERIMENT(shadow, "task width n seed", "a soft shadow by points of task 3.task",
+                    "3.8  replicated estimates of g with points of task 3.task"),
+      MC_EXPERIMENT(shadow, "task width n seed", "a soft shadow with points of task 3.task",
                     {.columns = "pixel", .width = "width"}),
       MC_EXPERIMENT(repeat, "task n dims rounds seed",
-                    "points of task 3.task, again and again; the last x (timing)"),
+                    "points of task 3.task, rounds times; returns the last x (timing)"),
       MC_EXPERIMENT(repeat_textbook, "dims n rounds",
-                    "for timing: jittered points by a textbook's loop and std::mt19937_64"),
+                    "jittered points by a textbook's loop with std::mt19937_64 (timing)"),
   };
   return all;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// What lab 3 measures of a submission. Where an experiment makes several sets of points, they are
-// made in turn with one generator, and returned one after the other. Whatever is to
-// be written holds NaN before.
+// The experiments of lab 3: what is run and measured in a submission. An experiment that makes
+// several sets of points makes them with one generator and returns them one after another. Every
+// value that the submission must write is NaN before the call.
 
 #include <cstdint>
 #include <string>
@@ -18,29 +18,30 @@ MC_FIELDS(Grid, nx, ny)
 
 namespace mc::experiments {
 
-/// Points of the plane.
+/// Points in the plane.
 struct Points {
   std::vector<double> x, y;
 };
 MC_FIELDS(Points, x, y)
 
-/// a g + b, to be integrated over the unit cube of any number of dimensions (5: of two), g the one
-/// of these names; {} is the edge.
+/// The integrand a g + b on the unit cube, where `kind` is the index of g in function_names. Kind 5
+/// has two dimensions; the others have any number.
 struct Function {
   unsigned kind = 1;
   double a = 1, b = 0, edge = 0.1;
 };
 MC_FIELDS(Function, kind, a, b, edge)
 
+/// The formulas of g; {} is the edge.
 inline constexpr std::string_view function_names[] = {
     "",
-    "(exp(x) + exp(y) + ...)",        // a sum of functions of one coordinate each
-    "exp(x - 1/2) exp(y - 1/2) ...",  // a product of them
-    "exp(-x^2 - y^2 - ...)",          // another
-    "(x - 1/2) (y - 1/2) ...",        // nothing but interaction
+    "(exp(x) + exp(y) + ...)",        // a sum of functions of one coordinate
+    "exp(x - 1/2) exp(y - 1/2) ...",  // a product of functions of one coordinate
+    "exp(-x^2 - y^2 - ...)",          // a Gaussian, at its maximum in the corner
+    "(x - 1/2) (y - 1/2) ...",        // only interaction: every projection is zero
     "(1 if cos(1) (x - 1/2) + sin(1) (y - 1/2) < {}, else 0)"};
 
-/// As a formula: "2 * exp(-x^2 - y^2 - ...) + 1".
+/// The formula of an integrand, such as "2 * exp(-x^2 - y^2 - ...) + 1".
 inline std::string spelled(const Function& function) {
   std::string all = text::filled(function_names[function.kind < 6 ? function.kind : 0],
                                  text::print(function.edge));
@@ -49,27 +50,27 @@ inline std::string spelled(const Function& function) {
   return function.b == 0 ? all : all + " + " + text::print(function.b);
 }
 
-/// 3.1: `sets` sets of n points.
+/// 3.1: `sets` sets of n points on the line.
 std::vector<double> stratified_1d(std::uint64_t n, std::uint64_t sets, std::uint64_t seed);
 
-/// 3.2: of each n.
+/// 3.2: the grid of each number of cells.
 std::vector<Grid> strata(std::vector<std::uint64_t> n);
 
-/// 3.3, 3.7: `sets` sets of nx ny points; and one set, for x and y of given sizes.
+/// 3.3, 3.7: `sets` sets of nx ny points; and one set, written to an x and a y of the given sizes.
 Points stratified_2d(Grid grid, std::uint64_t sets, std::uint64_t seed);
 Points stratified_2d_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
 Points multi_jittered(Grid grid, std::uint64_t sets, std::uint64_t seed);
 Points multi_jittered_into(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
 
-/// 3.1, 3.3: one set, from a generator that returns `word` for ever; or whose words all have its
-/// upper 53 bits.
+/// 3.1, 3.3: one set from a generator that always returns `word` (Rng::constant), and one from a
+/// generator whose words all have the upper 53 bits of `word` (Rng::upper_bits).
 std::vector<double> stratified_1d_constant(std::uint64_t n, std::uint64_t word);
 Points stratified_2d_upper_bits(Grid grid, std::uint64_t word);
 
-/// 3.4: x, shuffled `times` times, each time from the given order.
+/// 3.4: `times` shuffles of x, each of which starts from the given order.
 std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed);
 
-/// 3.4, 3.5, 3.6: `sets` sets of n points, each of them column by column.
+/// 3.4, 3.5, 3.6: `sets` sets of n points in `dims` dimensions, each column by column.
 std::vector<double> stratified(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
                                std::uint64_t seed);
 std::vector<double> stratified_nd(std::uint64_t n, std::uint64_t dims, std::uint64_t per_axis,
@@ -77,51 +78,52 @@ std::vector<double> stratified_nd(std::uint64_t n, std::uint64_t dims, std::uint
 std::vector<double> latin_hypercube(std::uint64_t n, std::uint64_t dims, std::uint64_t sets,
                                     std::uint64_t seed);
 
-/// The mean of `g` over the first `used` of n points in `dims` dimensions, for each of `sets` sets.
-/// Points of task 3.`task`: 1, 3, 4, 5, 6 or 7, where n must be a square for 3 and 7, and the power
-/// dims of a whole number for 5; independent points for 0.
+/// For each of `sets` sets of n points in `dims` dimensions, the mean of `g` over the first `used`
+/// points. The points are those of task 3.`task` (1, 3, 4, 5, 6 or 7), or independent for task 0.
+/// For tasks 3 and 7, n must be a square; for task 5, the dims-th power of an integer.
 std::vector<double> estimates(unsigned task, Function g, std::uint64_t dims, std::uint64_t n,
                               std::uint64_t used, std::uint64_t sets, std::uint64_t seed);
 
-/// 3.8: what came of it, and what was asked for on the way.
-struct Replicated {
+/// 3.8: an estimate, and how the generator and the integrand were called for it.
+struct ReplicatedEstimate {
   double value = 0, standard_error = 0;
   std::uint64_t n = 0;
   std::uint64_t generated = 0, evaluated = 0;  ///< calls of the generator and of the integrand
-  std::uint64_t misshapen = 0;  ///< of them with sets that are not n x dims, points of other dims
-  std::uint64_t repeated = 0;   ///< calls of the generator with random numbers that it had before
+  std::uint64_t misshapen = 0;  ///< calls with a set that is not n x dims, or a point not of dims
+  std::uint64_t repeated = 0;   ///< calls of the generator with an Rng state it has seen before
 };
-MC_FIELDS(Replicated, value, standard_error, n, generated, evaluated, misshapen, repeated)
+MC_FIELDS(ReplicatedEstimate, value, standard_error, n, generated, evaluated, misshapen, repeated)
 
-/// Estimates, one after the other, and the points that they were computed from, set by set, each
-/// column by column: as many as expected, cut or filled up with zeros.
+/// Consecutive estimates and the points from which they were computed, set by set, each column by
+/// column. The list of points has the expected length: it is truncated or padded with zeros.
 struct ReplicatedTraces {
-  std::vector<Replicated> estimates;
+  std::vector<ReplicatedEstimate> estimates;
   std::vector<double> points;
 };
 MC_FIELDS(ReplicatedTraces, estimates, points)
 
-/// 3.8: of x0 + 2 x1 + 3 x2 + …, with a generator that deals out `values` in turn, over and over,
-/// column by column.
-Replicated estimate_replicated(std::vector<double> values, std::uint64_t n, std::uint64_t dims,
-                               std::uint64_t replicates);
+/// 3.8: the estimate of x0 + 2 x1 + 3 x2 + …, with a generator that copies `values` to the points
+/// in order, column by column, and starts again at the end of `values`.
+ReplicatedEstimate estimate_replicated(std::vector<double> values, std::uint64_t n,
+                                       std::uint64_t dims, std::uint64_t replicates);
 
-/// 3.8: `times` times of `g` over n points of task 3.`task`, as in estimates().
+/// 3.8: `times` estimates of `g` over n points of task 3.`task`, numbered as in estimates().
 ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t dims,
                                       std::uint64_t n, std::uint64_t replicates,
                                       std::uint64_t times, std::uint64_t seed);
 
-/// A picture of width x width pixels, row by row: the soft shadow of a ball under a square light,
-/// each pixel the mean of n points on the light, as in estimates().
+/// A picture of width x width pixels, row by row: the soft shadow of a sphere under a square light.
+/// Each pixel is the fraction of n points on the light that are visible, with the tasks of
+/// estimates().
 std::vector<double> shadow(unsigned task, std::uint64_t width, std::uint64_t n, std::uint64_t seed);
 
-/// For timing: n points of `dims` dimensions as in estimates(), `rounds` times, round r with a
-/// generator of seed `seed` + r. The last x.
+/// For timing: makes n points in `dims` dimensions `rounds` times, with the tasks of estimates().
+/// Round r uses a generator with the seed `seed` + r. Returns the last x.
 double repeat(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds,
               std::uint64_t seed);
 
-/// For timing: the same points, jittered in 1 or 2 dimensions by the loop of a textbook, with
-/// std::mt19937_64 and std::uniform_real_distribution.
+/// For timing: the same in 1 or 2 dimensions by a textbook's loop, with std::mt19937_64 and
+/// std::uniform_real_distribution.
 double repeat_textbook(unsigned dims, std::uint64_t n, std::uint64_t rounds);
 
 }  // namespace mc::experiments

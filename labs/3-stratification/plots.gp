@@ -1,7 +1,7 @@
 # Draws lab 3. Called by ./lab plot with
-#   count      how many submissions are drawn side by side
+#   count      the number of submissions, drawn side by side
 #   labels[i]  their names, data[i] the folder of their data
-#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+#   draw       the style of all plots (common/draw.gp): load it after setting name, width and height
 
 # Patterns, over their strata ---------------------------------------------------------------------
 name = "patterns"; width = 600 * count; height = 645
@@ -12,7 +12,7 @@ set xrange [0:1]
 set yrange [0:1]
 set format ""
 unset key
-array columns[4] = [1, 8, 64, 64]  # of a grid: independent points have no strata
+array columns[4] = [1, 8, 64, 64]  # of the grid; independent points have no strata
 array rows[4] = [1, 8, 64, 64]
 do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
   m = word("independent jittered latin_hypercube multi_jittered", i)
@@ -34,7 +34,7 @@ unset multiplot
 # A picture ---------------------------------------------------------------------------------------
 name = "shadow"; width = 600; height = 250 * count
 load draw
-array rmse[3 * count]  # read before there are ranges, which apply to stats
+array rmse[3 * count]  # read before ranges are set, because stats would apply them
 do for [s=1:count] { do for [k=1:3] {
   stats data[s]."/shadow-rmse.tsv" using k nooutput
   rmse[3 * (s - 1) + k] = exists("STATS_min") ? STATS_min : NaN
@@ -150,7 +150,7 @@ set format y "10^{%L}"
 set xlabel "ns per point (less is better)"
 set ylabel "RMSE of exp(-x² - y²) (less is better)"
 unset key
-array above[7] = [1, 1, 1, -1, 1.7, 1, -1]  # names, where points lie close
+array above[7] = [1, 1, 1, -1, 1.7, 1, -1]  # label positions, where points are close
 speed(s, m) = data[s]."/speed-".m.".tsv"
 do for [s=1:count] {
   set title heading("Error of 1024 points against their time", s)

@@ -8,7 +8,7 @@
 //
 // * Points lie in [0,1)^d, whatever rounding does. Every value that is passed in is overwritten.
 // * Random numbers come from the generator that is passed in, in any order, and from nowhere else;
-//   it moves on, so that the next call takes others.
+//   it advances, so that the next call uses different numbers.
 // * Misuse throws std::invalid_argument with a message that names the argument. A function without
 //   a `throws:` line never throws. A function without a `cost:` line takes time linear in the
 //   number of values that it writes.

@@ -15,8 +15,8 @@ constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
 Points columns_of(const PointSet& points) {
   if (points.dims() != 2) {
-    throw std::logic_error("a point set in " + std::to_string(points.dims()) +
-                           " dimensions: points of the square have two");
+    throw std::logic_error("the point set has " + std::to_string(points.dims()) +
+                           " dimensions, not 2");
   }
   const auto x = points.column(0), y = points.column(1);
   return {{x.begin(), x.end()}, {y.begin(), y.end()}};
@@ -109,7 +109,7 @@ double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_
       const PointSet points = mc::poisson_disk(radius, rng);
       last = points.column(0).empty() ? unwritten : points.column(0).back();
     } else {
-      throw std::out_of_range("task: 2 or 3");
+      throw std::out_of_range("task: must be 2 or 3");
     }
   }
   return last;
@@ -124,19 +124,22 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     {.columns = "distance_squared", .index = "i"}),
       MC_EXPERIMENT(best_candidate, "n c sets seed", "4.2  sets of n points each",
                     {.sets = "sets"}),
-      MC_EXPERIMENT(best_candidate_into, "size_x size_y c", "4.2  x and y of these sizes"),
-      MC_EXPERIMENT(poisson_disk, "radius sets seed", "4.3  sets of points, and how many in each"),
-      MC_EXPERIMENT(periodogram, "x y sets kmax", "4.4  power of each of the sets, all of one size",
+      MC_EXPERIMENT(best_candidate_into, "size_x size_y c",
+                    "4.2  points, written to an x and a y of these sizes"),
+      MC_EXPERIMENT(poisson_disk, "radius sets seed",
+                    "4.3  patterns, and the number of points in each"),
+      MC_EXPERIMENT(periodogram, "x y sets kmax",
+                    "4.4  power of each set; all sets have the same size",
                     {.columns = "power", .sets = "sets", .kmax = "kmax"}),
       MC_EXPERIMENT(periodogram_into, "size_x size_y kmax size_power",
-                    "4.4  x, y and power of these sizes, all points at the origin",
+                    "4.4  power of points at the origin; x, y, power of these sizes",
                     {.columns = "power", .kmax = "kmax"}),
-      MC_EXPERIMENT(radial_power, "power kmax", "4.5  means over rings of a periodogram",
+      MC_EXPERIMENT(radial_power, "power kmax", "4.5  means of a periodogram over rings",
                     {.columns = "power", .index = "ring"}),
       MC_EXPERIMENT(tile, "x y copies", "4.6  a pattern, copies times along each axis"),
-      MC_EXPERIMENT(tile_of, "size dims copies", "4.6  points at the origin, the same"),
+      MC_EXPERIMENT(tile_of, "size dims copies", "4.6  the same for size points at the origin"),
       MC_EXPERIMENT(repeat, "task n rounds seed",
-                    "4.2 or 4.3, again and again; the last x (timing)"),
+                    "points of 4.2 or 4.3, rounds times; returns the last x (timing)"),
   };
   return all;
 }

@@ -1,13 +1,14 @@
 # Draws lab 4. Called by ./lab plot with
-#   count      how many submissions are drawn side by side
+#   count      the number of submissions, drawn side by side
 #   labels[i]  their names, data[i] the folder of their data
-#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+#   draw       the style of all plots (common/draw.gp): load it after setting name, width and height
 
 ways(s) = "independent jittered few_candidates best_candidate poisson_disk"
 
 # Patterns over their periodograms ----------------------------------------------------------------
-# As pictures: a pixel per frequency, white at twice the power of independent points. Three patterns
-# in the first row and two in the second, each above its periodogram; the gray scale is the sixth.
+# Periodograms are pictures with one pixel per frequency; white is twice the power of independent points.
+# Three patterns are in the first row and two in the second, each above its periodogram. The sixth panel
+# is the gray scale.
 name = "spectra"; width = 640 * count; height = 940
 load draw
 set multiplot
@@ -16,7 +17,7 @@ unset key
 unset grid
 set palette gray
 set cbrange [0:2]
-w = 203; step = 464  # of a panel, in pixels: its width, and a pattern with its periodogram
+w = 203; step = 464  # in pixels: the width of a panel, and the height of a pattern with its periodogram
 do for [s=1:count] {
   do for [i=1:5] {
     left = 640. * (s - 1) + ((i - 1) % 3) * (w + 10) + 5
@@ -71,7 +72,7 @@ do for [s=1:count] {
 unset multiplot
 
 # Error against N ---------------------------------------------------------------------------------
-# The root mean square of 100 patterns, of 40 at N = 1024.
+# The root mean square error over 100 patterns; 40 patterns at N = 1024.
 array of[2] = ["bump", "edge"]
 array what[2] = ["exp(-x² - y²)", "a slanted edge"]
 name = "convergence"; width = 620 * count; height = 480

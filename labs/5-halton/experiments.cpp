@@ -8,7 +8,7 @@
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
 
-// Null in a program whose submission has no 5.10, as one that was written before there was one.
+// These are null if the submission does not define 5.10, which older submissions lack.
 namespace mc {
 [[gnu::weak]] void lattice(PointSet&, std::uint64_t);
 [[gnu::weak]] void tent(std::span<double>);
@@ -17,7 +17,7 @@ namespace mc {
 namespace mc::experiments {
 namespace {
 
-/// Marks values that were not written: it shows where the last ones were forgotten.
+/// The initial value of everything that a submission must write.
 constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
 
 PointSet unwritten_points(std::uint64_t n, std::uint64_t dims) {
@@ -40,17 +40,17 @@ void make_lattice(PointSet& points, std::uint64_t seed) {
   mc::lattice(points, seed);
 }
 
-void fold(std::span<double> column) {
+void apply_tent(std::span<double> column) {
   if (mc::tent == nullptr) throw todo("5.10");
   mc::tent(column);
 }
 
-/// Points first, first + 1, … of repeat_points().
+/// Writes points first, first + 1, … for repeat_points().
 void make_points(unsigned task, PointSet& points, std::uint64_t first, std::uint64_t seed) {
   if (task == 3) return mc::halton(points, first);
   if (task == 10) {
     make_lattice(points, seed);
-    for (std::size_t d = 0; d < points.dims(); ++d) fold(points.column(d));
+    for (std::size_t d = 0; d < points.dims(); ++d) apply_tent(points.column(d));
     return;
   }
   const auto bases = task == 9 ? mc::primes(points.dims()) : std::vector<unsigned>{};
@@ -173,35 +173,34 @@ std::vector<double> lattice(std::uint64_t n, std::uint64_t dims, std::vector<std
 }
 
 std::vector<double> tent(std::vector<double> x) {
-  fold(x);
+  apply_tent(x);
   return x;
 }
 
 double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds,
               std::uint64_t seed) {
-  const unsigned of = base_or_dimension;
   std::vector<double> column(n, unwritten);
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    const std::uint64_t its_seed = seed + round, first = 4096 * (its_seed % 4096);
+    const std::uint64_t round_seed = seed + round, first = 4096 * (round_seed % 4096);
     switch (task) {
       case 1:
-        for (std::uint64_t i = 0; i < n; ++i) column[i] = mc::radical_inverse(of, i);
+        for (std::uint64_t i = 0; i < n; ++i) column[i] = mc::radical_inverse(base_or_dimension, i);
         break;
       case 2:
-        mc::radical_inverses(of, first, column);
+        mc::radical_inverses(base_or_dimension, first, column);
         break;
       case 5:
-        mc::sobol(of, first, column);
+        mc::sobol(base_or_dimension, first, column);
         break;
       case 8:
-        mc::sobol(of, first, column);
-        mc::owen_scramble(column, its_seed);
+        mc::sobol(base_or_dimension, first, column);
+        mc::owen_scramble(column, round_seed);
         break;
       case 9:
-        mc::radical_inverses_scrambled(of, first, column, its_seed);
+        mc::radical_inverses_scrambled(base_or_dimension, first, column, round_seed);
         break;
       default:
-        throw std::out_of_range("task: 1, 2, 5, 8 or 9");
+        throw std::out_of_range("task: must be 1, 2, 5, 8 or 9");
     }
   }
   return column.empty() ? unwritten : column.back();
@@ -209,8 +208,8 @@ double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::u
 
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
   if (task != 3 && task != 5 && task != 8 && task != 9 && task != 10)
-    throw std::out_of_range("task: 3, 5, 8, 9 or 10");
-  if (dims == 0 || dims > 4096) throw std::out_of_range("dims: 1 to 4096");
+    throw std::out_of_range("task: must be 3, 5, 8, 9 or 10");
+  if (dims == 0 || dims > 4096) throw std::out_of_range("dims: must be 1 to 4096");
   const std::uint64_t block =
       std::min<std::uint64_t>(n, std::max<std::uint64_t>(1024, std::bit_floor(4096 / dims)));
   PointSet points(block, dims), rest(n % block, dims);
@@ -240,25 +239,25 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(sobol, "dimension first count",
                     "5.5  one coordinate of Sobol' points first, first + 1, ...",
                     {.columns = "x", .index = "index", .from = "first"}),
-      MC_EXPERIMENT(star_discrepancy_1d, "x", "5.6  star discrepancy of points of the line"),
-      MC_EXPERIMENT(star_discrepancy_2d, "x y", "5.6  star discrepancy of points of the plane"),
+      MC_EXPERIMENT(star_discrepancy_1d, "x", "5.6  star discrepancy of points on the line"),
+      MC_EXPERIMENT(star_discrepancy_2d, "x y", "5.6  star discrepancy of points in the plane"),
       MC_EXPERIMENT(random_shift, "points dims times seed",
-                    "5.7  points (column by column) shifted, from where they are each time",
+                    "5.7  random shifts of the given points (column by column)",
                     {.dims = "dims", .sets = "times"}),
-      MC_EXPERIMENT(owen_scramble, "x seeds", "5.8  the column x scrambled by each seed",
+      MC_EXPERIMENT(owen_scramble, "x seeds", "5.8  the column x scrambled with each seed",
                     {.columns = "scrambled", .sets = "seeds", .row_labels = "x"}),
       MC_EXPERIMENT(radical_inverses_scrambled, "base first count seeds",
-                    "5.9  scrambled radical inverses of first, first + 1, ..., by each seed",
+                    "5.9  scrambled radical inverses of first, first + 1, ..., per seed",
                     {.columns = "x", .sets = "seeds", .index = "index", .from = "first"}),
       MC_EXPERIMENT(scrambled_one_by_one, "base indices seeds",
                     "5.9  scrambled radical inverses of indices, each in its own column",
                     {.columns = "x", .sets = "seeds", .row_labels = "indices"}),
-      MC_EXPERIMENT(lattice, "n dims seeds", "5.10  n points of a lattice, shifted by each seed",
+      MC_EXPERIMENT(lattice, "n dims seeds", "5.10  a lattice of n points, shifted with each seed",
                     {.dims = "dims", .sets = "seeds", .index = "index"}),
-      MC_EXPERIMENT(tent, "x", "5.10  the column x, folded",
+      MC_EXPERIMENT(tent, "x", "5.10  the tent transform of x",
                     {.columns = "folded", .row_labels = "x"}),
       MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed",
-                    "a column of task 5.task, rounds times; the last x (timing)"),
+                    "a column of task 5.task, rounds times; returns the last x (timing)"),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",
                     "points of task 5.task, rounds times (timing)"),
   };

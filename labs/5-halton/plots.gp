@@ -1,12 +1,12 @@
 # Draws lab 5. Called by ./lab plot with
-#   count      how many submissions are drawn side by side
+#   count      the number of submissions, drawn side by side
 #   labels[i]  their names, data[i] the folder of their data
-#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+#   draw       the style of all plots (common/draw.gp): load it after setting name, width and height
 
 ways(s) = "independent jittered halton hammersley sobol scrambled_sobol"
 
 # The lecture's points, and others, over elementary intervals -------------------------------------
-# A shape of interval for each set, as many as there are points.
+# Each set has one shape of interval, with as many intervals as there are points.
 array points[6] = [256, 256, 216, 256, 256, 256]
 array columns[6] = [1, 16, 8, 32, 16, 4]
 array rows[6] = [1, 16, 27, 8, 16, 64]
@@ -73,7 +73,7 @@ do for [row=0:2] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
     set xlabel "N"
     set ylabel (i % 2 == 1 ? "error" : "")
     set label 1 rates[i] at graph 0.04, graph 0.07 left tc rgb ink
-    # To the right of the last panel there is room for the legend.
+    # The legend is to the right of the last panel.
     if (i == 5) { set key at graph 1.2, 0.95 left top Left reverse samplen 3 } else { unset key }
     plot for [m in ways(s)] data[s]."/convergence-".of[i].".tsv" using "N":m with linespoints ls value(m) ps 0.8 notitle, \
          for [m in ways(s)] keyentry with linespoints ls value(m) ps 0.8 title is(m), \
@@ -109,14 +109,14 @@ do for [s=1:count] {
 }
 unset multiplot
 
-# How the error of exp(x) is distributed, beyond its mean square -----------------------------------
+# The kurtosis of the error of exp(x) --------------------------------------------------------------
 name = "tails"; width = 80 + 420 * count; height = 440
 load draw
 set multiplot layout 1,count margins 70./width, 1 - 25./width, 130./height, 1 - head(count)/height \
   spacing 75./width, 0
 set logscale xy
 set xrange [12:5500]
-set yrange [2:5<*<200]  # where it is 3, so near that the bars are seen
+set yrange [2:5<*<200]  # if it is 3, close enough to see the error bars
 set xtics (16, 64, 256, 1024, 4096)
 set ytics (2, 3, 5, 10, 20, 50, 100)
 set xlabel "N"

@@ -1,5 +1,5 @@
 #pragma once
-// Experiments of lab 6 as a report spells them: as what they call of a sampler.
+// How a report prints the experiments of lab 6: as the calls that they make.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace mc::experiments {
 
-/// Scenes and the names of their parameters, in order.
+/// A scene and the names of its parameters, in order.
 struct SceneParameters {
   std::string_view scene, parameters;
 };
@@ -35,7 +35,7 @@ inline constexpr SceneParameters scene_parameters[] = {
     {"stripes", "top bottom rise phase"},
 };
 
-/// Empty for a scene that there is not.
+/// The names of a scene's parameters; empty if there is no such scene.
 inline std::string_view parameters_of_scene(std::string_view scene) {
   for (const SceneParameters& one : scene_parameters) {
     if (one.scene == scene) return one.parameters;
@@ -43,7 +43,7 @@ inline std::string_view parameters_of_scene(std::string_view scene) {
   return {};
 }
 
-constexpr std::size_t most_calls = 8;
+constexpr std::size_t most_calls = 8;  // more calls are abbreviated
 
 inline std::string spelled(const Step& step) {
   switch (step.call) {
@@ -58,32 +58,33 @@ inline std::string spelled(const Step& step) {
   }
 }
 
-/// "generate(12, 7); next(); next2(); … 37 more calls"
+/// For example: "generate(12, 7); next(); next2(); … 37 more calls".
 inline std::string spelled(const std::vector<Step>& steps) {
   std::vector<std::string> calls(steps.size());
   for (std::size_t i = 0; i < steps.size() && i < most_calls; ++i) calls[i] = spelled(steps[i]);
   return text::joined(calls, "; ", most_calls, "calls");
 }
 
-/// A seed, or the word; and what to say of several: ", with each of 256 seeds".
+/// One seed is printed as a number. Several are printed as the word "seed", and a suffix gives
+/// their number: ", with each of 256 seeds".
 struct SpelledSeeds {
-  std::string one = "seed", all;
+  std::string one = "seed", suffix;
   explicit SpelledSeeds(const std::vector<std::uint64_t>& seeds) {
     if (seeds.size() == 1) {
       one = text::print(seeds[0]);
     } else {
-      all = ", with each of " + std::to_string(seeds.size()) + " seeds";
+      suffix = ", with each of " + std::to_string(seeds.size()) + " seeds";
     }
   }
 };
 
-/// play, play_two
+/// Prints play and play_two.
 inline std::string spelled_call(Spelling, std::string_view experiment, const std::string& kind,
                                 const std::vector<Step>& steps) {
   return (experiment == "play_two" ? "two of " : "") + kind + ": " + spelled(steps);
 }
 
-/// columns
+/// Prints columns.
 inline std::string spelled_call(Spelling, std::string_view, const std::string& kind,
                                 std::uint64_t samples, const std::vector<std::uint64_t>& seeds,
                                 const std::vector<unsigned>& uses) {
@@ -95,10 +96,10 @@ inline std::string spelled_call(Spelling, std::string_view, const std::string& k
          (uses.empty()
               ? ")"
               : "), then for each sample " + text::joined(calls, "; ", most_calls, "calls")) +
-         spelled_seeds.all;
+         spelled_seeds.suffix;
 }
 
-/// estimates
+/// Prints estimates.
 inline std::string spelled_call(Spelling, std::string_view, const std::string& kind,
                                 const std::string& scene, const std::vector<double>& parameters,
                                 double a, double b, std::uint64_t samples,
@@ -116,7 +117,7 @@ inline std::string spelled_call(Spelling, std::string_view, const std::string& k
   if (b != 0) of_scene += (b < 0 ? " - " : " + ") + text::print(b < 0 ? -b : b);
   const SpelledSeeds spelled_seeds(seeds);
   return "integrate(" + of_scene + ", " + kind + ", " + text::print(samples) + ", " +
-         spelled_seeds.one + ")" + spelled_seeds.all;
+         spelled_seeds.one + ")" + spelled_seeds.suffix;
 }
 
 }  // namespace mc::experiments

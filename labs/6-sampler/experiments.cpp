@@ -13,18 +13,18 @@
 namespace mc::experiments {
 namespace {
 
-/// Notes what it is asked for.
+/// A sampler that records its calls.
 class RecordingSampler final : public Sampler {
  public:
-  Recorded record;
+  SamplerTrace trace;
   std::vector<unsigned> uses;
   std::uint64_t sample = 0;
 
   void generate(std::size_t samples, std::uint64_t seed) override {
-    if (samples == 0) throw std::invalid_argument("samples: there are none");
-    ++record.generates;
-    record.samples.push_back(samples);
-    record.seeds.push_back(seed);
+    if (samples == 0) throw std::invalid_argument("samples: must be positive");
+    ++trace.generates;
+    trace.samples.push_back(samples);
+    trace.seeds.push_back(seed);
     sample = 0;
   }
   double next() override {
@@ -36,19 +36,19 @@ class RecordingSampler final : public Sampler {
     return {0.25, 0.75};
   }
   void advance() override {
-    ++record.advances;
+    ++trace.advances;
     ++sample;
   }
 
-  /// A scene was evaluated.
-  void evaluated() { ++record.evaluations; }
+  /// Counts an evaluation of the scene.
+  void count_evaluation() { ++trace.evaluations; }
 
-  /// The record of so many integrations, with lists of the expected lengths.
-  Recorded of(std::size_t integrations, std::size_t positions) && {
-    record.samples.resize(integrations);
-    record.seeds.resize(integrations);
-    record.positions.resize(positions);
-    return std::move(record);
+  /// The trace, with its lists at the lengths expected for this many integrations and positions.
+  SamplerTrace with_lengths(std::size_t integrations, std::size_t positions) && {
+    trace.samples.resize(integrations);
+    trace.seeds.resize(integrations);
+    trace.positions.resize(positions);
+    return std::move(trace);
   }
 };
 
@@ -85,14 +85,14 @@ std::vector<Answer> play(std::string kind, std::vector<Step> steps) {
 }
 
 std::vector<Answer> play_two(std::string kind, std::vector<Step> steps) {
-  const auto one = mc::make_sampler(kind), other = mc::make_sampler(kind);
-  std::vector<Answer> answers, of_other;
+  const auto first = mc::make_sampler(kind), second = mc::make_sampler(kind);
+  std::vector<Answer> answers, of_second;
   for (Step step : steps) {
-    answers.push_back(answer_of(*one, step));
+    answers.push_back(answer_of(*first, step));
     ++step.seed;
-    of_other.push_back(answer_of(*other, step));
+    of_second.push_back(answer_of(*second, step));
   }
-  answers.insert(answers.end(), of_other.begin(), of_other.end());
+  answers.insert(answers.end(), of_second.begin(), of_second.end());
   return answers;
 }
 
@@ -144,45 +144,46 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
                               double a, double b, std::uint64_t samples,
                               std::vector<std::uint64_t> seeds) {
   const Scene bare = named(scenes, scene).with(parameters);
-  const Scene seen{bare.uses, [&](Sampler& sampler) { return a * bare.sample(sampler) + b; }};
+  const Scene scaled{bare.uses, [&](Sampler& sampler) { return a * bare.sample(sampler) + b; }};
   std::vector<double> values;
   for (const std::uint64_t seed : seeds) {
     const auto sampler = mc::make_sampler(kind);
-    values.push_back(mc::integrate(seen, *sampler, samples, seed));
+    values.push_back(mc::integrate(scaled, *sampler, samples, seed));
   }
   return values;
 }
 
-Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, std::uint64_t seed) {
+SamplerTrace integrate_recorded(std::vector<double> values, std::uint64_t samples,
+                                std::uint64_t seed) {
   RecordingSampler sampler;
   const Scene scene{"", [&](Sampler&) {
-                      sampler.evaluated();
-                      sampler.record.positions.push_back(sampler.sample);
-                      if (sampler.sample >= dealt.size()) {
+                      sampler.count_evaluation();
+                      sampler.trace.positions.push_back(sampler.sample);
+                      if (sampler.sample >= values.size()) {
                         throw std::out_of_range("the scene was evaluated after the last sample");
                       }
-                      return dealt[sampler.sample];
+                      return values[sampler.sample];
                     }};
-  sampler.record.values = {mc::integrate(scene, sampler, samples, seed)};
-  return std::move(sampler).of(1, samples);
+  sampler.trace.values = {mc::integrate(scene, sampler, samples, seed)};
+  return std::move(sampler).with_lengths(1, samples);
 }
 
-Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                         std::uint64_t seed) {
+SamplerTrace render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                             std::uint64_t seed) {
   RecordingSampler sampler;
   const PixelScene scene{width, height, "", [&](std::size_t column, std::size_t row, Sampler&) {
-                           sampler.evaluated();
-                           sampler.record.positions.push_back(column + width * row);
-                           sampler.record.positions.push_back(sampler.sample);
+                           sampler.count_evaluation();
+                           sampler.trace.positions.push_back(column + width * row);
+                           sampler.trace.positions.push_back(sampler.sample);
                            return static_cast<double>(column) + 10 * static_cast<double>(row) +
                                   static_cast<double>(sampler.sample) / static_cast<double>(spp);
                          }};
   const Image image = mc::render(scene, sampler, spp, seed);
   if (image.width != width || image.height != height) {
-    throw std::out_of_range("the image has not the size of the scene");
+    throw std::out_of_range("the size of the image is not that of the scene");
   }
-  sampler.record.values = image.pixels;
-  return std::move(sampler).of(width * height, 2 * width * height * spp);
+  sampler.trace.values = image.pixels;
+  return std::move(sampler).with_lengths(width * height, 2 * width * height * spp);
 }
 
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
@@ -213,10 +214,10 @@ std::vector<unsigned> uses_of_picture(std::string picture) {
 
 namespace {
 
-/// The sum of a round of repeat().
-double sum_of(Sampler& sampler, unsigned by, std::uint64_t dims, std::uint64_t asked) {
+/// The sum of the coordinates that repeat() reads in one round, of the first `count` samples.
+double sum_of(Sampler& sampler, unsigned by, std::uint64_t dims, std::uint64_t count) {
   double sum = 0;
-  for (std::uint64_t i = 0; i < asked; ++i, sampler.advance()) {
+  for (std::uint64_t i = 0; i < count; ++i, sampler.advance()) {
     if (by == 1) {
       for (std::uint64_t d = 0; d < dims; ++d) sum += sampler.next();
     } else {
@@ -244,11 +245,11 @@ double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t s
 
 double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
                     std::uint64_t rounds, std::uint64_t seed) {
-  const Scene seen = named(scenes, scene).with({});
+  const Scene integrated = named(scenes, scene).with({});
   const auto sampler = mc::make_sampler(kind);
   double integral = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    integral = mc::integrate(seen, *sampler, samples, seed + round);
+    integral = mc::integrate(integrated, *sampler, samples, seed + round);
   }
   return integral;
 }
@@ -266,36 +267,35 @@ double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
   static constexpr Experiment all[] = {
       MC_EXPERIMENT(play, "kind steps",
-                    "6.4  calls of a sampler in turn: 0:N:seed generates, 1:0:0 is next, 2:0:0 "
-                    "next2, 3:0:0 advance"),
-      MC_EXPERIMENT(play_two, "kind steps", "6.4  the same of two samplers alive at once"),
-      MC_EXPERIMENT(
-          columns, "kind samples seeds uses",
-          "6.1  all coordinates of a sampler, a column for each; uses: 1 is next, 2 next2",
-          {.points = "samples", .sets = "seeds"}),
+                    "6.4  consecutive calls of a sampler: 0:N:seed is generate, 1:0:0 next, "
+                    "2:0:0 next2, 3:0:0 advance"),
+      MC_EXPERIMENT(play_two, "kind steps", "6.4  the same for two samplers at the same time"),
+      MC_EXPERIMENT(columns, "kind samples seeds uses",
+                    "6.1  all coordinates of a sampler, one per column; uses: 1 is next, 2 next2",
+                    {.points = "samples", .sets = "seeds"}),
       MC_EXPERIMENT(estimates, "kind scene parameters a b samples seeds",
-                    "6.5  integrate, of a times the scene plus b, with each seed",
+                    "6.5  integrals of a * scene + b, one per seed",
                     {.columns = "integral", .index = "seed", .row_labels = "seeds"}),
       MC_EXPERIMENT(sobol_columns, "dimensions samples seeds",
                     "6.3  dimensions of the Sobol' sequence, scrambled",
                     {.points = "samples", .sets = "seeds"}),
-      MC_EXPERIMENT(integrate_recorded, "dealt samples seed",
-                    "6.5  what integrate does with a scene of these values"),
+      MC_EXPERIMENT(integrate_recorded, "values samples seed",
+                    "6.5  how integrate calls the sampler, for a scene of these values"),
       MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture",
                     {.width = "width"}),
       MC_EXPERIMENT(render_noise, "kind width height spp seed",
-                    "6.6  a picture of nothing but its samples", {.width = "width"}),
-      MC_EXPERIMENT(render_recorded, "width height spp seed",
-                    "6.6  what render does with a sampler that takes notes"),
+                    "6.6  a picture of the samples themselves", {.width = "width"}),
+      MC_EXPERIMENT(render_recorded, "width height spp seed", "6.6  how render calls the sampler"),
       MC_EXPERIMENT(uses_of, "scene parameters",
-                    "what a sample of a scene asks for: 1 is next, 2 next2", {.columns = "use"}),
-      MC_EXPERIMENT(uses_of_picture, "picture", "what a sample of a pixel asks for",
+                    "the calls of one sample of a scene: 1 is next, 2 next2", {.columns = "use"}),
+      MC_EXPERIMENT(uses_of_picture, "picture", "the calls of one sample of a picture",
                     {.columns = "use"}),
       MC_EXPERIMENT(repeat, "kind by dims samples rounds seed",
-                    "6.8  for timing: by next (1), by next2 (2), or generation alone (0)"),
-      MC_EXPERIMENT(repeat_scene, "kind scene samples rounds seed", "6.8  for timing: integrate"),
+                    "6.8  coordinates by next (by 1), next2 (2), or only generation (0) (timing)"),
+      MC_EXPERIMENT(repeat_scene, "kind scene samples rounds seed",
+                    "6.8  integrals of a scene, rounds times (timing)"),
       MC_EXPERIMENT(repeat_textbook, "dims samples rounds",
-                    "6.8  for timing: numbers of std::mt19937_64"),
+                    "6.8  numbers of std::mt19937_64 (timing)"),
   };
   return all;
 }
@@ -310,5 +310,5 @@ std::vector<mc::runner::Choice> mc::runner::choices() {
            "is one of",
            {"independent", "stratified", "blue_noise", "halton", "sobol", "lattice"}},
           {"picture", "is one of", pictures},
-          {"scene", "is one of these; --parameters are theirs, in this order, or \"\"", scenes}};
+          {"scene", "is one of these, with its --parameters in this order, or \"\"", scenes}};
 }

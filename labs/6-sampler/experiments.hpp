@@ -1,7 +1,8 @@
 #pragma once
-// What lab 6 measures of a submission. A `kind` is what make_sampler() is asked for; a `scene` is
-// the name of a file in labs/common/scenes, its `parameters` its struct's fields in order (none: as
-// they stand there); a `picture` one of edge, penumbra, defocus, motion, stripes.
+// The experiments of lab 6: what is run and measured in a submission. `kind` is the argument of
+// make_sampler(). `scene` names a scene of labs/common/scenes, and `parameters` are the fields of
+// its struct in order; an empty list means their default values. `picture` is edge, penumbra,
+// defocus, motion or stripes.
 
 #include <cstdint>
 #include <string>
@@ -27,80 +28,87 @@ struct Step {
 };
 MC_FIELDS(Step, call, samples, seed)
 
-/// What came of it: x of next(), x and y of next2(); `thrown` is 0 where nothing was, 1 a
-/// std::out_of_range, 2 a std::invalid_argument. Other exceptions end the measurement.
+/// The result of a call: x for next(), x and y for next2(). `thrown` is 0 if the call returned, 1
+/// if it threw std::out_of_range, 2 if std::invalid_argument. Other exceptions end the measurement.
 struct Answer {
   unsigned thrown = 0;
   double x = 0, y = 0;
 };
 MC_FIELDS(Answer, thrown, x, y)
 
-/// Calls of one sampler in turn.
+/// 6.4: the results of consecutive calls of one sampler.
 std::vector<Answer> play(std::string kind, std::vector<Step> steps);
 
-/// 6.4: two samplers of a kind alive at once. Each step is made by the one and then by the other,
-/// whose seeds are larger by 1. What came of it, first of all steps of the one.
+/// 6.4: the same for two samplers of one kind that exist at the same time. The first sampler makes
+/// a step, then the second one makes it with the next higher seed. Returns all results of the first
+/// sampler, then all of the second.
 std::vector<Answer> play_two(std::string kind, std::vector<Step> steps);
 
-/// What a sampler hands out: with each of `seeds` a new one, whose samples all ask for the same
-/// `uses` (1 is next(), 2 is next2()). Set after set, a column for each coordinate.
+/// All coordinates of a sampler whose samples all make the same calls, `uses`: 1 is next(), 2 is
+/// next2(). Each seed has a new sampler. Returns a set per seed, with a column per coordinate.
 std::vector<double> columns(std::string kind, std::uint64_t samples,
                             std::vector<std::uint64_t> seeds, std::vector<unsigned> uses);
 
-/// What lab 5 has of the Sobol' sequence: `dimensions`, each scrambled by its own seed made of
-/// each of `seeds`. Set after set, a column for each dimension.
+/// The given dimensions of lab 5's Sobol' sequence, each scrambled (5.8) with its own seed, drawn
+/// from Rng(seed). Returns a set for each of `seeds`, with a column per dimension.
 std::vector<double> sobol_columns(std::vector<unsigned> dimensions, std::uint64_t samples,
                                   std::vector<std::uint64_t> seeds);
 
-/// integrate() of a scene, a times its value plus b, with each of `seeds` and a new sampler for it.
+/// 6.5: the integral of a * scene + b with each seed, each by a new sampler.
 std::vector<double> estimates(std::string kind, std::string scene, std::vector<double> parameters,
                               double a, double b, std::uint64_t samples,
                               std::vector<std::uint64_t> seeds);
 
-/// What integrate() and render() did with a sampler of ours. The lists have the expected lengths,
-/// cut or filled up with zeros; their true lengths are counted.
-struct Recorded {
-  std::vector<double> values;            ///< what came back: a number, or pixels
-  std::vector<std::uint64_t> samples;    ///< of each generate()
-  std::vector<std::uint64_t> seeds;      ///< of each generate()
-  std::vector<std::uint64_t> positions;  ///< column + width row, and sample, of each evaluation
+/// How integrate() or render() called a sampler that records its calls. The lists have the expected
+/// lengths: they are truncated or padded with zeros. The counts are the true ones.
+struct SamplerTrace {
+  std::vector<double> values;          ///< the result: one integral, or all pixels
+  std::vector<std::uint64_t> samples;  ///< argument of each generate()
+  std::vector<std::uint64_t> seeds;    ///< argument of each generate()
+  /// Where the scene was evaluated: the sample (integrate), or column + width * row and the sample
+  /// (render), for each evaluation.
+  std::vector<std::uint64_t> positions;
   std::uint64_t generates = 0, evaluations = 0, advances = 0;
 };
-MC_FIELDS(Recorded, values, samples, seeds, positions, generates, evaluations, advances)
+MC_FIELDS(SamplerTrace, values, samples, seeds, positions, generates, evaluations, advances)
 
-/// 6.5: of a scene that has the value dealt[i] for sample i.
-Recorded integrate_recorded(std::vector<double> dealt, std::uint64_t samples, std::uint64_t seed);
+/// 6.5: integrates a scene whose value for sample i is values[i].
+SamplerTrace integrate_recorded(std::vector<double> values, std::uint64_t samples,
+                                std::uint64_t seed);
 
-/// 6.6: of a picture that has the value column + 10 row + sample / spp.
-Recorded render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                         std::uint64_t seed);
+/// 6.6: renders a picture whose values are column + 10 row + sample / spp.
+SamplerTrace render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                             std::uint64_t seed);
 
-/// 6.6: a picture.
+/// 6.6: a picture by a sampler of the given kind.
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
              std::uint64_t spp, std::uint64_t seed);
 
-/// 6.6: a picture of nothing but the samples: each pixel is the mean of one next().
+/// 6.6: a picture of the samples themselves: each pixel is the mean of the first next().
 Image render_noise(std::string kind, std::uint64_t width, std::uint64_t height, std::uint64_t spp,
                    std::uint64_t seed);
 
-/// What one sample of a scene asks for; and of a picture.
+/// The calls that one sample of a scene makes, and one sample of a picture: 1 is next(), 2 is
+/// next2().
 std::vector<unsigned> uses_of(std::string scene, std::vector<double> parameters);
 std::vector<unsigned> uses_of_picture(std::string picture);
 
-/// For timing: generate() and then `dims` coordinates for each of `samples`, by next() (`by` 1), by
-/// next2() (`by` 2), or none, only the first of each use (`by` 0: what generation costs alone);
-/// `rounds` times, round r with the seed `seed` + r. The sum of the last round.
+/// For timing: `rounds` times, generate() and then `dims` coordinates for each of `samples`, by
+/// next() (`by` 1) or by next2() (`by` 2). With `by` 0 only the first sample is read, by next2():
+/// the cost of generation alone. Round r has the seed `seed` + r. Returns the sum of the last
+/// round.
 double repeat(std::string kind, unsigned by, std::uint64_t dims, std::uint64_t samples,
               std::uint64_t rounds, std::uint64_t seed);
 
-/// For timing: integrate() of a scene as written in its file, with one sampler; round r with the
-/// seed `seed` + r. The last integral.
+/// For timing: integrates a scene with its default parameters `rounds` times, with one sampler.
+/// Round r has the seed `seed` + r. Returns the last integral.
 double repeat_scene(std::string kind, std::string scene, std::uint64_t samples,
                     std::uint64_t rounds, std::uint64_t seed);
 
-/// For timing: as many numbers of std::mt19937_64 and std::uniform_real_distribution.
+/// For timing: the sum of rounds * samples * dims numbers of std::mt19937_64 with
+/// std::uniform_real_distribution.
 double repeat_textbook(std::uint64_t dims, std::uint64_t samples, std::uint64_t rounds);
 
 }  // namespace mc::experiments
 
-#include "6-sampler/calls.hpp"  // what a report makes of these
+#include "6-sampler/calls.hpp"  // how a report prints these

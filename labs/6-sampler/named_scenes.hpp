@@ -1,5 +1,5 @@
 #pragma once
-// The scenes and pictures of labs/common/scenes by their names.
+// The scenes and pictures of labs/common/scenes, by name.
 
 #include <algorithm>
 #include <array>
@@ -14,12 +14,12 @@
 
 namespace mc::experiments {
 
-/// A scene by its fields, all of them double.
+/// The scene S with the given fields, all of them double, or with its defaults if none are given.
 template <class S>
 Scene scene_with(std::span<const double> parameters) {
   std::array<double, sizeof(S) / sizeof(double)> fields = std::bit_cast<decltype(fields)>(S{});
   if (!parameters.empty() && parameters.size() != fields.size()) {
-    throw std::out_of_range("parameters: the scene has " + std::to_string(fields.size()));
+    throw std::out_of_range("parameters: the scene takes " + std::to_string(fields.size()));
   }
   std::copy(parameters.begin(), parameters.end(), fields.begin());
   return {S::uses, std::bit_cast<S>(fields)};
@@ -46,7 +46,7 @@ inline constexpr NamedScene scenes[] = {
     {"stripes", scene_with<scenes::Stripes>},
 };
 
-/// A picture whose pixels are a scene with other parameters each.
+/// A picture with one scene per pixel: `at` gives the scene's parameters for a pixel.
 template <auto at>
 PixelScene picture_of(std::size_t width, std::size_t height) {
   using S = decltype(at(0, 0, 0, 0));
@@ -68,6 +68,8 @@ inline constexpr NamedPicture pictures[] = {
     {"stripes", picture_of<scenes::stripes_picture>},
 };
 
+/// The entry with this name.
+/// throws: std::out_of_range if there is none; the message lists the names.
 template <class Named, std::size_t size>
 const Named& named(const Named (&all)[size], const std::string& name) {
   std::string names;
@@ -75,7 +77,7 @@ const Named& named(const Named (&all)[size], const std::string& name) {
     if (one.name == name) return one;
     names += ' ' + std::string(one.name);
   }
-  throw std::out_of_range("no '" + name + "', only" + names);
+  throw std::out_of_range("'" + name + "' is unknown; known names:" + names);
 }
 
 }  // namespace mc::experiments

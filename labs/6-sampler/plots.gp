@@ -1,7 +1,7 @@
 # Draws lab 6. Called by ./lab plot with
-#   count      how many submissions are drawn side by side
+#   count      the number of submissions, drawn side by side
 #   labels[i]  their names, data[i] the folder of their data
-#   draw       the look of every plot, to load with name, width and height set (common/draw.gp)
+#   draw       the style of all plots (common/draw.gp): load it after setting name, width and height
 #   here       the folder of this script
 
 array kinds[5] = ["independent", "stratified", "blue_noise", "halton", "sobol"]  # render.gp
@@ -43,7 +43,7 @@ do for [against=1:2] {
   unset multiplot
 }
 
-# What each next2 is worth ------------------------------------------------------------------------
+# The error of each next2 -------------------------------------------------------------------------
 name = "next2"; width = 620 * count; height = 760
 load draw
 set multiplot layout 2,2*count margins 70./width, 1 - 20./width, 65./height, 1 - 32./height spacing 70./width, 90./height
@@ -102,7 +102,7 @@ plot for [k=1:5] data[1]."/anova.tsv" using k lc rgb colors[k] title orders[k], 
      data[1]."/anova.tsv" using 0:6 with points pt 9 ps 2 lc rgb "#AF3FBF" title "within one call"
 
 # What a coordinate costs -------------------------------------------------------------------------
-# On a logarithmic axis the length of a bar says nothing: a point for each cost, and a line between.
+# On a logarithmic axis the length of a bar has no meaning, so each cost is a point, with a line between.
 array samples[3] = [16, 256, 4096]
 name = "speed"; width = 620 * count; height = 900
 load draw
@@ -144,7 +144,7 @@ do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
 } } }
 unset multiplot
 
-# A picture by each, and its error ----------------------------------------------------------------
+# A picture by each kind, and its error-------------------------------------------------------------
 columns = 5
 array titles[5*count]
 largest = 0

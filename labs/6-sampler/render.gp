@@ -1,13 +1,13 @@
-# Draws one sheet of ./lab render: a picture by each kind of sampler, and its error below. Three of
-# them are in a row, so that the sheet can be read on a phone. Called with
-#   count, labels[i]          how many submissions are below each other, their names
+# Draws one sheet of ./lab render: a picture by each kind of sampler, with its error below. A row has
+# three pictures, so that the sheet can be read on a phone. Called with
+#   count, labels[i]          the number of submissions, drawn below each other, and their names
 #   data[i]                   the folder of their data
 #   columns, kinds[k]         the samplers of a sheet
 #   titles[(i-1)*columns+k]   of each picture; "" where there is none
 #   headline                  of the sheet
 #   sheet                     "samples" or "time"
-#   white, range              the largest value of the picture, the largest error that is told apart
-#   draw                      the look of every plot (common/draw.gp)
+#   white, range              the largest value of the picture, and the error at the end of the scale
+#   draw                      the style of all plots (common/draw.gp)
 w = 256; h = 192; gap = 10; top = 50; above = 62
 left = count > 1 ? 40 : gap       # room for a submission's name
 band = above + 2 * h + gap        # a row of pictures, and the row of their errors
@@ -23,7 +23,7 @@ set xrange [-0.5:127.5]
 set yrange [95.5:-0.5]  # rows from the top
 set label 1 headline at screen 0.5, 1 - 0.5 * top / height center front font big textcolor rgb ink noenhanced
 
-# A panel whose upper left corner is x, y pixels from that of the sheet.
+# Places a panel whose upper left corner is x, y pixels from the corner of the sheet.
 place = "set lmargin at screen x*1./width; set rmargin at screen (x+w)*1./width; ".\
         "set tmargin at screen 1-y*1./height; set bmargin at screen 1-(y+h)*1./height"
 gray = "set palette defined (0 'black', 1 'white'); set cbrange [0:white]"
@@ -50,7 +50,7 @@ do for [s=1:count] {
       @place
       @diverging
       set title ""
-      if (first) {  # the exact picture has no error: below it is the scale of the others
+      if (first) {  # the exact picture has no error: the scale of the others is below it
         set colorbox user horizontal origin (left+35.)/width, 1-(y+0.55*h)/height size (w-70.)/width, 16./height
         set cbtics nomirror out (sprintf("%.2g", -range) -range, "0" 0, sprintf("+%.2g", range) range) font big textcolor rgb ink
         set label 3 "error" at screen (left+0.5*w)/width, 1-(y+0.35*h)/height center font big textcolor rgb ink

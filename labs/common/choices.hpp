@@ -7,16 +7,16 @@
 
 namespace mc {
 
-/// Uniform choices, several from one random word: word * n = choice * 2^64 + rest, and the rest is a
-/// random word again, with log2(n) bits less. A word is used while the n multiply to 2^24 at most, or
-/// for one choice: probabilities are wrong by a factor of 1 ± 2^-40 at most, or 1 ± n 2^-64 where n
-/// is above 2^24.
+/// Makes uniform random choices, several from one random word: word * n = choice * 2^64 + rest, and
+/// the rest is a random word again, with log2(n) fewer random bits. A word is reused as long as the
+/// product of all n is at most 2^24. Each probability is then correct up to a factor of 1 ± 2^-40.
+/// For n above 2^24 each choice takes its own word, with a factor of 1 ± n 2^-64.
 /// source: Brackett-Rozinsky, Lemire 2024, "Batched ranged random integer generation".
 class Choices {
  public:
   explicit Choices(Rng& rng) : rng_(rng) {}
 
-  /// One of 0 … n-1.
+  /// A uniform choice from 0 … n-1.
   std::size_t below(std::size_t n) {
     used_ *= n;
     if (used_ > most_used) word_ = rng_(), used_ = n;

@@ -4,7 +4,7 @@
 
 namespace mc {
 
-/// What defines one dimension of Sobol' points: a primitive polynomial over GF(2),
+/// The parameters of one dimension of the Sobol' sequence: a primitive polynomial over GF(2),
 ///
 ///     x^degree + a_1 x^(degree-1) + ... + a_(degree-1) x + 1,
 ///
@@ -17,7 +17,7 @@ struct JoeKuo {
 
 /// The first 32 dimensions of new-joe-kuo-6 (S. Joe, F. Y. Kuo, "Constructing Sobol' sequences with
 /// better two-dimensional projections", SIAM J. Sci. Comput. 30, 2008), counted from 0. Dimension 0
-/// has no polynomial: it is the van der Corput sequence, whose every m_k is 1.
+/// has no polynomial: it is the van der Corput sequence, for which every m_k is 1.
 inline constexpr std::array<JoeKuo, 32> joe_kuo{{
     {0, 0, {}},
     {1, 0, {1}},

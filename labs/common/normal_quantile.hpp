@@ -7,11 +7,11 @@
 namespace mc {
 
 /// The quantile function (inverse CDF) of the standard normal distribution at `p`: 1.96 for 0.975.
-/// Within 1e-14 |x| + 1e-16 of the exact x for every p, subnormal ones too; -inf at 0, inf at 1,
-/// NaN outside [0,1].
+/// Within 1e-14 |x| + 1e-16 of the exact x for every p, including subnormal ones; -inf at 0, inf at
+/// 1, NaN outside [0,1].
 ///
-/// A first guess, good to 4.5e-4, and two steps of Halley's method, which triples the digits: 3,
-/// 10, all.
+/// An initial guess is accurate to 4.5e-4. Two steps of Halley's method follow, each of which
+/// triples the number of correct digits: 3, 10, all.
 /// source: Abramowitz, Stegun 1964, "Handbook of mathematical functions", 26.2.23.
 inline double normal_quantile(double p) {
   if (!(p >= 0 && p <= 1)) return std::numeric_limits<double>::quiet_NaN();
@@ -23,8 +23,9 @@ inline double normal_quantile(double p) {
              t;
   for (int step = 0; step < 2; ++step) {
     if (p < 1e-300) {
-      // erfc is about to underflow and exp to overflow: Newton's method on the logarithm, whose
-      // asymptotic series (26.2.12) has terms that fall by 1e-3 each, out there.
+      // Here erfc may underflow and exp overflow, so this is Newton's method for the logarithm of
+      // the probability. Successive terms of its asymptotic series (26.2.12) shrink by a factor of
+      // 1e-3.
       const double v = 1 / (x * x);
       const double series = 1 - v * (1 - 3 * v * (1 - 5 * v * (1 - 7 * v * (1 - 9 * v))));
       const double log_p = -x * x / 2 + std::log(series / (-x * std::sqrt(2 * std::numbers::pi)));

@@ -10,18 +10,18 @@
 
 namespace mc {
 
-/// A point of the plane; as a rule, of the unit square [0,1)^2.
+/// A point in the plane, usually in the unit square [0,1)^2.
 struct Point2 {
   double x = 0, y = 0;
 };
 
-/// A grid of nx * ny equal cells over the unit square: `nx` along x and `ny` along y.
+/// A grid of nx * ny equal cells on the unit square: `nx` along x and `ny` along y.
 struct Grid {
   std::size_t nx = 1, ny = 1;
 };
 
-/// N points of [0,1)^dims, stored by coordinate: column d holds coordinate d of all of them, so
-/// that a generator fills one column at a time.
+/// N points in [0,1)^dims, stored by coordinate: column d holds coordinate d of all points, so that
+/// a generator can fill one column at a time.
 class PointSet {
  public:
   PointSet() = default;
@@ -34,7 +34,7 @@ class PointSet {
   std::size_t dims() const { return dims_; }
 
   /// Coordinate `d` of every point, d from 0: a span of size() values.
-  /// throws: std::out_of_range where d >= dims().
+  /// throws: std::out_of_range if d >= dims().
   std::span<double> column(std::size_t d) {
     require(d);
     return {values_.data() + d * size_, size_};
@@ -53,7 +53,8 @@ class PointSet {
   std::vector<double> values_;
 };
 
-/// Something that fills a point set: it writes every value, and takes its randomness from the Rng.
+/// A function that fills a point set: it writes every value and takes its random numbers from the
+/// Rng.
 using Generator = std::function<void(PointSet&, Rng&)>;
 
 }  // namespace mc

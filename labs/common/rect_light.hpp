@@ -2,8 +2,8 @@
 
 namespace mc {
 
-/// A rectangle [x0, x1] x [y0, y1] at z = `height` > 0 that emits `radiance` downwards, the same in
-/// every direction. The receiver is a point of the plane z = 0, at the origin, that faces up.
+/// A rectangle [x0, x1] x [y0, y1] at z = `height` > 0 that emits `radiance` downward, equally in
+/// all directions. The receiver is at the origin, in the plane z = 0, and faces up.
 struct RectLight {
   double x0 = -1, x1 = 1, y0 = -0.5, y1 = 0.5;
   double height = 1;

@@ -9,14 +9,14 @@ namespace mc {
 
 class Sampler;  // labs/6-sampler/sampler.hpp
 
-/// An integral over a unit cube, as a renderer sees it: a function that asks a sampler for exactly
-/// the coordinates it needs and returns the value of one sample.
+/// An integral over the unit cube, as a renderer sees it: a function that requests exactly the
+/// coordinates it needs from a sampler and returns the value of one sample.
 struct Scene {
-  std::string_view uses;  ///< what a sample asks for, in order: "next2 next next2"
+  std::string_view uses;  ///< the calls of each sample, in order: "next2 next next2"
   std::function<double(Sampler&)> sample;
 };
 
-/// A picture: a scene for each of width x height pixels. Rows count from the top, from 0.
+/// A picture: one scene for each of width x height pixels. Row 0 is at the top.
 struct PixelScene {
   std::size_t width = 0, height = 0;
   std::string_view uses;

@@ -39,7 +39,7 @@ inline Values values_of(const std::string& call, const std::vector<Estimate>& es
 }
 
 /// The estimate of a g that is infinite or NaN everywhere is not finite.
-inline void expect_not_finite(const Measured<std::vector<experiments::Counted>>& got) {
+inline void expect_not_finite(const Measured<std::vector<experiments::CountedEstimate>>& got) {
   expect_not_finite(got.call, got.exactly(1, any_number)[0].value,
                     "g is infinite or NaN: a finite estimate would hide it",
                     "use values of g unchanged");

@@ -8,11 +8,11 @@
 namespace mc::checks {
 namespace {
 
-using experiments::Recorded;
+using experiments::SamplerTrace;
 
 /// The record of integrate(): one integration with n samples.
 template <class Measured>
-const Recorded& one_integration(const Measured& got, std::size_t n) {
+const SamplerTrace& one_integration(const Measured& got, std::size_t n) {
   return got.exactly({1, 1, 1, n}, any_number);
 }
 
@@ -44,7 +44,7 @@ CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]"
 CHECK_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {
   const std::size_t n = 5 + rng() % 20;
   const auto got = MEASURE(integrate_recorded, uniform_values(rng, n, 0, 1), n, fresh_seed(rng));
-  const Recorded& record = one_integration(got, n);
+  const SamplerTrace& record = one_integration(got, n);
   expect_that(record.generates == 1 && record.samples == Seeds{n},
               fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
                           record.generates, record.samples[0]),
@@ -108,8 +108,8 @@ CHECK_CASE("6.5 every kind is unbiased on every scene", "[6.5][points:2][needs:6
 
 /// The record of render(): one integration per pixel.
 template <class Measured>
-const Recorded& picture_of(const Measured& got, std::size_t pixels, std::size_t spp) {
-  const Recorded& record = got.exactly({pixels, pixels, pixels, 2 * pixels * spp});
+const SamplerTrace& picture_of(const Measured& got, std::size_t pixels, std::size_t spp) {
+  const SamplerTrace& record = got.exactly({pixels, pixels, pixels, 2 * pixels * spp});
   expect_that(record.generates == pixels && record.samples == Seeds(pixels, spp),
               fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
                           record.generates, record.samples.empty() ? 0 : record.samples[0]),

@@ -5,7 +5,7 @@
 namespace mc::checks {
 namespace {
 
-using experiments::Replicated;
+using experiments::ReplicatedEstimate;
 
 /// A replicated mean of x0 + 2 x1 + …, whose coordinates are taken from a list of values.
 struct ReplicateData {
@@ -39,7 +39,7 @@ double standard_error(const Values& means) {
 constexpr double rounding = 5e-12;
 
 /// Each replicate has its own set of n points, and g is evaluated once per point.
-void require_work(const std::string& call, const Replicated& got, std::size_t n,
+void require_work(const std::string& call, const ReplicatedEstimate& got, std::size_t n,
                   std::size_t replicates) {
   const struct {
     const char* what;
@@ -139,7 +139,7 @@ CHECK_CASE("3.8 the error bar is honest for stratified points", "[3.8][points:1]
   const auto& all = got.list_by_list({{times, finite}, {times * replicates * n, unit}});
   // Each estimate is recomputed from its points: plausible numbers alone do not pass.
   Values estimates;
-  for (const Replicated& one : all.estimates) {
+  for (const ReplicatedEstimate& one : all.estimates) {
     require_work(got.call, one, n, replicates);
     Values means(replicates);
     for (std::size_t k = 0; k < n * replicates; ++k) {

@@ -72,7 +72,7 @@ TEST_CASE("plot intervals of sixty estimates", "[.plot]") {
     const auto& [name, g, mean] = line_integrands[static_cast<std::size_t>(i)];
     auto file = plot_file(file_name, {"rank", "value", "reach", "covers"});
     auto all = lists_of(TRY_MEASURE(estimates, g, 1000, plot_seed, 60), 60)
-                   .value_or(std::vector<experiments::Counted>(1, {NAN, NAN, 0, 0}));
+                   .value_or(std::vector<experiments::CountedEstimate>(1, {NAN, NAN, 0, 0}));
     std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.value < b.value; });
     double rank = 0;
     for (const auto& one : all) {

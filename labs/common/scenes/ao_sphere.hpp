@@ -1,6 +1,6 @@
 #pragma once
-// Ambient occlusion under a ball, with two densities of directions: the same answer, another
-// variance. Two dimensions: a direction.
+// Ambient occlusion under a sphere, estimated with two densities of directions: the same expected
+// value, but different variances. Two dimensions: a direction.
 
 #include <cmath>
 
@@ -9,13 +9,14 @@
 
 namespace mc::scenes {
 
-/// A sphere whose center is at `distance` > radius and at the angle `tilt` from the normal, all of
-/// it above the horizon.
+/// A sphere whose center is at `distance` > radius from the receiver, at the angle `tilt` from its
+/// normal. The whole sphere is above the horizon. Directions have the density cos / pi.
 struct SphereOcclusion {
   double radius = 1, distance = 1.5, tilt = 0;
 
   static constexpr std::string_view uses = "next2";
 
+  /// Whether the sphere blocks the direction `w`.
   bool hides(const Vector& w) const {
     const double cosine = std::cos(tilt) * w.z + std::sin(tilt) * w.x;
     const double sine = radius / distance;
@@ -27,7 +28,7 @@ struct SphereOcclusion {
   }
 };
 
-/// The same with directions uniform on the hemisphere, each weighted by 2 cos.
+/// The same with uniform directions on the hemisphere, each weighted by 2 cos.
 struct SphereOcclusionUniform {
   SphereOcclusion sphere;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Ambient occlusion next to a wall: how much of the sky, weighted by the cosine, is seen. Two
+// Ambient occlusion next to a wall: the cosine-weighted fraction of the sky that is visible. Two
 // dimensions: a direction.
 
 #include "6-sampler/sampler.hpp"
@@ -7,14 +7,14 @@
 
 namespace mc::scenes {
 
-/// An endless wall at x = distance, from the ground up to `height`.
+/// An infinitely long wall at x = distance, from the ground up to `height`.
 struct WallOcclusion {
   double distance = 1, height = 0.75;
 
   static constexpr std::string_view uses = "next2";
 
-  /// Directions with density cos / pi, so what is left to average is what they see. Where one
-  /// meets the wall's plane, it does so at z = distance w.z / w.x.
+  /// Directions have the density cos / pi, so the value of a sample is the visibility, 0 or 1. A
+  /// direction with w.x > 0 meets the plane of the wall at z = distance w.z / w.x.
   double operator()(Sampler& sampler) const {
     const Vector w = cosine_direction(sampler.next2());
     return w.x > 0 && distance * w.z < height * w.x ? 0 : 1;

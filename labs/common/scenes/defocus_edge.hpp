@@ -1,5 +1,5 @@
 #pragma once
-// The edge of something white, out of focus. Two dimensions: where on the lens.
+// The edge of a white object that is out of focus. Two dimensions: a point on the lens.
 
 #include <cmath>
 
@@ -8,9 +8,9 @@
 
 namespace mc::scenes {
 
-/// A thin lens of radius `aperture`, in focus at the distance `focus`. What lies at `depth` is
-/// blurred to a circle of confusion of radius aperture |depth - focus| / focus, in the plane of the
-/// object; white begins at -infinity and ends `offset` beyond the pixel's center.
+/// A thin lens of radius `aperture`, focused at the distance `focus`. A point at `depth` is blurred
+/// to a circle of confusion of radius aperture |depth - focus| / focus, measured in the plane of
+/// the object. The object is a half-plane that ends `offset` to the right of the pixel's center.
 struct DefocusEdge {
   double aperture = 0.1, focus = 2, depth = 3, offset = 0.025;
 
@@ -22,7 +22,8 @@ struct DefocusEdge {
   }
 };
 
-/// An edge that leads into depth: from near, at the bottom, through the focus to far away.
+/// An edge that recedes: near the camera at the bottom, in focus in between, and far away at the
+/// top.
 inline DefocusEdge defocus_picture(double width, double height, double column, double row) {
   const double up = (row + 0.5) / height;
   DefocusEdge at;

@@ -1,5 +1,5 @@
 #pragma once
-// The irradiance under a round light. Two dimensions: where on the light.
+// The irradiance from a disk light. Two dimensions: a point on the light.
 
 #include <numbers>
 
@@ -8,8 +8,8 @@
 
 namespace mc::scenes {
 
-/// A disk, parallel to the receiver, whose center is at height `height` > 0 and `offset` to the
-/// side. Radiance 1.
+/// A disk of radiance 1, parallel to the receiver. Its center is at `height` > 0 above the
+/// receiver's plane, and `offset` to the side.
 struct DiskLight {
   double radius = 0.75, height = 1, offset = 0;
 

@@ -1,5 +1,5 @@
 #pragma once
-// From the unit square to what scenes sample. Each function takes coordinates in [0,1).
+// Mappings from the unit square to the domains that scenes sample. Coordinates are in [0,1).
 
 #include <cmath>
 #include <numbers>
@@ -8,13 +8,13 @@
 
 namespace mc::scenes {
 
-/// A vector of space; z points away from the surface.
+/// A vector in space; z points away from the surface.
 struct Vector {
   double x = 0, y = 0, z = 0;
 };
 
-/// A uniform point of the unit disk. The root makes the area inside radius r grow as r^2, as a
-/// disk's does.
+/// A uniform point in the unit disk. The square root makes P(radius < r) = r^2, which is
+/// proportional to the area inside radius r.
 inline Point2 in_unit_disk(Point2 u) {
   const double r = std::sqrt(u.x), phi = 2 * std::numbers::pi * u.y;
   return {r * std::cos(phi), r * std::sin(phi)};
@@ -27,13 +27,13 @@ inline Vector direction(double z, double u) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-/// A uniform direction of the hemisphere around z: its height is uniform (Archimedes).
+/// A uniform direction in the hemisphere around z: its z coordinate is uniform (Archimedes).
 inline Vector uniform_direction(Point2 u) {
   return direction(u.x, u.y);
 }
 
-/// A direction of the hemisphere around z, with density cos / pi: a uniform point of the disk,
-/// lifted onto the sphere.
+/// A direction in the hemisphere around z with density cos / pi: a uniform point in the unit disk,
+/// projected up to the hemisphere.
 /// source: Malley's method: Pharr, Jakob, Humphreys 2023, "Physically based rendering", appendix
 ///   A.5.3.
 inline Vector cosine_direction(Point2 u) {

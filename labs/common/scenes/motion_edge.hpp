@@ -1,6 +1,6 @@
 #pragma once
-// A pixel that a moving edge crosses while the shutter is open. Two dimensions that do not belong
-// together, so two next(): where in the pixel, across the edge; and when.
+// An edge that moves across a pixel while the shutter is open. Two unrelated dimensions, so two
+// calls of next(): the position in the pixel across the edge, and the time.
 
 #include "6-sampler/sampler.hpp"
 
@@ -19,7 +19,7 @@ struct MotionEdge {
   }
 };
 
-/// Edges that start in one line, and are the faster the further down.
+/// Edges that all start at the same column and move faster toward the bottom of the picture.
 inline MotionEdge motion_picture(double width, double height, double column, double row) {
   return {0.2 * width + 0.31 - column, 0.6 * width * (row + 0.5) / height};
 }

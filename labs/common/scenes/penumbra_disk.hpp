@@ -1,14 +1,14 @@
 #pragma once
-// The irradiance in the penumbra of a disk. Two dimensions: where on the light.
+// The irradiance in the penumbra of a disk. Two dimensions: a point on the light.
 
 #include "6-sampler/sampler.hpp"
 #include "common/rect_light.hpp"
 
 namespace mc::scenes {
 
-/// A rectangular light over a receiver at the origin, and between them, parallel to both at
-/// z = height, a dark disk around (x, y). Its shadow on the light, seen from the receiver, lies
-/// within the light.
+/// A rectangular light above a receiver at the origin. An opaque disk around (x, y) at z = height,
+/// parallel to both, blocks part of the light. Projected from the receiver onto the light's plane,
+/// the disk lies entirely inside the light.
 struct DiskPenumbra {
   RectLight light;
   double x = 0.15, y = 0.025, radius = 0.15, height = 0.5;

@@ -1,13 +1,13 @@
 #pragma once
-// The irradiance in the penumbra of a straight edge. Two dimensions: where on the light.
+// The irradiance in the penumbra of a straight edge. Two dimensions: a point on the light.
 
 #include "6-sampler/sampler.hpp"
 #include "common/rect_light.hpp"
 
 namespace mc::scenes {
 
-/// A rectangular light over a receiver at (x, 0, 0), and between them, at z = height, something
-/// dark that covers all beyond x = edge.
+/// A rectangular light above a receiver at (receiver, 0, 0). An opaque half-plane x > edge at
+/// z = height blocks part of the light.
 struct HalfplanePenumbra {
   RectLight light;
   double receiver = 0.1, edge = 0.2, height = 0.5;
@@ -24,12 +24,13 @@ struct HalfplanePenumbra {
   }
 };
 
-/// A floor: the light above it, and half of it in the shadow of a table. Each pixel is its center.
+/// A floor under the light, half of it in the shadow of a table. A pixel shows the irradiance at
+/// its center.
 inline HalfplanePenumbra penumbra_picture(double width, double height, double column, double row) {
   const double scale = 3 / width;
   const double y = scale * (row + 0.5 - height / 2);
   HalfplanePenumbra at{{-1, 1, -0.5 - y, 0.5 - y, 1, 1}, scale * (column + 0.5 - width / 2)};
-  at.edge = 0.1 + 0.2 * y;  // not along the columns
+  at.edge = 0.1 + 0.2 * y;  // not parallel to the columns of pixels
   return at;
 }
 

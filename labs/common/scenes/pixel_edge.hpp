@@ -1,5 +1,5 @@
 #pragma once
-// A pixel that the edge of something white crosses. Two dimensions: where in the pixel.
+// The edge of a white half-plane that crosses a pixel. Two dimensions: a point in the pixel.
 
 #include <cmath>
 
@@ -19,8 +19,8 @@ struct PixelEdge {
   }
 };
 
-/// A picture of an edge that falls gently, from the left to the right. A pixel is the mean over the
-/// 24 by 24 around it, or there would be next to nothing to see.
+/// A picture of an edge that descends gently from left to right. Each pixel is filtered over the 24
+/// x 24 pixels around it: otherwise only the few pixels on the edge would show any noise.
 inline PixelEdge edge_picture(double width, double height, double column, double row) {
   const double a = 0.31, b = 1, filter = 24;
   const double c = 0.155 * width + 0.5 * height;

@@ -1,6 +1,6 @@
 #pragma once
-// All at once: an edge that moves and is out of focus, over a pixel. Five dimensions: next2 for the
-// pixel, next for the time, next2 for the lens.
+// Antialiasing, motion blur and defocus in one integral: a pixel is crossed by an edge that moves
+// and is out of focus. Five dimensions: next2 for the pixel, next for the time, next2 for the lens.
 
 #include <cmath>
 
@@ -9,8 +9,8 @@
 
 namespace mc::scenes {
 
-/// White where a x + b y + speed t + blur l < c, for (x, y) in the pixel, t in [0,1) and l across
-/// the lens, in [-1,1]. a, b, speed, blur > 0.
+/// White where a x + b y + speed t + blur l < c, for (x, y) in the pixel, the time t in [0,1),
+/// and the lens coordinate l in [-1,1]. a, b, speed, blur > 0.
 struct PixelTimeLens {
   double a = std::cos(1.0), b = std::sin(1.0), speed = 0.4, blur = 0.35, c = 0.9;
 

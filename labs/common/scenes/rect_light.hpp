@@ -1,5 +1,5 @@
 #pragma once
-// The irradiance under a rectangular light. Two dimensions: where on the light.
+// The irradiance from a rectangular light. Two dimensions: a point on the light.
 
 #include "6-sampler/sampler.hpp"
 #include "common/rect_light.hpp"
@@ -11,7 +11,8 @@ struct RectangleLight {
 
   static constexpr std::string_view uses = "next2";
 
-  /// Area times radiance times the cosines at receiver and light, both height / r, over r^2.
+  /// Area times radiance times both cosines over r^2. Each cosine, at receiver and light, is
+  /// height / r.
   double operator()(Sampler& sampler) const {
     const Point2 u = sampler.next2();
     const double dx = light.x1 - light.x0, dy = light.y1 - light.y0;

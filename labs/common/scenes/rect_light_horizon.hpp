@@ -1,6 +1,6 @@
 #pragma once
-// The irradiance from a vertical light and reaches below the receiver's horizon. Two
-// dimensions: where on the light.
+// The irradiance from a vertical light that extends below the receiver's horizon. Two dimensions: a
+// point on the light.
 
 #include <algorithm>
 
@@ -8,14 +8,14 @@
 
 namespace mc::scenes {
 
-/// The rectangle [y0, y1] x [z0, z1] at x = distance > 0, facing the receiver at the origin, which
-/// faces up (z). Radiance 1.
+/// The rectangle [y0, y1] x [z0, z1] at x = distance > 0, of radiance 1. It faces the receiver,
+/// which is at the origin and faces up (+z).
 struct HorizonLight {
   double distance = 1, y0 = -1, y1 = 1, z0 = -0.5, z1 = 1;
 
   static constexpr std::string_view uses = "next2";
 
-  /// Nothing comes from below the horizon, where the receiver's cosine z / r is negative.
+  /// Points below the horizon contribute nothing: the receiver's cosine z / r is negative there.
   double operator()(Sampler& sampler) const {
     const Point2 u = sampler.next2();
     const double dy = y1 - y0, dz = z1 - z0;

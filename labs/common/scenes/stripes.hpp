@@ -1,6 +1,6 @@
 #pragma once
-// Stripes across a plane that runs into depth, as a zebra crossing: toward the horizon a pixel has
-// many of them. One dimension: how far down in the pixel.
+// Stripes on a plane that recedes to the horizon, like a zebra crossing: a pixel near the horizon
+// contains many stripes. One dimension: the vertical position in the pixel.
 
 #include <cmath>
 
@@ -8,8 +8,8 @@
 
 namespace mc::scenes {
 
-/// A pixel between `top` and `bottom` below the horizon (0 < top < bottom), where the plane's depth
-/// is rise / y. White where floor(depth + phase) is even.
+/// A pixel that extends from `top` to `bottom` below the horizon (0 < top < bottom). The plane's
+/// depth at y is rise / y. White where floor(depth + phase) is even.
 struct Stripes {
   double top = 0.01, bottom = 0.02, rise = 1, phase = 0;
 
@@ -21,7 +21,7 @@ struct Stripes {
   }
 };
 
-/// The plane from just below its horizon, the stripes a little askew.
+/// The plane, starting just below the horizon; the stripes are slightly oblique.
 inline Stripes stripes_picture(double width, double height, double column, double row) {
   return {(row + 0.6) / height, (row + 1.6) / height, 4, 3 * (column + 0.5) / width};
 }

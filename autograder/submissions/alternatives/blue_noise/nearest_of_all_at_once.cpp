@@ -14,7 +14,7 @@ constexpr double points_per_cell = 2;  // a free choice
 
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
   const int side = static_cast<int>(std::ceil(std::sqrt(double(x.size()) / points_per_cell)));
   std::vector<std::vector<Point2>> cells(static_cast<std::size_t>(side * side));
   const auto cell = [&](int i, int j) -> std::vector<Point2>& {

@@ -74,8 +74,8 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng&) {
 }
 Estimate estimate_replicated(const Integrand&, const Generator&, std::uint64_t n,
                              std::uint64_t replicates, Rng&) {
-  if (n == 0) throw std::invalid_argument("n: there are no points");
-  if (replicates == 0) throw std::invalid_argument("replicates: there are none");
+  if (n == 0) throw std::invalid_argument("n: must be positive");
+  if (replicates == 0) throw std::invalid_argument("replicates: must be positive");
   const double nan = std::nan("");
   return {nan, nan, n * replicates};
 }

@@ -26,7 +26,7 @@ template <class Count, class Distance>
 void choose(std::span<double> x, std::span<double> y, double c, Rng& rng, Count count,
             Distance distance) {
   require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double candidates = count(c, i);
     double best = -1;

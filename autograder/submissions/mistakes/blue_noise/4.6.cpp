@@ -55,7 +55,7 @@ PointSet tile(const PointSet& pattern, int copies) {
 }  // namespace mc::rounded_up_to_one
 
 // mistake: returns a point set with a third dimension, which is never written
-// hint: points of the square have two
+// hint: dimensions, not 2
 namespace mc::third_dimension {
 PointSet tile(const PointSet& pattern, int copies) {
   const PointSet tiled = right_tile(pattern, copies);

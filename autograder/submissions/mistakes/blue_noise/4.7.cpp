@@ -23,7 +23,7 @@ double nearest_of_all(std::span<double> x, std::span<double> y, std::size_t i, P
 /// Best candidates, each compared with all points, or until it is known to be worse than the best.
 void compare_all(std::span<double> x, std::span<double> y, double c, Rng& rng, bool stops_early) {
   require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
     double best = -1;

@@ -10,7 +10,7 @@ namespace mc {
 
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: not positive and finite");
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double candidates = c > 0 ? 10 : 0;
     double best = -1;

@@ -44,7 +44,8 @@ void lattice(PointSet& points, std::uint64_t seed) {
 // hint: i z needs more than 32 bits
 namespace mc::products_in_32_bits {
 void lattice(PointSet& points, std::uint64_t seed) {
-  if (points.dims() > lattice_vector.size()) throw std::invalid_argument("points: 16 dimensions");
+  if (points.dims() > lattice_vector.size())
+    throw std::invalid_argument("points: more than 16 dimensions");
   const auto n = static_cast<std::uint32_t>(points.size());
   for (std::size_t d = 0; d < points.dims(); ++d) {
     const auto x = points.column(d);

@@ -48,7 +48,7 @@ void fill(std::span<double> column, std::uint64_t first, unsigned base,
 
 void require(unsigned base, std::uint64_t first, std::size_t size) {
   require_base(base);
-  if (base > 65536) throw std::invalid_argument("base: more than 2^16 digits to permute");
+  if (base > 65536) throw std::invalid_argument("base: must be at most 2^16");
   require_indices(first, size, last_index);
 }
 

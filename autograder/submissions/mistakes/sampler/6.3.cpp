@@ -191,8 +191,8 @@ struct Wrong : ColumnSampler {
       Pair& pair = twos_[ready2_++];
       pair.x.resize(samples_);
       pair.y.resize(samples_);
-      one_of<fill_sobol>(taking(1, 0), pair.x, rng_);
-      one_of<fill_sobol>(taking(1, 0), pair.y, rng_);
+      one_of<fill_sobol>(assign(1, 0), pair.x, rng_);
+      one_of<fill_sobol>(assign(1, 0), pair.y, rng_);
     }
     return ColumnSampler::next2();
   }
@@ -233,7 +233,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "halton"))
 }  // namespace mc::halves_left_out
 
 // mistake: throws where the sequence has no more dimensions
-// hint: dimension: there are only 32
+// hint: dimension: must be below 32
 namespace mc::no_more_than_32_dimensions {
 void one(const SampleDimension& dim, std::span<double> x, Rng& rng) {
   scrambled_sobol(dim.of_sequence, x, rng);

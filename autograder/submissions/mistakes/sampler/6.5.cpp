@@ -43,7 +43,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 // hint: generate() once before the loop
 namespace mc::generates_for_each_sample {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
-  if (samples == 0) throw std::invalid_argument("samples: there are none");
+  if (samples == 0) throw std::invalid_argument("samples: must be positive");
   Rng seeds(seed);
   double sum = 0;
   for (std::size_t i = 0; i < samples; ++i, sampler.advance()) {

@@ -11,7 +11,7 @@ namespace {
 /// The solution's loop, with any seeds for the pixels.
 template <class SeedOf>
 Image render_with(const PixelScene& scene, Sampler& sampler, std::size_t spp, SeedOf seed_of) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (spp == 0) throw std::invalid_argument("spp: must be positive");
   if (scene.width > 0 && scene.height > most_samples / scene.width) {
     throw std::invalid_argument("scene: more pixels than memory may hold");
   }
@@ -146,7 +146,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 // limit: memory
 namespace mc::trusts_the_size {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  if (spp == 0) throw std::invalid_argument("spp: no samples for a pixel");
+  if (spp == 0) throw std::invalid_argument("spp: must be positive");
   Image image{scene.width, scene.height, std::vector<double>(scene.width * scene.height)};
   Rng seeds(seed);
   for (std::size_t k = 0; k < image.pixels.size(); ++k) {

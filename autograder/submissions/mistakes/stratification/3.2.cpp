@@ -42,7 +42,7 @@ Grid strata(std::size_t n) {
 // hint: k * k overflows 32 bits
 namespace mc::squares_in_32_bits {
 Grid strata(std::size_t n) {
-  if (n == 0) throw std::invalid_argument("n: there are no strata");
+  if (n == 0) throw std::invalid_argument("n: must be positive");
   unsigned best = 1;
   for (unsigned k = 1; k * k <= n; ++k) {
     if (k != 0 && n % k == 0) best = k;

@@ -12,8 +12,8 @@
 namespace mc::bar_of_independent_points {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {
-  if (n == 0) throw std::invalid_argument("n: there are no points");
-  if (replicates == 0) throw std::invalid_argument("replicates: there are none");
+  if (n == 0) throw std::invalid_argument("n: must be positive");
+  if (replicates == 0) throw std::invalid_argument("replicates: must be positive");
   PointSet points(n, g.dims);
   std::vector<double> point(g.dims);
   Moments values;
