@@ -57,14 +57,7 @@ class PValues {
  private:
   /// p-value of Kolmogorov and Smirnov's test that `p` is uniform.
   static double uniformity(std::vector<double> p) {
-    std::sort(p.begin(), p.end());
-    const auto n = static_cast<double>(p.size());
-    double distance = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const double below = static_cast<double>(i) / n;
-      distance = std::max({distance, p[i] - below, below + 1 / n - p[i]});
-    }
-    return mc::checks::kolmogorov_tails(distance, p.size()).upper;
+    return checks::kolmogorov_tails(checks::distance_from_uniform(p), p.size()).upper;
   }
 
   double most_ = 0;
