@@ -1,8 +1,9 @@
 #pragma once
-// Small submissions of lab 1, written for one test.
+// Small submissions of lab 1, written for one test, and the programs that pack them.
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "grader/base/text_file.hpp"
 #include "grader/checkout/labs.hpp"
@@ -35,6 +36,25 @@ class Scratch {
  private:
   std::filesystem::path path_;
 };
+
+/// Zips the content of a directory, with paths relative to it.
+inline void zip_content(const std::filesystem::path& directory, const std::filesystem::path& zip) {
+  std::vector<std::string> command{"cmake", "-E", "tar", "cf", zip.string(), "--format=zip"};
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    command.push_back(entry.path().filename().string());
+  }
+  REQUIRE_RUN(run, sandbox::run_process(command, {.directory = directory}));
+}
+
+/// `git …` in a repository, which must succeed.
+inline std::string git(const std::filesystem::path& repository,
+                       const std::vector<std::string>& words) {
+  REQUIRE_RUN(run, sandbox::run_process(joined({"git", "-C", repository.string(), "-c",
+                                                "user.name=s", "-c", "user.email=s@example.org"},
+                                               words),
+                                        {.output = std::size_t{64} << 20}));
+  return run.output;
+}
 
 /// The text of the starter, or of the solution, of lab 1.
 inline std::string text_of(const std::filesystem::path& directory) {
