@@ -5,8 +5,6 @@ file(GLOB sources CONFIGURE_DEPENDS autograder/tests/*_test.cpp)
 add_executable(grader_tests EXCLUDE_FROM_ALL ${sources})
 own_target(grader_tests)
 in_parts(grader_tests 12)
-# Boost's headers take as much memory as the rest of a part.
-set_source_files_properties(autograder/tests/boost_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 target_link_libraries(grader_tests PRIVATE grading coursework measuring)
 target_include_directories(grader_tests PRIVATE ${LAB_INCLUDES})
 target_compile_definitions(grader_tests PRIVATE MC_LAB="${CMAKE_SOURCE_DIR}/lab")
@@ -21,11 +19,6 @@ file(GLOB sources CONFIGURE_DEPENDS autograder/tests/self_test/*.cpp)
 add_executable(self_test EXCLUDE_FROM_ALL ${sources} autograder/checks/support/distributions.cpp)
 own_target(self_test)
 target_link_libraries(self_test PRIVATE grading)
-
-# Mutation testing, by ./lab test --mutants LAB.
-add_executable(mutants EXCLUDE_FROM_ALL autograder/tests/mutants/main.cpp autograder/tests/mutants/mutate.cpp)
-own_target(mutants)
-target_link_libraries(mutants PRIVATE grading)
 
 # Intake, batches, failing machines: the tests of what only graders use.
 file(GLOB sources CONFIGURE_DEPENDS autograder/tests/gradebook/*.cpp)

@@ -27,28 +27,26 @@ Curve falling(double c) {
   return curve;
 }
 
-TEST_CASE("the time to an error is interpolated") {
-  const auto when = time_to(falling(1), 1e-3);  // n = 1000, 2 ns each
-  REQUIRE(when);
-  CHECK(when->how == TimeToTarget::between);
-  CHECK(when->seconds == Approx(2e-6));
-}
-
-TEST_CASE("for an error above the first one, the first size or less is enough") {
-  const auto when = time_to(falling(1), 0.5);
-  REQUIRE(when);
-  CHECK(when->how == TimeToTarget::or_less);
-  CHECK(when->seconds == Approx(16 * 2e-9));
-}
-
-TEST_CASE("an error below all sizes is not reached, unless the points are independent") {
-  CHECK_FALSE(time_to(falling(1), 1e-6));
-  Curve independent = falling(1);
+TEST_CASE("the time to an error is interpolated, or follows the law of independent points") {
+  const Curve curve = falling(1);
+  Curve independent = curve;
   independent.what = "independent";
-  const auto when = time_to(independent, 1e-6);
-  REQUIRE(when);
-  CHECK(when->how == TimeToTarget::by_law);
-  CHECK(when->seconds == Approx(1e12 * 2e-9));  // variance 1 over 1e-12, 2 ns each
+  const struct {
+    const Curve& curve;
+    double error;
+    decltype(TimeToTarget::between) how;
+    double seconds;
+  } cases[] = {{curve, 1e-3, TimeToTarget::between, 2e-6},               // n = 1000, 2 ns each
+               {curve, 0.5, TimeToTarget::or_less, 16 * 2e-9},           // the first size or less
+               {independent, 1e-6, TimeToTarget::by_law, 1e12 * 2e-9}};  // variance 1 over 1e-12
+  for (const auto& one : cases) {
+    CAPTURE(one.error);
+    const auto when = time_to(one.curve, one.error);
+    REQUIRE(when);
+    CHECK(when->how == one.how);
+    CHECK(when->seconds == Approx(one.seconds));
+  }
+  CHECK_FALSE(time_to(curve, 1e-6));  // below all sizes
 }
 
 TEST_CASE("an exponent is the slope of the logarithms") {
@@ -68,7 +66,7 @@ void add_rows(Bench& bench, const std::string& what, double c, double nanosecond
   bench.rows.push_back({{"time", what, "a scene", 2, 64, nanoseconds, 0}, "sampler", "solutions"});
 }
 
-TEST_CASE("efficiency is relative to independent points, measured if their variance is unknown") {
+TEST_CASE("efficiency is relative to independent points, by their exact variance if it is known") {
   Bench bench;
   add_rows(bench, "independent", 1, 10);
   add_rows(bench, "better", 0.1, 20);  // a hundredth of the squared error in twice the time
@@ -77,13 +75,10 @@ TEST_CASE("efficiency is relative to independent points, measured if their varia
       CHECK(point.efficiency == Approx(curve.what == "better" ? 50 : 1));
     }
   }
-}
-
-TEST_CASE("efficiency uses the exact variance if it is known") {
-  Bench bench;
-  add_rows(bench, "independent", 1, 10);
-  bench.rows.push_back({{"variance", "a scene", "", 2, 0, 4, 0}, "lab", "solutions"});
-  const auto curves = curves_of(bench);
+  Bench known;
+  add_rows(known, "independent", 1, 10);
+  known.rows.push_back({{"variance", "a scene", "", 2, 0, 4, 0}, "lab", "solutions"});
+  const auto curves = curves_of(known);
   REQUIRE(curves.size() == 1);
   CHECK(curves[0].points[0].efficiency == Approx(4));  // by chance twice as good as expected
 }

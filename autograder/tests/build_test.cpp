@@ -5,6 +5,7 @@
 #include "checks/support/catch.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/include_policy.hpp"
+#include "sandbox/printable.hpp"
 #include "tests/submissions.hpp"
 #include "tests/text.hpp"
 
@@ -15,35 +16,45 @@ using namespace grader;
 
 namespace {
 
-struct Labs {
-  Layout layout = read_layout();
-  std::vector<Lab> labs = find_labs(layout);
-  const Lab& lab = find_lab(labs, "variance");
-
+struct Labs : FirstLab {
   /// Why `text` as variance.cpp gives no program; empty if it gives one.
   std::string failure(const std::string& text, const fs::path& directory = "scratch") const {
     const Scratch scratch(directory);
     scratch.write("variance.cpp", text);
-    return build_program(layout, lab, open_submission(labs, scratch.path())).failure;
+    return build(scratch.path()).failure;
   }
 };
 
 }  // namespace
 
-TEST_CASE("a file without content") {
+TEST_CASE("files that are not program text, or not files") {
   const Labs labs;
   const Scratch scratch;
-  const auto none = open_submission(labs.labs, scratch.path());
-  CHECK(build_program(labs.layout, labs.lab, none).failure == "There is no variance.cpp.");
+  CHECK(labs.build(scratch.path()).failure == "There is no variance.cpp.");
   CHECK(labs.failure("") == "variance.cpp is empty.");
   CHECK(labs.failure("\xef\xbb\xbf \r\n\t\n") == "variance.cpp is empty.");
+  CHECK(labs.failure(std::string(3 << 20, ' ')) ==
+        "variance.cpp is 3072 KB long; 1 MB is the limit.");
+  const std::string strange = labs.failure(std::string("int \0 \xff \x1b[31m;\n", 15));
+  CHECK(!strange.empty());
+  CHECK(sandbox::printable(strange) == strange);
+  const auto files = [&] { return open_submission(labs.labs, scratch.path()).files.size(); };
+  const fs::path file = scratch.path() / "variance.cpp";
+  fs::create_symlink(labs.layout.solutions() / "variance.cpp", file);
+  CHECK(files() == 0);
+  fs::remove(file);
+  fs::create_directory(file);
+  CHECK(files() == 0);
+  fs::remove(file);
+  write_text(file, labs.starter);
+  CHECK(files() == 1);
+  CHECK_FALSE(open_submission(labs.labs, scratch.path()).trusted);
 }
 
 TEST_CASE("a byte order mark, carriage returns, blanks and umlauts are accepted") {
   const Labs labs;
   std::string text = "\xef\xbb\xbf";
-  for (const char c : text_of(labs.layout.starter()))
-    text += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const char c : labs.starter) text += c == '\n' ? "\r\n" : std::string(1, c);
   CHECK(labs.failure(text, "übung eins (Müller)").empty());
 }
 
@@ -63,8 +74,7 @@ TEST_CASE("a missing function is reported by its name") {
   const std::string failure = labs.failure("#include \"variance.hpp\"\n");
   CHECK(contains(failure, "Your variance.cpp does not define `mc::covariance`"));
   CHECK(contains(failure, "variance.hpp"));
-  CHECK(
-      contains(labs.failure(text_of(labs.layout.starter()) + "int main() {}\n"), "defines `main`"));
+  CHECK(contains(labs.failure(labs.starter + "int main() {}\n"), "defines `main`"));
 }
 
 TEST_CASE("a text that exhausts the compiler is stopped") {
@@ -81,8 +91,7 @@ TEST_CASE("a text that exhausts the compiler is stopped") {
   // Its data do not fit into a file: the assembler crashes, or reports it without being quoted.
   CHECK(labs.failure("char a[3000000000u] = {1};\n")
             .starts_with(clang ? "The assembler does not understand" : "The compiler crashed on"));
-  CHECK(contains(labs.failure("char a[1000000000u];\n" + text_of(labs.layout.starter())),
-                 "global variables"));
+  CHECK(contains(labs.failure("char a[1000000000u];\n" + labs.starter), "global variables"));
 }
 
 TEST_CASE("files outside the labs and the system's headers are not read") {
@@ -97,9 +106,8 @@ TEST_CASE("files outside the labs and the system's headers are not read") {
   CHECK(contains(reached, "solutions/variance.cpp.\nIt may include"));
   const auto solution = (labs.layout.solutions() / "variance.cpp").string();
   CHECK(contains(labs.failure("#include \"" + solution + "\"\n"), "and nothing else"));
-  CHECK(contains(
-      labs.failure("asm(\".incbin \\\"/etc/passwd\\\"\");\n" + text_of(labs.layout.starter())),
-      "reads /etc/passwd"));
+  CHECK(contains(labs.failure("asm(\".incbin \\\"/etc/passwd\\\"\");\n" + labs.starter),
+                 "reads /etc/passwd"));
 }
 
 // As Debian 13 has /usr/include/…/asm/types.h.
@@ -129,11 +137,10 @@ TEST_CASE("a system header may be a link to a file elsewhere") {
 TEST_CASE("two concurrent builds do not interfere") {
   const Labs labs;
   const Scratch scratch;
-  scratch.write("variance.cpp", text_of(labs.layout.starter()));
-  const auto submission = open_submission(labs.labs, scratch.path());
+  scratch.write("variance.cpp", labs.starter);
   BuildResult one, two;
-  std::thread first([&] { one = build_program(labs.layout, labs.lab, submission); });
-  two = build_program(labs.layout, labs.lab, submission);
+  std::thread first([&] { one = labs.build(scratch.path()); });
+  two = labs.build(scratch.path());
   first.join();
   CHECK(one.program.has_value());
   CHECK(two.program.has_value());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,33 +19,16 @@ using Words = std::vector<std::string>;
 inline constexpr std::string_view prompt = "$ ";
 
 /// Words as a shell splits them, up to a comment; documents may also separate a comment by blanks.
-inline Words words_of(std::string_view line) {
+inline Words words_of(const std::string& line) {
+  static const std::regex word(R"re((?:"[^"]*"|'[^']*'|[^\s"'])+)re");
   Words words;
-  std::string word;
-  bool in_word = false;
-  char quote = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quote != 0) {
-      if (c == quote) {
-        quote = 0;
-      } else {
-        word += c;
-      }
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-      in_word = true;
-    } else if (c == ' ' || c == '\n') {
-      if (in_word) words.push_back(word);
-      word.clear();
-      in_word = false;
-      if (line.substr(i).starts_with("  ") || line.substr(i).starts_with(" #")) return words;
-    } else {
-      word += c;
-      in_word = true;
-    }
+  for (std::sregex_iterator found(line.begin(), line.end(), word), end; found != end; ++found) {
+    std::string text = found->str();
+    const bool ends = found->prefix().str().starts_with("  ") || text.starts_with('#');
+    if (ends && !words.empty()) break;
+    std::erase_if(text, [](char c) { return c == '"' || c == '\''; });
+    words.push_back(text);
   }
-  if (in_word) words.push_back(word);
   return words;
 }
 

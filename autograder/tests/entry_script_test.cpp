@@ -260,23 +260,16 @@ fs::path copy_of_solutions(const Layout& layout, const std::string& name) {
   return copy;
 }
 
-void remove_from(std::string& text, const std::string& part) {
-  REQUIRE(contains(text, part));
-  text.erase(text.find(part), part.size());
-}
-
 }  // namespace
 
 TEST_CASE("--first does not stop at a stretch task that is not written", "[script]") {
   const Layout layout = read_layout();
   const fs::path file = copy_of_solutions(layout, "first") / "sampler.cpp";
-  std::string text = read_text(file);
-  remove_from(
-      text,
-      ",\n                          {\"lattice\", one_of<fill_lattice>, two_of<fill_lattice>}");
-  remove_from(
-      text, "    if (samples == 0) throw std::invalid_argument(\"samples: must be positive\");\n");
-  write_text(file, text);
+  const std::string unwritten =
+      ",\n                          {\"lattice\", one_of<fill_lattice>, two_of<fill_lattice>}";
+  const std::string refusal =
+      "    if (samples == 0) throw std::invalid_argument(\"samples: must be positive\");\n";
+  write_text(file, with_change(with_change(read_text(file), unwritten, ""), refusal, ""));
   const auto run = lab({"check", "sampler", file.parent_path().string(), "--first"});
   CHECK(contains(run.output, "✗ 6.4 0 samples and too many are refused"));
 }
@@ -284,10 +277,9 @@ TEST_CASE("--first does not stop at a stretch task that is not written", "[scrip
 TEST_CASE("a failure in lab 6 waits for a lab it depends on that is not finished", "[script]") {
   const Layout layout = read_layout();
   const fs::path student = copy_of_solutions(layout, "waiting");
-  std::string text = read_text(student / "stratification.cpp");
+  const fs::path file = student / "stratification.cpp";
   const std::string moves = "    move_into(strata, first, block);\n";  // into their strata, in 3.1
-  remove_from(text, moves);
-  write_text(student / "stratification.cpp", text);
+  write_text(file, with_change(read_text(file), moves, ""));
   const auto run = lab({"check", "sampler", student.string(), "--only", "6.2"});
   CHECK(run.exit_code == 1);
   CHECK(contains(run.output, "waiting for lab 3"));

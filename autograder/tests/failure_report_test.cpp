@@ -1,10 +1,13 @@
-// The notation of calls and numbers in reports.
+// The notation of calls and numbers in reports, and what a comparison says of wrong values.
+#include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "2-independent/functions.hpp"
 #include "6-sampler/experiments.hpp"
 #include "checks/support/catch.hpp"
+#include "checks/support/compare.hpp"
 #include "checks/support/validation.hpp"
 #include "grader/reports/report.hpp"
 #include "tests/text.hpp"
@@ -16,6 +19,7 @@ using experiments::spelled;
 using experiments::spelled_call;
 using experiments::Spelling;
 using experiments::Step;
+using Values = std::vector<double>;
 
 TEST_CASE("only meaningless signs are left out") {
   CHECK(without_empty_signs("x = -nan, y = -0") == "x = nan, y = 0");
@@ -73,6 +77,36 @@ TEST_CASE("a later failure of a task keeps its result and its diagnosis") {
   CHECK(contains(text, "likely    second"));
   CHECK(contains(text, "also      mean({1}) = 9"));
   CHECK(text.find("likely    second") == text.rfind("likely    second"));
+}
+
+/// Of values that became `got`.
+checks::Failure failure_of(const Values& exact, const Values& got) {
+  const auto failure = checks::difference(
+      {"f()", got}, {.exact = exact, .tolerance = {1e-9}, .otherwise = "no idea"});
+  REQUIRE(failure);
+  return *failure;
+}
+
+TEST_CASE("a comparison says what is true of the wrong values") {
+  Values exact(50);
+  std::iota(exact.begin(), exact.end(), 0.5);
+  const auto changed = [&](auto change) {
+    Values got = exact;
+    for (std::size_t i = 0; i < got.size(); ++i) change(got[i], i);
+    return got;
+  };
+  const auto capped = failure_of(exact, changed([](double& x, auto) { x = std::min(x, 40.25); }));
+  CHECK(capped.likely == "no value is above 40.25: is there a limit?");
+  CHECK(contains(capped.measured, "the last 10 of 50 values are wrong, from value 40 on"));
+  const auto raised = failure_of(exact, changed([](double& x, auto) { x = std::max(x, 9.75); }));
+  CHECK(raised.likely == "no value is below 9.75: is there a limit?");
+
+  // One wrong value is not a limit, and neither are values that jump over it.
+  CHECK(failure_of(exact, changed([](double& x, auto i) { x = i == 7 ? 3 : x; })).likely ==
+        "no idea");
+  const auto third = failure_of(exact, changed([](double& x, auto i) { x = i % 3 == 1 ? 5 : x; }));
+  CHECK(third.likely == "no idea");
+  CHECK(contains(third.measured, "17 of 50 values are wrong: every 3rd, from value 1 on"));
 }
 
 }  // namespace mc::tests::report

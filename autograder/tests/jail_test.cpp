@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cmath>
-#include <filesystem>
 #include <set>
 #include <string>
 #include <system_error>
@@ -14,18 +13,13 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/submission/build.hpp"
-#include "grader/submission/submission.hpp"
 #include "runner/wire.hpp"
 #include "sandbox/jail.hpp"
 #include "sandbox/lockdown.hpp"
-#include "sandbox/printable.hpp"
-#include "tests/text.hpp"
+#include "tests/submissions.hpp"
 
 namespace mc::tests::jail {
 
-namespace fs = std::filesystem;
 using namespace grader;
 
 namespace {
@@ -140,27 +134,11 @@ double deed_of(std::span<const double> x) {
 
 /// The starter with this for mean().
 std::string whole_source() {
-  return source + with_change(read_text(read_layout().starter() / "variance.cpp"),
-                              "throw todo(\"1.1\")", "return deed_of(x)");
-}
-
-/// A directory with the same name in every run, so that its programs are built only once.
-fs::path submission_directory(const std::string& name) {
-  fs::path directory = read_layout().build / "tests" / name;
-  fs::create_directories(directory);
-  return directory;
-}
-
-BuildResult build_submission(const char* name, const std::string& text) {
-  const Layout layout = read_layout();
-  const auto labs = find_labs(layout);
-  const fs::path directory = submission_directory(name);
-  write_text(directory / "variance.cpp", text);
-  return build_program(layout, find_lab(labs, "variance"), open_submission(labs, directory));
+  return source + with_change(FirstLab().starter, "throw todo(\"1.1\")", "return deed_of(x)");
 }
 
 const sandbox::Program& program() {
-  static const BuildResult built = build_submission("jail", whole_source());
+  static const BuildResult built = FirstLab().build_text("jail", whole_source());
   INFO(built.failure);
   REQUIRE(built.program);
   return *built.program;
@@ -191,12 +169,8 @@ std::string text_of(const sandbox::Outcome& outcome) {
 
 }  // namespace
 
-TEST_CASE("a measurement returns its result") {
-  CHECK(value_of(run(return_second, {0.1})) == 0.1);
-  CHECK(std::isnan(value_of(run(return_second, {NAN}))));
-}
-
 TEST_CASE("every way to end has its message") {
+  CHECK(std::isnan(value_of(run(return_second, {NAN}))));
   const sandbox::Limits short_time{.cpu_seconds = 1};
   const auto timed = run(loop, {}, short_time);
   CHECK(timed.failure == "did not end within 1 s of CPU time and 512 MB of memory");
@@ -242,21 +216,11 @@ TEST_CASE("its output and exception texts are made safe") {
   CHECK(much.ends_with("x …"));
 }
 
-TEST_CASE("it inherits nothing") {
+TEST_CASE("it inherits nothing, has the documented limits, and is nobody if the judge is root") {
   CHECK(text_of(run(report_environment)) == "[] submission");
 #ifdef __linux__
   CHECK(text_of(run(report_descriptors)) == "0 1 2 3 ");
-#endif
-}
-
-TEST_CASE("limits are as documented") {
-#ifdef __linux__
   CHECK(text_of(run(report_limits)) == "2/3 536870912/536870912 16777216/16777216 0/0 0/0 0/0 ");
-#endif
-}
-
-TEST_CASE("the program runs as user nobody if the judge is root") {
-#ifdef __linux__
   const std::string id =
       geteuid() == 0 ? std::to_string(sandbox::jailed_user) : std::to_string(geteuid());
   const auto ids = text_of(run(report_user));
@@ -269,33 +233,14 @@ TEST_CASE("the program runs as user nobody if the judge is root") {
 
 TEST_CASE("exactly these system calls are allowed") {
   if (!sandbox::jail_is_complete()) return;
-  const std::set<long> allowed{SYS_read,
-                               SYS_brk,
-                               SYS_mmap,
-                               SYS_munmap,
-                               SYS_mremap,
-                               SYS_mprotect,
-                               SYS_madvise,
-                               SYS_clock_gettime,
-                               SYS_clock_getres,
-                               SYS_gettimeofday,
-                               SYS_time,
-                               SYS_getrandom,
-                               SYS_getpid,
-                               SYS_gettid,
-                               SYS_rt_sigaction,
-                               SYS_rt_sigprocmask,
-                               SYS_rt_sigreturn,
-                               SYS_sigaltstack,
-                               SYS_sched_yield,
-                               SYS_exit,
-                               SYS_exit_group,
-                               SYS_arch_prctl,
-                               SYS_set_tid_address,
-                               SYS_set_robust_list,
-                               SYS_rseq,
-                               SYS_uname,
-                               SYS_prlimit64};
+  // clang-format off
+  const std::set<long> allowed{
+      SYS_read, SYS_brk, SYS_mmap, SYS_munmap, SYS_mremap, SYS_mprotect, SYS_madvise,
+      SYS_clock_gettime, SYS_clock_getres, SYS_gettimeofday, SYS_time, SYS_getrandom, SYS_getpid,
+      SYS_gettid, SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack,
+      SYS_sched_yield, SYS_exit, SYS_exit_group, SYS_arch_prctl, SYS_set_tid_address,
+      SYS_set_robust_list, SYS_rseq, SYS_uname, SYS_prlimit64};
+  // clang-format on
   const std::set<long> refused{SYS_readlink, SYS_readlinkat, SYS_fstat, SYS_newfstatat,
                                SYS_statx,    SYS_ioctl,      SYS_lseek};
   const std::string killed =
@@ -350,44 +295,13 @@ TEST_CASE("system calls with allowed arguments, and with others") {
 #endif
 
 TEST_CASE("a long request to a program that does not read it") {
-  const BuildResult deaf = build_submission("deaf",
-                                            "#include <unistd.h>\n"
-                                            "#include \"starter.hpp\"\n");
-  CHECK_FALSE(deaf.program);  // the header does not exist
-  const BuildResult built =
-      build_submission("deaf", "#include <unistd.h>\nconst int early = (_exit(7), 0);\n" +
-                                   read_text(read_layout().starter() / "variance.cpp"));
+  const FirstLab first;
+  const BuildResult built = first.build_text(
+      "deaf", "#include <unistd.h>\nconst int early = (_exit(7), 0);\n" + first.starter);
   INFO(built.failure);
   REQUIRE(built.program);
   const auto outcome = sandbox::run_jailed(*built.program, std::string(10 << 20, 'x'));
   CHECK(outcome.failure == "called exit(7) instead of returning");
-}
-
-TEST_CASE("a submission's file must be a regular file") {
-  const Layout layout = read_layout();
-  const auto labs = find_labs(layout);
-  const fs::path directory = submission_directory("linked");
-  fs::remove_all(directory);
-  fs::create_directories(directory);
-  fs::create_symlink(layout.solutions() / "variance.cpp", directory / "variance.cpp");
-  CHECK(open_submission(labs, directory).files.empty());
-  fs::remove(directory / "variance.cpp");
-  fs::create_directory(directory / "variance.cpp");
-  CHECK(open_submission(labs, directory).files.empty());
-  fs::remove(directory / "variance.cpp");
-  fs::copy_file(layout.starter() / "variance.cpp", directory / "variance.cpp");
-  const auto submission = open_submission(labs, directory);
-  CHECK(submission.files.size() == 1);
-  CHECK_FALSE(submission.trusted);
-}
-
-TEST_CASE("files that are not program text") {
-  CHECK(build_submission("empty", "\xef\xbb\xbf \n\t").failure == "variance.cpp is empty.");
-  CHECK(build_submission("long", std::string(3 << 20, ' ')).failure ==
-        "variance.cpp is 3072 KB long; 1 MB is the limit.");
-  const auto strange = build_submission("strange", std::string("int \0 \xff \x1b[31m;\n", 15));
-  CHECK_FALSE(strange.program);
-  CHECK(sandbox::printable(strange.failure) == strange.failure);
 }
 
 }  // namespace mc::tests::jail

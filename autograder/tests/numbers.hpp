@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -52,78 +53,33 @@ inline std::string replaced(std::string text, std::string_view what, std::string
 /// nothing if it is not a number.
 inline std::optional<WrittenNumber> number_of(std::string text) {
   constexpr std::pair<const char*, const char*> plain[] = {
-      {"−", "-"},   {",", ""},  {" ", ""},  {"·", "*"}, {"½", "1/2"}, {"¼", "1/4"},
-      {"¾", "3/4"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},   {"⁴", "4"},
-      {"⁵", "5"},   {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"},   {"⁻", "-"}};
-  for (const auto& [what, with] : {std::pair{"\\cdot ", "·"}, {"{", ""}, {"}", ""}}) {
-    text = replaced(text, what, with);  // $1.8 \cdot 10^{-4}$, $4{,}096$
+      {"\\cdot", "*"}, {"·", "*"},   {"{", ""},    {"}", ""},    {"−", "-"},  {",", ""},
+      {" ", ""},       {"½", "1/2"}, {"¼", "1/4"}, {"¾", "3/4"}, {"⁰", "^0"}, {"¹", "^1"},
+      {"²", "^2"},     {"³", "^3"},  {"⁴", "^4"},  {"⁵", "^5"},  {"⁶", "^6"}, {"⁷", "^7"},
+      {"⁸", "^8"},     {"⁹", "^9"},  {"⁻", "^-"}};
+  for (const auto& [what, with] : plain) text = replaced(text, what, with);
+  for (std::string before; before != text;) {  // "10^3^0^8" is 10^308
+    before = text;
+    text = std::regex_replace(text, std::regex(R"((\^[-0-9]+)\^)"), "$1");
   }
-  // Superscript digits begin a power.
-  std::string marked;
-  bool raised = false;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto length = [&](const char* of) { return std::string_view(of).size(); };
-    std::string here(1, text[at]);
-    std::size_t used = 1;
-    bool is_raised = false;
-    for (std::size_t i = 0; i < std::size(plain); ++i) {
-      if (text.compare(at, length(plain[i].first), plain[i].first) != 0) continue;
-      here = plain[i].second;
-      used = length(plain[i].first);
-      is_raised = i >= 7;
-      break;
-    }
-    if (is_raised && !raised) marked += '^';
-    raised = is_raised;
-    marked += here;
-    at += used;
-  }
-  const char* at = marked.c_str();
-  const auto number = [&](double& value, double& half) {
-    char* end = nullptr;
-    const std::string_view written(at);
-    if (written.empty() || std::isspace(static_cast<unsigned char>(*at))) return false;
-    value = std::strtod(at, &end);
-    if (end == at) return false;
-    const std::string_view digits = written.substr(0, static_cast<std::size_t>(end - at));
-    const auto e = digits.find_first_of("eE");
-    const auto point = digits.find('.');
-    const double exponent = e == digits.npos ? 0 : std::strtod(at + e + 1, nullptr);
-    const auto decimals = point == digits.npos ? 0 : std::min(e, digits.size()) - point - 1;
-    half = 0.5 * std::pow(10, exponent - static_cast<double>(decimals));
-    at = end;
-    return true;
+  static const std::regex number(
+      R"(([-+]?\d+(?:\.(\d*))?(?:e([-+]?\d+))?)(?:/(\d+))?(?:(?:\*(\d+))?\^(-?\d+))?(%?))");
+  std::smatch part;
+  if (!std::regex_match(text, part, number)) return {};
+  const auto value_of = [&](int i, double otherwise) {
+    return part[i].length() > 0 ? std::stod(part[i]) : otherwise;
   };
-  double value = 0, half = 0, other = 0, unused = 0;
-  if (!number(value, half)) return {};
-  if (*at == '/') {
-    ++at;
-    if (!number(other, unused)) return {};
-    value /= other;
-    half = 0;
+  double value = value_of(1, 0) / value_of(4, 1);
+  double half = 0.5 * std::pow(10, value_of(3, 0) - static_cast<double>(part[2].length()));
+  if (part[6].matched && !part[5].matched) {  // 10³⁰⁸
+    value = std::pow(value, value_of(6, 0));
+  } else if (part[6].matched) {
+    value *= std::pow(value_of(5, 0), value_of(6, 0));
+    half *= std::pow(value_of(5, 0), value_of(6, 0));
   }
-  double base = 1, power = 0;
-  if (*at == '*') {
-    ++at;
-    if (!number(base, unused) || *at != '^') return {};
-  } else if (*at == '^') {
-    base = value;
-    value = 1;
-    half = 0;
-  }
-  if (*at == '^') {
-    ++at;
-    if (!number(power, unused)) return {};
-    value *= std::pow(base, power);
-    half *= std::pow(base, power);
-  }
-  if (*at == '%') {
-    ++at;
-    value /= 100;
-    half /= 100;
-  }
-  if (*at != 0) return {};
-  return WrittenNumber{value, half};
+  const bool is_exact = part[4].matched || (part[6].matched && !part[5].matched);
+  const double unit = part[7].length() > 0 ? 0.01 : 1;
+  return WrittenNumber{value * unit, is_exact ? 0 : half * unit};
 }
 
 /// Is this number the printed one, rounded to its digits? It must not have more digits.
@@ -264,7 +220,7 @@ inline std::vector<Transcript> transcripts_of(const std::string& document) {
     if (line.starts_with("```")) {
       inside = false;
     } else if (line.starts_with(std::string(prompt) + "./lab ")) {
-      all.push_back({words_of(std::string_view(line).substr(prompt.size())), ""});
+      all.push_back({words_of(line.substr(prompt.size())), ""});
       inside = true;
     } else if (inside) {
       all.back().output += line + '\n';

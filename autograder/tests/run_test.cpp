@@ -17,19 +17,51 @@ namespace mc::tests::run {
 
 namespace fs = std::filesystem;
 using namespace grader;
+using Words = std::vector<std::string>;
 
-TEST_CASE("an experiment by hand", "[script]") {
+TEST_CASE("an experiment by hand, and what its numbers are", "[script]") {
   const std::string solutions = read_layout().solutions().string();
-  CHECK(lab({"run", "--dir", solutions, "variance", "mean", "1,2,6"}).output == "3\n");
-  CHECK(lab({"run", "--dir", solutions, "variance", "mean", "-1,-2,-6"}).output == "-3\n");
-  CHECK(contains(lab({"run", "--dir", solutions, "variance"}).output,
-                 "welford                --x LIST\n"));
-  CHECK(lab({"run", "--dir", solutions, "variance", "nothing"}).exit_code == 2);
+  const struct {
+    Words words;
+    std::string output;
+  } cases[] = {{{"variance", "mean", "1,2,6"}, "3\n"},
+               {{"variance", "mean", "-1,-2,-6"}, "-3\n"},
+               {{"variance", "merge", "--a", "1:1:0", "--b", "1:3:0"},
+                "# count  mean  m2\n2        2     2\n"},
+               {{"halton", "radical_inverse", "2", "1,2,9"},
+                "# index  x\n1        0.5\n2        0.25\n9        0.5625\n"},
+               {{"halton", "halton", "--n", "2", "--dims", "2", "--first", "0"},
+                "# index  x    y\n0        0    0\n1        0.5  0.3333333333333333\n"},
+               {{"halton", "sobol", "0", "2", "2"}, "# index  x\n2        0.25\n3        0.75\n"},
+               {{"stratification", "shuffle", "7", "2", "1"}, "# set  x\n0      7\n1      7\n"},
+               {{"sampler", "integrate_recorded", "1,3", "2", "7"},
+                "# values  samples  seeds\n2         2        7\n# positions\n0\n1\n"
+                "# generates  evaluations  advances\n1            2            2\n"}};
+  const auto run = [&](const Words& words) {
+    return lab(joined({"run", "--dir", solutions}, words));
+  };
+  for (const auto& one : cases) {
+    CAPTURE(one.words);
+    CHECK(run(one.words).output == one.output);
+  }
+  CHECK(run({"blue_noise", "periodogram", "0", "0", "1", "1"})
+            .output.starts_with("# kx  ky  power\n-1    -1  1\n0     -1  1\n"));
+  CHECK(contains(run({"variance"}).output, "welford                --x LIST\n"));
+  CHECK(run({"variance", "nothing"}).exit_code == 2);
   // As in its help, options follow the lab; what follows the experiment is its own.
-  CHECK(lab({"run", "variance", "--dir", solutions, "mean", "1,2,6"}).output == "3\n");
   CHECK(lab({"run", "variance", "--dir", solutions, "mean", "-1,-2,-6"}).output == "-3\n");
   CHECK(lab({"run", "variance", "mean", "--dir", solutions}).exit_code == 1);
   CHECK(contains(lab({"run", "variance", "mean", "1,2"}).output, "not written yet"));
+  // A dash works for an underscore; for a wrong name the error lists the right ones.
+  const auto named = [&](const std::string& last) {
+    return run({"stratification", "stratified_nd", "--n", "1", "--dims", "1", last, "1", "--sets",
+                "1", "--seed", "1"})
+        .output;
+  };
+  CHECK(named("--per-axis").starts_with("# x\n0."));
+  CHECK(named("--per_axis").starts_with("# x\n0."));
+  CHECK(contains(named("--peraxis"), "--per_axis is missing"));
+  CHECK(contains(named("--peraxis"), "stratified_nd --n N --dims N --per_axis N"));
 }
 
 TEST_CASE("a shell completes commands, labs, tasks, experiments and options", "[script]") {
@@ -48,54 +80,6 @@ TEST_CASE("a shell completes commands, labs, tasks, experiments and options", "[
   CHECK(completed("run halton random", 3) == "random_shift\n");
   CHECK(completed("check 1 --wa", 3) == "--watch\n");
   CHECK(lab({"completion", "fish"}).exit_code == 2);
-}
-
-TEST_CASE("the output of an experiment says which number is what", "[script]") {
-  const std::string solutions = read_layout().solutions().string();
-  const auto run = [&](const std::vector<std::string>& words) {
-    return lab(joined({"run", "--dir", solutions}, words)).output;
-  };
-  CHECK(run({"variance", "merge", "--a", "1:1:0", "--b", "1:3:0"}) ==
-        "# count  mean  m2\n"
-        "2        2     2\n");
-  CHECK(run({"halton", "radical_inverse", "2", "1,2,9"}) ==
-        "# index  x\n"
-        "1        0.5\n"
-        "2        0.25\n"
-        "9        0.5625\n");
-  CHECK(run({"halton", "halton", "--n", "2", "--dims", "2", "--first", "0"}) ==
-        "# index  x    y\n"
-        "0        0    0\n"
-        "1        0.5  0.3333333333333333\n");
-  CHECK(run({"halton", "sobol", "0", "2", "2"}) ==
-        "# index  x\n"
-        "2        0.25\n"
-        "3        0.75\n");
-  CHECK(run({"blue_noise", "periodogram", "0", "0", "1", "1"})
-            .starts_with("# kx  ky  power\n"
-                         "-1    -1  1\n"
-                         "0     -1  1\n"));
-  CHECK(run({"stratification", "shuffle", "7", "2", "1"}) ==
-        "# set  x\n"
-        "0      7\n"
-        "1      7\n");
-  CHECK(run({"sampler", "integrate_recorded", "1,3", "2", "7"}) ==
-        "# values  samples  seeds\n"
-        "2         2        7\n"
-        "# positions\n"
-        "0\n"
-        "1\n"
-        "# generates  evaluations  advances\n"
-        "1            2            2\n");
-  // A dash works for an underscore; for a wrong name the error lists the right ones.
-  const auto named = [&](const std::string& last) {
-    return run({"stratification", "stratified_nd", "--n", "1", "--dims", "1", last, "1", "--sets",
-                "1", "--seed", "1"});
-  };
-  CHECK(named("--per-axis").starts_with("# x\n0."));
-  CHECK(named("--per_axis").starts_with("# x\n0."));
-  CHECK(contains(named("--peraxis"), "--per_axis is missing"));
-  CHECK(contains(named("--peraxis"), "stratified_nd --n N --dims N --per_axis N"));
 }
 
 TEST_CASE("the list of experiments has the names of the declarations", "[script]") {
@@ -167,11 +151,10 @@ TEST_CASE("an experiment under the sanitizers", "[.sanitizers]") {
 
 TEST_CASE("a lab and its task", "[script]") {
   const std::string solutions = read_layout().solutions().string();
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"check", "1.3", solutions},
-        {"check", "variance", "1.3", solutions},
-        {"check", "1", "1.3", solutions},
-        {"check", "1-variance", solutions, "--only", "1.3"}}) {
+  for (const Words& words : {Words{"check", "1.3", solutions},
+                             {"check", "variance", "1.3", solutions},
+                             {"check", "1", "1.3", solutions},
+                             {"check", "1-variance", solutions, "--only", "1.3"}}) {
     const auto run = lab(words);
     CAPTURE(words);
     CHECK(run.exit_code == 0);

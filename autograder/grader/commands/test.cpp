@@ -18,7 +18,8 @@ int test(const Context& context, const Arguments& arguments) {
     const auto text = [&](const char* option, std::uint64_t otherwise) {
       return std::to_string(arguments.number(option).value_or(otherwise));
     };
-    become({programs + "mutants", *arguments.get("mutants"), text("sample", 300), text("seed", 1)});
+    become({programs + "self_test", "mutants", *arguments.get("mutants"), text("sample", 300),
+            text("seed", 1)});
   }
   if (arguments.has("power") && !arguments.has("full")) {
     become({programs + "self_test", "power"});

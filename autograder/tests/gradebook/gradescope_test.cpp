@@ -1,20 +1,75 @@
-// Gradescope's zip. checkout_test.cpp tests what its image does with a submission.
+// Gradescope's zip, and what its container does with a submission.
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "checks/support/catch.hpp"
-#include "tests/gradebook/container.hpp"
-#include "tests/text.hpp"
+#include "tests/gradebook/course.hpp"
 
 namespace mc::tests::gradescope {
 
 namespace fs = std::filesystem;
 using namespace grader;
 
+namespace {
+
+/// Gradescope's /autograder, in a temporary directory.
+struct Container : Course {
+  fs::path root = fs::canonical(path()) / "autograder", source = root / "source",
+           handed = root / "submission", results = root / "results" / "results.json";
+
+  explicit Container(const std::vector<std::string>& more) {
+    const std::string zip = (path() / "autograder.zip").string();
+    REQUIRE_RUN(written, run(joined({"gradescope", "variance", "--out", zip}, more)));
+    for (const fs::path& place : {source, handed, results.parent_path()}) {
+      fs::create_directories(place);
+    }
+    sandbox::run_process({"cmake", "-E", "tar", "xf", zip}, {.directory = source});
+    write_text(root / "submission_metadata.json", "{}");
+  }
+  sandbox::ProcessResult script(const std::string& name) const {
+    return sandbox::run_process(
+        {(source / name).string()},
+        {.directory = root, .environment = {{"AUTOGRADER_ROOT", root.string()}, {"MC_BUILD", ""}}});
+  }
+  /// Hands in only these files, and grades them.
+  sandbox::ProcessResult grade(const std::vector<std::pair<fs::path, std::string>>& files) const {
+    fs::remove_all(handed);
+    fs::create_directories(handed);
+    for (const auto& [file, text] : files) {
+      fs::create_directories((handed / file).parent_path());
+      write_text(handed / file, text);
+    }
+    return script("run_autograder");
+  }
+  nlohmann::json results_of(const std::vector<std::pair<fs::path, std::string>>& files) const {
+    REQUIRE_RUN(run, grade(files));
+    const std::string text = read_text(results);
+    CHECK_FALSE(contains(text, path().string()));  // no path of the container
+    auto json = nlohmann::json::parse(text, nullptr, false);
+    REQUIRE_FALSE(json.is_discarded());
+    CHECK(json["tests"].size() > 20);
+    CHECK(json["extra_data"]["version"] == layout.version);
+    for (const auto& test : json["tests"]) {  // shown with the next assertion, if that fails
+      if (test["score"] != test["max_score"]) UNSCOPED_INFO(test.dump());
+    }
+    return json;
+  }
+};
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+}  // namespace
+
 TEST_CASE("Gradescope's zip has the required files at its top, the version, and no answers") {
   const Container plain({"--visibility", "after_due_date"});
-  CAPTURE(plain.written.output, plain.written.errors);
-  REQUIRE(plain.written.exit_code == 0);
   for (const char* script : {"setup.sh", "run_autograder"}) {
     const auto permissions = fs::status(plain.source / script).permissions();
     CHECK((permissions & fs::perms::owner_exec) != fs::perms::none);
@@ -25,32 +80,98 @@ TEST_CASE("Gradescope's zip has the required files at its top, the version, and 
                             "autograder/checks", ".git", "build", "labs/2-independent"}) {
     CHECK_FALSE(fs::exists(plain.source / place));
   }
-  const std::string script = read_text(plain.source / "run_autograder");
-  CHECK(contains(script, "\nLAB=variance\nLEADERBOARD=\nVISIBILITY=after_due_date\n"));
-
-  // A leaderboard compares with the reference, for these labs only.
-  const Container compared({"--leaderboard"});
-  CHECK(contains(read_text(compared.source / "run_autograder"), "\nLEADERBOARD=1\n"));
-  CHECK(fs::exists(compared.source / "solutions" / "variance.cpp"));
-  CHECK_FALSE(fs::exists(compared.source / "solutions" / "halton.cpp"));
+  CHECK(contains(read_text(plain.source / "run_autograder"),
+                 "\nLAB=variance\nLEADERBOARD=\nVISIBILITY=after_due_date\n"));
 }
 
 TEST_CASE("a lab's zip has the labs that it depends on") {
   const Course course;
-  const fs::path zip = course.path() / "6.zip";
-  REQUIRE_RUN(run, course.run({"gradescope", "6", "1", "--out", zip.string()}));
-  const auto listed = sandbox::run_process({"cmake", "-E", "tar", "tf", zip.string()});
+  const std::string zip = (course.path() / "6.zip").string();
+  REQUIRE_RUN(run, course.run({"gradescope", "6", "1", "--out", zip}));
+  const auto listed = sandbox::run_process({"cmake", "-E", "tar", "tf", zip});
   for (const char* file :
        {"labs/3-stratification/stratification.hpp", "/checks_sampler", "/checks_variance"}) {
     CHECK(contains(listed.output, file));
   }
   CHECK_FALSE(contains(listed.output, "solutions/"));
   CHECK_FALSE(contains(listed.output, "autograder/checks/"));
-  CHECK(course.run({"gradescope", "--out", zip.string()}).exit_code == 2);
-  CHECK(course.run({"gradescope", "1"}).exit_code == 2);
-  CHECK(course.run({"gradescope", "1", "--out", "/no/such/place/a.zip"}).exit_code == 2);
-  CHECK(course.run({"gradescope", "1", "--out", zip.string(), "--visibility", "never"}).exit_code ==
-        2);
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--out", zip},
+                                                {"1"},
+                                                {"1", "--out", "/no/such/place/a.zip"},
+                                                {"1", "--out", zip, "--visibility", "never"}}) {
+    CHECK(course.run(joined({"gradescope"}, wrong)).exit_code == 2);
+  }
+}
+
+TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
+  const Container container({"--visibility", "hidden"});
+  REQUIRE_RUN(built, container.script("setup.sh"));
+  const std::string starter = text_of(container.layout.starter());
+  const std::string solution = text_of(container.layout.solutions());
+
+  // A repository in which other files have the lab's name.
+  const auto all = container.results_of({{".git/HEAD", ""},
+                                         {"README.md", ""},
+                                         {"starter/variance.cpp", solution},
+                                         {"build/variance.cpp", starter}});
+  CHECK(all["score"] == 100);
+  CHECK(all["visibility"] == "hidden");
+  CHECK_FALSE(all.contains("leaderboard"));
+
+  const auto empty = container.results_of({{"readme.txt", "I wrote nothing"}});
+  CHECK(empty["score"] == 0);
+  CHECK(contains(empty["output"], "variance.cpp"));
+
+  const auto broken = container.results_of({{"variance.cpp", "int 7 is no name;\n"}});
+  CHECK(broken["score"] == 0);
+  CHECK(contains(broken["output"], "variance.cpp:1:5: error"));
+  CHECK(count(broken.dump(), "does not compile") == 1);
+
+  // The judge's files are not there to include.
+  const auto curious = container.results_of(
+      {{"variance.cpp", "#include \"../autograder/checks/support/exact.hpp\"\n" + starter}});
+  CHECK(curious["score"] == 0);
+
+  // One endless task, which few others call: the others count. The student can repeat the failures.
+  const std::string head =
+      "double covariance(std::span<const double> x, std::span<const double> y) {\n";
+  const auto late = container.results_of(
+      {{"my lab/variance.cpp",
+        with_change(solution, head, head + "  for (volatile bool on = true; on;) {\n  }\n")}});
+  CHECK(contains(late["output"], "found in my lab"));
+  CHECK(late["score"] < 100);
+  CHECK(late["score"] > 0);
+  std::size_t failed = 0;
+  for (const auto& test : late["tests"]) {
+    const std::string output = test["output"];
+    failed += contains(output, "again");
+    if (contains(output, "again")) CHECK(contains(output, "./lab check variance --only "));
+  }
+  CHECK(failed > 0);
+
+  // With a leaderboard: adds what such a zip has in addition, in the same container.
+  const Container compared({"--leaderboard"});
+  CHECK_FALSE(fs::exists(compared.source / "solutions" / "halton.cpp"));
+  fs::copy(compared.source / "solutions", container.source / "solutions",
+           fs::copy_options::recursive);
+  fs::copy_file(compared.source / "run_autograder", container.source / "run_autograder",
+                fs::copy_options::overwrite_existing);
+  const auto ranked = container.results_of({{"variance.cpp", solution}});
+  CHECK(ranked["score"] == 100);
+  CHECK(ranked["visibility"] == "visible");
+  REQUIRE(ranked["leaderboard"].size() == 1);
+  CHECK(ranked["leaderboard"][0]["name"] == "lab 1: speed, times the reference's");
+  CHECK(ranked["leaderboard"][0]["value"].is_number());
+  const auto none = container.results_of({{"variance.cpp", starter}});
+  CHECK(none["score"] == 0);
+  CHECK(count(none.dump(), "not written yet") > 20);
+  CHECK_FALSE(none.contains("leaderboard"));
+
+  // A grader that is missing gives no student a zero: no results.json, not even an old one.
+  fs::remove_all(container.source / "autograder" / "bin");
+  const auto fails = container.grade({{"variance.cpp", solution}});
+  CHECK(fails.exit_code == 3);
+  CHECK_FALSE(fs::exists(container.results));
 }
 
 }  // namespace mc::tests::gradescope

@@ -16,16 +16,10 @@ struct Handout : Course {
   sandbox::ProcessResult written;
   std::filesystem::path search_path;  ///< in place of PATH, if set
 
-  explicit Handout(const std::vector<std::string>& more = {},
-                   const std::filesystem::path& where = {}) {
-    if (!where.empty()) root = where;
+  explicit Handout(const std::vector<std::string>& more = {}) {
     std::vector<std::string> words = joined({"handout", root.string()}, more);
     if (!grader::has_compiled_judge(layout)) words.emplace_back("--with-sources");
     written = run(words);
-  }
-  sandbox::ProcessResult git(const std::vector<std::string>& words) const {
-    return sandbox::run_process(joined({"git", "-C", root.string()}, words),
-                                {.output = std::size_t{64} << 20});
   }
   sandbox::ProcessResult lab(const std::vector<std::string>& words) const {
     return run_here(joined({(root / "lab").string()}, words));

@@ -84,10 +84,10 @@ TEST_CASE("neither a handout nor its history has an answer", "[.update]") {
   const Handout handout({"--with-sources"});
   CAPTURE(handout.written.errors);
   REQUIRE(handout.written.exit_code == 0);
-  CHECK(handout.git({"status", "--porcelain"}).output.empty());  // its history has every file
-  CHECK(lines(handout.git({"rev-list", "--all"}).output) == 1);
-  const std::string others = handout.git({"log", "-p", "--all", "--", ".", ":!autograder"}).output;
-  const std::string judge = handout.git({"log", "-p", "--all", "--", "autograder"}).output;
+  CHECK(git(handout.root, {"status", "--porcelain"}).empty());  // its history has every file
+  CHECK(lines(git(handout.root, {"rev-list", "--all"})) == 1);
+  const std::string others = git(handout.root, {"log", "-p", "--all", "--", ".", ":!autograder"});
+  const std::string judge = git(handout.root, {"log", "-p", "--all", "--", "autograder"});
   REQUIRE(contains(others, "TODO(6.1)"));
   REQUIRE(contains(judge, "TEST_CASE"));
   CHECK(answers_in(handout.layout, others, add_lines) == Texts{});

@@ -1,8 +1,8 @@
 // Submissions in the layouts that people and platforms produce.
-#include <sys/stat.h>
 
-#include <algorithm>
-#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "checks/support/catch.hpp"
 #include "grader/base/errors.hpp"
@@ -32,11 +32,7 @@ struct Place : Scratch {
   }
   /// Zips the content of `directory`, with paths relative to it, and removes the directory.
   Place& zip(const std::string& directory, const fs::path& file) {
-    std::vector<std::string> command{"cmake", "-E", "tar", "cf", path() / file, "--format=zip"};
-    for (const auto& entry : fs::directory_iterator(path() / directory)) {
-      command.push_back(entry.path().filename());
-    }
-    REQUIRE(mc::sandbox::run_process(command, {.directory = path() / directory}).succeeded());
+    mc::tests::zip_content(path() / directory, path() / file);
     fs::remove_all(path() / directory);
     return *this;
   }
@@ -262,15 +258,15 @@ TEST_CASE("a zip never unpacks outside of its own directory") {
   };
   CHECK(taken(raw_zip({{"variance.cpp", "int x;\n"}})) == "a: variance");
   for (const char* name : {"../variance.cpp", "/tmp/variance.cpp", "x/../../variance.cpp"}) {
-    CHECK(taken(raw_zip({{name, "int x;\n"}})).find("a: !the zip file has a path outside") == 0);
+    CHECK(taken(raw_zip({{name, "int x;\n"}})).starts_with("a: !the zip file has a path outside"));
   }
   CHECK(taken(raw_zip({{"variance.cpp", "/etc/passwd"}}, 0120777)) == "a:");  // a link
   CHECK(taken(raw_zip({{"variance.cpp/x", "1"}, {"variance.cpp", "2"}})) == "a:");
   CHECK(taken(raw_zip({{"variance.cpp", "old"}, {"variance.cpp", "new"}})) == "a: variance");
   CHECK(taken(raw_zip({{std::string(300, 'x') + "/variance.cpp", "1"}})) == "a:");
   const std::string whole = raw_zip({{"variance.cpp", std::string(5000, 'x')}});
-  CHECK(taken(whole.substr(0, 3000)).find("a: !") == 0);
-  CHECK(taken("").find("a: !the zip file is empty") == 0);
+  CHECK(taken(whole.substr(0, 3000)).starts_with("a: !"));
+  CHECK(taken("").starts_with("a: !the zip file is empty"));
 
   place.file("many.zip", raw_zip({{"1", ""}, {"2", ""}, {"3", ""}}));
   const Scratch to;
@@ -294,8 +290,8 @@ TEST_CASE("an unreadable word does not affect the others") {
   const Intake intake = take_in(place.context, {at("a"), at("gone"), at("b.cpp")}, Meaning::many);
   REQUIRE(intake.entries.size() == 3);
   CHECK(intake.entries[0].unreadable == "");
-  CHECK(intake.entries[1].unreadable.find("no such directory") == 0);
-  CHECK(intake.entries[2].unreadable.find("is a file") != std::string::npos);
+  CHECK(intake.entries[1].unreadable.starts_with("no such directory"));
+  CHECK(mc::tests::contains(intake.entries[2].unreadable, "is a file"));
   CHECK_THROWS_AS(take_in_one(place.context, at("gone")), UsageError);
 }
 

@@ -66,14 +66,14 @@ bool is_no_grade(const Course& course, const Words& faults, const std::string& r
   }
   CAPTURE(faults, run.output, run.errors);
   CHECK(run.exit_code == 3);
-  CHECK(run.output.find("/100") == std::string::npos);
-  CHECK(run.output.find("not judged") != std::string::npos);
-  CHECK((run.output + run.errors).find(reason) != std::string::npos);
+  CHECK(!contains(run.output, "/100"));
+  CHECK(contains(run.output, "not judged"));
+  CHECK(contains(run.output + run.errors, reason));
   const auto rows = csv_rows(read_text(course.csv()));
   CHECK(rows.size() == std::min<std::size_t>(course.ids.size(), 3) + 1);  // the rest is not tried
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    CHECK(rows[i][4].find("not judged: ") == 0);
-    CHECK(rows[i][4].find(reason) != std::string::npos);
+    CHECK(rows[i][4].starts_with("not judged: "));
+    CHECK(contains(rows[i][4], reason));
     CHECK(rows[i][5] == "not judged");
     for (std::size_t cell = 6; cell < rows[i].size(); ++cell) CHECK(rows[i][cell].empty());
   }
@@ -82,7 +82,7 @@ bool is_no_grade(const Course& course, const Words& faults, const std::string& r
       course.with(faults, course.grade(build, "class/" + course.ids[0], {"--json", course.json()}));
   CAPTURE(single.output, single.errors);
   CHECK(single.exit_code == 3);
-  CHECK(single.errors.find("not judged: ") != std::string::npos);
+  CHECK(contains(single.errors, "not judged: "));
   CHECK(!fs::exists(course.json()));
   return true;
 }
@@ -123,7 +123,7 @@ TEST_CASE("a full disk gives no grade, and after four in a row the rest is not t
   CHECK(some.exit_code == 3);
   const auto rows = csv_rows(read_text(course.csv()));
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    CHECK((rows[i][6] == "100" || (rows[i][6].empty() && rows[i][4].find("not judged: ") == 0)));
+    CHECK((rows[i][6] == "100" || (rows[i][6].empty() && rows[i][4].starts_with("not judged: "))));
   }
 }
 
@@ -138,23 +138,21 @@ TEST_CASE("a table that cannot be written ends the batch with a message, and its
   if (run.exit_code == 77) return;
   CAPTURE(run.output, run.errors);
   CHECK(run.exit_code == 3);
-  CHECK(run.errors.find("No space left on device") != std::string::npos);
+  CHECK(contains(run.errors, "No space left on device"));
 }
 
-TEST_CASE("where seccomp is refused, nothing is judged", "[.machine]") {
+TEST_CASE("where seccomp, execveat or setgroups is refused, nothing is judged", "[.machine]") {
   const Course course(1);
+  const std::string refused = "Operation not permitted";
+  is_no_grade(course, {"--refuse", "execveat"}, refused, course.build);
+  if (geteuid() == 0) {  // otherwise the jail does not change the user
+    fs::remove_all(verdict_directory(course.csv()));
+    is_no_grade(course, {"--refuse", "setgroups"}, refused, course.build);
+  }
+  fs::remove_all(verdict_directory(course.csv()));
   if (is_no_grade(course, {"--refuse", "seccomp"}, "seccomp: Function not implemented",
                   course.build)) {
     is_made_good(course);
-  }
-}
-
-TEST_CASE("where execveat or setgroups is refused, nothing is judged", "[.machine]") {
-  const Course course(1);
-  is_no_grade(course, {"--refuse", "execveat"}, "Operation not permitted", course.build);
-  if (geteuid() == 0) {  // otherwise the jail does not change the user
-    fs::remove_all(verdict_directory(course.csv()));
-    is_no_grade(course, {"--refuse", "setgroups"}, "Operation not permitted", course.build);
   }
 }
 
@@ -163,11 +161,11 @@ TEST_CASE("without processes or descriptors there is a full grade or none", "[.m
   const std::string user = std::to_string(700'000 + getpid());
   const auto own = sandbox::run_process({"chown", "-R", "-h", user, course.path().string()});
   std::vector<Words> faults;
-  for (const char* most : {"17", "22", "28", "256"}) {
+  for (const char* most : {"17", "28", "256"}) {
     faults.push_back({"--descriptors", most});
   }
   if (own.succeeded()) {
-    for (const char* most : {"1", "3", "5", "9", "64"}) {
+    for (const char* most : {"1", "5", "64"}) {
       faults.push_back({"--processes", user, most});
     }
   }

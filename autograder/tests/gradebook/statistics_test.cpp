@@ -1,16 +1,17 @@
 // Statistics of a class, compared with values computed by hand.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
 #include "grader/gradebook/book.hpp"
+#include "grader/gradebook/class_page.hpp"
 #include "grader/gradebook/statistics.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/reports/verdict_json.hpp"
 #include "runner/text.hpp"
 #include "tests/gradebook/course.hpp"
-#include "tests/text.hpp"
+#include "tests/gradebook/page_cells.hpp"
 
 namespace mc::tests::class_statistics {
 
@@ -45,6 +46,15 @@ Verdict verdict_on(const std::string& id, std::vector<CheckResult> results) {
 std::string counts(const CheckStatistics& one) {
   return fmt::format("{} {} {} {} {}", one.passed, one.wrong, one.waiting, one.withheld,
                      one.not_written);
+}
+
+/// The labs of a table with this text and these verdicts.
+std::vector<LabStatistics> labs_in(const std::string& csv,
+                                   const std::vector<Verdict>& verdicts = {}) {
+  const Scratch place;
+  std::map<std::string, Verdict> by_id;
+  for (const Verdict& verdict : verdicts) by_id[verdict.submission] = verdict;
+  return statistics_of(read_table(place.write("g.csv", csv)), by_id, two_labs).labs;
 }
 
 /// Six people, of whom four attempted the lab; bob wrote 1.1 but not 1.2.
@@ -82,10 +92,8 @@ struct SmallClass : Scratch {
 
 TEST_CASE("the point-biserial correlation, and when it is undefined") {
   // Means 4 and 1.5, squares 10: 2.5 sqrt(3 * 2 / 5) / sqrt(10) = sqrt(0.75)
-  const auto r = point_biserial({true, true, false, false, true}, {5, 3, 2, 1, 4});
-  REQUIRE(r);
-  CHECK(*r == Approx(std::sqrt(0.75)));
-  CHECK(*point_biserial({false, true}, {1, 2}) == Approx(1));
+  CHECK(*point_biserial({true, true, false, false, true}, {5, 3, 2, 1, 4}) ==
+        Approx(std::sqrt(0.75)));
   CHECK(*point_biserial({true, false}, {1, 2}) == Approx(-1));
   CHECK(*point_biserial({true, false, true, false}, {1, 1, 2, 2}) == Approx(0).margin(1e-15));
   CHECK(!point_biserial({true, true}, {1, 2}));
@@ -94,45 +102,38 @@ TEST_CASE("the point-biserial correlation, and when it is undefined") {
   CHECK(!point_biserial({}, {}));
 }
 
-TEST_CASE("statistics are over attempts, and count the rest by kind") {
-  const SmallClass place;
-  const auto statistics = place.statistics();
-  CHECK(statistics.submissions == 6);
+TEST_CASE(
+    "statistics are over attempts, and count the rest by kind; hints count once per student") {
+  const ClassStatistics statistics = SmallClass().statistics();
   REQUIRE(statistics.labs.size() == 1);  // there is no column for halton
-  const LabStatistics& lab = statistics.labs[0];
-  CHECK(lab.totals == std::vector<double>{100, 50, 30, 80});
-  CHECK(other_submissions(lab) == "1 not attempted, 1 not judged");
-  REQUIRE(lab.checks.size() == 3);
-  CHECK(counts(lab.checks[0]) == "3 1 0 0 0");
-  CHECK(counts(lab.checks[1]) == "3 1 0 0 0");
-  CHECK(counts(lab.checks[2]) == "1 1 0 0 2");
-  // 1.1 a: passed by ada, bob, eve with 50, 0, 30 of the rest, not by dee with 30.
-  CHECK(*lab.checks[0].discrimination ==
-        Approx(*point_biserial({true, true, false, true}, {50, 0, 30, 30})));
-  CHECK(*lab.checks[2].discrimination ==
-        Approx(*point_biserial({true, false, false, false}, {80, 50, 30, 80})));
-  CHECK(center_of(lab.totals) == "mean 65.0, median 65");
+  const std::string page = statistics_page(statistics);
+  CHECK(contains(page, "Statistics of 6 submissions"));
+  CHECK(contains(page, "4 attempts; mean 65.0, median 65<br>1 not attempted, 1 not judged</p>"));
   // Task 1.1: 80 points; 80, 50, 30 and 80 of them. Task 1.2: 20 points, earned once.
-  REQUIRE(lab.tasks.size() == 2);
-  CHECK(lab.tasks[0].points == 80);
-  CHECK(lab.tasks[0].share == Approx(240.0 / 320));
-  CHECK(lab.tasks[0].complete == 2);
-  CHECK(lab.tasks[1].share == Approx(0.25));
+  CHECK(cells_after(page, ": tasks\"") == Cells{{"1.1", "75 %", "2"}, {"1.2", "25 %", "1"}});
+  // 1.1 a: passed by ada, bob, eve with 50, 0, 30 of the rest, not by dee with 30: means 26.7 and
+  // 30, squares 1275, so -3.33 sqrt(3/4) / sqrt(1275). In the same way the others.
+  CHECK(cells_after(page, ": checks\"") == Cells{{"1.1 a", "3", "1", "0", "0", "0", "-0.08"},
+                                                 {"1.1 b", "3", "1", "0", "0", "0", "-0.17"},
+                                                 {"1.2 c", "1", "1", "0", "0", "2", "0.54"}});
+  CHECK(cells_after(page, "\"hints\"") ==
+        Cells{{"it divides by n", "2"}, {"it &lt;b&gt;rounds", "1"}});
+  const Cells bars = cells_after(page, "<h3>Points");
+  REQUIRE(bars.size() == 12);
+  CHECK(bars[3] == std::vector<std::string>{"30+", "1", ""});
+  CHECK(bars[10] == std::vector<std::string>{"100", "1", ""});
 }
 
 TEST_CASE("waiting, withheld, not compiling and not begun are different from wrong") {
-  const Scratch place;
-  const Table table =
-      read_table(place.write("g.csv",
-                             "id,seed,version,variance status,variance total,1.1 a,1.2 b\n"
-                             "ada,7,1.0,judged,0,0,0\nbob,7,1.0,judged,0,0,0\n"
-                             "cy,7,1.0,\"no program\",0,0,0\ndee,7,1.0,\"no program\",91,0,0\n"));
-  const std::map<std::string, Verdict> verdicts{
-      {"ada", verdict_on("ada", {result_of("1.1 a", Status::withheld),
-                                 result_of("1.2 b", Status::waiting)})},
-      {"bob", verdict_on("bob", {result_of("1.1 a", Status::not_written),
-                                 result_of("1.2 b", Status::not_written)})}};
-  const LabStatistics lab = statistics_of(table, verdicts, two_labs).labs.at(0);
+  const LabStatistics lab = labs_in(
+                                "id,variance status,variance total,1.1 a,1.2 b\n"
+                                "ada,judged,0,0,0\nbob,judged,0,0,0\n"
+                                "cy,\"no program\",0,0,0\ndee,\"no program\",91,0,0\n",
+                                {verdict_on("ada", {result_of("1.1 a", Status::withheld),
+                                                    result_of("1.2 b", Status::waiting)}),
+                                 verdict_on("bob", {result_of("1.1 a", Status::not_written),
+                                                    result_of("1.2 b", Status::not_written)})})
+                                .at(0);
   CHECK(lab.totals == std::vector<double>{0, 91});  // dee's was corrected by hand
   CHECK(other_submissions(lab) == "1 not attempted, 1 not compiling");
   CHECK(counts(lab.checks[0]) == "0 0 0 1 0");
@@ -140,52 +141,29 @@ TEST_CASE("waiting, withheld, not compiling and not begun are different from wro
 }
 
 TEST_CASE("a check worth no points counts as passed if its verdict says so") {
-  const Scratch place;
-  const fs::path csv = place.write("g.csv",
-                                   "id,seed,version,seconds,reason,variance status,variance total,"
-                                   "1.1 a\nada,7,1.0,1,,judged,0,0\nbob,7,1.0,1,,judged,0,0\n");
-  const std::map<std::string, Verdict> verdicts{
-      {"ada", verdict_on("ada", {result_of("1.1 a", Status::passed)})},
-      {"bob", verdict_on("bob", {result_of("1.1 a", Status::failed)})}};
-  const auto statistics = statistics_of(read_table(csv), verdicts, two_labs);
-  CHECK(counts(statistics.labs.at(0).checks.at(0)) == "1 1 0 0 0");
+  const auto labs =
+      labs_in("id,variance status,variance total,1.1 a\nada,judged,0,0\nbob,judged,0,0\n",
+              {verdict_on("ada", {result_of("1.1 a", Status::passed)}),
+               verdict_on("bob", {result_of("1.1 a", Status::failed)})});
+  CHECK(counts(labs.at(0).checks.at(0)) == "1 1 0 0 0");
 }
 
-TEST_CASE("a check that is missing from a row's table does not count for that row") {
-  const Scratch place;
-  const Table table = read_table(place.write("g.csv",
-                                             "id,variance status,variance total,1.1 a,1.2 b\n"
-                                             "ada,judged,3,1,2\n"
-                                             "bob,judged,0,0,0\n"
-                                             "cy,judged,9,,9\n"));
-  const auto checks = statistics_of(table, {}, two_labs).labs[0].checks;
+TEST_CASE("a check or a lab that a row's table lacks does not count for that row") {
+  const auto checks = labs_in(
+                          "id,variance status,variance total,1.1 a,1.2 b\n"
+                          "ada,judged,3,1,2\nbob,judged,0,0,0\ncy,judged,9,,9\n")[0]
+                          .checks;
   CHECK(counts(checks[0]) == "1 1 0 0 0");
   CHECK(*checks[0].discrimination == Approx(1));  // only ada and bob
-}
-
-TEST_CASE("a lab that a student was not asked for and did not hand in does not count") {
-  const Scratch place;
-  const Table table = read_table(
-      place.write("g.csv",
-                  "id,variance status,variance total,halton status,halton total,1.1 a,5.1 b\n"
-                  "ada,judged,0,\"no file\",,0,\n"
-                  "bob,\"no file\",,judged,7,,7\n"
-                  "cy,unreadable,,unreadable,,,\n"));
-  const auto labs = statistics_of(table, {}, two_labs).labs;
+  const auto labs = labs_in(
+      "id,variance status,variance total,halton status,halton total,1.1 a,5.1 b\n"
+      "ada,judged,0,\"no file\",,0,\nbob,\"no file\",,judged,7,,7\ncy,unreadable,,unreadable,,,\n");
   REQUIRE(labs.size() == 2);
   CHECK(labs[0].totals == std::vector<double>{0});
   CHECK(labs[1].totals == std::vector<double>{7});
   CHECK(labs[1].not_judged == 1);
   CHECK(counts(labs[0].checks[0]) == "0 1 0 0 0");
   CHECK(counts(labs[1].checks[0]) == "1 0 0 0 0");
-}
-
-TEST_CASE("a hint counts once per submission that got it") {
-  const auto hints = SmallClass().statistics().hints;
-  REQUIRE(hints.size() == 2);
-  CHECK(hints[0].hint == "it divides by n");
-  CHECK(hints[0].submissions == 2);
-  CHECK(hints[1].hint == "it <b>rounds");
 }
 
 TEST_CASE("without verdicts, unwritten tasks count as wrong, and the report says so") {
@@ -203,8 +181,8 @@ TEST_CASE("without verdicts, unwritten tasks count as wrong, and the report says
   const auto statistics = place.statistics();
   CHECK(counts(statistics.labs[0].checks[2]) == "1 3 0 0 0");
   CHECK(statistics.hints.empty());
-  CHECK(statistics.without_verdict == 6);
   CHECK(contains(report_statistics(statistics), "6 of them have no verdict next to the table"));
+  CHECK(contains(statistics_page(statistics), "6 of 6 submissions have no verdict"));
 }
 
 TEST_CASE("a histogram has ten bars, one for all points, and one for more") {
@@ -238,9 +216,7 @@ TEST_CASE("statistics fit 80 columns, for large classes and long names") {
   statistics.labs = {lab};
   statistics.hints = {{name, 100'000}};
   const std::string text = report_statistics(statistics);
-  std::size_t widest = 0;
-  for (const auto line : text::split(text, '\n')) widest = std::max(widest, columns_of(line));
-  CHECK(widest <= 80);
+  for (const auto line : text::split(text, '\n')) CHECK(columns_of(line) <= 80);
   CHECK(contains(text, "0+      1  #\n"));  // a single one is visible among very many
   CHECK(contains(text, "-0.50  1.1 the variance"));
 }

@@ -43,6 +43,9 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
     REQUIRE(course.grade({"--csv", part, "--shard", which + "/2", "--seed", "1"}).exit_code == 0);
     words.push_back(part);
   }
+  for (const char* wrong : {"0/2", "3/2", "1", "1/2/3", "x/y"}) {
+    CHECK(course.grade({"--shard", wrong}).exit_code == 2);
+  }
   REQUIRE_RUN(run, course.run(words));
   CHECK(run.errors.empty());
   CHECK(contains(run.output, "7 submissions of 2 tables"));

@@ -23,8 +23,7 @@ struct Semester : Handout {
   Semester() : Handout({"--labs", "1", "--with-sources"}) {
     CAPTURE(written.errors);
     REQUIRE(written.exit_code == 0);
-    REQUIRE(
-        sandbox::run_process({"git", "clone", "-q", root.string(), clone.string()}).succeeded());
+    git(path(), {"clone", "-q", root.string(), clone.string()});
   }
   /// As if the handout had been written by an older version of this repository: another text in a
   /// file, with its hash.
@@ -49,13 +48,6 @@ struct Semester : Handout {
                "root=" + clone.string() + "\nversion=1.0.0\ncompiler=c++\n");
     return sandbox::run_process({program.string(), "update"}, {.directory = clone});
   }
-  sandbox::ProcessResult git_in(const fs::path& place,
-                                const std::vector<std::string>& words) const {
-    REQUIRE_RUN(ran, sandbox::run_process(joined({"git", "-C", place.string(), "-c", "user.name=s",
-                                                  "-c", "user.email=s@example.org"},
-                                                 words)));
-    return ran;
-  }
 };
 
 }  // namespace
@@ -70,8 +62,8 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own", "[.
   write_text(header, read_text(header) + "// edited\n");
   REQUIRE_RUN(run, semester.again({"--labs", "2"}));
   CHECK(contains(run.output, "one commit on top"));
-  CHECK(lines(semester.git({"rev-list", "HEAD"}).output) == 3);
-  const std::string message = semester.git({"log", "-1", "--format=%B"}).output;
+  CHECK(lines(git(semester.root, {"rev-list", "HEAD"})) == 3);
+  const std::string message = git(semester.root, {"log", "-1", "--format=%B"});
   CHECK(contains(message, ", was 1.0.0"));
   CHECK(contains(message, "New labs: independent"));
   CHECK(contains(message, "Checks changed: variance"));
@@ -84,7 +76,7 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own", "[.
   CHECK(contains(read_text(semester.root / "README.md"), "Lab 2"));
   CHECK(!contains(read_text(semester.root / "labs" / "1-variance" / "README.md"), "An older"));
   // Only what the course wrote is in the commit.
-  const std::string left = semester.git({"status", "--porcelain"}).output;
+  const std::string left = git(semester.root, {"status", "--porcelain"});
   CHECK(contains(left, "starter/variance.cpp"));
   CHECK(contains(left, "notes.md"));
   CHECK(contains(left, "variance.hpp"));
@@ -115,7 +107,7 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   CHECK(read_text(semester.clone / (header + ".mine")) == "// mine\n");
   CHECK(fs::exists(semester.clone / "starter" / "independent.cpp"));
   CHECK(read_manifest(semester.clone).version == semester.layout.version);
-  CHECK(semester.git_in(semester.clone, {"stash", "list"}).output.empty());
+  CHECK(git(semester.clone, {"stash", "list"}).empty());
   // One more lab each week; a student who missed a week reads about both.
   REQUIRE(semester.again({"--labs", "3"}).exit_code == 0);
   REQUIRE(semester.again({"--labs", "4"}).exit_code == 0);
@@ -133,7 +125,7 @@ TEST_CASE("an update that cannot be merged changes nothing", "[.update]") {
   semester.make_older(header, "// older\n");
   REQUIRE(semester.update().exit_code == 0);
   write_text(semester.clone / header, "// mine\n");
-  semester.git_in(semester.clone, {"commit", "-q", "-a", "-m", "my header"});
+  git(semester.clone, {"commit", "-q", "-a", "-m", "my header"});
   write_text(semester.clone / "starter" / "variance.cpp", "// uncommitted\n");
   REQUIRE(semester.again().exit_code == 0);
   const auto run = semester.update();
@@ -143,18 +135,18 @@ TEST_CASE("an update that cannot be merged changes nothing", "[.update]") {
   CHECK(read_text(semester.clone / header) == "// mine\n");
   CHECK(read_text(semester.clone / "starter" / "variance.cpp") == "// uncommitted\n");
   // What the message says to do, does it.
-  semester.git_in(semester.clone, {"commit", "-q", "-a", "-m", "work"});
-  semester.git_in(semester.clone, {"pull", "-q", "--no-rebase", "-X", "theirs"});
+  git(semester.clone, {"commit", "-q", "-a", "-m", "work"});
+  git(semester.clone, {"pull", "-q", "--no-rebase", "-X", "theirs"});
   CHECK(!contains(read_text(semester.clone / header), "mine"));
   // Without a remote, the message says what is missing.
-  semester.git_in(semester.clone, {"remote", "remove", "origin"});
+  git(semester.clone, {"remote", "remove", "origin"});
   CHECK(contains(semester.update().errors, "git remote add origin"));
 }
 
 TEST_CASE("a released lab is one commit, and the next handout keeps it", "[.update]") {
   const Semester semester;
   REQUIRE_RUN(run, semester.run({"release", "1", semester.root.string()}));
-  CHECK(contains(semester.git({"log", "-1", "--format=%s"}).output, "solution of lab variance"));
+  CHECK(contains(git(semester.root, {"log", "-1", "--format=%s"}), "solution of lab variance"));
   CHECK(read_text(semester.root / "released" / "variance.cpp") ==
         text_of(semester.layout.solutions()));
   CHECK(fs::exists(semester.root / "released" / "1-variance.md"));
@@ -163,7 +155,7 @@ TEST_CASE("a released lab is one commit, and the next handout keeps it", "[.upda
   CHECK(fs::exists(semester.clone / "released" / "variance.cpp"));
   REQUIRE(semester.again({"--labs", "2"}).exit_code == 0);
   CHECK(fs::exists(semester.root / "released" / "variance.cpp"));
-  CHECK(semester.git({"status", "--porcelain"}).output.empty());
+  CHECK(git(semester.root, {"status", "--porcelain"}).empty());
   CHECK(semester.run({"release", "3", semester.root.string()}).exit_code == 2);
   CHECK(semester.run({"release", "1", semester.path().string()}).exit_code == 2);
 }

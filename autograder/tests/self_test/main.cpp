@@ -6,6 +6,7 @@
 //   self_test cost LAB      the cost of measurements of right answers, compiled for any x86-64
 //   self_test repository    the repository itself: task numbers, points, names
 //   self_test power         the p-values of all tested seeds
+//   self_test mutants LAB COUNT SEED    small changes to right answers: a check fails each of them
 
 #include <cstdlib>
 #include <exception>
@@ -65,6 +66,9 @@ int run(int argc, char** argv) {
     prove_cost(argv[2]);
   } else if (what == "fuzz" && argc == 4) {
     prove_against_lies(argv[2], static_cast<unsigned>(std::atoi(argv[3])));
+  } else if (what == "mutants" && argc == 5) {
+    prove_by_mutants(argv[2], std::strtoull(argv[3], nullptr, 10),
+                     std::strtoull(argv[4], nullptr, 10));
   } else if (argc == 2) {
     for (const Subject& subject : subjects_in(fs::canonical(argv[1]))) prove(subject);
   } else if (argc == 3) {
@@ -72,8 +76,7 @@ int run(int argc, char** argv) {
   } else {
     fmt::print(
         "usage: self_test FILE [MISTAKE] | load RUNS [FILE...] | fuzz LAB COUNT | cost LAB | "
-        "repository | "
-        "power\n");
+        "repository | power | mutants LAB COUNT SEED\n");
     return 2;
   }
   return complaints() > 0 ? 1 : 0;

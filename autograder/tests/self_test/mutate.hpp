@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace mc::mutants {
+namespace mc::self_test {
 
 /// Replaces `length` characters at `offset` by `replacement`.
 struct Mutation {
@@ -26,4 +26,4 @@ std::string mutated(std::string_view source, const Mutation& mutation);
 /// The line that a mutation changes, before and after, without indentation: "a + b; => a - b;".
 std::string description(std::string_view source, const Mutation& mutation);
 
-}  // namespace mc::mutants
+}  // namespace mc::self_test

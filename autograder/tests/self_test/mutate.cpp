@@ -1,14 +1,13 @@
-#include "tests/mutants/mutate.hpp"
+#include "tests/self_test/mutate.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
+#include <regex>
 #include <utility>
 
 #include <fmt/format.h>
 
-namespace mc::mutants {
+namespace mc::self_test {
 namespace {
 
 enum class Kind { word, number, symbol };
@@ -20,66 +19,24 @@ struct Token {
   int depth;  ///< number of enclosing braces
 };
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// The end of the comment, string, character or preprocessor line that begins at `at`; `at` itself
-/// if none does.
-std::size_t end_of_text(std::string_view source, std::size_t at) {
-  const auto after = [&](std::string_view end, std::size_t from) {
-    const auto found = source.find(end, from);
-    return found == std::string_view::npos ? source.size() : found + end.size();
-  };
-  if (source.substr(at, 2) == "//" || source[at] == '#') return after("\n", at);
-  if (source.substr(at, 2) == "/*") return after("*/", at);
-  if (source[at] != '"' && source[at] != '\'') return at;
-  std::size_t end = at + 1;
-  while (end < source.size() && source[end] != source[at]) end += source[end] == '\\' ? 2 : 1;
-  return end + 1;
-}
-
 std::vector<Token> tokens_of(std::string_view source) {
-  constexpr std::array<std::string_view, 24> symbols{
-      "<<=", ">>=", "<=>", "::", "->", "++", "--", "<<", ">>", "<=", ">=", "==",
-      "!=",  "&&",  "||",  "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "..."};
+  static const std::regex pattern(
+      R"re((//[^\n]*|#[^\n]*|/\*[^]*?\*/|"(?:[^"\\]|\\[^])*"|'(?:[^'\\]|\\[^])*'))re"
+      R"re(|(\d(?:[ep][+-]|[\w.'])*)|(\w+))re"
+      R"re(|(<<=|>>=|<=>|\.\.\.|::|->|\+\+|--|<<|>>|&&|\|\||[-<>=!+*/%&|^]=|\S))re");
   std::vector<Token> tokens;
   int depth = 0;
-  for (std::size_t at = 0; at < source.size();) {
-    if (const std::size_t end = end_of_text(source, at); end != at) {
-      at = end;
-      continue;
-    }
-    const char c = source[at];
-    if (std::isspace(static_cast<unsigned char>(c)) != 0) {
-      ++at;
-      continue;
-    }
-    std::size_t end = at + 1;
-    Kind kind = Kind::symbol;
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
-      kind = Kind::number;
-      const auto goes_on = [&](std::size_t i) {
-        const bool is_sign = (source[i] == '+' || source[i] == '-') &&
-                             (source[i - 1] == 'e' || source[i - 1] == 'p');
-        return is_word(source[i]) || source[i] == '.' || source[i] == '\'' || is_sign;
-      };
-      while (end < source.size() && goes_on(end)) ++end;
-    } else if (is_word(c)) {
-      kind = Kind::word;
-      while (end < source.size() && is_word(source[end])) ++end;
-    } else {
-      for (const std::string_view symbol : symbols) {
-        if (source.substr(at, symbol.size()) == symbol) {
-          end = at + symbol.size();
-          break;
-        }
-      }
-    }
-    if (c == '}') --depth;
-    tokens.push_back({kind, at, source.substr(at, end - at), depth});
-    if (c == '{') ++depth;
-    at = end;
+  for (std::cregex_iterator found(source.begin(), source.end(), pattern), end; found != end;
+       ++found) {
+    const std::cmatch& match = *found;
+    if (match[1].matched) continue;  // a comment, a preprocessor line, a string, a character
+    const Kind kind = match[2].matched   ? Kind::number
+                      : match[3].matched ? Kind::word
+                                         : Kind::symbol;
+    const std::string_view text(match[0].first, static_cast<std::size_t>(match.length()));
+    if (text == "}") --depth;
+    tokens.push_back({kind, static_cast<std::size_t>(match.position()), text, depth});
+    if (text == "{") ++depth;
   }
   return tokens;
 }
@@ -132,11 +89,9 @@ void add_brackets(const std::vector<Token>& tokens, std::size_t i, std::vector<M
   const std::size_t close = closing(tokens, i);
   const std::string_view before = tokens[i - 1].text;
   if (before == "if" || before == "while") {
-    all.push_back({tokens[i].offset, 1, "(!("});
-    const std::size_t end = tokens[close].offset;
-    all.back().length = end + 1 - tokens[i].offset;
-    all.back().replacement =
-        fmt::format("(!{})", std::string_view(tokens[i].text.data(), all.back().length));
+    const std::size_t length = tokens[close].offset + 1 - tokens[i].offset;
+    all.push_back({tokens[i].offset, length,
+                   fmt::format("(!{})", std::string_view(tokens[i].text.data(), length))});
   }
   const bool is_pair = close == i + 4 && tokens[i + 2].text == "," &&
                        tokens[i + 1].kind != Kind::symbol && tokens[i + 3].kind != Kind::symbol;
@@ -246,14 +201,10 @@ std::string description(std::string_view source, const Mutation& mutation) {
   const std::size_t start = source.rfind('\n', mutation.offset) + 1;
   const std::size_t end =
       std::min(source.size(), source.find('\n', mutation.offset + mutation.length));
-  const auto words = [](std::string_view line) {
-    std::string all;
-    for (const char c : line) {
-      const bool is_space = std::isspace(static_cast<unsigned char>(c)) != 0;
-      if (!is_space) all += c;
-      if (is_space && !all.empty() && all.back() != ' ') all += ' ';
-    }
-    return all;
+  const auto words = [](std::string_view line) {  // without indentation, with single spaces
+    static const std::regex indentation("^\\s+"), spaces("\\s+");
+    const std::string text = std::regex_replace(std::string(line), indentation, "");
+    return std::regex_replace(text, spaces, " ");
   };
   const std::string after = mutated(source, mutation);
   const std::size_t new_end = end + mutation.replacement.size() - mutation.length;
@@ -261,4 +212,4 @@ std::string description(std::string_view source, const Mutation& mutation) {
                      words(std::string_view(after).substr(start, new_end - start)));
 }
 
-}  // namespace mc::mutants
+}  // namespace mc::self_test
