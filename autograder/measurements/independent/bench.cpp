@@ -16,9 +16,8 @@ TEST_CASE("bench error", "[.bench-error]") {
   bench_errors({uniform_points});
   for (const unsigned way : {0u, 1u}) {
     for (Count n = 16; n <= 65536; n *= 4) {
-      const ErrorSums errors = irradiance_errors(way, n, 200, n);
-      if (errors.count == 0) break;
-      bench_error(light_ways[way], "rectangular light", 2, n, errors, irradiance(RectLight{}));
+      bench_error(light_ways[way], "rectangular light", 2, n, irradiance_errors(way, n, 200, n),
+                  irradiance(RectLight{}));
     }
   }
 }
@@ -26,30 +25,27 @@ TEST_CASE("bench error", "[.bench-error]") {
 TEST_CASE("bench time", "[.bench-time]") {
   bench_times({uniform_points});
   for (const unsigned way : {0u, 1u}) {
-    bench_time(light_ways[way], "", 2, 4096, [&](Count rounds) {
-      return cpu_seconds_of(TRY_MEASURE(repeat_irradiance, way, 4096, rounds));
-    });
+    bench_time(light_ways[way], "", 2, 4096, irradiance_rounds(way));
   }
 }
 
 TEST_CASE("bench growth", "[.bench-growth]") {
-  bench_growth_of_dims("independent", uniform_points);
-  bench_growth("independent", 1, 100'000'000, [](Count n, Count rounds) {
-    return used_by(TRY_MEASURE_WITH(large, repeat_source, 2, n, rounds, 1));
-  });
+  bench_growth_of_dims(uniform_points);
+  bench_growth(uniform_points, 1, 100'000'000);
 }
 
 /// The sixty estimates of the picture of intervals, by its seed.
 TEST_CASE("bench table of intervals", "[.bench-table]") {
+  const BenchTable table("95 % intervals that miss, of 60");
   const double z = normal_quantile(0.975);
   for (const std::size_t i : {0u, 4u}) {
-    const auto all = lists_of(TRY_MEASURE(estimates, line_integrands[i].g, 1000, 1, 60), 60);
-    if (!all) return;
+    const auto all = estimates_of(line_integrands[i], 1000, 60);
+    if (all.empty()) return;
     double misses = 0;
-    for (const auto& one : *all) {
+    for (const auto& one : all) {
       misses += std::abs(one.value - line_integrands[i].mean) > z * one.standard_error;
     }
-    bench_table({"95 % intervals that miss, of 60", line_integrands[i].name, "misses", 0, misses});
+    table.add(line_integrands[i].name, "misses", misses);
   }
 }
 
@@ -105,19 +101,17 @@ bool has_lights() {
 
 TEST_CASE("bench table of stopping", "[.bench-table]") {
   if (!has_lights()) return;
+  const BenchTable table("x < 0.02, stopped when the error bar is short enough");
   const double p = 0.02;
   for (const auto& [row, target] : {std::pair{"s / sqrt(n) <= 0.01", 0.01},
                                     {"s / sqrt(n) <= 0.005", 0.005},
                                     {"s / sqrt(n) <= 0.002", 0.002}}) {
     const Stopped run = stopped_run(p, target);
-    const auto write = [&, name = row](const char* column, double value) {
-      bench_table({"x < 0.02, stopped when the error bar is short enough", name, column, 0, value});
-    };
-    write("mean by the true value", run.value / p);
-    write("coverage", run.covered);
-    write("of a second run", run.again);
-    write("of pooled s", run.pooled);
-    write("samples", run.samples);
+    table.add(row, "mean by the true value", run.value / p);
+    table.add(row, "coverage", run.covered);
+    table.add(row, "of a second run", run.again);
+    table.add(row, "of pooled s", run.pooled);
+    table.add(row, "samples", run.samples);
   }
 }
 
@@ -126,6 +120,8 @@ TEST_CASE("bench table of stopping", "[.bench-table]") {
 /// the light [-x, x] x [-y, y].
 TEST_CASE("bench table of lights", "[.bench-table]") {
   if (!has_lights()) return;
+  const BenchTable one_sample("variance of a sample of a light at height 1");
+  const BenchTable two_samples("relative variance of two samples of a light at height 1");
   struct Light {
     const char* name;
     double x, y;
@@ -150,20 +146,15 @@ TEST_CASE("bench table of lights", "[.bench-table]") {
         part_squares[k] += weight * weight * densities[k] * angle;
       }
     }
-    for (const auto& [row, square] :
-         {std::pair{"points", squares[0]}, {"directions", squares[1]}}) {
-      bench_table(
-          {"variance of a sample of a light at height 1", row, name, 0, square - mean * mean});
-    }
+    one_sample.add("points", name, squares[0] - mean * mean);
+    one_sample.add("directions", name, squares[1] - mean * mean);
     const double points = squares[0] / mean / mean - 1, directions = squares[1] / mean / mean - 1;
     const double combined =
         part_squares[0] + part_squares[1] - parts[0] * parts[0] - parts[1] * parts[1];
-    for (const auto& [row, value] : {std::pair{"two points", points / 2},
-                                     {"two directions", directions / 2},
-                                     {"the average of one and one", (points + directions) / 4},
-                                     {"one and one, balanced", combined / mean / mean}}) {
-      bench_table({"relative variance of two samples of a light at height 1", row, name, 0, value});
-    }
+    two_samples.add("two points", name, points / 2);
+    two_samples.add("two directions", name, directions / 2);
+    two_samples.add("the average of one and one", name, (points + directions) / 4);
+    two_samples.add("one and one, balanced", name, combined / mean / mean);
   }
 }
 

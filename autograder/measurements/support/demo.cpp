@@ -37,9 +37,9 @@ void write_demo(int lab, const std::string& key,
 }
 
 void write_demo_points(int lab, const Method& method) {
-  constexpr std::uint64_t sets_in_all = 16, most = 1024;
+  constexpr Count sets_in_all = 16, most = 1024;
   std::vector<std::string> points;
-  for (std::uint64_t n = method.is_sequence ? most : 1; n <= most; n *= 4) {
+  for (Count n = method.is_sequence ? most : 1; n <= most; n *= 4) {
     const Sets sets = method.points(n, 2, sets_in_all, n);
     if (sets.empty()) break;
     for (const PointSet& set : sets) {
