@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
@@ -15,10 +16,10 @@ bool gnuplot_is_there() {
   return sandbox::run_process({"gnuplot", "--version"}).exit_code == 0;
 }
 
-std::string gnuplot_string(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? "''" : std::string(1, c);
-  return all + "'";
+std::string gnuplot_string(std::string text) {
+  replace_all(text, "'", "''");
+  replace_all(text, "\n", "'.\"\\n\".'");  // only double quotes know \n
+  return '\'' + text + '\'';
 }
 
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {

@@ -1,5 +1,6 @@
 #include "grader/pictures/plots.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -88,20 +89,6 @@ std::string placeholder(const std::string& beginning, const std::string& name,
                          gnuplot_string(name), gnuplot_string(reason));
 }
 
-/// Why measurements of a picture are missing: "halton is not written yet".
-std::set<std::string> missing_in(const Panel& panel, const std::string& name) {
-  std::set<std::string> reasons;
-  for (const auto& entry : fs::directory_iterator(panel.data)) {
-    const std::string file = entry.path().filename().string();
-    if (!file.starts_with(name + ".") || !file.ends_with(".missing")) continue;
-    const std::string lines = read_text(entry.path());
-    for (const std::string_view line : text::split(lines, '\n')) {
-      if (!line.empty()) reasons.insert(sandbox::printable_line(line));
-    }
-  }
-  return reasons;
-}
-
 /// Do a picture's rows have a number after the first, which says where to draw?
 bool has_data(const Panel& panel, const std::string& name) {
   for (const auto& entry : fs::directory_iterator(panel.data)) {
@@ -130,7 +117,7 @@ Gaps gaps_of(const Panel& panel, const std::vector<std::string>& names) {
   Gaps gaps;
   bool has_some = false;
   for (const std::string& name : names) {
-    const auto missing = missing_in(panel, name);
+    const auto missing = missing_in(panel.data, name);
     has_some = has_some || has_data(panel, name);
     if (missing.empty()) continue;
     if (gaps.reason.empty()) gaps.reason = *missing.begin();
@@ -161,15 +148,6 @@ void look_at(Section& section, const std::vector<Panel>& panels,
   if (has_some) section.why_empty.clear();
 }
 
-/// Why a hidden case did not finish; empty if it did.
-std::string failure_of(const CheckProcess& run) {
-  const auto ends = run.ends();
-  if (ends.size() == 1 && ends[0].passed) return {};
-  if (ends.empty()) return "its measurement did not finish";
-  const std::string message = sandbox::printable(ends[0].message);
-  return message.substr(0, message.find('\n'));
-}
-
 /// Measures everything for the plots, with submissions and cases in parallel.
 void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& panels,
              std::vector<std::string>& remarks) {
@@ -190,6 +168,32 @@ void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& pan
 }
 
 }  // namespace
+
+std::set<std::string> missing_in(const fs::path& data, const std::string& picture) {
+  std::set<std::string> reasons;
+  for (const auto& entry : fs::directory_iterator(data)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(picture.empty() ? "" : picture + '.') || !file.ends_with(".missing")) {
+      continue;
+    }
+    const std::string lines = read_text(entry.path());
+    for (const std::string_view line : text::split(lines, '\n')) {
+      if (!line.empty()) reasons.insert(sandbox::printable_line(line));
+    }
+  }
+  return reasons;
+}
+
+std::string failure_of(const CheckProcess& run) {
+  const auto ends = run.ends();
+  if (ends.empty()) return "its measurement did not finish";
+  if (ends[0].passed) return "";
+  for (std::string_view line : text::split(ends[0].message, '\n')) {
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.empty()) return sandbox::printable(line);
+  }
+  return "its measurement failed";
+}
 
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder) {

@@ -33,22 +33,18 @@ double power_of(View x, View y) {
   return low_band(spectrum_of(x, y, low_kmax), low_n);
 }
 
-/// The power that jittered points, one in each of side x side cells, have on average at k: 1 -
-/// sinc(kx / side)^2 sinc(ky / side)^2. A cell's mean wave has the size sinc sinc; what cells have
-/// in common cancels, each cell's own remainder does not.
-double jittered_power(int kx, int ky, int side) {
-  const auto sinc = [&](int k) {
-    const double turn = std::numbers::pi * k / side;
+/// The same of jittered points, one in each of 16 x 16 cells. At k it is 1 - sinc(kx / 16)^2
+/// sinc(ky / 16)^2 on average: a cell's mean wave has the size sinc sinc; what cells have in common
+/// cancels, each cell's own remainder does not.
+double power_of_jittered() {
+  const auto sinc = [](int k) {
+    const double turn = std::numbers::pi * k / 16;
     return k == 0 ? 1 : std::sin(turn) / turn;
   };
-  return 1 - std::pow(sinc(kx) * sinc(ky), 2);
-}
-
-double jittered_low_power(int side) {
   Spectrum spectrum{low_kmax, {}};
   for (int ky = -low_kmax; ky <= low_kmax; ++ky) {
     for (int kx = -low_kmax; kx <= low_kmax; ++kx) {
-      spectrum.power.push_back(jittered_power(kx, ky, side));
+      spectrum.power.push_back(1 - std::pow(sinc(kx) * sinc(ky), 2));
     }
   }
   return low_band(spectrum, low_n);
@@ -66,7 +62,7 @@ Values halton_axis(unsigned base) {
 TEST_CASE("bench table of low frequencies", "[.bench-table]") {
   const BenchTable table("low frequencies, N = 256");
   table.add("independent, exact", "power", 1);
-  table.add("jittered, exact", "power", jittered_low_power(16));
+  table.add("jittered, exact", "power", power_of_jittered());
   table.add("Halton, exact", "power", power_of(halton_axis(2), halton_axis(3)));
   for (const char* key : {"best_candidate", "poisson_disk"}) {
     ErrorSums power, closest;

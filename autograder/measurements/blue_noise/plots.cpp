@@ -45,9 +45,7 @@ Values mean_periodogram(Sets sets) {
 }
 
 TEST_CASE("plot patterns", "[.plot]") {
-  for (const std::string& key : shown) {
-    plot_points("spectra-pattern-" + key + ".tsv", method(methods, key).points(256, 2, 1, 256));
-  }
+  plot_points("spectra-pattern", methods_of(methods, shown), 256, 256);
 }
 
 TEST_CASE("plot periodograms as pictures and over rings", "[.plot]") {
@@ -90,10 +88,7 @@ TEST_CASE("plot time against N", "[.plot]") {
 }
 
 TEST_CASE("demo", "[.demo]") {
-  begin_demo();
-  for (const char* key : {"best_candidate", "poisson_disk"}) {
-    write_demo_points(4, method(methods, key));
-  }
+  demo_points(4, methods_of(methods, {"best_candidate", "poisson_disk"}));
 }
 
 }  // namespace

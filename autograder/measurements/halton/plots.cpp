@@ -1,5 +1,5 @@
-// The data of lab 5's plots and demo: the points themselves, their discrepancy, pairs of axes that are bad
-// for each other, errors against N and against time, error bars from replicates.
+// The data of lab 5's plots and demo: the points themselves, their discrepancy, pairs of axes that
+// are bad for each other, errors against N and against time, error bars from replicates.
 
 #include <cmath>
 #include <numbers>
@@ -57,10 +57,8 @@ TEST_CASE("plot names", "[.plot]") {
 }
 
 TEST_CASE("plot the points", "[.plot]") {
-  for (const std::string& key : shown) {
-    plot_points("points-" + key + ".tsv",
-                method(methods, key).points(key == "halton" ? 216 : 256, 2, 1, 1));
-  }
+  plot_points("points", methods_of(methods, shown), 256, 1);
+  plot_points("points", {method(methods, "halton")}, 216, 1);  // 8 times 27
 }
 
 /// N at powers of two, and between them where the binary digits are 10101…: there Sobol' points are
@@ -148,8 +146,9 @@ TEST_CASE("plot error against time", "[.plot]") {
              integrand("smooth 2D"), 4096, 32);
 }
 
-/// The first n of 1,024 points, as lab 3 draws it: independent and shuffled jittered points exactly, scrambled Sobol' points as the RMSE of 200 sets. Powers of
-/// two, and three sizes between them.
+/// The first n of 1,024 points, as lab 3 draws it: independent and shuffled jittered points
+/// exactly, scrambled Sobol' points as the RMSE of 200 sets. Powers of two, and three sizes between
+/// them.
 TEST_CASE("plot the first points of a sequence", "[.plot]") {
   const auto axis = strata_of([](double x) { return std::exp(-x * x); }, 32);
   const WithinStrata cells = product_of(axis, axis);

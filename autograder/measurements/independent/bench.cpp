@@ -115,46 +115,38 @@ TEST_CASE("bench table of stopping", "[.bench-table]") {
   }
 }
 
-/// Variances of a sample of 2.7, and relative ones of two samples: two points, two directions, one of
-/// each. Exact, by the midpoint rule: of weights f / p, or by the balance heuristic f / (p + q), over
-/// the light [-x, x] x [-y, y].
+/// Variances of a sample of 2.7, and relative ones of two samples: two points, two directions, one
+/// of each, with weights f / p, or by the balance heuristic f / (p + q).
 TEST_CASE("bench table of lights", "[.bench-table]") {
   if (!has_lights()) return;
   const BenchTable one_sample("variance of a sample of a light at height 1");
   const BenchTable two_samples("relative variance of two samples of a light at height 1");
-  struct Light {
-    const char* name;
-    double x, y;
-  };
-  for (const auto& [name, half_x, half_y] : {Light{"a lamp, half a side 0.33", 0.33, 0.33},
-                                             {"the light of 2.7", 1, 0.5},
-                                             {"half a side 2", 2, 2},
-                                             {"a ceiling, half a side 10", 10, 10}}) {
-    constexpr int steps = 1000;
-    double mean = 0, squares[2] = {}, parts[2] = {}, part_squares[2] = {};
-    for (int i = 0; i < steps * steps; ++i) {
-      const auto place = [=](int k) { return (2 * k + 1.) / steps - 1; };
-      const double x = half_x * place(i % steps), y = half_y * place(i / steps);
-      const double r2 = x * x + y * y + 1, area = 4 * half_x * half_y, cosine = 1 / std::sqrt(r2);
-      const double angle = cosine / r2 * area / (steps * steps);  // of this part of the light
-      const double densities[2] = {r2 / (area * cosine), cosine / std::numbers::pi};
-      mean += cosine * angle;
-      const double weight = cosine / (densities[0] + densities[1]);
-      for (const int k : {0, 1}) {
-        squares[k] += cosine * cosine / densities[k] * angle;
-        parts[k] += weight * densities[k] * angle;
-        part_squares[k] += weight * weight * densities[k] * angle;
-      }
-    }
-    one_sample.add("points", name, squares[0] - mean * mean);
-    one_sample.add("directions", name, squares[1] - mean * mean);
-    const double points = squares[0] / mean / mean - 1, directions = squares[1] / mean / mean - 1;
-    const double combined =
-        part_squares[0] + part_squares[1] - parts[0] * parts[0] - parts[1] * parts[1];
-    two_samples.add("two points", name, points / 2);
-    two_samples.add("two directions", name, directions / 2);
-    two_samples.add("the average of one and one", name, (points + directions) / 4);
-    two_samples.add("one and one, balanced", name, combined / mean / mean);
+  for (const auto& [name, light] :
+       {std::pair<const char*, RectLight>{"a lamp, half a side 0.33", {-0.33, 0.33, -0.33, 0.33}},
+        {"the light of 2.7", {}},
+        {"half a side 2", {-2, 2, -2, 2}},
+        {"a ceiling, half a side 10", {-10, 10, -10, 10}}}) {
+    // Over the directions to the light: of f, and of the densities p of points and q of directions.
+    const auto over_light = [&, one = light](auto integrand) {
+      return integral_over(one, [&](double x, double y) {
+        const double r2 = x * x + y * y + 1, f = 1 / std::sqrt(r2);
+        return integrand(f, r2 / (area(one) * f), f / std::numbers::pi) * f / r2;
+      });
+    };
+    const double mean = irradiance(light);
+    const double points = over_light([](double f, double p, double) { return f * f / p; }),
+                 directions = over_light([](double f, double, double q) { return f * f / q; });
+    const double both = over_light([](double f, double p, double q) { return f * f / (p + q); }),
+                 by_points =
+                     over_light([](double f, double p, double q) { return f * p / (p + q); });
+    one_sample.add("points", name, points - mean * mean);
+    one_sample.add("directions", name, directions - mean * mean);
+    const auto relative = [&](double square) { return square / mean / mean; };
+    two_samples.add("two points", name, (relative(points) - 1) / 2);
+    two_samples.add("two directions", name, (relative(directions) - 1) / 2);
+    two_samples.add("the average of one and one", name, (relative(points + directions) - 2) / 4);
+    two_samples.add("one and one, balanced", name,
+                    relative(both - by_points * by_points - std::pow(mean - by_points, 2)));
   }
 }
 

@@ -143,8 +143,7 @@ TEST_CASE("demo of intervals", "[.demo]") {
 }
 
 TEST_CASE("demo of points", "[.demo]") {
-  begin_demo();
-  write_demo_points(2, uniform_points);
+  demo_points(2, {uniform_points});
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ const std::vector<Scene> scenes_of_bench{{"pixel_edge", 2},    {"rect_light", 2}
                                          {"penumbra_disk", 2}, {"ao_sphere", 2},
                                          {"defocus_edge", 4},  {"pixel_time_lens", 5}};
 
-/// Calls run(method, scene, n) for each kind on each scene at sizes 16, 16 factor, …, for as long as
-/// it returns true; blue noise up to 256.
+/// Calls run(method, scene, n) for each kind on each scene at sizes 16, 16 factor, …, for as long
+/// as it returns true; blue noise up to 256.
 template <class Run>
 void on_scenes(Count factor, Run run) {
   for (const Scene& scene : scenes_of_bench) {
@@ -68,8 +68,8 @@ TEST_CASE("bench growth", "[.bench-growth]") {
   }
 }
 
-/// The mean, or the product, of the values of an integrand of the plane for each of so many pairs of
-/// dimensions.
+/// The mean, or the product, of the values of an integrand of the plane for each of so many pairs
+/// of dimensions.
 Integrand mean_of_uses(const Integrand& one, std::size_t uses) {
   return {.name = "mean", .dims = 2 * uses, .mean = one.mean, .g = [=](View x) {
             double sum = 0;

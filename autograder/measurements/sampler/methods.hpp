@@ -9,8 +9,8 @@
 
 namespace mc::measurements {
 
-/// In the colors of the points that they hand out by next2(). The last is optional: what a submission
-/// lacks is left out.
+/// In the colors of the points that they hand out by next2(). The last is optional: what a
+/// submission lacks is left out.
 inline const std::vector<Method> methods = [] {
   std::vector<Method> all{
       {"independent", "6.1", "independent"},   {"multi_jittered", "6.2", "stratified"},

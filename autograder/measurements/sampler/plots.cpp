@@ -1,6 +1,6 @@
-// The data of lab 6's plots and demo: error against samples and against time, what a coordinate costs, and
-// the handout's picture. Errors of 100 estimates and more: their root mean square is known to 7 %,
-// a line's width on axes of five decades.
+// The data of lab 6's plots and demo: error against samples and against time, what a coordinate
+// costs, and the handout's picture. Errors of 100 estimates and more: their root mean square is
+// known to 7 %, a line's width on axes of five decades.
 
 #include <cmath>
 

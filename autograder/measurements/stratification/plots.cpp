@@ -119,9 +119,9 @@ TEST_CASE("plot what stopping early costs", "[.plot]") {
 }
 
 TEST_CASE("plot patterns of 64 points", "[.plot]") {
-  for (const char* key : {"independent", "jittered", "latin_hypercube", "multi_jittered"}) {
-    plot_points(std::string("patterns-") + key + ".tsv", method(methods, key).points(64, 2, 1, 1));
-  }
+  plot_points("patterns",
+              methods_of(methods, {"independent", "jittered", "latin_hypercube", "multi_jittered"}),
+              64, 1);
 }
 
 TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
@@ -151,10 +151,7 @@ TEST_CASE("plot time against error", "[.plot]") {
 }
 
 TEST_CASE("demo", "[.demo]") {
-  begin_demo();
-  for (const char* key : {"jittered", "latin_hypercube", "multi_jittered"}) {
-    write_demo_points(3, method(methods, key));
-  }
+  demo_points(3, methods_of(methods, {"jittered", "latin_hypercube", "multi_jittered"}));
 }
 
 }  // namespace

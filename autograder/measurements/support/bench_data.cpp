@@ -29,8 +29,8 @@ Method shifted(const Method& points) {
   return moved;
 }
 
-/// Calls measure(method, dims, sizes) for each method that the bench has, in each of its dimensions;
-/// the sizes are 16, 64, ….
+/// Calls measure(method, dims, sizes) for each method that the bench has, in each of its
+/// dimensions; the sizes are 16, 64, ….
 template <class Measure>
 void for_each_method(const std::vector<Method>& methods, Measure measure) {
   for (const Method& one : methods) {

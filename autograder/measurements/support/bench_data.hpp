@@ -20,8 +20,8 @@
 
 namespace mc::measurements {
 
-/// Rows of kind error: each method that the bench has, on each integrand of its dimensions, at sizes
-/// 16, 64, …. Deterministic points are shifted.
+/// Rows of kind error: each method that the bench has, on each integrand of its dimensions, at
+/// sizes 16, 64, …. Deterministic points are shifted.
 void bench_errors(const std::vector<Method>& methods);
 
 /// Rows of kind time and integrand.

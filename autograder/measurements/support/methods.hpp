@@ -75,8 +75,8 @@ struct Method {
   }
 };
 
-/// The points and the rounds of a method by an experiment, whose arguments may be n, dims, count and
-/// seed, and n, dims and rounds.
+/// The points and the rounds of a method by an experiment, whose arguments may be n, dims, count
+/// and seed, and n, dims and rounds.
 #define POINTS_BY(experiment, ...) POINTS_WITH({}, experiment, __VA_ARGS__)
 #define POINTS_WITH(limits, experiment, ...)                                               \
   [=]([[maybe_unused]] Count n, [[maybe_unused]] Count dims, [[maybe_unused]] Count count, \

@@ -115,9 +115,16 @@ void plot_points(const std::string& name, const Sets& sets) {
   }
 }
 
+void plot_points(const std::string& picture, const std::vector<Method>& methods, Count n,
+                 Count seed) {
+  for (const Method& one : methods) {
+    plot_points(fmt::format("{}-{}.tsv", picture, one.key), one.points(n, 2, 1, seed));
+  }
+}
+
 void plot_errors(const ErrorPlot& plot) {
-  Names columns{"N"};
-  for (const Method& one : plot.methods) columns.push_back(one.key);
+  Names columns = keys_of(plot.methods);
+  columns.insert(columns.begin(), "N");
   columns.insert(columns.end(), plot.more.begin(), plot.more.end());
   std::vector<std::ofstream> files;
   for (const std::string& name : plot.names) {

@@ -40,8 +40,10 @@ Values powers(double from, double factor, double most);
 /// What a plot calls each method: KEY_is = "3.3 jittered", for gnuplot.
 void plot_names(const std::vector<Method>& methods);
 
-/// The two columns x and y of the first set.
+/// The two columns x and y of the first set; and of n points by each method, in "PICTURE-KEY.tsv".
 void plot_points(const std::string& name, const Sets& sets);
+void plot_points(const std::string& picture, const std::vector<Method>& methods, Count n,
+                 Count seed);
 
 /// A file for each integrand, "convergence-NAME.tsv": N and, in columns named by their keys, each
 /// method's RMSE over `replicates(n)` sets; and more columns, for a theory. Integrands are of the

@@ -32,8 +32,8 @@ double seconds_of(const Rounds& run, double wanted = 0.025, int differences = 1,
 void bench_speed(const std::string& task, const std::string& name, Count values,
                  const Rounds& rounds);
 
-/// A row of kind speed error: the RMSE of the mean of exp(x + y) over n points by a method, relative
-/// to its integral.
+/// A row of kind speed error: the RMSE of the mean of exp(x + y) over n points by a method,
+/// relative to its integral.
 void bench_speed_error(const std::string& task, const std::string& name, Count n,
                        const Method& method);
 

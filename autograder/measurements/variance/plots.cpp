@@ -1,5 +1,5 @@
-// The data of lab 1's plots and demo: digits kept and time taken, for each way to a variance, as the
-// offset of the data grows.
+// The data of lab 1's plots and demo: digits kept and time taken, for each way to a variance, as
+// the offset of the data grows.
 
 #include <cmath>
 
