@@ -66,14 +66,16 @@ Plots draw_bench(const Layout& layout, const Bench& bench, const fs::path& place
   }
   write_text(place / "curves.tsv", curves);
   write_text(place / "variances.tsv", variances);
-  draw(plots, place / "plots", [&](const std::string& extension) {
-    return script_beginning(layout, place / "bench", extension) +
-           fmt::format(
-               "data = {}\n{}{}{}load {}\n", gnuplot_string(place.string()),
-               gnuplot_array("who", who), gnuplot_array("peer", peers),
-               gnuplot_array("peerwhat", peers_draw),
-               gnuplot_string((layout.root / "autograder" / "bench" / "plots.gp").string()));
-  });
+  const fs::path drawing = layout.root / "autograder" / "bench" / "plots.gp";
+  for (const std::string extension : {"svg", "png"}) {
+    const std::string failure = run_gnuplot(
+        place / ("plots." + extension + ".gp"),
+        script_beginning(layout, place / "bench", extension) +
+            fmt::format("data = {}\n{}{}{}load {}\n", gnuplot_string(place.string()),
+                        gnuplot_array("who", who), gnuplot_array("peer", peers),
+                        gnuplot_array("peerwhat", peers_draw), gnuplot_string(drawing.string())));
+    if (!failure.empty()) plots.remarks.push_back(failure);
+  }
   collect(plots, place, "bench-");
   return plots;
 }

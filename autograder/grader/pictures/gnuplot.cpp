@@ -49,15 +49,6 @@ bool can_draw(Plots& plots) {
   return false;
 }
 
-void draw(Plots& plots, const fs::path& name,
-          const std::function<std::string(const std::string&)>& script) {
-  for (const std::string extension : {"svg", "png"}) {
-    const std::string failure =
-        run_gnuplot(name.string() + "." + extension + ".gp", script(extension));
-    if (!failure.empty()) plots.remarks.push_back(failure);
-  }
-}
-
 void collect(Plots& plots, const fs::path& place, const std::string& start) {
   for (const auto& entry : fs::directory_iterator(place)) {
     if (entry.path().filename().string().starts_with(start)) plots.pictures.push_back(entry.path());
