@@ -87,14 +87,16 @@ struct Exponent {
 };
 std::optional<Exponent> exponent_of(const std::vector<std::pair<double, double>>& points);
 
-/// The median time of a point set or algorithm, or nothing.
-std::optional<BenchRow> time_of(const Bench& bench, const std::string& submission,
-                                const std::string& what, const std::string& on, std::uint64_t dims,
-                                std::uint64_t n);
+/// The median time of an algorithm for n values, in nanoseconds each; or NaN.
+double time_of(const Bench& bench, const std::string& submission, const std::string& what,
+               const std::string& on, std::uint64_t n);
 
 /// Reads the rows of one case.
 std::vector<BenchRow> read_bench_rows(const std::filesystem::path& file, const std::string& lab,
                                       const std::string& submission);
+
+/// Of an even number of values, the mean of the two in the middle.
+double median(std::vector<double> values);
 
 /// Medians of rows that were measured in several rounds.
 std::vector<BenchRow> medians(const std::vector<BenchRow>& rows);

@@ -1,6 +1,5 @@
 // bench --calibrate: stores the reference's times with each lab, for handouts without solutions.
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -37,11 +36,7 @@ std::map<std::string, double> ratios_of(const Layout& layout, const Lab& lab,
     }
   }
   std::map<std::string, double> medians;
-  for (auto& [name, all] : ratios) {
-    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
-                     all.end());
-    medians[name] = all[all.size() / 2];
-  }
+  for (const auto& [name, all] : ratios) medians[name] = median(all);
   return medians;
 }
 

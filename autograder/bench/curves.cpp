@@ -28,12 +28,6 @@ double between(const std::vector<std::pair<double, double>>& points, double n) {
   return points.back().second;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
 /// Nanoseconds per sample of each curve, if measured: on its own integrand if evaluating that is
 /// not separable from drawing the sample; else on any.
 class Times {
@@ -93,6 +87,12 @@ std::vector<BenchRow> read_bench_rows(const fs::path& file, const std::string& l
   return rows;
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
 std::vector<BenchRow> medians(const std::vector<BenchRow>& rows) {
   std::vector<BenchRow> all;
   std::map<std::tuple<std::string, std::string, std::string, std::string, std::string,
@@ -116,16 +116,14 @@ std::vector<BenchRow> medians(const std::vector<BenchRow>& rows) {
   return all;
 }
 
-std::optional<BenchRow> time_of(const Bench& bench, const std::string& submission,
-                                const std::string& what, const std::string& on, std::uint64_t dims,
-                                std::uint64_t n) {
-  for (const BenchRow& row : bench.rows) {
-    if (row.kind == "time" && row.submission == submission && row.what == what && row.on == on &&
-        row.dims == dims && row.n == n) {
-      return row;
+double time_of(const Bench& bench, const std::string& submission, const std::string& what,
+               const std::string& on, std::uint64_t n) {
+  for (const BenchRow& row : bench.of("time")) {
+    if (row.submission == submission && row.what == what && row.on == on && row.n == n) {
+      return row.value;
     }
   }
-  return {};
+  return nan;
 }
 
 std::vector<Curve> curves_of(const Bench& bench) {

@@ -11,6 +11,7 @@
 
 #include "bench/bench.hpp"
 #include "bench/markdown.hpp"
+#include "grader/base/replace.hpp"
 
 namespace mc::grader {
 namespace {
@@ -170,8 +171,8 @@ std::string variances(const Bench& bench) {
       table.rows.push_back({row.what, whose(row.submission)});
       for (const auto& [where, n] :
            {std::pair{"in cache", std::uint64_t{4096}}, {"out of cache", std::uint64_t{1} << 23}}) {
-        const auto time = time_of(bench, row.submission, row.what, where, 1, n);
-        table.rows.back().push_back(time ? shown_number(time->value) : "");
+        table.rows.back().push_back(
+            shown_number(time_of(bench, row.submission, row.what, where, n)));
       }
       table.rows.back().resize(table.headers.size());
     }
@@ -271,11 +272,7 @@ std::string bench_page(const Bench& bench, const std::string& outline,
   std::string page = outline;
   for (auto [name, text] : parts) {
     while (text.ends_with('\n')) text.pop_back();
-    const std::string place = fmt::format("{{{{{}}}}}", name);
-    for (auto at = page.find(place); at != std::string::npos; at = page.find(place, at)) {
-      page.replace(at, place.size(), text);
-      at += text.size();
-    }
+    replace_all(page, fmt::format("{{{{{}}}}}", name), text);
   }
   return page;
 }

@@ -92,7 +92,7 @@ class BenchRun {
   /// Errors in parallel; times one by one, each round with all contenders in turn; growth last, so
   /// that an interruption leaves the tables complete.
   void measure(unsigned rounds, bool tables_only) {
-    std::vector<Job> errors, times, growth;
+    std::vector<Job> errors, in_turn;
     const auto add = [&](std::vector<Job>& jobs, const char* kind, unsigned round) {
       for (const Contender& entrant : entrants_) {
         if (kind == std::string("growth") && entrant.label != "solutions") continue;
@@ -102,22 +102,20 @@ class BenchRun {
     if (!tables_only) add(errors, "error", 0);
     add(errors, "table", 0);
     for (unsigned round = 0; round < rounds; ++round) {
-      if (!tables_only) add(times, "time", round);
-      add(times, "table-time", round);
+      if (!tables_only) add(in_turn, "time", round);
+      add(in_turn, "table-time", round);
     }
-    if (!tables_only) add(growth, "growth", 0);
-    if (errors.empty() && times.empty() && growth.empty()) {
+    if (!tables_only) add(in_turn, "growth", 0);
+    if (errors.empty() && in_turn.empty()) {
       fmt::print("There is nothing to measure: no submission, or a lab without a bench.\n");
       return;
     }
-    constexpr double workers = 2;
+    constexpr unsigned workers = 2;
     for (const Job& one : errors) progress_.expect(name_of(one), workers);
-    for (const Job& one : times) progress_.expect(name_of(one));
-    for (const Job& one : growth) progress_.expect(name_of(one));
+    for (const Job& one : in_turn) progress_.expect(name_of(one));
     fmt::print("About {:.0f} s; what it has is kept if you interrupt it.\n", progress_.expected());
-    run_concurrently(errors, workers);
-    for (const Job& one : times) run(one);
-    for (const Job& one : growth) run(one);
+    run_side_by_side(errors.size(), workers, [&](std::size_t k) { run(errors[k], workers); });
+    for (const Job& one : in_turn) run(one);
   }
 
   std::vector<Ratio> ratios(const std::string& program) {
@@ -189,10 +187,6 @@ class BenchRun {
     if (is_interrupted) return;
     progress_.end(name_of(one), std::chrono::duration<double>(Clock::now() - start).count(),
                   workers);
-  }
-  void run_concurrently(const std::vector<Job>& jobs, double workers) {
-    run_side_by_side(jobs.size(), static_cast<unsigned>(workers),
-                     [&](std::size_t k) { run(jobs[k], workers); });
   }
 
   const Context& context_;

@@ -1,4 +1,4 @@
-// Small tables, from the labs' cases (measurements/support/bench_data.hpp, bench_table).
+// Small tables, from the labs' cases (BenchTable in measurements/support/bench_data.hpp).
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,7 @@ array ways[5] = ["textbook_formula", "two_passes", "welford", "merged", "fast_mo
 # Digits kept against the offset ------------------------------------------------------------------
 name = "digits"; width = 80 + 420 * count; height = 450
 load draw
-set multiplot layout 1,count margins 70./width, 1 - 25./width, 130./height, 1 - head(count)/height \
-  spacing 75./width, 0
+eval panels(70, 75, 130)
 set logscale x
 set format x "10^{%L}"
 set xrange [1:1e15]
@@ -32,8 +31,7 @@ unset multiplot
 # Every point has a label. That of the merged parts is below its point, since Welford's is close.
 name = "speed"; width = 80 + 420 * count; height = 400
 load draw
-set multiplot layout 1,count margins 85./width, 1 - 25./width, 60./height, 1 - head(count)/height \
-  spacing 85./width, 0
+eval panels(85, 85, 60)
 set logscale xy
 set xrange [0.03:60]
 set yrange [1e-18:1e4]

@@ -10,8 +10,7 @@ array of[6] = ["exp(x)", "x < √½", "x < 0.01", "x^{−0.4}", "x^{−0.75}", "
 name = "error"; width = 80 + 420 * count; height = 470
 load draw
 set termoption enhanced
-set multiplot layout 1,count margins 75./width, 1 - 25./width, 130./height, 1 - head(count)/height \
-  spacing 75./width, 0
+eval panels(75, 75, 130)
 set logscale xy
 set format "10^{%L}"
 set xrange [3:1e5]
@@ -35,8 +34,7 @@ unset multiplot
 name = "coverage"; width = 80 + 420 * count; height = 470
 load draw
 set termoption enhanced
-set multiplot layout 1,count margins 75./width, 1 - 25./width, 130./height, 1 - head(count)/height \
-  spacing 75./width, 0
+eval panels(75, 75, 130)
 set logscale x 2
 set format x "2^{%L}"
 set xrange [1.6:10000]
@@ -95,8 +93,7 @@ unset multiplot
 name = "irradiance"; width = 80 + 420 * count; height = 420
 load draw
 set termoption enhanced
-set multiplot layout 1,count margins 80./width, 1 - 25./width, 90./height, 1 - head(count)/height \
-  spacing 75./width, 0
+eval panels(80, 75, 90)
 set logscale xy
 set format "10^{%L}"
 set xrange [0.1:3e3]
@@ -124,8 +121,7 @@ do for [s=1:count] {
     undefine STATS_*
   }
 }
-set multiplot layout 1,count margins 80./width, 1 - 25./width, 135./height, 1 - head(count)/height \
-  spacing 75./width, 0
+eval panels(80, 75, 135)
 set termoption enhanced
 set logscale xy
 set format "10^{%L}"

@@ -93,8 +93,7 @@ unset multiplot
 name = "within"; width = 80 + 420 * count; height = 520
 load draw
 set termoption enhanced
-set multiplot layout 1,count margins 85./width, 1 - 25./width, 150./height, 1 - head(count)/height \
-  spacing 85./width, 0
+eval panels(85, 85, 150)
 set logscale xy
 set format "10^{%L}"
 set xrange [0.7:6000]
@@ -116,8 +115,7 @@ unset multiplot
 name = "early"; width = 80 + 420 * count; height = 460
 load draw
 set termoption enhanced
-set multiplot layout 1,count margins 80./width, 1 - 25./width, 125./height, 1 - head(count)/height \
-  spacing 80./width, 0
+eval panels(80, 80, 125)
 set logscale xy
 set format "10^{%L}"
 set xrange [0.8:1300]
@@ -140,8 +138,7 @@ unset multiplot
 timed = "textbook independent jittered padded jittered_nd latin_hypercube multi_jittered"
 name = "speed"; width = 80 + 460 * count; height = 420
 load draw
-set multiplot layout 1,count margins 80./width, 1 - 25./width, 60./height, 1 - head(count)/height \
-  spacing 80./width, 0
+eval panels(80, 80, 60)
 set logscale xy
 set xrange [0.3:100]
 set yrange [1e-5:5e-2]

@@ -52,8 +52,7 @@ unset multiplot
 # Power over rings --------------------------------------------------------------------------------
 name = "radial"; width = 80 + 420 * count; height = 470
 load draw
-set multiplot layout 1,count margins 75./width, 1 - 25./width, 130./height, 1 - head(count)/height \
-  spacing 70./width, 0
+eval panels(75, 70, 130)
 set termoption enhanced
 set xrange [0:3]
 set yrange [0:2]

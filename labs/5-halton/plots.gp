@@ -31,8 +31,7 @@ unset multiplot
 name = "discrepancy"; width = 80 + 460 * count; height = 590
 load draw
 set termoption enhanced
-set multiplot layout 1,count margins 80./width, 1 - 25./width, 195./height, 1 - head(count)/height \
-  spacing 80./width, 0
+eval panels(80, 80, 195)
 set logscale xy
 set xrange [9:5500]
 set yrange [0.0005:0.7]
@@ -112,8 +111,7 @@ unset multiplot
 # The kurtosis of the error of exp(x) --------------------------------------------------------------
 name = "tails"; width = 80 + 420 * count; height = 440
 load draw
-set multiplot layout 1,count margins 70./width, 1 - 25./width, 130./height, 1 - head(count)/height \
-  spacing 75./width, 0
+eval panels(70, 75, 130)
 set logscale xy
 set xrange [12:5500]
 set yrange [2:5<*<200]  # if it is 3, close enough to see the error bars
@@ -176,8 +174,7 @@ unset multiplot
 name = "early"; width = 80 + 420 * count; height = 450
 load draw
 set termoption enhanced
-set multiplot layout 1,count margins 80./width, 1 - 25./width, 135./height, 1 - head(count)/height \
-  spacing 80./width, 0
+eval panels(80, 80, 135)
 set logscale xy
 set format y "10^{%L}"
 set xrange [0.8:1300]
@@ -225,8 +222,7 @@ timed = "radical_inverse halton sobol scrambled_sobol scrambled_halton"
 array above[5] = [1, 1, -1, 1, -1.6]
 name = "speed"; width = 80 + 460 * count; height = 410
 load draw
-set multiplot layout 1,count margins 80./width, 1 - 25./width, 60./height, 1 - head(count)/height \
-  spacing 80./width, 0
+eval panels(80, 80, 60)
 set logscale xy
 set xrange [0.02:2000]
 set yrange [5e-6:2e-2]

@@ -65,4 +65,9 @@ set style line 32 lc rgb "#999999" lw 2 dt 4
 heading(text, s) = count > 1 ? text."\n".labels[s] : text
 who(s) = count > 1 ? ", ".labels[s] : ""
 head(panels) = panels > 1 ? 58. : 34.
+# A panel for each submission, side by side: "eval panels(left, gap, bottom)", the space left of the
+# first, between two, and below all, in pixels.
+panels(left, gap, bottom) = sprintf("set multiplot layout 1,count ".\
+  "margins %d./width, 1 - 25./width, %d./height, 1 - head(count)/height spacing %d./width, 0", \
+  left, bottom, gap)
 is(method) = value(method."_is")

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "grader/base/errors.hpp"
+#include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/judging/judge.hpp"
+#include "grader/pictures/plots.hpp"
 #include "grader/reports/html.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/scratch.hpp"
 #include "protocol/environment.hpp"
-#include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
@@ -31,21 +31,6 @@ std::vector<Lab> labs_in_demo(const Context& context) {
       labs.push_back(lab);
   }
   return labs;
-}
-
-/// Why a lab's output is missing.
-void add_reasons(const Lab& lab, const fs::path& data, std::vector<std::string>& remarks) {
-  std::set<std::string> reasons;
-  for (const auto& entry : fs::directory_iterator(data)) {
-    if (entry.path().extension() != ".missing") continue;
-    const std::string lines = read_text(entry.path());
-    for (const std::string_view line : text::split(lines, '\n')) {
-      if (!line.empty()) reasons.insert(sandbox::printable_line(line));
-    }
-  }
-  for (const std::string& reason : reasons) {
-    remarks.push_back(fmt::format("lab {}: {}", lab.number, reason));
-  }
 }
 
 /// Measures one lab; `records` are JSON texts by file name.
@@ -67,15 +52,9 @@ void measure(const Layout& layout, const Lab& lab, const Submission& submission,
     std::string text = read_text(entry.path());
     if (!text.empty()) records[entry.path().filename().string()] = std::move(text);
   }
-  add_reasons(lab, data, remarks);
-}
-
-/// Replaces a comment by `text`.
-void fill(std::string& page, const char* name, const std::string& text) {
-  const std::string mark = fmt::format("<!--{}-->", name);
-  const auto at = page.find(mark);
-  if (at == std::string::npos) throw MachineError("demo.html has no " + mark);
-  page.replace(at, mark.size(), text);
+  for (const std::string& reason : missing_in(data)) {
+    remarks.push_back(fmt::format("lab {}: {}", lab.number, reason));
+  }
 }
 
 std::string list_of(const std::vector<std::string>& remarks) {
@@ -103,12 +82,16 @@ Demo make_demo(const Context& context, const Submission& submission) {
   for (const auto& [name, text] : records) data += (data.empty() ? "[" : ",\n") + text;
   const fs::path pictures = context.layout.root / "autograder/grader/pictures";
   demo.page = read_whole_text(pictures / "demo.html");
-  fill(demo.page, "SCRIPT",
-       read_whole_text(pictures / "demo.js") + read_whole_text(pictures / "demo_labs.js"));
-  fill(demo.page, "REMARKS", list_of(demo.remarks));
-  fill(demo.page, "SUBMISSION", html_escaped(sandbox::printable_line(submission.label)));
-  fill(demo.page, "VERSION", html_escaped(context.layout.version));
-  fill(demo.page, "DATA", data + ']');
+  const std::pair<const char*, std::string> parts[] = {
+      {"SCRIPT",
+       read_whole_text(pictures / "demo.js") + read_whole_text(pictures / "demo_labs.js")},
+      {"REMARKS", list_of(demo.remarks)},
+      {"SUBMISSION", html_escaped(sandbox::printable_line(submission.label))},
+      {"VERSION", html_escaped(context.layout.version)},
+      {"DATA", data + ']'}};
+  for (const auto& [name, text] : parts) {
+    replace_all(demo.page, fmt::format("<!--{}-->", name), text);
+  }
   return demo;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
@@ -15,10 +16,10 @@ bool gnuplot_is_there() {
   return sandbox::run_process({"gnuplot", "--version"}).exit_code == 0;
 }
 
-std::string gnuplot_string(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? "''" : std::string(1, c);
-  return all + "'";
+std::string gnuplot_string(std::string text) {
+  replace_all(text, "'", "''");
+  replace_all(text, "\n", "'.\"\\n\".'");  // only double quotes know \n
+  return '\'' + text + '\'';
 }
 
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {
@@ -46,15 +47,6 @@ bool can_draw(Plots& plots) {
   if (gnuplot_is_there()) return true;
   plots.remarks.push_back("no plots: gnuplot is not installed (./lab setup)");
   return false;
-}
-
-void draw(Plots& plots, const fs::path& name,
-          const std::function<std::string(const std::string&)>& script) {
-  for (const std::string extension : {"svg", "png"}) {
-    const std::string failure =
-        run_gnuplot(name.string() + "." + extension + ".gp", script(extension));
-    if (!failure.empty()) plots.remarks.push_back(failure);
-  }
 }
 
 void collect(Plots& plots, const fs::path& place, const std::string& start) {

@@ -2,7 +2,6 @@
 // gnuplot: finds it, writes and runs scripts, and collects what they drew.
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,7 @@ bool gnuplot_is_there();
 bool can_draw(Plots& plots);
 
 /// A string, and a list of strings, quoted for gnuplot.
-std::string gnuplot_string(const std::string& text);
+std::string gnuplot_string(std::string text);
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts);
 
 /// The beginning of every script: the output, its format, the style.
@@ -32,10 +31,6 @@ std::string script_beginning(const Layout& layout, const std::filesystem::path& 
 
 /// Writes a script and runs it; returns gnuplot's complaints.
 std::string run_gnuplot(const std::filesystem::path& script, const std::string& text);
-
-/// Draws with `script(extension)`, which is saved next to `name`, once for SVG and once for PNG.
-void draw(Plots& plots, const std::filesystem::path& name,
-          const std::function<std::string(const std::string& extension)>& script);
 
 /// Adds the pictures in `place` whose names begin with `start`.
 void collect(Plots& plots, const std::filesystem::path& place, const std::string& start);

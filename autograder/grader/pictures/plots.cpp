@@ -1,5 +1,6 @@
 #include "grader/pictures/plots.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -79,27 +80,14 @@ std::vector<std::string> names_in(const std::string& script) {
 /// Draws the reason in place of the picture.
 std::string placeholder(const std::string& beginning, const std::string& name,
                         const std::string& reason) {
-  return beginning + fmt::format(
-                         "name = {}; width = 800; height = 200\nload draw\nunset border\nunset "
-                         "tics\nunset key\n"
-                         "set label 1 {} at graph 0.5,0.5 center noenhanced\nset xrange [0:1]\nset "
-                         "yrange [0:1]\n"
-                         "plot NaN\n",
-                         gnuplot_string(name), gnuplot_string(reason));
-}
-
-/// Why measurements of a picture are missing: "halton is not written yet".
-std::set<std::string> missing_in(const Panel& panel, const std::string& name) {
-  std::set<std::string> reasons;
-  for (const auto& entry : fs::directory_iterator(panel.data)) {
-    const std::string file = entry.path().filename().string();
-    if (!file.starts_with(name + ".") || !file.ends_with(".missing")) continue;
-    const std::string lines = read_text(entry.path());
-    for (const std::string_view line : text::split(lines, '\n')) {
-      if (!line.empty()) reasons.insert(sandbox::printable_line(line));
-    }
-  }
-  return reasons;
+  return fmt::format(
+      "{}name = {}; width = 800; height = 200\n"
+      "load draw\n"
+      "unset border\nunset tics\nunset key\n"
+      "set label 1 {} at graph 0.5,0.5 center noenhanced\n"
+      "set xrange [0:1]\nset yrange [0:1]\n"
+      "plot NaN\n",
+      beginning, gnuplot_string(name), gnuplot_string(reason));
 }
 
 /// Do a picture's rows have a number after the first, which says where to draw?
@@ -120,26 +108,6 @@ bool has_data(const Panel& panel, const std::string& name) {
   return false;
 }
 
-/// The data that a panel lacks in the pictures of a section.
-struct Gaps {
-  std::vector<std::string> remarks;
-  std::string reason;     ///< the reason for the first missing data
-  bool is_empty = false;  ///< nothing is left to draw
-};
-Gaps gaps_of(const Panel& panel, const std::vector<std::string>& names) {
-  Gaps gaps;
-  bool has_some = false;
-  for (const std::string& name : names) {
-    const auto missing = missing_in(panel, name);
-    has_some = has_some || has_data(panel, name);
-    if (missing.empty()) continue;
-    if (gaps.reason.empty()) gaps.reason = *missing.begin();
-    gaps.remarks.push_back(fmt::format("{}, {}: {}", panel.label, name, fmt::join(missing, ", ")));
-  }
-  gaps.is_empty = !has_some && !gaps.reason.empty();
-  return gaps;
-}
-
 /// A reason, shortened to fit into a picture.
 std::string in_a_title(const std::string& reason) {
   return sandbox::shortened(reason, 90);
@@ -151,23 +119,21 @@ void look_at(Section& section, const std::vector<Panel>& panels,
   section.names = names_in(section.script);
   bool has_some = false;
   for (const Panel& panel : panels) {
-    const Gaps gaps = gaps_of(panel, section.names);
-    section.labels.push_back(gaps.is_empty ? panel.label + ": " + in_a_title(gaps.reason)
-                                           : panel.label);
-    remarks.insert(remarks.end(), gaps.remarks.begin(), gaps.remarks.end());
-    if (section.why_empty.empty()) section.why_empty = gaps.reason;
-    has_some = has_some || !gaps.is_empty;
+    bool is_empty = true;
+    std::string reason;  // for the first missing data
+    for (const std::string& name : section.names) {
+      if (has_data(panel, name)) is_empty = false;
+      const auto missing = missing_in(panel.data, name);
+      if (missing.empty()) continue;
+      if (reason.empty()) reason = *missing.begin();
+      remarks.push_back(fmt::format("{}, {}: {}", panel.label, name, fmt::join(missing, ", ")));
+    }
+    if (reason.empty()) is_empty = false;
+    section.labels.push_back(is_empty ? panel.label + ": " + in_a_title(reason) : panel.label);
+    if (section.why_empty.empty()) section.why_empty = reason;
+    has_some = has_some || !is_empty;
   }
   if (has_some) section.why_empty.clear();
-}
-
-/// Why a hidden case did not finish; empty if it did.
-std::string failure_of(const CheckProcess& run) {
-  const auto ends = run.ends();
-  if (ends.size() == 1 && ends[0].passed) return {};
-  if (ends.empty()) return "its measurement did not finish";
-  const std::string message = sandbox::printable(ends[0].message);
-  return message.substr(0, message.find('\n'));
 }
 
 /// Measures everything for the plots, with submissions and cases in parallel.
@@ -190,6 +156,32 @@ void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& pan
 }
 
 }  // namespace
+
+std::set<std::string> missing_in(const fs::path& data, const std::string& picture) {
+  std::set<std::string> reasons;
+  for (const auto& entry : fs::directory_iterator(data)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(picture.empty() ? "" : picture + '.') || !file.ends_with(".missing")) {
+      continue;
+    }
+    const std::string lines = read_text(entry.path());
+    for (const std::string_view line : text::split(lines, '\n')) {
+      if (!line.empty()) reasons.insert(sandbox::printable_line(line));
+    }
+  }
+  return reasons;
+}
+
+std::string failure_of(const CheckProcess& run) {
+  const auto ends = run.ends();
+  if (ends.empty()) return "its measurement did not finish";
+  if (ends[0].passed) return "";
+  for (std::string_view line : text::split(ends[0].message, '\n')) {
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.empty()) return sandbox::printable(line);
+  }
+  return "its measurement failed";
+}
 
 Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submission>& submissions,
                  const std::string& folder) {

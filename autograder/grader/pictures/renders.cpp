@@ -8,26 +8,14 @@
 #include "grader/base/errors.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/pictures/gnuplot.hpp"
+#include "grader/pictures/plots.hpp"
 #include "grader/submission/build.hpp"
 #include "protocol/environment.hpp"
-#include "runner/text.hpp"
 #include "sandbox/jail.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
-
-/// The first line of a failed case's output.
-std::string reason_of(const CheckProcess& run) {
-  for (const protocol::CheckEnd& end : run.ends()) {
-    for (std::string_view line : text::split(end.message, '\n')) {
-      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-      if (!line.empty()) return sandbox::printable(line);
-    }
-  }
-  return "its measurements failed";
-}
 
 struct RenderJob {
   const Layout& layout;
@@ -47,7 +35,8 @@ struct RenderJob {
          .wall_seconds = 300});
     std::ifstream result(data / (row.kind + ".txt"));
     result >> row.samples >> row.time;
-    if (!run.result.succeeded() || !result) row.failure = reason_of(run);
+    row.failure = failure_of(run);
+    if (row.failure.empty() && !result) row.failure = "it was not measured";
     row.timed = row.failure.empty() && (seconds > 0 || row.kind == reference);
   }
 };
@@ -68,21 +57,15 @@ struct Sheet {
 
 std::string script_of(const Layout& layout, const Lab& lab, const Sheet& sheet,
                       const std::vector<std::string>& kinds) {
-  std::string titles;
-  for (const std::string& title : sheet.titles) {  // \n ends a line only in double quotes
-    std::string escaped = title;
-    if (const auto at = escaped.find('\n'); at != std::string::npos) escaped.replace(at, 1, "\\n");
-    titles += (titles.empty() ? "\"" : ", \"") + escaped + '"';
-  }
-  return fmt::format(
-      "count = {}\ncolumns = {}\n{}{}{}array titles[{}] = [{}]\nheadline = {}\nsheet = {}\n"
-      "white = {}\nrange = {}\nout = {}\next = 'png'\ndraw = {}\nload {}\n",
-      sheet.labels.size(), kinds.size(), gnuplot_array("labels", sheet.labels),
-      gnuplot_array("data", sheet.data), gnuplot_array("kinds", kinds), sheet.titles.size(), titles,
-      gnuplot_string(sheet.headline), gnuplot_string(sheet.name), sheet.white, sheet.range,
-      gnuplot_string((layout.build / "render" / sheet.picture).string()),
-      gnuplot_string((layout.labs() / "common" / "draw.gp").string()),
-      gnuplot_string((layout.labs() / lab.folder / "render.gp").string()));
+  return script_beginning(layout, layout.build / "render" / sheet.picture, "png") +
+         fmt::format(
+             "count = {}\ncolumns = {}\n{}{}{}{}headline = {}\nsheet = {}\nwhite = {}\nrange = {}\n"
+             "load {}\n",
+             sheet.labels.size(), kinds.size(), gnuplot_array("labels", sheet.labels),
+             gnuplot_array("data", sheet.data), gnuplot_array("kinds", kinds),
+             gnuplot_array("titles", sheet.titles), gnuplot_string(sheet.headline),
+             gnuplot_string(sheet.name), sheet.white, sheet.range,
+             gnuplot_string((layout.labs() / lab.folder / "render.gp").string()));
 }
 
 /// The largest value of a picture, which is drawn white.

@@ -22,92 +22,73 @@ constexpr int kmax = 48, spectrum_side = 2 * kmax + 1;
 
 /// The mean periodogram of sets, by the submission; empty where it has none. Sets of one size go
 /// together.
-std::vector<double> mean_periodogram(Sets sets) {
-  std::vector<double> mean;
+Values mean_periodogram(Sets sets) {
+  Values mean;
   const auto values = static_cast<std::size_t>(spectrum_side * spectrum_side);
   std::stable_sort(sets.begin(), sets.end(),
                    [](const PointSet& a, const PointSet& b) { return a.size() < b.size(); });
   for (std::size_t first = 0, end; first < sets.size(); first = end) {
-    std::vector<double> x, y;
+    Values x, y;
     for (end = first; end < sets.size() && sets[end].size() == sets[first].size(); ++end) {
       x.insert(x.end(), sets[end].column(0).begin(), sets[end].column(0).end());
       y.insert(y.end(), sets[end].column(1).begin(), sets[end].column(1).end());
     }
-    const auto power =
-        lists_of(TRY_MEASURE(periodogram, x, y, end - first, kmax), (end - first) * values);
-    if (!power) return {};
+    const Values power =
+        values_of(TRY_MEASURE(periodogram, x, y, end - first, kmax), (end - first) * values);
+    if (power.empty()) return {};
     mean.resize(values);
-    for (std::size_t i = 0; i < power->size(); ++i) {
-      mean[i % values] += (*power)[i] / static_cast<double>(sets.size());
+    for (std::size_t i = 0; i < power.size(); ++i) {
+      mean[i % values] += power[i] / static_cast<double>(sets.size());
     }
   }
   return mean;
 }
 
 TEST_CASE("plot patterns", "[.plot]") {
-  for (const std::string& key : shown) {
-    plot_points("spectra-pattern-" + key + ".tsv", method(methods, key).points(256, 2, 1, 256));
-  }
+  plot_points("spectra-pattern", methods_of(methods, shown), 256, 256);
 }
 
 TEST_CASE("plot periodograms as pictures and over rings", "[.plot]") {
-  Names columns{"frequency"};
-  std::vector<Row> rows(kmax);
-  for (std::size_t ring = 1; ring <= kmax; ++ring) {
-    rows[ring - 1].emplace_back(static_cast<double>(ring) / 16);
-  }
+  std::vector<Values> rings;  // of each method, from ring 0
   for (const std::string& key : shown) {
-    const auto mean = mean_periodogram(method(methods, key).points(256, 2, 40, 256));
-    auto file = plot_file("spectra-power-" + key + ".tsv");
-    for (std::size_t row = 0; row < spectrum_side; ++row) {
-      Row values(spectrum_side);
-      for (std::size_t i = 0; i < values.size() && !mean.empty(); ++i) {
-        values[i] = mean[row * spectrum_side + i];
-      }
-      plot_row(file, values);
+    Values mean = mean_periodogram(method(methods, key).points(256, 2, 40, 256));
+    rings.emplace_back(kmax + 1, missing);
+    if (!mean.empty()) {
+      const auto got = TRY_MEASURE(radial_power, mean, kmax);
+      rings.back() = lists_of(got, kmax + 1, any_number).value_or(rings.back());
     }
-    columns.push_back(key);
-    for (Row& row : rows) row.emplace_back();
-    if (mean.empty()) continue;
-    const auto rings = lists_of(TRY_MEASURE(radial_power, mean, kmax), kmax + 1, any_number);
-    for (std::size_t ring = 1; rings && ring <= kmax; ++ring) {
-      if (std::isfinite((*rings)[ring])) rows[ring - 1].back() = (*rings)[ring];
-    }
+    mean.resize(spectrum_side * spectrum_side, missing);
+    plot_image("spectra-power-" + key + ".tsv", mean, spectrum_side);
   }
-  auto file = plot_file("radial.tsv", columns);
-  for (const Row& row : rows) plot_row(file, row);
+  Values frequencies;
+  for (int ring = 1; ring <= kmax; ++ring) frequencies.push_back(ring / 16.);
+  plot_table("radial.tsv", {"frequency", frequencies}, shown, [&](double x, std::size_t c) {
+    const double power = rings[c][static_cast<std::size_t>(16 * x)];
+    return std::isfinite(power) ? power : missing;
+  });
 }
 
 TEST_CASE("plot error against N", "[.plot]") {
-  plot_errors(
-      {.names = {"bump", "edge"},
-       .integrands = {integrand("bump"), integrand("edge")},
-       .methods =
-           methods_of(methods, {"independent", "jittered", "best_candidate", "poisson_disk"}),
-       .sizes = {4, 16, 64, 256, 1024},
-       .replicates = [](std::uint64_t n) -> std::uint64_t { return n == 1024 ? 40 : 100; }});
+  plot_errors({.names = {"bump", "edge"},
+               .integrands = {integrand("bump"), integrand("edge")},
+               .methods = methods_of(methods,
+                                     {"independent", "jittered", "best_candidate", "poisson_disk"}),
+               .sizes = {4, 16, 64, 256, 1024},
+               .replicates = [](Count n) -> Count { return n == 1024 ? 40 : 100; }});
 }
 
 TEST_CASE("plot time against N", "[.plot]") {
-  const Names keys{"best_candidate", "poisson_disk"};
-  plot_table(
-      "speed.tsv", {"N", powers(64, 4, 65536)}, keys, [&](double n, std::size_t c) -> Number {
-        if (c == 0 && n > 4096) return {};  // it takes n^2 candidates
-        // Noise of a few per cent is nothing on four decades.
-        const Number round = seconds_of(
-            [&](std::uint64_t rounds) {
-              return method(methods, keys[c]).rounds(static_cast<std::uint64_t>(n), 2, rounds);
-            },
-            0.004);
-        return round ? Number(*round * 1e6 / n) : Number{};
-      });
+  plot_table("speed.tsv", {"N", powers(64, 4, 65536)},
+             methods_of(methods, {"best_candidate", "poisson_disk"}),
+             [&](Count n, const Method& method) {
+               if (method.key == "best_candidate" && n > 4096) return missing;  // n^2 candidates
+               // Noise of a few per cent is nothing on four decades.
+               return seconds_of(method.rounds_of(n, 2), 0.004) * 1e6 / static_cast<double>(n);
+             });
 }
 
 TEST_CASE("demo", "[.demo]") {
-  begin_demo();
-  for (const char* key : {"best_candidate", "poisson_disk"}) {
-    write_demo_points(4, method(methods, key));
-  }
+  demo_points(4, methods_of(methods, {"best_candidate", "poisson_disk"}));
 }
 
 }  // namespace

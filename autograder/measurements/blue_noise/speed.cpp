@@ -7,10 +7,11 @@
 namespace mc::measurements {
 
 TEST_CASE("speed of blue noise", "[.speed]") {
-  bench_speed("4.7", "best candidates", 256, method(methods, "best_candidate"));
-  bench_speed("4.7", "Poisson disks", 1024, [](std::uint64_t rounds) {
-    return method(methods, "poisson_disk").rounds(1024, 2, rounds);
-  });
+  const Method &candidates = method(methods, "best_candidate"),
+               &disks = method(methods, "poisson_disk");
+  bench_speed("4.7", "best candidates", 256, candidates.rounds_of(256, 2));
+  bench_speed_error("4.7", "best candidates", 256, candidates);
+  bench_speed("4.7", "Poisson disks", 1024, disks.rounds_of(1024, 2));
 }
 
 }  // namespace mc::measurements

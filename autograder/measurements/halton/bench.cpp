@@ -2,7 +2,6 @@
 // few enough for a table, and those that the handout quotes.
 
 #include <cmath>
-#include <set>
 
 #include "checks/support/catch.hpp"
 #include "checks/support/exact_stratified.hpp"
@@ -13,116 +12,88 @@
 namespace mc::measurements {
 namespace {
 
-std::vector<Method> benched() {
-  return {shifted(method(methods, "halton")), method(methods, "scrambled_halton"),
-          shifted(method(methods, "sobol")), method(methods, "scrambled_sobol"),
-          method(methods, "lattice")};
-}
-
 TEST_CASE("bench error", "[.bench-error]") {
-  bench_errors(benched());
+  bench_errors(methods);
 }
 TEST_CASE("bench time", "[.bench-time]") {
-  bench_times(benched());
+  bench_times(methods);
 }
 TEST_CASE("bench growth", "[.bench-growth]") {
-  for (const Method& one : benched()) bench_growth_of_dims(one.name, one);
-  // Columns of one axis, which are not cut into blocks.
-  for (const auto& [name, task, of] : {std::tuple{"5.2 radical inverses, base 3", 2u, 3u},
-                                       {"5.5 Sobol', dimension 1", 5u, 1u},
-                                       {"5.8 the same, scrambled", 8u, 1u},
-                                       {"5.9 scrambled radical inverses, base 3", 9u, 3u}}) {
-    bench_growth(name, 1, 100'000'000, [task = task, of = of](Count n, Count rounds) {
-      return used_by(TRY_MEASURE_WITH(large, repeat, task, of, n, rounds, 1));
-    });
+  for (const Method& one : methods) {
+    if (!one.dims.empty()) bench_growth_of_dims(one);
+  }
+  for (const Method& column :
+       {column_of("5.2 radical inverses, base 3", 2, 3), column_of("5.5 Sobol', dimension 1", 5, 1),
+        column_of("5.8 the same, scrambled", 8, 1),
+        column_of("5.9 scrambled radical inverses, base 3", 9, 3)}) {
+    bench_growth(column, 1, 100'000'000);
   }
 }
 
 /// With independent decisions the N points are one in each stratum, uniform and independent there:
 /// the error is a sum of N independent terms, of which variances and fourth cumulants add up.
-double exact_kurtosis_of_exp(std::size_t n) {
+double exact_kurtosis_of_exp(Count n) {
   const auto size = static_cast<double>(n);
-  double variances = 0, fourths = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double low = static_cast<double>(i) / size, high = static_cast<double>(i + 1) / size;
-    // Moments about the mean by the rule of midpoints, whose error falls as 1 / steps^2.
-    constexpr int steps = 200;
-    const double mean = (std::exp(high) - std::exp(low)) * size;
-    double second = 0, fourth = 0;
-    for (int step = 0; step < steps; ++step) {
-      const double d = std::exp(low + (step + 0.5) / steps / size) - mean;
-      second += d * d / steps;
-      fourth += d * d * d * d / steps;
-    }
-    variances += second;
-    fourths += fourth - 3 * second * second;
+  const WithinStrata strata = strata_of([](double x) { return std::exp(x); }, n);
+  double fourths = 0;
+  for (Count i = 0; i < n; ++i) {
+    const auto fourth = [&](double x) { return std::pow(std::exp(x) - strata.mean[i], 4); };
+    const double low = static_cast<double>(i) / size;
+    fourths +=
+        size * integral(low, low + 1 / size, 1, fourth) - 3 * std::pow(strata.variance[i], 2);
   }
-  return 3 + fourths / (variances * variances);
+  return 3 + fourths / std::pow(sum_of(strata.variance), 2);
 }
 
 TEST_CASE("bench table of tails", "[.bench-table]") {
-  const std::string title = "kurtosis of the error of exp(x) on the line, base 2 scrambled by 5.8";
+  const BenchTable table("kurtosis of the error of exp(x) on the line, base 2 scrambled by 5.8");
   for (Count n = 16; n <= 4096; n *= 4) {
     const std::string column = "N = " + std::to_string(n);
-    bench_table({title, "independent decisions, exact", column, n, exact_kurtosis_of_exp(n)});
-    const ErrorSums errors = errors_of_exp(n, 20'000);
-    if (errors.count == 0) return;
-    bench_table({title, "owen_scramble", column, n, errors.kurtosis(), errors.kurtosis_error()});
+    table.add("independent decisions, exact", column, exact_kurtosis_of_exp(n), missing, n);
+    table.add_kurtosis("owen_scramble", column, errors_of_exp(n, 20'000), n);
   }
 }
 
 /// How far D* is from the rate of a set, log N / N.
 TEST_CASE("bench table of discrepancies", "[.bench-table]") {
+  const BenchTable table("N D* / ln N in the plane");
   for (const Count n : {2731u, 4096u}) {
     for (const auto& [row, key] : {std::pair{"Hammersley", "hammersley"}, {"Sobol'", "sobol"}}) {
-      const Number found = star_discrepancy_of(method(methods, key).points(n, 2, 1, 1));
-      if (!found) continue;
       const auto size = static_cast<double>(n);
-      bench_table({"N D* / ln N in the plane", row, "N = " + std::to_string(n), n,
-                   size * *found / std::log(size)});
+      const double discrepancy = star_discrepancy_of(method(methods, key).points(n, 2, 1, 1));
+      table.add(row, "N = " + std::to_string(n), size * discrepancy / std::log(size), missing, n);
     }
   }
 }
 
 /// Of 8 x 8 cells, those without a point.
 TEST_CASE("bench table of empty cells", "[.bench-table]") {
-  const auto write = [](const char* row, const char* column, const Sets& sets) {
-    if (sets.empty()) return;
-    std::set<int> met;
-    for (std::size_t i = 0; i < sets[0].size(); ++i) {
-      met.insert(static_cast<int>(sets[0].column(0)[i] * 8) +
-                 8 * static_cast<int>(sets[0].column(1)[i] * 8));
-    }
-    bench_table({"empty cells of 64", row, column, 0, static_cast<double>(64 - met.size())});
+  const BenchTable table("empty cells of 64");
+  const auto add = [&](const char* row, const char* column, const Sets& sets) {
+    if (!sets.empty()) table.add(row, column, empty_cells(sets[0], 8));
   };
-  write("64 points in bases 29 and 31", "plain",
-        sets_by_columns(64, 2, 1, 0, [](unsigned d, const Seeds&) {
-          return TRY_MEASURE(radical_inverses, d == 0 ? 29 : 31, 0, 64);
-        }));
-  const Sets sobol = sobol_sets(1024, {14, 15});
+  add("64 points in bases 29 and 31", "plain", halton_sets(64, {29, 31}));
+  const Sets sobol = sobol_sets(1024, 2, 14);
   const char* const pair = "1024 Sobol' points, dimensions 14 and 15";
-  write(pair, "plain", sobol);
-  write(pair, "scrambled", scrambled(sobol, 1, 1));
+  add(pair, "plain", sobol);
+  add(pair, "scrambled", scrambled(sobol, 1, 1));
 }
 
 TEST_CASE("bench table of errors of scrambled points", "[.bench-table]") {
-  const std::string title = "RMSE of exp(x + y) with 1024 points", column = "RMSE";
+  const BenchTable table("RMSE of exp(x + y) with 1024 points");
   const auto axis = strata_of([](double x) { return std::exp(x); }, 64);
   const WithinStrata cells = product_of(axis, axis);
-  bench_table(
-      {title, "independent, exact", column, 0, std::sqrt(independent_variance(cells, 1024))});
-  bench_table({title, "the first of 4096 jittered and shuffled, exact", column, 0,
-               std::sqrt(variance_of_first(cells, 1024))});
+  table.add("independent, exact", "RMSE", std::sqrt(independent_variance(cells, 1024)));
+  table.add("the first of 4096 jittered and shuffled, exact", "RMSE",
+            std::sqrt(variance_of_first(cells, 1024)));
   const Integrand& smooth = integrand("smooth 2D");
   const Method& method_5_8 = method(methods, "scrambled_sobol");
-  bench_table(title, "the first of scrambled Sobol'", column, 0,
-              errors_of(method_5_8, smooth, 1024, 4000, 3));
-  const ErrorSums all = errors_of(method_5_8, smooth, 4096, 2000, 2),
-                  one = errors_of(method(methods, "sobol"), smooth, 4096, 1, 1);
-  if (all.count == 0 || one.count == 0) return;
-  const double ratio = one.rmse() / all.rmse();
-  bench_table({"error of exp(x + y) with 4096 Sobol' points", "plain over scrambled", "ratio", 0,
-               ratio, ratio * all.standard_error() / all.rmse()});
+  table.add_rmse("the first of scrambled Sobol'", "RMSE",
+                 errors_of(method_5_8, smooth, 1024, 4000, 3));
+  const ErrorSums all = errors_of(method_5_8, smooth, 4096, 2000, 2);
+  const double ratio = errors_of(method(methods, "sobol"), smooth, 4096, 1, 1).rmse() / all.rmse();
+  BenchTable("error of exp(x + y) with 4096 Sobol' points")
+      .add("plain over scrambled", "ratio", ratio, ratio * all.standard_error() / all.rmse());
 }
 
 /// What the handout says of the simplest rule (5.10), where there is one; and how its numbers were
@@ -131,26 +102,25 @@ TEST_CASE("bench table of lattices", "[.bench-table]") {
   const Method folded = method(methods, "lattice");
   Method plain = folded;
   plain.points = [](Count n, Count dims, Count count, Count seed) {
-    const auto points = lattice_points(n, dims, count, seed);
-    return points ? sets_of(*points, n, dims) : Sets{};
+    return sets_of(lattice_points(n, dims, count, seed), n, dims);
   };
   if (folded.points(2, 1, 1, 1).empty()) return;
+  const BenchTable errors("RMSE of 1024 points");
   for (const auto& [row, one] : {std::pair{"independent", method(methods, "independent")},
                                  {"Sobol', scrambled", method(methods, "scrambled_sobol")},
                                  {"lattice, shifted", plain},
                                  {"lattice, shifted and folded", folded}}) {
     for (const char* const on : {"smooth 2D", "smooth 4D", "smooth 8D", "kinks 2D", "edge 2D"}) {
-      bench_table("RMSE of 1024 points", row, on, 0, errors_of(one, integrand(on), 1024, 1000, 1));
+      errors.add_rmse(row, on, errors_of(one, integrand(on), 1024, 1000, 1));
     }
   }
+  const BenchTable found("lattice_vector, by the search");
   LatticeSearch search;
   for (std::size_t d = 0; d < lattice_vector.size(); ++d) {
-    const auto write = [&](const char* column, double value) {
-      bench_table({"lattice_vector, by the search", "z_" + std::to_string(d), column, 0, value});
-    };
-    write("found", static_cast<double>(search.next()));
-    write("e, N = 1024", std::sqrt(search.worst_case()[8]));
-    write("e, N = 65536", std::sqrt(search.worst_case().back()));
+    const std::string row = "z_" + std::to_string(d);
+    found.add(row, "found", static_cast<double>(search.next()));
+    found.add(row, "e, N = 1024", std::sqrt(search.worst_case()[8]));
+    found.add(row, "e, N = 65536", std::sqrt(search.worst_case().back()));
   }
 }
 

@@ -7,14 +7,12 @@
 namespace mc::measurements {
 
 TEST_CASE("speed of sequences", "[.speed]") {
-  const auto column = [](unsigned task, unsigned of) {
-    return [=](Count rounds) {
-      return cpu_seconds_of(TRY_MEASURE(repeat, task, of, 4096, rounds, 1));
-    };
+  const auto time = [](const std::string& task, const Method& column) {
+    bench_speed(task, column.name, 4096, column.rounds_of(4096, 1));
   };
-  bench_speed("5.2", "radical inverses in base 3", 4096, column(2, 3));
-  bench_speed("5.5", "Sobol' coordinates", 4096, column(5, 1));
-  bench_speed("5.8", "scrambled Sobol' coordinates", 4096, column(8, 1));
+  time("5.2", column_of("radical inverses in base 3", 2, 3));
+  time("5.5", column_of("Sobol' coordinates", 5, 1));
+  time("5.8", column_of("scrambled Sobol' coordinates", 8, 1));
   bench_speed_error("5.8", "scrambled Sobol' coordinates", 1024,
                     method(methods, "scrambled_sobol"));
 }

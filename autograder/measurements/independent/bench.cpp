@@ -16,9 +16,8 @@ TEST_CASE("bench error", "[.bench-error]") {
   bench_errors({uniform_points});
   for (const unsigned way : {0u, 1u}) {
     for (Count n = 16; n <= 65536; n *= 4) {
-      const ErrorSums errors = irradiance_errors(way, n, 200, n);
-      if (errors.count == 0) break;
-      bench_error(light_ways[way], "rectangular light", 2, n, errors, irradiance(RectLight{}));
+      bench_error(light_ways[way], "rectangular light", 2, n, irradiance_errors(way, n, 200, n),
+                  irradiance(RectLight{}));
     }
   }
 }
@@ -26,30 +25,27 @@ TEST_CASE("bench error", "[.bench-error]") {
 TEST_CASE("bench time", "[.bench-time]") {
   bench_times({uniform_points});
   for (const unsigned way : {0u, 1u}) {
-    bench_time(light_ways[way], "", 2, 4096, [&](Count rounds) {
-      return cpu_seconds_of(TRY_MEASURE(repeat_irradiance, way, 4096, rounds));
-    });
+    bench_time(light_ways[way], "", 2, 4096, irradiance_rounds(way));
   }
 }
 
 TEST_CASE("bench growth", "[.bench-growth]") {
-  bench_growth_of_dims("independent", uniform_points);
-  bench_growth("independent", 1, 100'000'000, [](Count n, Count rounds) {
-    return used_by(TRY_MEASURE_WITH(large, repeat_source, 2, n, rounds, 1));
-  });
+  bench_growth_of_dims(uniform_points);
+  bench_growth(uniform_points, 1, 100'000'000);
 }
 
 /// The sixty estimates of the picture of intervals, by its seed.
 TEST_CASE("bench table of intervals", "[.bench-table]") {
+  const BenchTable table("95 % intervals that miss, of 60");
   const double z = normal_quantile(0.975);
   for (const std::size_t i : {0u, 4u}) {
-    const auto all = lists_of(TRY_MEASURE(estimates, line_integrands[i].g, 1000, 1, 60), 60);
-    if (!all) return;
+    const auto all = estimates_of(line_integrands[i], 1000, 60);
+    if (all.empty()) return;
     double misses = 0;
-    for (const auto& one : *all) {
+    for (const auto& one : all) {
       misses += std::abs(one.value - line_integrands[i].mean) > z * one.standard_error;
     }
-    bench_table({"95 % intervals that miss, of 60", line_integrands[i].name, "misses", 0, misses});
+    table.add(line_integrands[i].name, "misses", misses);
   }
 }
 
@@ -105,65 +101,52 @@ bool has_lights() {
 
 TEST_CASE("bench table of stopping", "[.bench-table]") {
   if (!has_lights()) return;
+  const BenchTable table("x < 0.02, stopped when the error bar is short enough");
   const double p = 0.02;
   for (const auto& [row, target] : {std::pair{"s / sqrt(n) <= 0.01", 0.01},
                                     {"s / sqrt(n) <= 0.005", 0.005},
                                     {"s / sqrt(n) <= 0.002", 0.002}}) {
     const Stopped run = stopped_run(p, target);
-    const auto write = [&, name = row](const char* column, double value) {
-      bench_table({"x < 0.02, stopped when the error bar is short enough", name, column, 0, value});
-    };
-    write("mean by the true value", run.value / p);
-    write("coverage", run.covered);
-    write("of a second run", run.again);
-    write("of pooled s", run.pooled);
-    write("samples", run.samples);
+    table.add(row, "mean by the true value", run.value / p);
+    table.add(row, "coverage", run.covered);
+    table.add(row, "of a second run", run.again);
+    table.add(row, "of pooled s", run.pooled);
+    table.add(row, "samples", run.samples);
   }
 }
 
-/// Variances of a sample of 2.7, and relative ones of two samples: two points, two directions, one of
-/// each. Exact, by the midpoint rule: of weights f / p, or by the balance heuristic f / (p + q), over
-/// the light [-x, x] x [-y, y].
+/// Variances of a sample of 2.7, and relative ones of two samples: two points, two directions, one
+/// of each, with weights f / p, or by the balance heuristic f / (p + q).
 TEST_CASE("bench table of lights", "[.bench-table]") {
   if (!has_lights()) return;
-  struct Light {
-    const char* name;
-    double x, y;
-  };
-  for (const auto& [name, half_x, half_y] : {Light{"a lamp, half a side 0.33", 0.33, 0.33},
-                                             {"the light of 2.7", 1, 0.5},
-                                             {"half a side 2", 2, 2},
-                                             {"a ceiling, half a side 10", 10, 10}}) {
-    constexpr int steps = 1000;
-    double mean = 0, squares[2] = {}, parts[2] = {}, part_squares[2] = {};
-    for (int i = 0; i < steps * steps; ++i) {
-      const auto place = [=](int k) { return (2 * k + 1.) / steps - 1; };
-      const double x = half_x * place(i % steps), y = half_y * place(i / steps);
-      const double r2 = x * x + y * y + 1, area = 4 * half_x * half_y, cosine = 1 / std::sqrt(r2);
-      const double angle = cosine / r2 * area / (steps * steps);  // of this part of the light
-      const double densities[2] = {r2 / (area * cosine), cosine / std::numbers::pi};
-      mean += cosine * angle;
-      const double weight = cosine / (densities[0] + densities[1]);
-      for (const int k : {0, 1}) {
-        squares[k] += cosine * cosine / densities[k] * angle;
-        parts[k] += weight * densities[k] * angle;
-        part_squares[k] += weight * weight * densities[k] * angle;
-      }
-    }
-    for (const auto& [row, square] :
-         {std::pair{"points", squares[0]}, {"directions", squares[1]}}) {
-      bench_table(
-          {"variance of a sample of a light at height 1", row, name, 0, square - mean * mean});
-    }
-    const double points = squares[0] / mean / mean - 1, directions = squares[1] / mean / mean - 1;
-    const double combined =
-        part_squares[0] + part_squares[1] - parts[0] * parts[0] - parts[1] * parts[1];
-    for (const auto& [row, value] : {std::pair{"two points", points / 2},
-                                     {"two directions", directions / 2},
-                                     {"the average of one and one", (points + directions) / 4},
-                                     {"one and one, balanced", combined / mean / mean}}) {
-      bench_table({"relative variance of two samples of a light at height 1", row, name, 0, value});
-    }
+  const BenchTable one_sample("variance of a sample of a light at height 1");
+  const BenchTable two_samples("relative variance of two samples of a light at height 1");
+  for (const auto& [name, light] :
+       {std::pair<const char*, RectLight>{"a lamp, half a side 0.33", {-0.33, 0.33, -0.33, 0.33}},
+        {"the light of 2.7", {}},
+        {"half a side 2", {-2, 2, -2, 2}},
+        {"a ceiling, half a side 10", {-10, 10, -10, 10}}}) {
+    // Over the directions to the light: of f, and of the densities p of points and q of directions.
+    const auto over_light = [&, one = light](auto integrand) {
+      return integral_over(one, [&](double x, double y) {
+        const double r2 = x * x + y * y + 1, f = 1 / std::sqrt(r2);
+        return integrand(f, r2 / (area(one) * f), f / std::numbers::pi) * f / r2;
+      });
+    };
+    const double mean = irradiance(light);
+    const double points = over_light([](double f, double p, double) { return f * f / p; }),
+                 directions = over_light([](double f, double, double q) { return f * f / q; });
+    const double both = over_light([](double f, double p, double q) { return f * f / (p + q); }),
+                 by_points =
+                     over_light([](double f, double p, double q) { return f * p / (p + q); });
+    one_sample.add("points", name, points - mean * mean);
+    one_sample.add("directions", name, directions - mean * mean);
+    const auto relative = [&](double square) { return square / mean / mean; };
+    two_samples.add("two points", name, (relative(points) - 1) / 2);
+    two_samples.add("two directions", name, (relative(directions) - 1) / 2);
+    two_samples.add("the average of one and one", name, (relative(points + directions) - 2) / 4);
+    two_samples.add("one and one, balanced", name,
+                    relative(both - by_points * by_points - std::pow(mean - by_points, 2)));
   }
 }
 

@@ -8,8 +8,6 @@
 
 namespace mc::measurements {
 
-using Count = std::uint64_t;
-
 inline const Method uniform_points{
     .key = "independent",
     .task = "2.8",
@@ -20,8 +18,8 @@ inline const Method uniform_points{
           return sets_of(TRY_MEASURE(uniforms, seed, sizes, 0), n, dims, count);
         },
     .rounds =
-        [](Count n, Count dims, Count rounds) {
-          return cpu_seconds_of(TRY_MEASURE(repeat_source, 2, n, dims * rounds, 1));
+        [](Count n, Count dims, Count rounds, const sandbox::Limits& limits) {
+          return Cost(TRY_MEASURE_WITH(limits, repeat_source, 2, n, dims * rounds, 1));
         },
     .dims = {1, 2, 4, 8},
     .same_for_all_n = true,
@@ -39,17 +37,27 @@ inline const std::vector<LineIntegrand> line_integrands{
     {"x < 0.01", {3, 0.01, 1, 0}, 0.01},       {"x^-0.4", {4, -0.4, 1, 0}, 1 / 0.6},
     {"x^-0.75", {4, -0.75, 1, 0}, 4},          {"normal", {6, 0, 1, 0}, 0}};
 
+/// Estimates of one of them.
+inline std::vector<experiments::Counted> estimates_of(const LineIntegrand& integrand, Count n,
+                                                      Count replicates) {
+  return values_of(TRY_MEASURE(estimates, integrand.g, n, 1, replicates), replicates);
+}
+
 /// The irradiance under a rectangular light, 2.7, by way of the area or of the hemisphere.
 inline const char* const light_ways[] = {"points on the light", "directions"};
 inline ErrorSums irradiance_errors(unsigned way, Count n, Count replicates, Count seed) {
   const RectLight light;
-  ErrorSums errors;
   const auto got = way == 0 ? TRY_MEASURE(irradiance_area, light, n, seed, replicates)
                             : TRY_MEASURE(irradiance_hemisphere, light, n, seed, replicates);
-  const auto values = lists_of(got, replicates, any_number);
-  if (!values) return errors;
-  for (const Estimate& one : *values) errors.add(one.value - irradiance(light));
+  ErrorSums errors;
+  for (const Estimate& one : values_of(got, replicates, any_number)) {
+    errors.add(one.value - irradiance(light));
+  }
   return errors;
+}
+/// Of 4,096 samples.
+inline Rounds irradiance_rounds(unsigned way) {
+  return [=](Count rounds) { return TRY_MEASURE(repeat_irradiance, way, 4096, rounds); };
 }
 
 }  // namespace mc::measurements

@@ -1,84 +1,75 @@
-// The data of lab 2's plots. The same seeds for every submission, so that their lines can be
-// compared.
+// The data of lab 2's plots and demo. The same seeds for every submission, so that their lines can
+// be compared.
 
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
 #include "checks/support/distributions.hpp"
 #include "common/normal_quantile.hpp"
 #include "measurements/independent/methods.hpp"
+#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
 namespace {
 
-constexpr Count plot_seed = 1;
-
-/// Columns of those integrands of the table, counted from 1.
+/// Columns of integrands of the table, counted from 1.
 Names columns_of(const std::vector<std::size_t>& which) {
   Names all;
   for (const std::size_t i : which) all.push_back("integrand_" + std::to_string(i));
   return all;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 TEST_CASE("plot error against samples", "[.plot]") {
-  const Names columns = columns_of({1, 2, 3, 4, 5});
-  plot_table(
-      "error.tsv", {"N", powers(4, 4, 65536)}, columns, [](double n, std::size_t c) -> Number {
-        // Two of three medians of 201 errors are off by 8 % at most, of 101 by 12 %: 4 pixels.
-        const Count replicates = n <= 4096 ? 201 : 101;
-        // Medians: where the variance is infinite, a mean square says how long one waited.
-        const auto& [name, g, mean] = line_integrands[c];
-        const auto all = lists_of(
-            TRY_MEASURE(estimates, g, static_cast<Count>(n), plot_seed, replicates), replicates);
-        if (!all) return {};
-        std::vector<double> errors;
-        for (const auto& one : *all) errors.push_back(std::abs(one.value / mean - 1));
-        return median(errors);
-      });
+  plot_table("error.tsv", {"N", powers(4, 4, 65536)}, columns_of({1, 2, 3, 4, 5}),
+             [](double n, std::size_t c) {
+               // Two of three medians of 201 errors are off by 8 % at most, of 101 by 12 %: 4
+               // pixels. Medians: where the variance is infinite, a mean square says how long one
+               // waited.
+               const Count replicates = n <= 4096 ? 201 : 101;
+               const LineIntegrand& integrand = line_integrands[c];
+               Values errors;
+               for (const auto& one : estimates_of(integrand, static_cast<Count>(n), replicates)) {
+                 errors.push_back(std::abs(one.value / integrand.mean - 1));
+               }
+               return errors.empty() ? missing : median(errors);
+             });
 }
 
 TEST_CASE("plot coverage against samples", "[.plot]") {
-  constexpr std::size_t which[] = {6, 3, 4, 5};
-  Names columns = columns_of({6, 3, 4, 5});
+  const std::vector<std::size_t> which{6, 3, 4, 5};
+  Names columns = columns_of(which);
   columns.push_back("exact");
   const Count replicates = 500;  // a standard error of 1 % at 95 %
   const double level = 0.95, z = normal_quantile((1 + level) / 2);
-  plot_table("coverage.tsv", {"N", powers(2, 2, 8192)}, columns,
-             [&](double n, std::size_t c) -> Number {
-               // Of normal values it is known: Student's t within z.
-               if (c == 4) return f_tails(z * z, 1, n - 1).lower;
-               const auto& [name, g, mean] = line_integrands[which[c] - 1];
-               const auto all = lists_of(TRY_MEASURE(confidence_intervals, g, static_cast<Count>(n),
-                                                     level, plot_seed, replicates),
-                                         replicates, any_number);
-               if (!all) return {};
-               double covering = 0;
-               for (const Interval& one : *all) covering += one.low <= mean && mean <= one.high;
-               return covering / static_cast<double>(replicates);
-             });
+  plot_table("coverage.tsv", {"N", powers(2, 2, 8192)}, columns, [&](double n, std::size_t c) {
+    // Of normal values it is known: Student's t within z.
+    if (c == 4) return f_tails(z * z, 1, n - 1).lower;
+    const auto& [name, g, mean] = line_integrands[which[c] - 1];
+    const auto all =
+        values_of(TRY_MEASURE(confidence_intervals, g, static_cast<Count>(n), level, 1, replicates),
+                  replicates, any_number);
+    double covering = 0;
+    for (const Interval& one : all) covering += one.low <= mean && mean <= one.high;
+    return all.empty() ? missing : covering / static_cast<double>(replicates);
+  });
 }
 
 TEST_CASE("plot intervals of sixty estimates", "[.plot]") {
   const double z = normal_quantile(0.975);
-  for (const auto& [file_name, i] :
-       {std::pair{"intervals-exp.tsv", 0}, {"intervals-power.tsv", 4}}) {
-    const auto& [name, g, mean] = line_integrands[static_cast<std::size_t>(i)];
+  for (const auto& [file_name, integrand] : {std::pair{"intervals-exp.tsv", line_integrands[0]},
+                                             {"intervals-power.tsv", line_integrands[4]}}) {
     auto file = plot_file(file_name, {"rank", "value", "reach", "covers"});
-    auto all = lists_of(TRY_MEASURE(estimates, g, 1000, plot_seed, 60), 60)
-                   .value_or(std::vector<experiments::CountedEstimate>(1, {NAN, NAN, 0, 0}));
+    auto all = estimates_of(integrand, 1000, 60);
+    if (all.empty()) all.push_back({missing, missing});  // a row to draw in any case
     std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.value < b.value; });
     double rank = 0;
     for (const auto& one : all) {
       const double reach = z * one.standard_error;
-      const double covers = std::abs(one.value - mean) <= reach ? 1 : 0;
-      plot_row(file, Row{++rank, one.value / mean, reach / mean, covers});
+      const double covers = std::abs(one.value - integrand.mean) <= reach ? 1 : 0;
+      plot_row(file, {++rank, one.value / integrand.mean, reach / integrand.mean, covers});
     }
   }
 }
@@ -88,27 +79,18 @@ void plot_against_time(const std::string& name, Count least, const Rounds& round
                        const std::function<ErrorSums(Count)>& errors) {
   auto file = plot_file(name, {"us", "error", "ns"});
   // For an axis of time, noise of a few per cent is nothing.
-  const Number round = seconds_of(rounds_of_4096, 0.008, 3);
+  const double one = seconds_of(rounds_of_4096, 0.008, 3) / 4096 * 1e9;
   for (Count n = least; n <= 65536; n *= 4) {
-    Row row{{}, rmse_of(errors(n)), {}};
-    if (round) {
-      row[2] = *round / 4096 * 1e9;
-      row[0] = *row[2] * static_cast<double>(n) * 1e-3;
-    }
-    plot_row(file, row);
+    plot_row(file, {one * static_cast<double>(n) * 1e-3, errors(n).rmse(), one});
   }
 }
 
 TEST_CASE("plot irradiance two ways", "[.plot]") {
   for (const unsigned way : {0u, 1u}) {
-    plot_against_time(
-        way == 0 ? "irradiance-area.tsv" : "irradiance-hemisphere.tsv", 16,
-        [&](Count rounds) {
-          return cpu_seconds_of(TRY_MEASURE(repeat_irradiance, way, 4096, rounds));
-        },
-        [&](Count n) {  // 5 % of the RMSE, and 10 %
-          return irradiance_errors(way, n, n < 16384 ? 200 : 50, plot_seed);
-        });
+    plot_against_time(way == 0 ? "irradiance-area.tsv" : "irradiance-hemisphere.tsv", 16,
+                      irradiance_rounds(way), [&](Count n) {  // 5 % of the RMSE, and 10 %
+                        return irradiance_errors(way, n, n < 16384 ? 200 : 50, 1);
+                      });
   }
 }
 
@@ -118,17 +100,50 @@ TEST_CASE("plot time against error of three sources", "[.plot]") {
   for (const unsigned source : {0u, 1u, 2u}) {
     plot_against_time(
         "speed-" + std::to_string(source) + ".tsv", 256,
-        [&](Count rounds) {
-          return cpu_seconds_of(TRY_MEASURE(repeat_source, source, 4096, rounds, 1));
-        },
+        [&](Count rounds) { return TRY_MEASURE(repeat_source, source, 4096, rounds, 1); },
         [&](Count n) {
-          const auto means =
-              lists_of(TRY_MEASURE(means_of, source, n, plot_seed, 200), 200, any_number);
           ErrorSums errors;
-          for (const double mean : means.value_or(std::vector<double>())) errors.add(mean - 0.5);
+          const auto got = TRY_MEASURE(means_of, source, n, 1, 200);
+          for (const double mean : values_of(got, 200, any_number)) errors.add(mean - 0.5);
           return errors;
         });
   }
+}
+
+double rounded(double value) {
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+/// A hundred estimates with their standard errors at every N.
+TEST_CASE("demo of intervals", "[.demo]") {
+  begin_demo();
+  const Values levels{0.5, 0.683, 0.8, 0.9, 0.95, 0.99, 0.999};
+  Values z;
+  for (const double level : levels) z.push_back(normal_quantile((1 + level) / 2));
+  for (const std::size_t i : {0u, 2u, 3u, 4u}) {
+    Values sizes, values, errors;
+    for (Count n = 4; n <= 16384; n *= 4) {
+      const auto all = estimates_of(line_integrands[i], n, 100);
+      if (all.empty()) return;
+      sizes.push_back(static_cast<double>(n));
+      for (const auto& one : all) {
+        values.push_back(rounded(one.value));
+        errors.push_back(rounded(one.standard_error));
+      }
+    }
+    write_demo(2, fmt::format("intervals-{}", i),
+               {{"name", std::string(line_integrands[i].name)},
+                {"mean", line_integrands[i].mean},
+                {"levels", levels},
+                {"z", z},
+                {"sizes", sizes},
+                {"values", values},
+                {"errors", errors}});
+  }
+}
+
+TEST_CASE("demo of points", "[.demo]") {
+  demo_points(2, {uniform_points});
 }
 
 }  // namespace

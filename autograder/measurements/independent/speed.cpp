@@ -7,8 +7,7 @@
 namespace mc::measurements {
 
 TEST_CASE("speed of uniforms", "[.speed]") {
-  bench_speed("2.8", "uniforms", 4096,
-              [](Count rounds) { return uniform_points.rounds(4096, 1, rounds); });
+  bench_speed("2.8", "uniforms", 4096, uniform_points.rounds_of(4096, 1));
 }
 
 }  // namespace mc::measurements

@@ -10,6 +10,7 @@
 #include "6-sampler/experiments.hpp"
 #include "checks/support/known_scenes.hpp"
 #include "measurements/support/plot_data.hpp"
+#include "protocol/render.hpp"
 
 namespace mc::checks {
 
@@ -50,37 +51,25 @@ namespace mc::measurements {
 // Two pixels of a sheet each are one of these (labs/6-sampler/render.gp).
 inline constexpr std::size_t image_width = 128, image_height = 96;
 
-inline void write_image(const std::string& name, const std::vector<double>& pixels) {
-  auto file = plot_file(name);
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    file << pixels[i] << (i % image_width == image_width - 1 ? '\n' : '\t');
-  }
-}
-
-struct Errors {
-  double rmse = 0;
-  double large = 0;  ///< 95% of the pixels that are not exact are nearer than this
-};
-
 /// Writes a picture of the size of `exact` as `name`.tsv, and its error as `name`-error.tsv.
-inline Errors write_with_error(const std::string& name, const Image& image,
-                               const std::vector<double>& exact) {
-  std::vector<double> error, distances;
-  double squares = 0;
+inline protocol::RenderErrors write_with_error(const std::string& name, const Image& image,
+                                               const Values& exact) {
+  Values error, distances;
+  ErrorSums errors;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     error.push_back(image.pixels[i] - exact[i]);
-    squares += error[i] * error[i];
+    errors.add(error[i]);
     if (std::abs(error[i]) > 1e-9) distances.push_back(std::abs(error[i]));
   }
-  write_image(name + ".tsv", image.pixels);
-  write_image(name + "-error.tsv", error);
-  Errors errors{std::sqrt(squares / static_cast<double>(exact.size()))};
+  plot_image(name + ".tsv", image.pixels, image_width);
+  plot_image(name + "-error.tsv", error, image_width);
+  protocol::RenderErrors result{.rmse = errors.rmse()};
   if (!distances.empty()) {
     const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 19 / 20);
     std::nth_element(distances.begin(), at, distances.end());
-    errors.large = *at;
+    result.large_error = *at;
   }
-  return errors;
+  return result;
 }
 
 }  // namespace mc::measurements

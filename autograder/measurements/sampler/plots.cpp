@@ -1,20 +1,17 @@
-// The data of lab 6's plots: error against samples and against time, what a coordinate costs, and
-// the handout's picture. Errors of 100 estimates and more: their root mean square is known to 7 %,
-// a line's width on axes of five decades.
+// The data of lab 6's plots and demo: error against samples and against time, what a coordinate
+// costs, and the handout's picture. Errors of 100 estimates and more: their root mean square is
+// known to 7 %, a line's width on axes of five decades.
 
 #include <cmath>
 
 #include "checks/support/catch.hpp"
 #include "measurements/sampler/methods.hpp"
 #include "measurements/sampler/pictures.hpp"
+#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
 namespace {
-
-bool is_blue(std::size_t k) {
-  return kinds[k] == "blue_noise";
-}
 
 /// Two columns for each kind.
 Names two_columns_each(const std::string& first, const std::string& second) {
@@ -29,25 +26,21 @@ TEST_CASE("plot names", "[.plot]") {
 
 /// Of each kind the error, and the CPU time of an estimate in microseconds.
 void plot_scene(const std::string& scene) {
-  plot_table(
-      "error-" + scene + ".tsv", {"N", powers(16, 4, 4096)}, two_columns_each("", "_us"),
-      [&](double size, std::size_t c) -> Number {
-        const auto n = static_cast<std::uint64_t>(size);
-        const std::size_t k = c / 2;
-        // Without a next2() blue noise is stratified; with 4096 points it takes a second.
-        if (is_blue(k) && (scene == "motion_edge" || n > 1024)) return {};
-        const std::uint64_t cost = is_blue(k) ? n * n / 8 : n;
-        if (c % 2 == 0) {
-          const auto count = std::clamp<std::size_t>((1 << 19) / cost, 20, 400);
-          return rmse_of(scene_errors(kinds[k], scene, n, count, 0));
-        }
-        const Number round = seconds_of(
-            [&](std::uint64_t rounds) {
-              return cpu_seconds_of(TRY_MEASURE(repeat_scene, kinds[k], scene, n, rounds, 1));
-            },
-            0.004, 1, std::max<std::uint64_t>(1, (1 << 17) / cost));
-        return round ? Number(1e6 * *round) : Number{};
-      });
+  plot_table("error-" + scene + ".tsv", {"N", powers(16, 4, 4096)}, two_columns_each("", "_us"),
+             [&](double size, std::size_t c) {
+               const auto n = static_cast<Count>(size);
+               const std::string& kind = methods[c / 2].kind;
+               const bool is_blue = kind == "blue_noise";
+               // Without a next2() blue noise is stratified; with 4096 points it takes a second.
+               if (is_blue && (scene == "motion_edge" || n > 1024)) return missing;
+               const Count cost = is_blue ? n * n / 8 : n;
+               if (c % 2 == 0) {
+                 const auto count = std::clamp<std::size_t>((1 << 19) / cost, 20, 400);
+                 return scene_errors(kind, scene, n, count, 0).rmse();
+               }
+               return 1e6 * seconds_of(scene_rounds(kind, scene, n), 0.004, 1,
+                                       std::max<Count>(1, (1 << 17) / cost));
+             });
 }
 
 TEST_CASE("plot the error under a lamp", "[.plot]") {
@@ -77,15 +70,9 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
   for (unsigned k = 0; k < uses; ++k) {
     // One sequence has 32 dimensions: after the sixteenth pair there are none.
     const Sets pair = k < 16 ? sobol_dimensions({2 * k, 2 * k + 1}).points(n, 2, count, 1) : Sets{};
-    Row row{static_cast<double>(k + 1)};
-    for (const Sets* const sets : {&all, &pair}) {
-      for (const Integrand& scene : scenes) {
-        ErrorSums errors;
-        for (const PointSet& set : *sets)
-          errors.add(error_of(scene, set, n, sets == &all ? 2 * k : 0));
-        row.push_back(rmse_of(errors));
-      }
-    }
+    Values row{static_cast<double>(k + 1)};
+    for (const Integrand& scene : scenes) row.push_back(errors_of(all, scene, n, 2 * k).rmse());
+    for (const Integrand& scene : scenes) row.push_back(errors_of(pair, scene, n).rmse());
     for (const char* name : names) {
       row.push_back(std::sqrt(known_scene(name, {}, static_cast<double>(n)).variance));
     }
@@ -103,7 +90,7 @@ TEST_CASE("plot the variance by order", "[.plot]") {
     // From 2^17 points: fractions within 1 %, less than a bar's edge.
     Anova anova = anova_of(scene, 1 << 17, rng);
     anova.by_order.resize(5, 0.0);
-    Row row(anova.by_order.begin(), anova.by_order.end());
+    Values row(anova.by_order.begin(), anova.by_order.end());
     row.push_back(anova.within_uses);
     plot_row(file, row);
   };
@@ -117,23 +104,23 @@ TEST_CASE("plot the variance by order", "[.plot]") {
 
 /// Nanoseconds for one of the `dims` coordinates of one of n samples; half a million of them at
 /// first.
-Number nanoseconds(std::size_t k, unsigned by, std::uint64_t dims, std::uint64_t n) {
-  const std::uint64_t numbers = is_blue(k) ? (1 << 21) / n : 1 << 19;
-  const Number round = seconds_of(
-      [&](std::uint64_t rounds) {
-        return cpu_seconds_of(TRY_MEASURE(repeat, kinds[k], by, dims, n, rounds, 1));
-      },
-      0.004, 1, 1 + numbers / (n * dims));
-  return round ? Number(1e9 * *round / static_cast<double>(n * dims)) : Number{};
+double nanoseconds(const std::string& kind, unsigned by, Count dims, Count n) {
+  const Count numbers = kind == "blue_noise" ? (1 << 21) / n : 1 << 19;
+  const Rounds run = [&](Count rounds) {
+    return TRY_MEASURE(repeat, kind, by, dims, n, rounds, 1);
+  };
+  return 1e9 * seconds_of(run, 0.004, 1, 1 + numbers / (n * dims)) / static_cast<double>(n * dims);
 }
 
 /// Four dimensions by next2(): generation alone, and all of it. Blue noise up to 256 samples.
 TEST_CASE("plot what a coordinate costs", "[.plot]") {
-  for (const std::uint64_t n : {16u, 256u, 4096u}) {
+  for (const Count n : {16u, 256u, 4096u}) {
     auto file = plot_file("speed-" + std::to_string(n) + ".tsv", {"generation", "all"});
-    for (std::size_t k = 0; k < methods.size(); ++k) {
-      plot_row(file, is_blue(k) && n > 256 ? Row(2)
-                                           : Row{nanoseconds(k, 0, 4, n), nanoseconds(k, 2, 4, n)});
+    for (const Method& one : methods) {
+      const bool is_long = one.kind == "blue_noise" && n > 256;
+      plot_row(file, is_long
+                         ? Values(2, missing)
+                         : Values{nanoseconds(one.kind, 0, 4, n), nanoseconds(one.kind, 2, 4, n)});
     }
   }
 }
@@ -142,17 +129,17 @@ TEST_CASE("plot what a coordinate costs", "[.plot]") {
 TEST_CASE("plot what a coordinate costs against dimensions", "[.plot]") {
   plot_table("speed-dims.tsv", {"dims", {2, 4, 8}}, two_columns_each("_1", "_2"),
              [](double dims, std::size_t c) {
-               return is_blue(c / 2)
-                          ? Number{}
-                          : nanoseconds(c / 2, c % 2 + 1, static_cast<std::uint64_t>(dims), 256);
+               const std::string& kind = methods[c / 2].kind;
+               if (kind == "blue_noise") return missing;
+               return nanoseconds(kind, c % 2 + 1, static_cast<Count>(dims), 256);
              });
 }
 
 /// The handout's picture, for render.gp, and a script with what else that needs.
 TEST_CASE("plot a picture", "[.plot]") {
-  const std::uint64_t spp = 16;
+  const Count spp = 16;
   const auto exact = exact_image("penumbra", image_width, image_height);
-  write_image("exact.tsv", exact);
+  plot_image("exact.tsv", exact, image_width);
   auto script = plot_file("samplers.gp");
   script << "white = " << *std::max_element(exact.begin(), exact.end()) << "\narray drawn[5]\n";
   double range = 0;
@@ -162,14 +149,46 @@ TEST_CASE("plot a picture", "[.plot]") {
         TRY_MEASURE(render, kind, "penumbra", image_width, image_height, spp, 1), exact.size());
     script << "drawn[" << k + 1 << "] = \"";
     if (image) {
-      const Errors errors = write_with_error(kind + "-samplers", *image, exact);
-      range = std::max(range, errors.large);
+      const auto errors = write_with_error(kind + "-samplers", *image, exact);
+      range = std::max(range, errors.large_error);
       script.precision(3);
       script << kind << "\\nRMSE " << errors.rmse;
     }
     script << "\"\n";
   }
   script << "range = " << range << '\n';
+}
+
+/// The same picture by each kind, with more and more samples.
+TEST_CASE("demo", "[.demo]") {
+  begin_demo();
+  constexpr std::size_t width = 96, height = 72;
+  const Values exact = exact_image("penumbra", width, height);
+  // White is a third above the brightest pixel; what noise makes brighter than that is cut off.
+  const double white = 4. / 3 * *std::max_element(exact.begin(), exact.end());
+  const auto text_of = [&](Values pixels) {
+    for (double& pixel : pixels) pixel /= white;
+    return encoded(pixels, 2);
+  };
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    Values sizes;
+    std::vector<std::string> images;
+    for (Count spp = 1; spp <= 64; spp *= 4) {
+      const auto image = lists_of(
+          TRY_MEASURE_WITH(large, render, methods[k].kind, "penumbra", width, height, spp, 1),
+          exact.size());
+      if (!image) break;
+      sizes.push_back(static_cast<double>(spp));
+      images.push_back(text_of(image->pixels));
+    }
+    if (images.empty()) continue;
+    write_demo(6, std::to_string(k),
+               {{"name", methods[k].name},
+                {"width", static_cast<double>(width)},
+                {"sizes", sizes},
+                {"images", images},
+                {"exact", text_of(exact)}});
+  }
 }
 
 }  // namespace

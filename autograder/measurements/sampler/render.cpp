@@ -23,16 +23,18 @@ namespace {
 constexpr sandbox::Limits patient{.cpu_seconds = 20, .wall_seconds = 60};
 
 using Wanted = protocol::RenderRequest;
-Wanted wanted() {
+using protocol::RenderErrors;
+
+std::string request() {
   const char* text = std::getenv(protocol::render_variable);
   if (text == nullptr) throw std::runtime_error("MC_RENDER is not set");
-  return protocol::render_request_in(text);
+  return text;
 }
 
 /// CPU time of one picture with so many samples a pixel, without the program's start: a picture so
 /// many times larger both ways that 20 ms pass, less one of a single pixel; of both the least of
 /// five, since noise only adds.
-double seconds_of(const Wanted& what, std::uint64_t spp) {
+double seconds_of(const Wanted& what, Count spp) {
   const auto cpu = [&](std::size_t w, std::size_t h) {
     return MEASURE_WITH(patient, render, what.kind, what.picture, w, h, spp, 1).cpu_seconds;
   };
@@ -50,19 +52,14 @@ double seconds_of(const Wanted& what, std::uint64_t spp) {
   return std::max(least - start, 1e-6) / static_cast<double>(scale * scale);
 }
 
-struct Timed {
-  std::uint64_t spp = 0;
-  double seconds = 0;
-};
-
 /// The most samples a pixel that take no longer than `seconds` (2% are noise): from one timing, by
 /// proportion; then by the slope between the last two, in a plot with logarithmic axes. One sample
 /// is made however long it takes.
-Timed samples_in(const Wanted& what, double seconds, Timed one) {
-  const auto fits = [&](Timed timed) { return timed.seconds <= 1.02 * seconds; };
-  std::uint64_t low = 1, high = 16 * what.spp + 1;  // the answer is low, or between them
+RenderErrors samples_in(const Wanted& what, double seconds, RenderErrors one) {
+  const auto fits = [&](const RenderErrors& timed) { return timed.seconds <= 1.02 * seconds; };
+  Count low = 1, high = 16 * what.spp + 1;  // the answer is low, or between them
   double slope = 1;
-  Timed best;
+  RenderErrors best;
   for (int timings = 0;; ++timings) {
     (fits(one) ? low : high) = one.spp;
     if (fits(one)) best = one;
@@ -71,8 +68,8 @@ Timed samples_in(const Wanted& what, double seconds, Timed one) {
         static_cast<double>(one.spp) * std::pow(seconds / one.seconds, 1 / slope) + 0.1;
     const auto least = static_cast<double>(best.spp == low ? low + 1 : low);
     const auto inside = std::clamp(guess, least, static_cast<double>(high - 1));
-    const auto spp = static_cast<std::uint64_t>(inside);
-    const Timed next{spp, seconds_of(what, spp)};
+    const auto spp = static_cast<Count>(inside);
+    const RenderErrors next{spp, seconds_of(what, spp)};
     const double ratio = static_cast<double>(spp) / static_cast<double>(one.spp);
     if (ratio != 1)
       slope = std::clamp(std::log(next.seconds / one.seconds) / std::log(ratio), 0.5, 2.);
@@ -82,34 +79,32 @@ Timed samples_in(const Wanted& what, double seconds, Timed one) {
   return best;
 }
 
-Errors draw_one(const Wanted& what, std::uint64_t spp, const std::vector<double>& exact,
-                const std::string& sheet) {
+/// Draws it with as many samples, and fills in its errors.
+void draw(const Wanted& what, RenderErrors& one, const Values& exact, const std::string& sheet) {
   const auto got =
-      MEASURE_WITH(patient, render, what.kind, what.picture, image_width, image_height, spp, 1);
-  return write_with_error(what.kind + '-' + sheet, got.exactly(exact.size()), exact);
+      MEASURE_WITH(patient, render, what.kind, what.picture, image_width, image_height, one.spp, 1);
+  const RenderErrors errors =
+      write_with_error(what.kind + '-' + sheet, got.exactly(exact.size()), exact);
+  one.rmse = errors.rmse;
+  one.large_error = errors.large_error;
 }
 
 TEST_CASE("list what can be rendered", "[.render-list]") {
-  const char* file = std::getenv(protocol::render_variable);
-  if (file == nullptr) throw std::runtime_error("MC_RENDER is not set");
   protocol::RenderList list;
   for (const KnownPicture& picture : known_pictures) list.pictures.emplace_back(picture.name);
   list.kinds.assign(sampler_kinds.begin(), sampler_kinds.end());
-  std::ofstream(file) << list;
+  std::ofstream(request()) << list;
 }
 
 TEST_CASE("render one picture", "[.render]") {
-  const Wanted what = wanted();
-  const std::vector<double> exact = exact_image(what.picture, image_width, image_height);
-  write_image("exact.tsv", exact);
-  const Errors samples = draw_one(what, what.spp, exact, "samples");
-  const Timed own{what.spp, seconds_of(what, what.spp)};
-  const Timed timed = what.seconds > 0 ? samples_in(what, what.seconds, own) : own;
-  const Errors time = draw_one(what, timed.spp, exact, "time");
-  auto result = plot_file(what.kind + ".txt");
-  for (const auto& [sheet, errors] : {std::pair(own, samples), std::pair(timed, time)}) {
-    result << protocol::RenderErrors{sheet.spp, sheet.seconds, errors.rmse, errors.large};
-  }
+  const Wanted what = protocol::render_request_in(request());
+  const Values exact = exact_image(what.picture, image_width, image_height);
+  plot_image("exact.tsv", exact, image_width);
+  RenderErrors samples{what.spp, seconds_of(what, what.spp)};
+  RenderErrors time = what.seconds > 0 ? samples_in(what, what.seconds, samples) : samples;
+  draw(what, samples, exact, "samples");
+  draw(what, time, exact, "time");
+  plot_file(what.kind + ".txt") << samples << time;
 }
 
 }  // namespace

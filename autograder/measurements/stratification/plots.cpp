@@ -12,8 +12,6 @@
 namespace mc::measurements {
 namespace {
 
-using Count = std::uint64_t;
-
 TEST_CASE("plot names", "[.plot]") {
   plot_names(methods);
 }
@@ -35,11 +33,7 @@ WithinStrata square(double (*h)(double), std::size_t side) {
 
 /// The edge of lab 3's experiments (exact_stratified.hpp).
 Integrand slanted_edge() {
-  return {.name = "edge",
-          .formula = "an edge across the plane",
-          .dims = 2,
-          .mean = mean_of(edge_strata(0.1, 1)),
-          .g = [](std::span<const double> x) {
+  return {.name = "edge", .dims = 2, .mean = mean_of(edge_strata(0.1, 1)), .g = [](View x) {
             return std::cos(1.0) * (x[0] - 0.5) + std::sin(1.0) * (x[1] - 0.5) < 0.1 ? 1.0 : 0.0;
           }};
 }
@@ -90,15 +84,15 @@ void plot_case(const Case& one) {
                .more = {"by_chance", "by_strata"},
                .theory = [&](Count n) {
                  const auto size = static_cast<double>(n);
-                 return Row{std::sqrt(whole / size), last * std::pow(size / largest, -one.rate)};
+                 return Values{std::sqrt(whole / size), last * std::pow(size / largest, -one.rate)};
                }});
   auto file = plot_file("within-" + one.name + ".tsv", {"N", "exact", "measured"});
   for (const Count n : one.sizes) {
     const auto size = static_cast<double>(n);
-    const auto rmse =
-        rmse_of(errors_of(method(methods, one.methods[0]), one.integrand, n, replicates(n), n));
-    plot_row(file, Row{size, stratified_variance(one.over(n)) * size / whole,
-                       rmse ? Number(*rmse * *rmse * size / whole) : Number{}});
+    const double rmse =
+        errors_of(method(methods, one.methods[0]), one.integrand, n, replicates(n), n).rmse();
+    plot_row(file,
+             {size, stratified_variance(one.over(n)) * size / whole, rmse * rmse * size / whole});
   }
 }
 
@@ -116,46 +110,38 @@ TEST_CASE("plot the error against N in four dimensions", "[.plot]") {
 }
 
 TEST_CASE("plot what stopping early costs", "[.plot]") {
-  const Names keys{"independent", "jittered", "padded"};
   plot_table("early.tsv", {"N", {1,   2,   4,   8,   16,  32,  64,   128,  256,  384,
                                  512, 640, 768, 896, 960, 992, 1008, 1016, 1020, 1024}},
-             keys, [&](double n, std::size_t c) {
-               const auto used = static_cast<Count>(n);
-               return rmse_of(
-                   errors_of(method(methods, keys[c]), integrand("bump"), 1024, 128, used, used));
+             methods_of(methods, {"independent", "jittered", "padded"}),
+             [&](Count n, const Method& method) {
+               return errors_of(method, integrand("bump"), 1024, 128, n, n).rmse();
              });
 }
 
 TEST_CASE("plot patterns of 64 points", "[.plot]") {
-  for (const char* key : {"independent", "jittered", "latin_hypercube", "multi_jittered"}) {
-    plot_points(std::string("patterns-") + key + ".tsv", method(methods, key).points(64, 2, 1, 1));
-  }
+  plot_points("patterns",
+              methods_of(methods, {"independent", "jittered", "latin_hypercube", "multi_jittered"}),
+              64, 1);
 }
 
 TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
-  constexpr std::size_t width = 128;
-  const Names keys{"independent", "jittered", "multi_jittered"};
-  const auto shadow = [&](unsigned task, std::uint64_t spp, std::uint64_t seed) {
-    const auto pixels =
-        lists_of(TRY_MEASURE(shadow, task, width, spp, seed), width * width, closed_unit);
-    return pixels ? Row(pixels->begin(), pixels->end()) : Row(width * width);
+  constexpr std::size_t width = 128, size = width * width;
+  const auto shadow = [&](unsigned task, Count spp, Count seed) {
+    const auto got = TRY_MEASURE(shadow, task, width, spp, seed);
+    return lists_of(got, size, closed_unit).value_or(Values(size, missing));
   };
-  const auto exact = shadow(7, 1024, 2);  // nearly: the error falls at least as N^-3/4
-  auto errors = plot_file("shadow-rmse.tsv", keys);
-  Row rmse;
+  const Values exact = shadow(7, 1024, 2);  // nearly: the error falls at least as N^-3/4
+  const Names keys{"independent", "jittered", "multi_jittered"};
+  auto file = plot_file("shadow-rmse.tsv", keys);
+  Values rmse;
   for (const unsigned task : {0u, 3u, 7u}) {
-    auto file = plot_file("shadow-" + keys[rmse.size()] + ".tsv");
-    const auto pixels = shadow(task, 16, 1);
-    double squares = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      squares += std::pow(pixels[i].value_or(NAN) - exact[i].value_or(NAN), 2);
-    }
-    rmse.push_back(std::sqrt(squares / static_cast<double>(pixels.size())));
-    for (std::size_t i = 0; i < pixels.size(); i += width) {
-      plot_row(file, std::span(pixels).subspan(i, width));
-    }
+    const Values pixels = shadow(task, 16, 1);
+    plot_image("shadow-" + keys[rmse.size()] + ".tsv", pixels, width);
+    ErrorSums errors;
+    for (std::size_t i = 0; i < size; ++i) errors.add(pixels[i] - exact[i]);
+    rmse.push_back(errors.rmse());
   }
-  plot_row(errors, rmse);
+  plot_row(file, rmse);
 }
 
 TEST_CASE("plot time against error", "[.plot]") {
@@ -165,10 +151,7 @@ TEST_CASE("plot time against error", "[.plot]") {
 }
 
 TEST_CASE("demo", "[.demo]") {
-  begin_demo();
-  for (const char* key : {"jittered", "latin_hypercube", "multi_jittered"}) {
-    write_demo_points(3, method(methods, key));
-  }
+  demo_points(3, methods_of(methods, {"jittered", "latin_hypercube", "multi_jittered"}));
 }
 
 }  // namespace

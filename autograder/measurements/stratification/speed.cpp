@@ -7,7 +7,9 @@
 namespace mc::measurements {
 
 TEST_CASE("speed of jittered points", "[.speed]") {
-  bench_speed("3.9", "points of a jittered grid", 1024, method(methods, "jittered"));
+  const std::string name = "points of a jittered grid";
+  bench_speed("3.9", name, 1024, method(methods, "jittered").rounds_of(1024, 2));
+  bench_speed_error("3.9", name, 1024, method(methods, "jittered"));
 }
 
 }  // namespace mc::measurements

@@ -5,14 +5,14 @@
 //   [.bench-error]   once: what chance does to a result
 //   [.bench-time]    several times, in turn with the other submissions: what a computer makes of it
 //   [.bench-growth]  once: large N and many dimensions
-//   [.bench-table]   once: numbers that belong in a separate small table (bench_table())
+//   [.bench-table]   once: numbers that belong in a separate small table (BenchTable)
 //   [.bench-table-time]  the same of times: several times, in turn with the other submissions
 //
-// Each number is a row that is written as soon as it is there (protocol/rows.hpp).
+// Each number is a row that is written as soon as it is there (protocol/rows.hpp). A missing number
+// has no row.
 
-#include <limits>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "measurements/support/integrands.hpp"
 #include "measurements/support/methods.hpp"
@@ -20,45 +20,48 @@
 
 namespace mc::measurements {
 
-/// Rows of kind error: each method on each integrand of its dimensions, at sizes 16, 64, ….
+/// Rows of kind error: each method that the bench has, on each integrand of its dimensions, at
+/// sizes 16, 64, …. Deterministic points are shifted.
 void bench_errors(const std::vector<Method>& methods);
 
 /// Rows of kind time and integrand.
 void bench_times(const std::vector<Method>& methods);
 
-/// A row of kind error, relative to `exact`; and of kind time, of n values or points.
-void bench_error(const std::string& what, const std::string& on, std::uint64_t dims,
-                 std::uint64_t n, const ErrorSums& errors, double exact);
-bool bench_time(const std::string& what, const std::string& on, std::uint64_t dims, std::uint64_t n,
+/// A row of kind error, relative to `exact`; and of kind time, of n values or points: false where
+/// it is missing.
+void bench_error(const std::string& what, const std::string& on, Count dims, Count n,
+                 const ErrorSums& errors, double exact);
+bool bench_time(const std::string& what, const std::string& on, Count dims, Count n,
                 const Rounds& rounds);
 
-/// Rows of kind growth and memory: of `rounds(n, R)`, the CPU time and the peak memory of R calls
-/// with n, for n = `least`, 10 `least`, … `most` (or another factor).
-struct Used {
-  double seconds;
-  std::size_t memory;
-};
-void bench_growth(const std::string& what, std::uint64_t dims, std::uint64_t most,
-                  const std::function<std::optional<Used>(std::uint64_t, std::uint64_t)>& rounds,
-                  std::uint64_t least = 1000, std::uint64_t factor = 10);
+/// Rows of kind growth and memory: the CPU time and the peak memory of n points or values, for n =
+/// `least`, 10 `least`, … `most` (or another factor).
+void bench_growth(const Method& method, Count dims, Count most, Count least = 1000,
+                  Count factor = 10);
 
 /// Rows of kind growth over 1, 2, 4, … 32 dimensions, 4,096 points each.
-void bench_growth_of_dims(const std::string& what, const Method& method);
+void bench_growth_of_dims(const Method& method);
 
-/// A cell of the table with this title, which ./lab bench prints as soon as there is a row of it.
-struct Cell {
-  std::string title, row, column;
-  std::uint64_t n = 0;  ///< samples: columns are in this order, then in that of their first row
-  double value = 0, error = std::numeric_limits<double>::quiet_NaN();
+/// A table that ./lab bench prints as soon as it has a cell. Columns are in the order of n, then in
+/// that of their first row.
+class BenchTable {
+ public:
+  explicit BenchTable(std::string title) : title_(std::move(title)) {}
+  void add(const std::string& row, const std::string& column, double value, double error = missing,
+           Count n = 0) const {
+    bench_row({"table " + title_, row, column, 0, n, value, error});
+  }
+  void add_rmse(const std::string& row, const std::string& column, const ErrorSums& errors,
+                Count n = 0) const {
+    add(row, column, errors.rmse(), errors.standard_error(), n);
+  }
+  void add_kurtosis(const std::string& row, const std::string& column, const ErrorSums& errors,
+                    Count n) const {
+    add(row, column, errors.kurtosis(), errors.kurtosis_error(), n);
+  }
+
+ private:
+  std::string title_;
 };
-void bench_table(const Cell& cell);
-/// An RMSE, if there is one.
-void bench_table(const std::string& title, const std::string& row, const std::string& column,
-                 std::uint64_t n, const ErrorSums& errors);
 
-template <class Measured>
-std::optional<Used> used_by(const Measured& measured) {
-  if (!measured) return {};
-  return Used{measured->cpu_seconds, measured->peak_memory};
-}
 }  // namespace mc::measurements

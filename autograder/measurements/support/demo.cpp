@@ -36,22 +36,23 @@ void write_demo(int lab, const std::string& key,
   plot_file(fmt::format("demo-{}-{}.json", lab, key)) << record << '\n';
 }
 
-void write_demo_points(int lab, const Method& method) {
-  constexpr std::uint64_t sets_in_all = 16, most = 1024;
-  std::vector<std::string> points;
-  for (std::uint64_t n = method.is_sequence ? most : 1; n <= most; n *= 4) {
-    const Sets sets = method.points(n, 2, sets_in_all, n);
-    if (sets.empty()) break;
-    for (const PointSet& set : sets) {
-      points.push_back(encoded(set.column(0), 3) + encoded(set.column(1), 3));
+void demo_points(int lab, const std::vector<Method>& methods) {
+  constexpr Count sets_in_all = 16, most = 1024;
+  begin_demo();
+  for (const Method& method : methods) {
+    std::vector<std::string> points;
+    for (Count n = method.is_sequence ? most : 1; n <= most; n *= 4) {
+      for (const PointSet& set : method.points(n, 2, sets_in_all, n)) {
+        points.push_back(encoded(set.column(0), 3) + encoded(set.column(1), 3));
+      }
     }
+    if (points.empty()) continue;
+    write_demo(lab, method.key,
+               {{"name", method.name},
+                {"sequence", method.is_sequence ? 1.0 : 0.0},
+                {"sets", static_cast<double>(sets_in_all)},
+                {"points", points}});
   }
-  if (points.empty()) return;
-  write_demo(lab, method.key,
-             {{"name", method.name},
-              {"sequence", method.is_sequence ? 1.0 : 0.0},
-              {"sets", static_cast<double>(sets_in_all)},
-              {"points", points}});
 }
 
 }  // namespace mc::measurements

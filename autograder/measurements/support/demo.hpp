@@ -24,7 +24,7 @@ using DemoField = std::variant<std::string, double, std::vector<double>, std::ve
 void write_demo(int lab, const std::string& key,
                 const std::vector<std::pair<std::string, DemoField>>& fields);
 
-/// Points of the plane: sets of 1, 4, … 1,024.
-void write_demo_points(int lab, const Method& method);
+/// The whole case of a lab's points of the plane: of each method, sets of 1, 4, … 1,024.
+void demo_points(int lab, const std::vector<Method>& methods);
 
 }  // namespace mc::measurements

@@ -2,22 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstddef>
+#include <vector>
 
 namespace mc::measurements {
 
-/// Errors of independent replicates: sums of their squares, and of those squared.
+/// The middle one of an odd number of values.
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Errors of independent replicates: sums of their powers. Of no errors, everything is NaN.
 struct ErrorSums {
-  double count = 0, squares = 0, fourths = 0, sixths = 0, eighths = 0;
+  double count = 0, sum = 0, squares = 0, fourths = 0, sixths = 0, eighths = 0;
   double points = 0;  ///< in all sets
   void add(double error, double of_points = 0) {
     const double square = error * error;
     ++count;
     points += of_points;
+    sum += error;
     squares += square;
     fourths += square * square;
     sixths += square * square * square;
     eighths += square * square * square * square;
+  }
+  double mean() const { return sum / count; }
+  double mean_error() const {
+    return std::sqrt(std::max(0.0, squares / count - mean() * mean()) / count);
   }
   double rmse() const { return std::sqrt(squares / count); }
   /// Of the RMSE: that of the mean square, by the delta method.
@@ -37,11 +50,5 @@ struct ErrorSums {
     return std::sqrt(std::max(0.0, variance) / count);
   }
 };
-
-/// The RMSE, where there is one.
-inline std::optional<double> rmse_of(const ErrorSums& errors) {
-  if (errors.count == 0) return {};
-  return errors.rmse();
-}
 
 }  // namespace mc::measurements

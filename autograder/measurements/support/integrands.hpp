@@ -3,7 +3,6 @@
 // and benchmark read this table.
 
 #include <functional>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,13 +13,11 @@
 namespace mc::measurements {
 
 struct Integrand {
-  std::string name;     ///< "smooth 2D"
-  std::string formula;  ///< "exp(x + y)"
+  std::string name;  ///< "smooth 2D"
   std::size_t dims;
   double mean;
-  std::function<double(std::span<const double>)> g;  ///< at one point
-  /// Of one value at a uniform point, where known.
-  double variance = std::numeric_limits<double>::quiet_NaN();
+  std::function<double(View)> g;  ///< at one point
+  double variance = missing;      ///< of one value at a uniform point, where known
   bool in_bench = false;
 };
 
@@ -37,12 +34,15 @@ inline double error_of(const Integrand& integrand, const PointSet& points) {
 /// What a value costs, in nanoseconds of this process: the integrand is ours, so it is timed here.
 double nanoseconds_of(const Integrand& integrand);
 
+/// Errors over the first n points of each set, in dimensions `first`, ….
+ErrorSums errors_of(const Sets& sets, const Integrand& integrand, std::size_t n,
+                    std::size_t first = 0);
+
 /// Errors of a method on `integrands`, which have the same dimensions, over the first `used` (0:
-/// all) of n points; none where the method has none. A measurement carries two million coordinates.
+/// all) of n points; none where the method has none.
 std::vector<ErrorSums> errors_of(const Method& method, const std::vector<Integrand>& integrands,
-                                 std::uint64_t n, std::uint64_t replicates, std::uint64_t seed,
-                                 std::uint64_t used = 0);
-ErrorSums errors_of(const Method& method, const Integrand& integrand, std::uint64_t n,
-                    std::uint64_t replicates, std::uint64_t seed, std::uint64_t used = 0);
+                                 Count n, Count replicates, Count seed, Count used = 0);
+ErrorSums errors_of(const Method& method, const Integrand& integrand, Count n, Count replicates,
+                    Count seed, Count used = 0);
 
 }  // namespace mc::measurements

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -59,25 +60,40 @@ std::ofstream plot_file(const std::string& name, const Names& columns) {
   return file;
 }
 
-void plot_row(std::ostream& file, std::span<const Number> values) {
-  for (const auto& value : values) file << (value ? fmt::format("{}\t", *value) : "NaN\t");
+void plot_row(std::ostream& file, const Values& values) {
+  for (const double value : values) {
+    file << (std::isnan(value) ? "NaN\t" : fmt::format("{}\t", value));
+  }
   file << '\n';
 }
 
+void plot_image(const std::string& name, const Values& pixels, std::size_t width) {
+  auto file = plot_file(name);
+  for (auto row = pixels.begin(); row != pixels.end(); row += static_cast<std::ptrdiff_t>(width)) {
+    plot_row(file, {row, row + static_cast<std::ptrdiff_t>(width)});
+  }
+}
+
 void plot_table(const std::string& name, const Axis& x, const Names& columns,
-                const std::function<Number(double, std::size_t)>& cell) {
+                const std::function<double(double, std::size_t)>& cell) {
   Names all{x.name};
   all.insert(all.end(), columns.begin(), columns.end());
   auto file = plot_file(name, all);
   for (const double value : x.values) {
-    Row row{value};
+    Values row{value};
     for (std::size_t c = 0; c < columns.size(); ++c) row.push_back(cell(value, c));
     plot_row(file, row);
   }
 }
 
-std::vector<double> powers(double from, double factor, double most) {
-  std::vector<double> all;
+void plot_table(const std::string& name, const Axis& x, const std::vector<Method>& methods,
+                const std::function<double(Count n, const Method& method)>& cell) {
+  plot_table(name, x, keys_of(methods),
+             [&](double n, std::size_t c) { return cell(static_cast<Count>(n), methods[c]); });
+}
+
+Values powers(double from, double factor, double most) {
+  Values all;
   for (double x = from; x <= most; x *= factor) all.push_back(x);
   return all;
 }
@@ -92,23 +108,31 @@ void plot_names(const std::vector<Method>& methods) {
 
 void plot_points(const std::string& name, const Sets& sets) {
   auto file = plot_file(name, {"x", "y"});
-  if (sets.empty()) plot_row(file, Row{{}, {}});  // so that there is a row to draw in any case
+  if (sets.empty())
+    plot_row(file, {missing, missing});  // so that there is a row to draw in any case
   for (std::size_t i = 0; !sets.empty() && i < sets[0].size(); ++i) {
-    plot_row(file, Row{sets[0].column(0)[i], sets[0].column(1)[i]});
+    plot_row(file, {sets[0].column(0)[i], sets[0].column(1)[i]});
+  }
+}
+
+void plot_points(const std::string& picture, const std::vector<Method>& methods, Count n,
+                 Count seed) {
+  for (const Method& one : methods) {
+    plot_points(fmt::format("{}-{}.tsv", picture, one.key), one.points(n, 2, 1, seed));
   }
 }
 
 void plot_errors(const ErrorPlot& plot) {
-  Names columns{"N"};
-  for (const Method& one : plot.methods) columns.push_back(one.key);
+  Names columns = keys_of(plot.methods);
+  columns.insert(columns.begin(), "N");
   columns.insert(columns.end(), plot.more.begin(), plot.more.end());
   std::vector<std::ofstream> files;
   for (const std::string& name : plot.names) {
     files.push_back(plot_file("convergence-" + name + ".tsv", columns));
   }
   std::set<std::string> endless;  // what once ran out of time would do so again
-  for (const std::uint64_t n : plot.sizes) {
-    std::vector<Row> rows(files.size(), Row{static_cast<double>(n)});
+  for (const Count n : plot.sizes) {
+    std::vector<Values> rows(files.size(), {static_cast<double>(n)});
     for (const Method& one : plot.methods) {
       std::vector<ErrorSums> errors(files.size());
       if (n <= one.most && !endless.contains(one.key)) {
@@ -118,9 +142,9 @@ void plot_errors(const ErrorPlot& plot) {
         const bool was_long = Clock::now() - start > std::chrono::seconds(1);
         if (errors[0].count == 0 && was_long) endless.insert(one.key);
       }
-      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(rmse_of(errors[i]));
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(errors[i].rmse());
     }
-    const Row theory = plot.theory(n);
+    const Values theory = plot.theory(n);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].insert(rows[i].end(), theory.begin(), theory.end());
       plot_row(files[i], rows[i]);
@@ -128,14 +152,16 @@ void plot_errors(const ErrorPlot& plot) {
   }
 }
 
-void plot_speed(const std::vector<Method>& methods, const Integrand& integrand, std::uint64_t n,
-                std::uint64_t replicates) {
+void plot_speed(const Method& method, Count values, const Rounds& rounds, double error) {
+  auto file = plot_file("speed-" + method.key + ".tsv", {"ns", "error"});
+  plot_row(file, {seconds_of(rounds, 0.01, 3) * 1e9 / static_cast<double>(values), error});
+}
+
+void plot_speed(const std::vector<Method>& methods, const Integrand& integrand, Count n,
+                Count replicates) {
   for (const Method& one : methods) {
-    auto file = plot_file("speed-" + one.key + ".tsv", {"ns", "error"});
-    const Number round = seconds_of(
-        [&](std::uint64_t rounds) { return one.rounds(n, integrand.dims, rounds); }, 0.01, 3);
-    const Number error = rmse_of(errors_of(one, integrand, n, replicates, n));
-    plot_row(file, Row{round ? Number(*round * 1e9 / static_cast<double>(n)) : Number{}, error});
+    plot_speed(one, n, one.rounds_of(n, integrand.dims),
+               errors_of(one, integrand, n, replicates, n).rmse());
   }
 }
 

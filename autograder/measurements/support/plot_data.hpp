@@ -4,7 +4,6 @@
 // them. A task that is not written, or fails, leaves a gap.
 
 #include <fstream>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -14,35 +13,37 @@
 
 namespace mc::measurements {
 
-using Names = std::vector<std::string>;
-using Row = std::vector<Number>;
-
 /// The data file `name` of the plots that are being drawn ("points-1.tsv" is of the picture
 /// "points"), with a line that names its columns.
 std::ofstream plot_file(const std::string& name, const Names& columns = {});
 
 /// One row of a data file; what is missing is NaN, which gnuplot leaves out.
-void plot_row(std::ostream& file, std::span<const Number> values);
-inline void plot_row(std::ostream& file, const Row& values) {
-  plot_row(file, std::span(values));
-}
+void plot_row(std::ostream& file, const Values& values);
+
+/// A picture of pixels, row by row.
+void plot_image(const std::string& name, const Values& pixels, std::size_t width);
 
 struct Axis {
   std::string name;
-  std::vector<double> values;
+  Values values;
 };
 /// A row for each value of x: x itself, and cell(x, c) in column c.
 void plot_table(const std::string& name, const Axis& x, const Names& columns,
-                const std::function<Number(double x, std::size_t c)>& cell);
+                const std::function<double(double x, std::size_t c)>& cell);
+/// The same of columns that are methods; cell(n, method).
+void plot_table(const std::string& name, const Axis& x, const std::vector<Method>& methods,
+                const std::function<double(Count n, const Method& method)>& cell);
 
 /// from, from times factor, … most
-std::vector<double> powers(double from, double factor, double most);
+Values powers(double from, double factor, double most);
 
 /// What a plot calls each method: KEY_is = "3.3 jittered", for gnuplot.
 void plot_names(const std::vector<Method>& methods);
 
-/// The two columns x and y of the first set.
+/// The two columns x and y of the first set; and of n points by each method, in "PICTURE-KEY.tsv".
 void plot_points(const std::string& name, const Sets& sets);
+void plot_points(const std::string& picture, const std::vector<Method>& methods, Count n,
+                 Count seed);
 
 /// A file for each integrand, "convergence-NAME.tsv": N and, in columns named by their keys, each
 /// method's RMSE over `replicates(n)` sets; and more columns, for a theory. Integrands are of the
@@ -51,15 +52,18 @@ struct ErrorPlot {
   Names names;
   std::vector<Integrand> integrands;
   std::vector<Method> methods;
-  std::vector<std::uint64_t> sizes;
-  std::function<std::uint64_t(std::uint64_t n)> replicates;
+  std::vector<Count> sizes;
+  std::function<Count(Count n)> replicates;
   Names more = {};
-  std::function<Row(std::uint64_t n)> theory = [](std::uint64_t) { return Row{}; };
+  std::function<Values(Count n)> theory = [](Count) { return Values{}; };
 };
 void plot_errors(const ErrorPlot& plot);
 
-/// Rows: of each method the nanoseconds of one of n points, and the RMSE on an integrand.
-void plot_speed(const std::vector<Method>& methods, const Integrand& integrand, std::uint64_t n,
-                std::uint64_t replicates);
+/// A file "speed-KEY.tsv": nanoseconds for one of `values`, and an error.
+void plot_speed(const Method& method, Count values, const Rounds& rounds, double error);
+
+/// The same of each method, of n points, with the RMSE on an integrand.
+void plot_speed(const std::vector<Method>& methods, const Integrand& integrand, Count n,
+                Count replicates);
 
 }  // namespace mc::measurements

@@ -1,7 +1,6 @@
 #include "measurements/support/speed_data.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -47,6 +46,7 @@ double nanoseconds_of_addition() {
 }  // namespace
 
 void bench_row(const protocol::Row& row) {
+  if (std::isnan(row.value)) return;
   static std::ofstream file = [] {
     const char* path = std::getenv(protocol::rows_variable);
     if (path == nullptr) throw std::runtime_error("MC_BENCH_DATA is not set");
@@ -55,50 +55,48 @@ void bench_row(const protocol::Row& row) {
   file << protocol::line_of(row) << std::endl;
 }
 
-std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted, std::uint64_t first) {
+Count rounds_for(const Rounds& run, double wanted, Count first) {
   constexpr double enough = 0.004;
-  for (std::uint64_t rounds = first;; rounds *= 4) {
-    const auto took = run(rounds);
-    if (!took) return {};
-    if (*took < enough) continue;
-    return static_cast<std::uint64_t>(
-        std::ceil(static_cast<double>(rounds) * std::max(1.0, wanted / *took)));
+  for (Count rounds = first;; rounds *= 4) {
+    const double took = run(rounds).seconds;
+    if (std::isnan(took)) return 0;
+    if (took < enough) continue;
+    return static_cast<Count>(
+        std::ceil(static_cast<double>(rounds) * std::max(1.0, wanted / took)));
   }
 }
 
-Number seconds_by_difference(const Rounds& run, std::uint64_t& rounds) {
+double seconds_by_difference(const Rounds& run, Count& rounds) {
   for (int attempt = 0; attempt < 8; ++attempt, rounds *= 4) {
-    const auto one = run(rounds), two = run(2 * rounds);
-    if (!one || !two) return {};
-    if (*two - *one > 0.25 * *one) return (*two - *one) / static_cast<double>(rounds);
+    const double one = run(rounds).seconds, more = run(2 * rounds).seconds - one;
+    if (std::isnan(more)) return missing;
+    if (more > 0.25 * one) return more / static_cast<double>(rounds);
   }
-  return {};
+  return missing;
 }
 
-Number seconds_of(const Rounds& run, double wanted, int differences, std::uint64_t first) {
-  auto rounds = rounds_of(run, wanted, first);
-  std::vector<double> seconds;
-  for (int i = 0; rounds && i < differences; ++i) {
-    const Number one = seconds_by_difference(run, *rounds);
-    if (!one) return {};
-    seconds.push_back(*one);
+double seconds_of(const Rounds& run, double wanted, int differences, Count first) {
+  Count rounds = rounds_for(run, wanted, first);
+  if (rounds == 0) return missing;
+  Values seconds;
+  for (int i = 0; i < differences; ++i) {
+    seconds.push_back(seconds_by_difference(run, rounds));
+    if (std::isnan(seconds.back())) return missing;
   }
-  if (seconds.empty()) return {};
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[seconds.size() / 2];
+  return median(seconds);
 }
 
-void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
+void bench_speed(const std::string& task, const std::string& name, Count values,
                  const Rounds& rounds) {
   if (!is_asked_for(task)) return;
-  const Number round = seconds_of(rounds, 0.025, 3);
-  if (!round) return;
+  const double round = seconds_of(rounds, 0.025, 3);
+  if (std::isnan(round)) return;
   const std::string what = task + ' ' + name;
   bench_row({"speed unit", what, "", 0, 1, nanoseconds_of_addition()});
-  bench_row({"speed", what, "", 0, values, *round * 1e9 / static_cast<double>(values)});
+  bench_row({"speed", what, "", 0, values, round * 1e9 / static_cast<double>(values)});
 }
 
-void bench_speed_error(const std::string& task, const std::string& name, std::uint64_t n,
+void bench_speed_error(const std::string& task, const std::string& name, Count n,
                        const Method& method) {
   if (!is_asked_for(task)) return;
   constexpr double integral = (std::numbers::e - 1) * (std::numbers::e - 1);
@@ -108,15 +106,8 @@ void bench_speed_error(const std::string& task, const std::string& name, std::ui
     for (std::size_t i = 0; i < n; ++i) sum += std::exp(set.column(0)[i] + set.column(1)[i]);
     errors.add(sum / static_cast<double>(n) / integral - 1);
   }
-  if (errors.count == 0) return;
   bench_row({"speed error", task + ' ' + name, "exp(x + y)", 2, n, errors.rmse(),
              errors.standard_error()});
-}
-
-void bench_speed(const std::string& task, const std::string& name, std::uint64_t n,
-                 const Method& method) {
-  bench_speed(task, name, n, [&](std::uint64_t rounds) { return method.rounds(n, 2, rounds); });
-  bench_speed_error(task, name, n, method);
 }
 
 }  // namespace mc::measurements

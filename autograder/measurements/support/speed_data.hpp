@@ -2,8 +2,6 @@
 // Times, seen from outside the program; and the speed tasks, as check and grade report them: hidden
 // cases tagged [.speed]. Each number is a row (protocol/rows.hpp).
 
-#include <cstdint>
-#include <functional>
 #include <string>
 
 #include "measurements/support/methods.hpp"
@@ -11,38 +9,32 @@
 
 namespace mc::measurements {
 
-/// Appends to the file that ./lab bench reads, and flushes it.
+/// Appends to the file that ./lab bench reads, and flushes it. A missing value has no row.
 void bench_row(const protocol::Row& row);
 
-/// CPU time of so many rounds; nothing where the task is not written.
-using Rounds = std::function<Number(std::uint64_t)>;
-
 /// So many rounds that they take about `wanted` seconds, the start of the program included;
-/// `first` or more.
-std::optional<std::uint64_t> rounds_of(const Rounds& run, double wanted, std::uint64_t first = 1);
+/// `first` or more. 0 where the task is not written.
+Count rounds_for(const Rounds& run, double wanted, Count first = 1);
 
 /// Seconds a round: the CPU time of 2R rounds less that of R. What a program does before its first
 /// round may take longer than R of them (values to be made, memory to be had, or time to be
 /// wasted): its noise must not be taken for a round, and R becomes four times as large until it is
 /// not.
-Number seconds_by_difference(const Rounds& run, std::uint64_t& rounds);
+double seconds_by_difference(const Rounds& run, Count& rounds);
 
 /// The median of so many such differences, R rounds of which take about `wanted` seconds: the two
 /// runs of each are close together, since a shared machine changes its pace from one second to the
-/// next. (./lab bench comes back for more of them.) Nothing where what came back was wrong.
-Number seconds_of(const Rounds& run, double wanted = 0.025, int differences = 1,
-                  std::uint64_t first = 1);
+/// next. (./lab bench comes back for more of them.) Missing where what came back was wrong.
+double seconds_of(const Rounds& run, double wanted = 0.025, int differences = 1, Count first = 1);
 
 /// Rows of kind speed, if `task` is one that MC_SPEED_TASKS names (the grader does: those that
 /// passed): `rounds` makes `values` numbers or points each time. A seventh of a second.
-void bench_speed(const std::string& task, const std::string& name, std::uint64_t values,
+void bench_speed(const std::string& task, const std::string& name, Count values,
                  const Rounds& rounds);
 
-/// The same of n points of the plane by a method; and a row of kind speed error: the RMSE of the
-/// mean of exp(x + y), relative to its integral.
-void bench_speed(const std::string& task, const std::string& name, std::uint64_t n,
-                 const Method& method);
-void bench_speed_error(const std::string& task, const std::string& name, std::uint64_t n,
+/// A row of kind speed error: the RMSE of the mean of exp(x + y) over n points by a method,
+/// relative to its integral.
+void bench_speed_error(const std::string& task, const std::string& name, Count n,
                        const Method& method);
 
 }  // namespace mc::measurements

@@ -2,7 +2,7 @@
 
 #include "checks/support/catch.hpp"
 #include "measurements/support/bench_data.hpp"
-#include "measurements/variance/ways.hpp"
+#include "measurements/variance/methods.hpp"
 
 namespace mc::measurements {
 namespace {
@@ -23,37 +23,34 @@ std::vector<std::pair<const char*, Values>> hard_cases() {
   return all;
 }
 
-std::string full_name(const Method& way) {
-  return way.task + ' ' + way.name;
+/// With their tasks in their names.
+std::vector<Method> benched() {
+  std::vector<Method> all = methods;
+  for (Method& way : all) way.name = way.task + ' ' + way.name;
+  return all;
 }
 
 TEST_CASE("bench digits", "[.bench-error]") {
   for (const auto& [name, x] : hard_cases()) {
-    for (const Method& way : ways) {
+    for (const Method& way : benched()) {
       for (const double kept : digits_kept(way, x, x.size())) {
-        bench_row({"digits", full_name(way), name, 1, x.size(), kept});
+        bench_row({"digits", way.name, name, 1, x.size(), kept});
       }
     }
   }
 }
 
 TEST_CASE("bench time", "[.bench-time]") {
-  for (const auto& [where, n] : {std::pair{"in cache", std::uint64_t{4096}},   // 32 KB
-                                 {"out of cache", std::uint64_t{1} << 23}}) {  // 64 MB
-    for (const Method& way : ways) {
-      bench_time(full_name(way), where, 1, n, [&, n = n](std::uint64_t rounds) {
-        return cpu_seconds_of(TRY_MEASURE_WITH(large, repeat_made, task_of(way), n, rounds, 1));
-      });
+  for (const auto& [where, n] : {std::pair{"in cache", Count{4096}},   // 32 KB
+                                 {"out of cache", Count{1} << 23}}) {  // 64 MB
+    for (const Method& way : benched()) {
+      bench_time(way.name, where, 1, n, way.rounds_of(n, 1, large));
     }
   }
 }
 
 TEST_CASE("bench growth", "[.bench-growth]") {
-  for (const Method& way : ways) {
-    bench_growth(full_name(way), 1, 100'000'000, [&](std::uint64_t n, std::uint64_t rounds) {
-      return used_by(TRY_MEASURE_WITH(large, repeat_made, task_of(way), n, rounds, 1));
-    });
-  }
+  for (const Method& way : benched()) bench_growth(way, 1, 100'000'000);
 }
 
 }  // namespace

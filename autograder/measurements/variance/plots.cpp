@@ -1,22 +1,24 @@
-// The data of lab 1's plots: digits kept and time taken, for each way to a variance.
+// The data of lab 1's plots and demo: digits kept and time taken, for each way to a variance, as
+// the offset of the data grows.
 
 #include <cmath>
 
 #include "checks/support/catch.hpp"
+#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
-#include "measurements/variance/ways.hpp"
+#include "measurements/variance/methods.hpp"
 
 namespace mc::measurements {
 namespace {
 
 TEST_CASE("plot names", "[.plot]") {
-  plot_names(ways);
+  plot_names(methods);
 }
 
 TEST_CASE("plot digits kept against the offset", "[.plot]") {
   constexpr std::size_t sets = 5, n = 1000;
   Rng rng(1);  // the same data for every submission, so that their lines can be compared
-  const std::vector<double> offsets = powers(1, std::sqrt(10), 1.1e15);
+  const Values offsets = powers(1, std::sqrt(10), 1.1e15);
   Values all;
   for (std::size_t i = 0; i < sets * offsets.size(); ++i) {
     // offset + values uniform in [0,1), rounded as doubles are
@@ -24,26 +26,54 @@ TEST_CASE("plot digits kept against the offset", "[.plot]") {
     const auto x = uniform_values(rng, n, offset, offset + 1);
     all.insert(all.end(), x.begin(), x.end());
   }
-  std::vector<std::vector<double>> kept;
-  for (const Method& way : ways) kept.push_back(digits_kept(way, all, n));
-  plot_table("digits.tsv", {"offset", offsets}, keys_of(ways),
-             [&](double x, std::size_t c) -> Number {
-               if (kept[c].empty()) return {};
-               const auto from = std::find(offsets.begin(), offsets.end(), x) - offsets.begin();
-               const auto first = kept[c].begin() + from * static_cast<std::ptrdiff_t>(sets);
-               return std::accumulate(first, first + sets, 0.0) / sets;
-             });
+  std::vector<Values> kept;
+  for (const Method& way : methods) kept.push_back(digits_kept(way, all, n));
+  plot_table("digits.tsv", {"offset", offsets}, keys_of(methods), [&](double x, std::size_t c) {
+    if (kept[c].empty()) return missing;
+    const auto from = std::find(offsets.begin(), offsets.end(), x) - offsets.begin();
+    const auto first = kept[c].begin() + from * static_cast<std::ptrdiff_t>(sets);
+    return std::accumulate(first, first + sets, 0.0) / sets;
+  });
 }
 
-/// 4,096 values near 1e9, 32 KB: they stay in the first-level cache. A file for each way: what is
-/// measured is drawn, whatever becomes of the others.
+/// 4,096 values near 1e9, 32 KB: they stay in the first-level cache.
 TEST_CASE("plot time against digits", "[.plot]") {
   Rng rng(2);
   const auto x = uniform_values(rng, 4096, 1e9, 1e9 + 1);
-  for (const Method& way : ways) {
-    auto file = plot_file("speed-" + way.key + ".tsv", {"ns", "error"});
-    const auto kept = digits_kept(way, x, x.size());
-    plot_row(file, kept.empty() ? Row(2) : Row{nanoseconds_of(way, x), std::pow(10, -kept[0])});
+  for (const Method& way : methods) {
+    const Values kept = digits_kept(way, x, x.size());
+    plot_speed(way, x.size(), rounds_over(x, task_of(way)),
+               kept.empty() ? missing : std::pow(10, -kept[0]));
+  }
+}
+
+TEST_CASE("demo", "[.demo]") {
+  begin_demo();
+  Values offsets;
+  for (double power = 1; power < 1e16; power *= 10) {
+    offsets.insert(offsets.end(), {power, 3 * power});
+  }
+  Rng rng(1);
+  for (const auto& [key, name, base] :
+       {std::tuple{1, "1,000 values in [0, 1)", uniform_values(rng, 1000, 0, 1)},
+        {2, "4, 7, 13, 16", Values{4, 7, 13, 16}}}) {
+    Values all, exact;
+    for (const double offset : offsets) {
+      for (const double x : base) all.push_back(offset + x);
+      const std::span data(all);
+      exact.push_back(exact_moments(data.last(base.size())).variance);
+    }
+    for (const Method& way : methods) {
+      const Values found = values_of(TRY_MEASURE(variances, task_of(way), all, base.size()),
+                                     offsets.size(), any_number);
+      if (found.empty()) continue;
+      write_demo(1, fmt::format("{}-{}", key, way.task),
+                 {{"name", way.name},
+                  {"data", std::string(name)},
+                  {"offsets", offsets},
+                  {"values", found},
+                  {"exact", exact}});
+    }
   }
 }
 
