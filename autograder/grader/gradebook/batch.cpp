@@ -6,10 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "grader/base/side_by_side.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/judging/budget.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
@@ -18,7 +15,6 @@
 #include "grader/submission/source.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 /// The size limit of build/programs.
@@ -37,13 +33,12 @@ std::string everything_in(const IntakeEntry& entry, const JudgeOptions& options)
 /// Did the machine, and not only the autograder, prevent judging?
 bool has_machine_failed(const Verdict& verdict) {
   if (verdict.not_judged.empty()) return false;
-  if (verdict.labs.empty()) return true;
-  for (const LabVerdict& lab : verdict.labs) {
-    for (const CheckResult& result : lab.checks) {
-      if (result.status == Status::not_judged) return true;
-    }
-  }
-  return false;
+  return verdict.labs.empty() ||
+         std::any_of(verdict.labs.begin(), verdict.labs.end(), [](const LabVerdict& lab) {
+           return std::any_of(lab.checks.begin(), lab.checks.end(), [](const CheckResult& one) {
+             return one.status == Status::not_judged;
+           });
+         });
 }
 
 std::vector<std::string> absent_from(const Context& context, const Submission& submission) {

@@ -1,9 +1,6 @@
 #pragma once
 // Judges many submissions in parallel.
 
-#include <string>
-#include <vector>
-
 #include "grader/gradebook/book.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/submission/intake.hpp"

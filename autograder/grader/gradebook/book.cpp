@@ -12,14 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/reports/verdict_json.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 fs::path state_file(const fs::path& csv) {

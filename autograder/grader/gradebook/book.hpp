@@ -3,15 +3,9 @@
 // the next submission is judged, so a killed run loses no finished work.
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
 #include <mutex>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "grader/judging/verdict.hpp"
-#include "grader/reports/csv.hpp"
+#include "grader/gradebook/table.hpp"
 #include "sandbox/descriptor.hpp"
 
 namespace mc::grader {
