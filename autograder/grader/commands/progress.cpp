@@ -1,7 +1,7 @@
 #include "grader/commands/progress.hpp"
 
+#include <algorithm>
 #include <sstream>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -13,23 +13,20 @@ namespace {
 std::filesystem::path file_of(const Layout& layout, const Lab& lab) {
   return layout.build / "progress" / lab.name;
 }
-std::uint64_t text_now(const Layout& layout, const Lab& lab) {
+std::uint64_t hash_now(const Layout& layout, const Lab& lab) {
   return hash_text(read_text(layout.starter() / lab.file()));
 }
 
 }  // namespace
 
-void remember(const Layout& layout, const LabVerdict& verdict) {
-  std::string next = "-";
-  for (const CheckResult& result : verdict.checks) {
-    if (!result.is_open()) continue;
-    next = result.check.task;
-    break;
-  }
+void write_progress(const Layout& layout, const LabVerdict& verdict) {
+  const auto next = std::find_if(verdict.checks.begin(), verdict.checks.end(),
+                                 [](const CheckResult& result) { return result.is_open(); });
   const auto file = file_of(layout, verdict.lab);
   std::filesystem::create_directories(file.parent_path());
-  write_text(file, fmt::format("{} {} {} {}\n", verdict.earned(), verdict.points(), next,
-                               text_now(layout, verdict.lab)));
+  write_text(file, fmt::format("{} {} {} {}\n", verdict.earned(), verdict.points(),
+                               next == verdict.checks.end() ? "-" : next->check.task,
+                               hash_now(layout, verdict.lab)));
 }
 
 std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVerdict& verdict) {
@@ -44,18 +41,17 @@ std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVer
     write_text(file, fmt::format("{} {}\n", result.check.task, count + 1));
     return {count + 1, result.check.task};
   }
-  std::error_code ignored;
-  std::filesystem::remove(file, ignored);
+  std::filesystem::remove(file);
   return {0, {}};
 }
 
-std::optional<Progress> recall(const Layout& layout, const Lab& lab) {
+std::optional<Progress> read_progress(const Layout& layout, const Lab& lab) {
   std::istringstream file(read_text(file_of(layout, lab)));
   Progress progress;
   std::uint64_t text = 0;
   if (!(file >> progress.earned >> progress.points >> progress.next >> text)) return {};
   if (progress.next == "-") progress.next.clear();
-  progress.is_current = text == text_now(layout, lab);
+  progress.is_current = text == hash_now(layout, lab);
   return progress;
 }
 
