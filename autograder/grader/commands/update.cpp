@@ -9,6 +9,7 @@ namespace {
 /// After a pull whose uncommitted changes did not fit: the course's version in place, the student's
 /// next to it. git kept the changes in its stash.
 void keep_both(const fs::path& root, const std::vector<std::string>& files) {
+  if (files.empty()) return;  // the newest stash, if any, is the student's
   for (const std::string& file : files) {
     const auto own = run_git(root, {"show", "stash@{0}:" + file});
     if (!own.succeeded()) {
