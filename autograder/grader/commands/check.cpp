@@ -88,7 +88,7 @@ int check(const Context& context, const Arguments& arguments) {
     if (!note.empty()) fmt::print("  {}\n", wrapped(note, this_terminal().width - 2, 2));
   }
   std::fflush(stdout);  // into a pipe, too: the next step takes a while
-  // Neither a grade nor a file that could pass for one.
+  // There is no grade, and no file that looks like one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
   // With --watch, the next verdict comes first; the reference's files are not the student's speed.
   if (judged.no_program.empty() && !watched && judged.on_reference.empty()) {

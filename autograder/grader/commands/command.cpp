@@ -120,7 +120,8 @@ int dispatch(std::vector<std::string> words) {
     if (count < command->least_words || count > command->most_words) throw WrongUsage();
     return command->run(context, arguments);
   } catch (const WrongUsage&) {
-    throw UsageError("usage: ./lab " + command->usage);
+    throw UsageError(
+        fmt::format("usage: ./lab {} (details: ./lab {} --help)", command->usage, command->name));
   }
 }
 

@@ -36,7 +36,7 @@ std::vector<Lab> requested_labs(const Context& context, const Arguments& argumen
   return labs;
 }
 
-/// Lets the program that can draw do it, and lists the pictures.
+/// Draws with the program that can, and prints the names of the pictures.
 void show_plots(const Context& context, const Submission& submission,
                 const std::vector<Lab>& labs) {
   const std::string program = context.layout.course().string();
@@ -118,7 +118,7 @@ class Records {
           const Delivery& delivery = one.submission.delivery;
           return delivery.late || !delivery.submitted.empty();
         });
-    book_.emplace(Book::Setup{*csv_, columns_for(context, all, options.asked_for),
+    book_.emplace(Book::Setup{*csv_, columns_for(context, all, options.requested),
                               has_people ? People::shown : People::hidden, std::move(ids),
                               options.judging.judge.seed, context.layout.version,
                               arguments.has("resume")});
@@ -146,12 +146,12 @@ class Records {
 
 /// The full report on one submission.
 int grade_one(const Context& context, const IntakeEntry& entry, Records& records,
-              const Arguments& arguments, const std::vector<Lab>& asked_for,
+              const Arguments& arguments, const std::vector<Lab>& requested,
               SubmissionOptions options) {
   Book* const book = records.book();
   const Submission& submission = entry.submission;
   const auto json = arguments.get("json");
-  const auto labs = labs_of(context, submission, asked_for);
+  const auto labs = labs_of(context, submission, requested);
   if (!entry.unreadable.empty() && book == nullptr && !json) throw UsageError(entry.unreadable);
   if (labs.empty() && book == nullptr && !json && entry.unreadable.empty()) {
     throw UsageError(fmt::format("{} contains no lab files ({} …)", submission.label,
@@ -173,10 +173,10 @@ int grade_one(const Context& context, const IntakeEntry& entry, Records& records
     fmt::print("{}\n", report_lab(lab, verdict, this_terminal()));
   }
   if (labs.size() > 1 || !verdict.unreadable.empty()) fmt::print("{}", report_summary({verdict}));
-  if (!verdict.absent.empty() && asked_for.empty() && verdict.unreadable.empty()) {
+  if (!verdict.absent.empty() && requested.empty() && verdict.unreadable.empty()) {
     fmt::print("not handed in: {}\n", fmt::join(verdict.absent, ", "));
   }
-  // Neither a grade nor a file that could pass for one.
+  // There is no grade, and no file that looks like one.
   if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
   if (json) {
     write_text(*json, report_json(verdict, {arguments.has("leaderboard"),
@@ -248,8 +248,8 @@ void check_slurm(const Arguments& arguments) {
   }
 }
 
-/// Gives the submissions the ids of the roster, and lists who is missing on either side.
-void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
+/// Gives the submissions the ids of the roster; prints who is only on the roster or not on it.
+void apply_roster(const fs::path& file, std::vector<IntakeEntry>& entries) {
   const Roster roster = read_roster(file);
   const RosterReport report = match_roster(roster, entries);
   fmt::print("roster: {} students, {} without a submission\n", roster.people.size(),
@@ -261,9 +261,9 @@ void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
   list("not on the roster", report.not_on_roster);
 }
 
-/// Lists clones of handouts, and zips of ./lab submit, of another version: their students saw other
+/// Prints which handouts and zips of ./lab submit have another version: their students saw other
 /// checks.
-void compare_versions(const Context& context, const std::vector<IntakeEntry>& entries) {
+void report_other_versions(const Context& context, const std::vector<IntakeEntry>& entries) {
   std::map<std::string, std::set<std::string>> ids;  // by version
   for (const IntakeEntry& entry : entries) {
     for (const auto& [lab, file] : entry.submission.files) {
@@ -295,7 +295,7 @@ int grade(const Context& context, const Arguments& arguments) {
   check_slurm(arguments);
   require_known_points(context.layout, context.labs);
   BatchOptions options;
-  options.asked_for = requested_labs(context, arguments);
+  options.requested = requested_labs(context, arguments);
   options.workers = static_cast<unsigned>(
       std::clamp<std::uint64_t>(arguments.number("jobs").value_or(cores()), 1, 512));
   options.with_speed = arguments.has("speed");
@@ -310,8 +310,8 @@ int grade(const Context& context, const Arguments& arguments) {
                                        : "one in each directory, zip file or name in these");
   }
   for (IntakeEntry& one : intake.entries) read_hours(context.labs, one.submission);
-  if (const auto roster = arguments.get("roster")) match(*roster, intake.entries);
-  compare_versions(context, intake.entries);
+  if (const auto roster = arguments.get("roster")) apply_roster(*roster, intake.entries);
+  report_other_versions(context, intake.entries);
   if (arguments.has("resume")) gather_tasks(*csv);
   const bool single =
       intake.entries.size() == 1 && !arguments.has("shard") && !arguments.has("roster");
@@ -322,7 +322,7 @@ int grade(const Context& context, const Arguments& arguments) {
     return grade_on_slurm(context, arguments, mine.size(), records, options.judging.judge.seed);
   }
   if (single) {
-    return grade_one(context, mine[0], records, arguments, options.asked_for, options.judging);
+    return grade_one(context, mine[0], records, arguments, options.requested, options.judging);
   }
   return grade_many(context, mine, records, csv.has_value(), options);
 }

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "grader/base/replace.hpp"
-#include "grader/commands/command.hpp"
 
 namespace mc::grader {
 namespace {

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include <fmt/format.h>
-
-#include "grader/base/text_file.hpp"
-
 namespace mc::grader {
 namespace {
 
-std::filesystem::path file_of(const Layout& layout, const Lab& lab) {
+fs::path file_of(const Layout& layout, const Lab& lab) {
   return layout.build / "progress" / lab.name;
 }
 std::uint64_t hash_now(const Layout& layout, const Lab& lab) {
@@ -23,7 +19,7 @@ void write_progress(const Layout& layout, const LabVerdict& verdict) {
   const auto next = std::find_if(verdict.checks.begin(), verdict.checks.end(),
                                  [](const CheckResult& result) { return result.is_open(); });
   const auto file = file_of(layout, verdict.lab);
-  std::filesystem::create_directories(file.parent_path());
+  fs::create_directories(file.parent_path());
   write_text(file, fmt::format("{} {} {} {}\n", verdict.earned(), verdict.points(),
                                next == verdict.checks.end() ? "-" : next->check.task,
                                hash_now(layout, verdict.lab)));
@@ -37,11 +33,11 @@ std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVer
     std::string task;
     int count = 0;
     if (!(known >> task >> count) || task != result.check.task) count = 0;
-    std::filesystem::create_directories(file.parent_path());
+    fs::create_directories(file.parent_path());
     write_text(file, fmt::format("{} {}\n", result.check.task, count + 1));
     return {count + 1, result.check.task};
   }
-  std::filesystem::remove(file);
+  fs::remove(file);
   return {0, {}};
 }
 

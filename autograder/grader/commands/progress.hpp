@@ -1,10 +1,7 @@
 #pragma once
 // The outcome of the last check of each lab, stored in the build directory for `./lab` alone.
 
-#include <optional>
-#include <string>
-#include <utility>
-
+#include "grader/commands/command.hpp"
 #include "grader/judging/verdict.hpp"
 
 namespace mc::grader {

@@ -1,13 +1,9 @@
 #pragma once
 // A part of this repository for students or graders: no answers, and only some labs.
 
-#include <filesystem>
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
-#include "grader/checkout/context.hpp"
+#include "grader/commands/command.hpp"
 
 namespace mc::grader {
 
@@ -26,12 +22,12 @@ enum class JudgeForm { compiled, sources };
 /// Throws MachineError if this machine could not link it statically, and UsageError for files that
 /// are not in git.
 void copy_course(const Context& context, const std::set<std::string>& labs, JudgeForm form,
-                 const std::filesystem::path& to);
+                 const fs::path& to);
 
 /// Could this machine link the judge statically? Not on macOS, and not without static libraries.
 bool has_compiled_judge(const Layout& layout);
 
 /// Copies a file in place of an existing one, and creates the directories it needs.
-void copy_into(const std::filesystem::path& from, const std::filesystem::path& to);
+void copy_into(const fs::path& from, const fs::path& to);
 
 }  // namespace mc::grader

@@ -17,12 +17,9 @@
 #include <thread>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 /// Tells the programs that `watch` starts the width of the terminal, and whether it has colors:

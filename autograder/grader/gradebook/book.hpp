@@ -63,7 +63,6 @@ class Book {
 
  private:
   void write_table() const;
-  void write_state(bool finished) const;
 
   const Setup setup_;
   sandbox::Descriptor lock_, table_;
