@@ -2,7 +2,7 @@
 
 # The lab that a word names: 1, variance, 1-variance, or one of its tasks, 1.3.
 lab_of() {
-  word=${1#labs/} word=${word%/}  # what a shell completes
+  word=${1#labs/} word=${word%/}  # a shell completes labs/1-variance/
   case $word in [0-9]*.[0-9]*) word=${word%%.*} ;; esac
   for folder in "$root"/labs/[0-9]*-*; do
     folder=${folder##*/}
@@ -44,7 +44,7 @@ missing_things() {
     for pair in fmt:fmt/format.h json:nlohmann/json.hpp; do
       printf '#if !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
     done
-    for pair in archive:archive.h seccomp:seccomp.h; do  # Homebrew's libarchive is not where one looks
+    for pair in archive:archive.h seccomp:seccomp.h; do  # Homebrew's libarchive is in another place
       printf '#if defined(__linux__) && !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
     done
   } | "$compiler" -E -P -x c++ - 2>/dev/null | sed -n 's/^missing //p'
@@ -100,7 +100,7 @@ install_things() {
     read -r answer
     case $answer in [nN]*)
       only_gnuplot "$@" && return 0
-      echo "lab: run it yourself, or install$packages in your own way, then try again" >&2
+      echo "lab: run it yourself, or install$packages in another way, then try again" >&2
       exit 3
       ;;
     esac
@@ -110,13 +110,13 @@ install_things() {
   if [ "$manager" = apt ]; then ${as_root}apt-get update >"$log" 2>&1 || true; fi
   if ! $install >>"$log" 2>&1 </dev/null; then
     tail -n 5 "$log" >&2
-    echo "lab: that failed (the whole of it: $log)" >&2
+    echo "lab: that failed (all output: $log)" >&2
     only_gnuplot "$@" || case " $* " in *" compiler "* | *" cmake "* | *" make "*) exit 3 ;; esac
   fi
-  rm -f "$build/layout.txt"  # CMake is to look again
+  rm -f "$build/layout.txt"  # makes ./lab configure again
 }
 
 # gnuplot is optional: without it there are grades, but no plots.
 only_gnuplot() {
-  [ "$*" = gnuplot ] && echo "lab: going on without gnuplot: no plots" >&2
+  [ "$*" = gnuplot ] && echo "lab: continuing without gnuplot: no plots" >&2
 }

@@ -331,20 +331,22 @@ int run_bench(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand bench_command{
-    {"bench",
-     "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
-     {"tables", "rounds=", "page=", "calibrate"},
-     "Measures every lab, unless some are named: the solutions, the installed libraries, each DIR\n"
-     "and each FILE.cpp of autograder/submissions. Takes minutes, on an idle machine; an\n"
-     "interrupted run keeps its results. Numbers and pictures go to build/bench/.\n"
-     "  --tables      only the small tables, in a minute: the worth of each next2() of a sampler,\n"
-     "                the cost of a number at small sample sizes, the tails of scrambling, and\n"
-     "                what handouts quote\n"
-     "  --rounds N    time everything N times, in turn (5)\n"
-     "  --page FILE   also write the page: docs/speed-against-error.md\n"
-     "  --calibrate   only write labs/*/speed.tsv: the solutions' times, from which a handout\n"
-     "                estimates the reference's speed\n",
-     run_bench}};
+    {.usage =
+         "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
+     .details =
+         "Measures every lab, unless some are named: the solutions, the installed libraries, each "
+         "DIR and each FILE.cpp of autograder/submissions. Takes minutes, on an idle machine; an "
+         "interrupted run keeps its results. Numbers and pictures go to build/bench/.",
+     .options = {{"--tables",
+                  "only the small tables, in a minute: the worth of each next2() of a sampler, the "
+                  "cost of a number at small sample sizes, the tails of scrambling, and what "
+                  "handouts quote"},
+                 {"--rounds N", "time everything N times, in turn (5)"},
+                 {"--page FILE", "also write the page: docs/speed-against-error.md"},
+                 {"--calibrate",
+                  "only write labs/*/speed.tsv: the solutions' times, from which a handout "
+                  "estimates the reference's speed"}},
+     .run = run_bench}};
 
 }  // namespace
 }  // namespace mc::grader

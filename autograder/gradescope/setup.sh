@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Gradescope, building its image (Ubuntu 22.04): what ./lab gradescope packed is in
+# Gradescope runs this to build its image (Ubuntu 22.04), with the content of the zip file in
 # /autograder/source. The autograder is usually compiled; submissions need a compiler.
 set -euo pipefail
 cd "${AUTOGRADER_ROOT:-/autograder}/source"  # elsewhere in tests

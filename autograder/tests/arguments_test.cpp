@@ -5,7 +5,6 @@
 #include "checks/support/catch.hpp"
 #include "grader/base/errors.hpp"
 #include "grader/commands/arguments.hpp"
-#include "grader/commands/lab_and_task.hpp"
 
 namespace mc::tests::words {
 
@@ -17,7 +16,7 @@ using Words = std::vector<std::string>;
 
 /// Arguments of `run`: after two words, the rest belongs to the experiment.
 Arguments of_run(const Words& words) {
-  return parse_arguments(words, {{"dir=", "sanitize"}, 2});
+  return parse_arguments(words, {{"--dir DIR", "--sanitize"}, 2});
 }
 
 }  // namespace
@@ -27,7 +26,7 @@ TEST_CASE("options may come before, between, or after the words") {
                              {"variance", "--seed", "7", "try"},
                              {"variance", "try", "--seed", "7"},
                              {"variance", "try", "--seed=7"}}) {
-    const Arguments arguments = parse_arguments(words, {{"seed=", "no-plots"}});
+    const Arguments arguments = parse_arguments(words, {{"--seed S", "--no-plots"}});
     CAPTURE(words);
     CHECK(arguments.words == Words{"variance", "try"});
     CHECK(arguments.number("seed") == 7u);
@@ -58,16 +57,16 @@ TEST_CASE("after two dashes there are no options") {
 
 TEST_CASE("a short option's value may be attached or the next word") {
   for (const Words& words : {Words{"-j", "4", "a"}, {"-j4", "a"}, {"a", "--jobs", "4"}}) {
-    const Arguments arguments = parse_arguments(words, {{"jobs=j"}});
+    const Arguments arguments = parse_arguments(words, {{"--jobs N, -j N"}});
     CHECK(arguments.words == Words{"a"});
     CHECK(arguments.number("jobs") == 4u);
   }
 }
 
 TEST_CASE("an unknown option, or one without its value, is refused") {
-  CHECK_THROWS_AS(parse_arguments({"--sede", "1"}, {{"seed="}}), UsageError);
-  CHECK_THROWS_AS(parse_arguments({"a", "--seed"}, {{"seed="}}), UsageError);
-  CHECK_THROWS_AS(parse_arguments({"--seed", "x"}, {{"seed="}}).number("seed"), UsageError);
+  CHECK_THROWS_AS(parse_arguments({"--sede", "1"}, {{"--seed S"}}), UsageError);
+  CHECK_THROWS_AS(parse_arguments({"a", "--seed"}, {{"--seed S"}}), UsageError);
+  CHECK_THROWS_AS(parse_arguments({"--seed", "x"}, {{"--seed S"}}).number("seed"), UsageError);
 }
 
 TEST_CASE("a lab, a task, or both") {

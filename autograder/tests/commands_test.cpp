@@ -13,7 +13,6 @@
 #include "checks/support/catch.hpp"
 #include "grader/base/errors.hpp"
 #include "grader/commands/command.hpp"
-#include "grader/commands/lab_and_task.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/judging/judge.hpp"
 #include "runner/text.hpp"
@@ -115,8 +114,7 @@ std::string objection(const Layout& layout, const std::vector<Lab>& labs, const 
   try {
     const Words rest(words.begin() + 2, words.end());
     if (!rest.empty() && rest[0] == "--help") return {};
-    const Arguments arguments =
-        parse_arguments(rest, {command->options, command->words_before_verbatim});
+    const Arguments arguments = command->parse(rest);
     if (!takes_a_lab(command->name) || arguments.words.empty()) return {};
     if (is_placeholder(arguments.words[0])) return {};
     const LabAndTask meant = lab_and_task(labs, arguments.words);
@@ -166,8 +164,8 @@ TEST_CASE("every option that a document names belongs to a command") {
   std::set<std::string> known{"--help", "--version", "--preset",
                               "--build"};  // CMake's, the last two
   for (const Command& command : registered_commands()) {
-    for (const std::string& option : command.options) {
-      known.insert("--" + option.substr(0, option.find('=')));
+    for (const CommandOption& option : command.options) {
+      known.insert(option.shown.substr(0, option.shown.find_first_of(" ,")));
     }
   }
   for (const fs::path& file : documents(layout)) {

@@ -2,21 +2,59 @@
 
 #include <getopt.h>
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <random>
 #include <string_view>
-#include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "grader/base/errors.hpp"
-#include "grader/checkout/labs.hpp"
 
 namespace mc::grader {
+namespace {
+
+/// An option that getopt_long knows.
+struct KnownOption {
+  std::string name;
+  bool takes_value = false, is_list = false;
+  int code = 0;  ///< what getopt_long returns for it: its letter, or a number above all letters
+};
+
+/// From "--jobs N, -j N".
+KnownOption known_option(const std::string& shown, std::size_t index) {
+  KnownOption option;
+  const auto end = shown.find_first_of(" ,");
+  option.name = shown.substr(2, end - 2);
+  option.takes_value = end != std::string::npos && shown[end] == ' ';
+  option.is_list = shown.ends_with(",…");
+  const auto letter = shown.find(", -");
+  option.code = letter == std::string::npos ? 256 + static_cast<int>(index) : shown[letter + 3];
+  return option;
+}
+
+/// The lab in a task's number, "1" in "1.3"; nothing if the text is not a task's number.
+std::optional<std::string> lab_of_task(const std::string& word) {
+  const auto digits = [](const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  };
+  const auto dot = word.find('.');
+  if (dot == std::string::npos || !digits(word.substr(0, dot)) || !digits(word.substr(dot + 1))) {
+    return {};
+  }
+  return word.substr(0, dot);
+}
+
+}  // namespace
 
 std::optional<std::string> Arguments::get(const std::string& option) const {
   const auto found = options.find(option);
   return found == options.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<std::string> Arguments::words_after(std::size_t count) const {
+  return {words.begin() + static_cast<std::ptrdiff_t>(std::min(count, words.size())), words.end()};
 }
 
 std::optional<std::uint64_t> Arguments::number(const std::string& option) const {
@@ -31,25 +69,38 @@ std::optional<std::uint64_t> Arguments::number(const std::string& option) const 
   return value;
 }
 
-Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& syntax) {
-  struct OptionSpec {
-    std::string name;
-    bool takes_value;
-    char letter;
-  };
-  std::vector<OptionSpec> options;
-  std::string letters = "+:";  // ends at the first word
-  for (const std::string& text : syntax.options) {
-    const auto equals = text.find('=');
-    const char letter =
-        equals != std::string::npos && equals + 1 < text.size() ? text[equals + 1] : '\0';
-    options.push_back({text.substr(0, equals), equals != std::string::npos, letter});
-    if (letter != '\0' && letter != ',') letters += std::string(1, letter) + ':';
+std::optional<std::string> Arguments::output(const std::string& option) const {
+  auto file = get(option);
+  if (!file) return {};
+  const auto directory = std::filesystem::absolute(*file).parent_path();
+  if (!std::filesystem::is_directory(directory)) {
+    throw UsageError(fmt::format("no such directory: {}", directory.string()));
   }
+  return file;
+}
+
+std::uint64_t Arguments::seed() const {
+  return number("seed").value_or(std::random_device()() % 1'000'000'000);
+}
+
+std::optional<std::string> Arguments::visibility() const {
+  auto given = get("visibility");
+  for (const char* known : {"visible", "hidden", "after_due_date", "after_published"}) {
+    if (!given || *given == known) return given;
+  }
+  throw UsageError("--visibility takes visible, hidden, after_due_date or after_published");
+}
+
+Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& syntax) {
+  std::vector<KnownOption> known;
+  for (const std::string& shown : syntax.options)
+    known.push_back(known_option(shown, known.size()));
   std::vector<option> longs;
-  for (const OptionSpec& one : options) {
+  std::string letters = "+:";  // ends at the first word
+  for (const KnownOption& one : known) {
     longs.push_back(
-        {one.name.c_str(), one.takes_value ? required_argument : no_argument, nullptr, 0});
+        {one.name.c_str(), one.takes_value ? required_argument : no_argument, nullptr, one.code});
+    if (one.code < 256) letters += {static_cast<char>(one.code), ':'};
   }
   longs.push_back({nullptr, 0, nullptr, 0});
 
@@ -69,35 +120,46 @@ Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& s
       arguments.words.emplace_back(pointers[static_cast<std::size_t>(optind++)]);
       continue;
     }
-    int index = -1;
-    const int found = getopt_long(count, pointers.data(), letters.c_str(), longs.data(), &index);
-    if (found == -1) {  // a word, or "--", after which there are only words
-      const bool verbatim =
-          optind > 1 && std::string_view(pointers[static_cast<std::size_t>(optind - 1)]) == "--";
-      if (verbatim) before_verbatim = 0;
-      if (optind < count && !verbatim) {
-        arguments.words.emplace_back(pointers[static_cast<std::size_t>(optind++)]);
-      }
-      continue;
-    }
-    const std::string given = pointers[static_cast<std::size_t>(optind - 1)];
-    if (found == ':') throw UsageError(fmt::format("{} takes a value", given));
-    if (found == '?') {
+    const int before = optind;
+    const int code = getopt_long(count, pointers.data(), letters.c_str(), longs.data(), nullptr);
+    const std::string last = pointers[static_cast<std::size_t>(optind - 1)];
+    if (code == -1 && optind > before) {  // "--": only words follow
+      before_verbatim = 0;
+    } else if (code == -1) {
+      arguments.words.emplace_back(pointers[static_cast<std::size_t>(optind++)]);
+    } else if (code == ':') {
+      throw UsageError(fmt::format("{} takes a value", last));
+    } else if (code == '?') {
       std::vector<std::string> names;
-      for (const OptionSpec& one : options) names.push_back("--" + one.name);
-      throw UsageError(names.empty() ? fmt::format("no option {}", given)
-                                     : fmt::format("no option {}; did you mean {}?", given,
-                                                   nearest(given, names)));
-    }
-    for (std::size_t i = 0; i < options.size(); ++i) {
-      if (static_cast<int>(i) == index || (index < 0 && options[i].letter == found)) {
-        std::string& value = arguments.options[options[i].name];
-        const bool is_list = options[i].letter == ',' && !value.empty();
-        value = (is_list ? value + ',' : "") + (options[i].takes_value ? optarg : "");
+      for (const KnownOption& one : known) names.push_back("--" + one.name);
+      throw UsageError(names.empty() ? fmt::format("no option {}", last)
+                                     : fmt::format("no option {}; did you mean {}?", last,
+                                                   nearest(last, names)));
+    } else {
+      for (const KnownOption& one : known) {
+        if (one.code != code) continue;
+        std::string& value = arguments.options[one.name];
+        const bool is_next = one.is_list && !value.empty();
+        value = (is_next ? value + ',' : "") + (one.takes_value ? optarg : "");
       }
     }
   }
   return arguments;
+}
+
+LabAndTask lab_and_task(const std::vector<Lab>& labs, const std::vector<std::string>& words) {
+  const auto number = lab_of_task(words[0]);
+  const Lab& lab = find_lab(labs, number.value_or(words[0]));
+  LabAndTask found{lab, number ? words[0] : "", {words.begin() + 1, words.end()}};
+  if (number || found.rest.empty()) return found;
+  if (const auto owner = lab_of_task(found.rest[0])) {
+    if (*owner != std::to_string(lab.number)) {
+      throw UsageError(fmt::format("{} is not a task of lab {}", found.rest[0], lab.name));
+    }
+    found.task = found.rest[0];
+    found.rest.erase(found.rest.begin());
+  }
+  return found;
 }
 
 }  // namespace mc::grader

@@ -1,21 +1,13 @@
 // check: judges one lab of a submission.
 
 #include <cstdio>
-#include <filesystem>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/checkout/hints.hpp"
 #include "grader/commands/command.hpp"
-#include "grader/commands/judging_options.hpp"
-#include "grader/commands/lab_and_task.hpp"
 #include "grader/commands/progress.hpp"
 #include "grader/commands/watch.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/reports/progress_line.hpp"
-#include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/diagnostics.hpp"
 #include "grader/submission/intake.hpp"
@@ -24,10 +16,8 @@
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The same, without what only watching needs.
-std::vector<std::string> words_for_watched(const Arguments& arguments) {
+/// The same command, judging once.
+std::vector<std::string> without_watch(const Arguments& arguments) {
   std::vector<std::string> words{"check"};
   for (const auto& [option, value] : arguments.options) {
     if (option == "watch") continue;
@@ -49,16 +39,12 @@ std::vector<fs::path> files_of(const Submission& submission, const Lab& lab) {
 }
 
 int check(const Context& context, const Arguments& arguments) {
-  const char* const usage =
-      "usage: ./lab check LAB [TASK] [DIR] (LAB is 1, variance or 1-variance; TASK 1.3)";
-  if (arguments.words.empty()) throw UsageError(usage);
-  const LabAndTask meant = lab_and_task(context.labs, arguments.words);
-  if (meant.rest.size() > 1) throw UsageError(usage);
-  const Lab& lab = meant.lab;
-  const bool own = meant.rest.empty();
-  const fs::path directory = own ? context.layout.starter() : fs::path(meant.rest[0]);
-  const auto json = arguments.get("json");
-  require_writable(json);
+  const LabAndTask named = lab_and_task(context.labs, arguments.words);
+  if (named.rest.size() > 1) throw WrongUsage();
+  const Lab& lab = named.lab;
+  const bool is_own = named.rest.empty();
+  const fs::path directory = is_own ? context.layout.starter() : fs::path(named.rest[0]);
+  const auto json = arguments.output("json");
   const Intake intake = take_in_one(context, directory);
   const Submission& submission = intake.entries[0].submission;
   // For a machine that reads results.json, a missing file is a grade of 0 points.
@@ -68,12 +54,12 @@ int check(const Context& context, const Arguments& arguments) {
   if (arguments.has("watch")) {
     if (json) throw UsageError("--watch cannot be combined with --json");
     if (!fs::is_directory(directory)) throw UsageError("--watch takes a directory");
-    return watch(context, words_for_watched(arguments), files_of(submission, lab));
+    return watch(context, without_watch(arguments), files_of(submission, lab));
   }
   const bool is_first_time = !fs::exists(context.layout.build / "programs");
   SubmissionOptions options;
-  options.judge.seed = seed_of(arguments);
-  options.judge.only = arguments.get("only").value_or(meant.task);
+  options.judge.seed = arguments.seed();
+  options.judge.only = arguments.get("only").value_or(named.task);
   options.judge.first = arguments.has("first");
   options.judge.with_reference = arguments.has("with-reference");
   options.with_speed = false;
@@ -89,11 +75,11 @@ int check(const Context& context, const Arguments& arguments) {
   const auto watched = watching_terminal();
   fmt::print("{}", watched ? report_open_first(judged, verdict, *watched)
                            : report_lab(judged, verdict, this_terminal()));
-  if (own && judged.no_program.empty()) {
+  if (is_own && judged.no_program.empty()) {
     constexpr int often = 3;
-    const auto [times, task] = failures_in_a_row(context.layout, judged);
-    if (times >= often && !hints_for(context.layout, lab, task).empty()) {
-      fmt::print("  Stuck on {0}? ./lab hint {0} shows a step towards it.\n", task);
+    const auto [times, failing] = failures_in_a_row(context.layout, judged);
+    if (times >= often && !hints_for(context.layout, lab, failing).empty()) {
+      fmt::print("  Stuck on {0}? ./lab hint {0} shows a step towards it.\n", failing);
     }
   }
   if (judged.no_program.empty()) {
@@ -102,7 +88,7 @@ int check(const Context& context, const Arguments& arguments) {
     if (!note.empty()) fmt::print("  {}\n", wrapped(note, this_terminal().width - 2, 2));
   }
   std::fflush(stdout);  // into a pipe, too: the next step takes a while
-  // Neither a grade nor a file that could pass for one.
+  // There is no grade, and no file that looks like one.
   if (!verdict.not_judged.empty()) throw MachineError(not_judged_line(verdict));
   // With --watch, the next verdict comes first; the reference's files are not the student's speed.
   if (judged.no_program.empty() && !watched && judged.on_reference.empty()) {
@@ -115,24 +101,27 @@ int check(const Context& context, const Arguments& arguments) {
   if (json) write_text(*json, report_json(verdict, {}));
   // Speeds up later runs; a first-time user should not wait for it.
   if (!is_first_time) precompile_headers(context.layout);
-  if (own && is_whole && judged.on_reference.empty()) remember(context.layout, judged);
+  if (is_own && is_whole && judged.on_reference.empty()) write_progress(context.layout, judged);
   return verdict.earned() == verdict.points() ? 0 : 1;
 }
 
 const RegisterCommand check_command{
-    {"check",
-     "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE] [--with-reference]",
-     {"only=", "first", "watch", "seed=", "json=", "with-reference"},
-     "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, only its\n"
-     "checks: ./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
-     "  --first       stop at the first task that fails\n"
-     "  --watch       judge again after each save, the first unsolved task on top; Ctrl-C ends\n"
-     "  --seed S      repeat the run with that seed; every report names its seed\n"
-     "  --json FILE   also write Gradescope's results.json\n"
-     "  --with-reference  use the solutions of the labs that this one depends on\n"
-     "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks\n"
-     "something.\n",
-     check}};
+    {.usage =
+         "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE] [--with-reference]",
+     .details =
+         "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, only its "
+         "checks: ./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
+         "Exit status: 0 all points, 1 points are missing, 2 bad usage, 3 the machine lacks "
+         "something.",
+     .options = {{"--only TASK", "only the checks of this task"},
+                 {"--first", "stop at the first task that fails"},
+                 {"--watch",
+                  "judge again after each save, the first unsolved task on top; Ctrl-C ends"},
+                 {"--seed S", "repeat the run with that seed; every report names its seed"},
+                 {"--json FILE", "also write Gradescope's results.json"},
+                 {"--with-reference", "use the solutions of the labs that this one depends on"}},
+     .run = check,
+     .least_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

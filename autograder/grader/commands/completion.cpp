@@ -1,14 +1,6 @@
 // completion: a script that completes commands, labs, tasks, experiments and options on TAB.
 
-#include <filesystem>
-#include <string>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
 #include "grader/base/replace.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/checkout/experiments.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/list.hpp"
@@ -17,7 +9,6 @@
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 /// The tasks of a lab, from its hints; "## 1.3" is a heading.
@@ -39,8 +30,8 @@ std::string script(const Context& context) {
   }
   for (const Command& command : registered_commands()) {
     Words names{"--help"};
-    for (const std::string& option : command.options) {
-      names.push_back("--" + option.substr(0, option.find('=')));
+    for (const CommandOption& option : command.options) {
+      names.push_back(option.shown.substr(0, option.shown.find_first_of(" ,")));
     }
     const std::string name = command.name.empty() ? "''" : command.name;
     options += fmt::format("      {}) words='{}' ;;\n", name, fmt::join(names, " "));
@@ -86,22 +77,21 @@ complete -o default -F _monte_carlo_labs ./lab lab
 }
 
 int completion(const Context& context, const Arguments& arguments) {
-  const std::string shell = arguments.words.empty() ? "" : arguments.words[0];
-  if (arguments.words.size() != 1 || (shell != "bash" && shell != "zsh")) {
-    throw UsageError("usage: ./lab completion bash (or zsh)");
-  }
+  const std::string& shell = arguments.words[0];
+  if (shell != "bash" && shell != "zsh") throw WrongUsage();
   if (shell == "zsh") fmt::print("autoload -U +X bashcompinit && bashcompinit\n");
   fmt::print("{}", script(context));
   return 0;
 }
 
 const RegisterCommand completion_command{
-    {"completion",
-     "completion bash|zsh",
-     {},
-     "Prints a script: eval \"$(./lab completion bash)\" completes commands, labs, tasks,\n"
-     "experiments and options on TAB in this shell; put it into ~/.bashrc for every shell.\n",
-     completion}};
+    {.usage = "completion bash|zsh",
+     .details = "Prints a script: eval \"$(./lab completion bash)\" completes commands, labs, "
+                "tasks, experiments and options on TAB in this shell; put it into ~/.bashrc for "
+                "every shell.",
+     .run = completion,
+     .least_words = 1,
+     .most_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

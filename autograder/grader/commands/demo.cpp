@@ -1,32 +1,18 @@
 // demo: the interactive page.
 
-#include <filesystem>
-
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/commands/command.hpp"
-#include "grader/commands/judging_options.hpp"
 #include "grader/pictures/demo.hpp"
+#include "grader/commands/command.hpp"
 #include "grader/reports/progress_line.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 int demo(const Context& context, const Arguments& arguments) {
-  if (!arguments.words.empty()) throw UsageError("usage: ./lab demo [--out F.html] [--dir DIR]");
   const Layout& layout = context.layout;
-  const auto out = arguments.get("out");
-  require_writable(out);
+  const fs::path out = arguments.output("out").value_or(layout.build / "demo.html");
   const bool has_solutions = fs::exists(layout.solutions());
   const auto given = arguments.get("dir");
-  const fs::path directory = given           ? fs::path(*given)
-                             : has_solutions ? layout.solutions()
-                                             : layout.starter();
+  const fs::path directory = given.value_or(has_solutions ? layout.solutions() : layout.starter());
   Submission submission = open_submission(context.labs, directory);
   if (!given) submission.label = has_solutions ? "the solutions" : "starter";
   const Demo made = [&] {
@@ -38,22 +24,20 @@ int demo(const Context& context, const Arguments& arguments) {
     fmt::print("no page: none of the tasks that it shows is written yet\n");
     return 1;
   }
-  const fs::path file = out ? fs::path(*out) : layout.build / "demo.html";
-  write_text(file, made.page);
-  fmt::print("{}\n", sandbox::printable_line(file.string()));
+  write_text(out, made.page);
+  fmt::print("{}\n", sandbox::printable_line(out.string()));
   return 0;
 }
 
 const RegisterCommand demo_command{
-    {"demo",
-     "demo [--out F.html] [--dir DIR]",
-     {"out=", "dir="},
-     "One self-contained page with an interactive figure per lab: digits, error bars, strata,\n"
-     "spectra, elementary intervals, pictures. Measures the solutions if the checkout has them,\n"
-     "otherwise starter/.\n"
-     "  --out F.html  the file (build/demo.html)\n"
-     "  --dir DIR     measure this submission instead\n",
-     demo}};
+    {.usage = "demo [--out F.html] [--dir DIR]",
+     .details = "One self-contained page with an interactive figure per lab: digits, error bars, "
+                "strata, spectra, elementary intervals, pictures. Measures the solutions if the "
+                "checkout has them, otherwise starter/.",
+     .options = {{"--out F.html", "the file (build/demo.html)"},
+                 {"--dir DIR", "measure this submission instead"}},
+     .run = demo,
+     .most_words = 0}};
 
 }  // namespace
 }  // namespace mc::grader

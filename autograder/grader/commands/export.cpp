@@ -1,24 +1,15 @@
 // export: arranges a class's files for another tool.
 
-#include <filesystem>
 #include <map>
-#include <string>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
 #include "grader/base/shell.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/submission/intake.hpp"
 #include "grader/submission/scratch.hpp"
 #include "grader/submission/source.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
-
-namespace fs = std::filesystem;
 
 using Files = std::map<std::string, fs::path>;  // lab name -> file
 
@@ -45,16 +36,13 @@ Files starters(const Context& context) {
 
 int export_class(const Context& context, const Arguments& arguments) {
   const auto out = arguments.get("out");
-  if (arguments.words.size() < 2 || arguments.words[0] != "jplag" || !out) {
-    throw UsageError("usage: ./lab export jplag DIR|ZIP... --out D");
-  }
+  if (arguments.words[0] != "jplag" || !out) throw WrongUsage();
   const fs::path to = *out;
   if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to))) {
     throw UsageError(fmt::format("{} is not empty", sandbox::printable_line(to.string())));
   }
   sweep_scratch(context.layout);
-  const Intake intake =
-      take_in(context, {arguments.words.begin() + 1, arguments.words.end()}, Meaning::many);
+  const Intake intake = take_in(context, arguments.words_after(1), Meaning::many);
   std::size_t count = 0;
   for (const IntakeEntry& one : intake.entries) {
     const Submission& submission = one.submission;
@@ -75,14 +63,15 @@ int export_class(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand export_command{
-    {"export",
-     "export jplag DIR|ZIP... --out D",
-     {"out="},
-     "For JPlag, which finds similar submissions: D/submissions/ with a folder for each\n"
-     "submission and the labs' files in it, and D/base-code/ with the starters that all students\n"
-     "have. Submissions are found as in ./lab grade; links are not followed. JPlag itself is at\n"
-     "https://github.com/jplag/JPlag; this prints the command.\n",
-     export_class}};
+    {.usage = "export jplag DIR|ZIP... --out D",
+     .details =
+         "For JPlag, which finds similar submissions: D/submissions/ with a folder for each "
+         "submission and the labs' files in it, and D/base-code/ with the starters that all "
+         "students have. Submissions are found as in ./lab grade; links are not followed. JPlag "
+         "itself is at https://github.com/jplag/JPlag; this prints the command.",
+     .options = {{"--out D", "a new or empty directory"}},
+     .run = export_class,
+     .least_words = 2}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -1,31 +1,17 @@
 // feedback: what goes back to the students, a page and a text each, and to the platform.
 
-#include <algorithm>
-#include <filesystem>
 #include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/manifest.hpp"
 #include "grader/gradebook/corrections.hpp"
 #include "grader/gradebook/roster.hpp"
-#include "grader/gradebook/table.hpp"
-#include "grader/reports/csv.hpp"
 #include "grader/reports/html.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/exports.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// What the instructor changed, and the totals that count.
 std::string corrections_of(const Row& row, const Verdict& verdict) {
@@ -94,28 +80,26 @@ std::string assignment_of(const Roster& roster, const Lab& lab) {
   return fmt::format("Lab {} {}", lab.number, lab.name);
 }
 
-using Totals = std::map<std::string, Row>;  // id -> its row of the table of grades
+using Grades = std::map<std::string, Row>;  // id -> its row of the table of grades
 
-Table upload_table(const Roster& roster, std::vector<std::string> columns,
-                   const std::vector<std::pair<std::string, Lab>>& labs, const Totals& totals) {
+/// The roster's rows, with the total of a lab in each of these columns.
+std::string upload_table(const Roster& roster, std::vector<std::string> columns,
+                         const std::vector<std::pair<std::string, Lab>>& labs,
+                         const Grades& grades) {
   Table table{{}, std::move(columns), {}};
-  for (const auto& [column, lab] : labs) {
-    if (std::find(table.columns.begin(), table.columns.end(), column) == table.columns.end()) {
-      table.columns.push_back(column);
-    }
-  }
+  for (const auto& [column, lab] : labs) add_column(table.columns, column);
   for (const Person& person : roster.people) {
     Row row = person.row;
-    const auto graded = totals.find(person.id);
+    const auto graded = grades.find(person.id);
     for (const auto& [column, lab] : labs) {
-      row[column] = graded == totals.end() ? "" : field(graded->second, lab.name + " total");
+      row[column] = graded == grades.end() ? "" : field(graded->second, lab.name + " total");
     }
     table.rows.push_back(std::move(row));
   }
-  return table;
+  return table_text(table);
 }
 
-/// Tables of grades as the platform of this roster imports them.
+/// Writes tables of grades as the platform of this roster imports them; returns their names.
 ///   Canvas, gradebook: Student, ID, SIS User ID, SIS Login ID, Section, then a column for each
 ///     assignment (teaching.resources.osu.edu, "Import CSV file to Carmen Grades";
 ///     GradebookImporter in github.com/instructure/canvas-lms).
@@ -124,32 +108,27 @@ Table upload_table(const Roster& roster, std::vector<std::string> columns,
 ///   Moodle, grades: any columns; the import maps e-mail address or ID number to a student
 ///     (docs.moodle.org/en/Grade_import).
 std::vector<std::string> write_tables(const fs::path& out, const Roster& roster,
-                                      const std::vector<Lab>& labs, const Totals& totals) {
-  const auto has = [&](const char* column) {
-    return std::find(roster.columns.begin(), roster.columns.end(), column) != roster.columns.end();
-  };
+                                      const std::vector<Lab>& labs, const Grades& grades) {
   std::vector<std::string> files;
-  const auto write = [&](const std::string& name, const Table& table) {
-    write_text(out / name, table_text(table));
+  const auto write = [&](const std::string& name, const std::string& table) {
+    write_text(out / name, table);
     files.push_back(name);
   };
-  if (has("Identifier") && has("Grade")) {
+  if (has_column(roster.columns, "Identifier") && has_column(roster.columns, "Grade")) {
     for (const Lab& lab : labs) {
       write(fmt::format("moodle-{}.csv", lab.name),
-            upload_table(roster, roster.columns, {{"Grade", lab}}, totals));
+            upload_table(roster, roster.columns, {{"Grade", lab}}, grades));
     }
     return files;
   }
-  const bool is_canvas = has("Student");
-  std::vector<std::string> columns;
-  const std::vector<std::string> canvas{"Student", "ID", "SIS User ID", "SIS Login ID", "Section"};
-  for (const std::string& column : is_canvas ? canvas : roster.columns) {
-    if (has(column.c_str())) columns.push_back(column);
-  }
+  const bool is_canvas = has_column(roster.columns, "Student");
+  std::vector<std::string> columns{"Student", "ID", "SIS User ID", "SIS Login ID", "Section"};
+  if (!is_canvas) columns = roster.columns;
+  std::erase_if(columns, [&](auto& column) { return !has_column(roster.columns, column); });
   std::vector<std::pair<std::string, Lab>> assignments;
   for (const Lab& lab : labs) assignments.emplace_back(assignment_of(roster, lab), lab);
   write(is_canvas ? "canvas-grades.csv" : "moodle-grades.csv",
-        upload_table(roster, columns, assignments, totals));
+        upload_table(roster, columns, assignments, grades));
   return files;
 }
 
@@ -186,28 +165,14 @@ void list_output(const fs::path& out) {
   write_text(out / list_file, list);
 }
 
-int feedback(const Context& context, const Arguments& arguments) {
-  const auto to = arguments.get("out");
-  if (arguments.words.size() != 1 || !to) {
-    throw UsageError("usage: ./lab feedback grades.csv --out DIR [--roster FILE]");
-  }
-  const fs::path out = *to;
-  if (fs::exists(out) && !fs::is_directory(out)) {
-    throw UsageError(fmt::format("{} is not a directory", sandbox::printable_line(out.string())));
-  }
-  const Table table = read_corrected_table(arguments.words[0], context.labs);
+/// Writes the pages and texts of these students, and prints their number.
+void write_students(const fs::path& out, const Table& table, const Roster& roster) {
   const auto verdicts = read_verdicts(table);
-  Roster roster;
-  if (const auto file = arguments.get("roster")) roster = read_roster(*file);
   std::map<std::string, const Person*> people;
   for (const Person& person : roster.people) people[person.id] = &person;
-  if (fs::exists(out)) remove_earlier_output(out);
-  fs::create_directories(out / "students");
   std::size_t count = 0, named = 0;
-  Totals totals;
   for (const Row& row : table.rows) {
     const std::string id = field(row, "id");
-    totals[id] = row;
     const auto found = verdicts.find(id);
     if (found == verdicts.end()) {
       fmt::print("left out: {}: it has no verdict next to the table\n", id);
@@ -230,15 +195,28 @@ int feedback(const Context& context, const Arguments& arguments) {
              count);
   if (named > 0) fmt::print("; {} pages named for upload", named);
   fmt::print("\n");
-  std::vector<Lab> labs;
-  for (const Lab& lab : context.labs) {
-    const std::string column = lab.name + " total";
-    if (std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end()) {
-      labs.push_back(lab);
-    }
+}
+
+int feedback(const Context& context, const Arguments& arguments) {
+  const auto to = arguments.get("out");
+  if (!to) throw WrongUsage();
+  const fs::path out = *to;
+  if (fs::exists(out) && !fs::is_directory(out)) {
+    throw UsageError(fmt::format("{} is not a directory", sandbox::printable_line(out.string())));
   }
+  const Table table = read_corrected_table(arguments.words[0], context.labs);
+  Roster roster;
+  if (const auto file = arguments.get("roster")) roster = read_roster(*file);
+  if (fs::exists(out)) remove_earlier_output(out);
+  fs::create_directories(out / "students");
+  write_students(out, table, roster);
   if (!roster.people.empty()) {
-    for (const std::string& file : write_tables(out, roster, labs, totals)) {
+    std::vector<Lab> labs = context.labs;
+    std::erase_if(labs,
+                  [&](const Lab& lab) { return !has_column(table.columns, lab.name + " total"); });
+    Grades grades;
+    for (const Row& row : table.rows) grades[field(row, "id")] = row;
+    for (const std::string& file : write_tables(out, roster, labs, grades)) {
       fmt::print("grades to upload: {}\n", sandbox::printable_line((out / file).string()));
     }
   }
@@ -247,19 +225,20 @@ int feedback(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand feedback_command{
-    {"feedback",
-     "feedback grades.csv --out DIR [--roster FILE]",
-     {"out=", "roster="},
-     "Writes DIR/students/ID.html and ID.txt for each student of a table from ./lab grade --csv:\n"
-     "every check, with commands for the student's own checkout, and your corrections. Pages of\n"
-     "students whose work came from a platform's export are in DIR/canvas, DIR/moodle or\n"
-     "DIR/gradescope too, under the names that the platform's bulk upload expects.\n"
-     "  --out DIR     a new or empty directory, or that of an earlier run, whose files are "
-     "replaced\n"
-     "  --roster FILE  also write tables of grades for Canvas or Moodle; FILE is the list that "
-     "this\n"
-     "                platform exported (Canvas: gradebook; Moodle: grading worksheet)\n",
-     feedback}};
+    {.usage = "feedback grades.csv --out DIR [--roster FILE]",
+     .details =
+         "Writes DIR/students/ID.html and ID.txt for each student of a table from ./lab grade "
+         "--csv: every check, with commands for the student's own checkout, and your corrections. "
+         "Pages of students whose work came from a platform's export are in DIR/canvas, DIR/moodle "
+         "or DIR/gradescope too, under the names that the platform's bulk upload expects.",
+     .options = {{"--out DIR",
+                  "a new or empty directory, or that of an earlier run, whose files are replaced"},
+                 {"--roster FILE",
+                  "also write tables of grades for Canvas or Moodle; FILE is the list that this "
+                  "platform exported (Canvas: gradebook; Moodle: grading worksheet)"}},
+     .run = feedback,
+     .least_words = 1,
+     .most_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -1,59 +1,42 @@
 // grade: judges whole submissions.
 
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/side_by_side.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
-#include "grader/commands/judging_options.hpp"
 #include "grader/commands/manifest.hpp"
 #include "grader/gradebook/batch.hpp"
-#include "grader/gradebook/book.hpp"
 #include "grader/gradebook/class_page.hpp"
 #include "grader/gradebook/corrections.hpp"
 #include "grader/gradebook/roster.hpp"
 #include "grader/gradebook/slurm.hpp"
-#include "grader/judging/judge_submission.hpp"
 #include "grader/judging/points.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/hours.hpp"
-#include "grader/submission/intake.hpp"
-#include "grader/submission/scratch.hpp"
 #include "runner/text.hpp"
-#include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
-/// The labs that --lab names, by number; empty without --lab: those that were handed in.
-std::vector<Lab> labs_asked_for(const Context& context, const Arguments& arguments) {
-  std::vector<Lab> labs;
+/// The labs that --lab names; empty without --lab: those that were handed in.
+std::vector<Lab> requested_labs(const Context& context, const Arguments& arguments) {
   const auto names = arguments.get("lab");
-  if (!names) return labs;
+  if (!names) return {};
+  std::set<int> numbers;
   for (const std::string_view name : text::split(*names, ',')) {
-    const Lab& lab = find_lab(context.labs, std::string(name));
-    const auto same = [&](auto& one) { return one.number == lab.number; };
-    if (std::none_of(labs.begin(), labs.end(), same)) labs.push_back(lab);
+    numbers.insert(find_lab(context.labs, std::string(name)).number);
   }
-  std::sort(labs.begin(), labs.end(), [](auto& a, auto& b) { return a.number < b.number; });
+  std::vector<Lab> labs = context.labs;
+  std::erase_if(labs, [&](const Lab& lab) { return !numbers.contains(lab.number); });
   return labs;
 }
 
-/// Lets the program that can draw do it, and lists the pictures.
+/// Draws with the program that can, and prints the names of the pictures.
 void show_plots(const Context& context, const Submission& submission,
                 const std::vector<Lab>& labs) {
   const std::string program = context.layout.course().string();
@@ -71,12 +54,16 @@ void show_plots(const Context& context, const Submission& submission,
 std::vector<IntakeEntry> shard_of(std::vector<IntakeEntry> entries,
                                   const std::optional<std::string>& shard) {
   if (!shard) return entries;
-  std::size_t which = 0, count = 0;
-  const char* const end = shard->data() + shard->size();
-  const auto first = std::from_chars(shard->data(), end, which);
-  const bool is_pair = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
-  const auto second = is_pair ? std::from_chars(first.ptr + 1, end, count) : first;
-  if (!is_pair || second.ec != std::errc{} || second.ptr != end || which == 0 || which > count) {
+  std::uint64_t which = 0, count = 0;
+  try {
+    const auto parts = text::split(*shard, '/');
+    if (parts.size() == 2) {
+      text::parse(parts[0], which);
+      text::parse(parts[1], count);
+    }
+  } catch (const std::invalid_argument&) {  // reported below
+  }
+  if (which == 0 || which > count) {
     throw UsageError(fmt::format("--shard takes k/n with 1 <= k <= n, not '{}'",
                                  sandbox::printable_line(*shard)));
   }
@@ -93,7 +80,7 @@ std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::stri
   if (!csv) {
     if (arguments.has("resume"))
       throw UsageError("--resume needs the --csv of the run to continue");
-    return seed_of(arguments);
+    return arguments.seed();
   }
   const BookState state = read_book_state(*csv);
   if (!arguments.has("resume")) {
@@ -103,12 +90,12 @@ std::uint64_t seed_for(const Arguments& arguments, const std::optional<std::stri
                       "it; to start over, remove it",
                       verdict_directory(*csv).string(), state.verdicts));
     }
-    return seed_of(arguments);
+    return arguments.seed();
   }
   if (state.exists && given && *given != state.seed) {
     throw UsageError(fmt::format("{} was started with seed {}", *csv, state.seed));
   }
-  return state.exists ? state.seed : seed_of(arguments);
+  return state.exists ? state.seed : arguments.seed();
 }
 
 /// The output of a run: its table and verdicts, if requested, and its pages.
@@ -131,7 +118,7 @@ class Records {
           const Delivery& delivery = one.submission.delivery;
           return delivery.late || !delivery.submitted.empty();
         });
-    book_.emplace(Book::Setup{*csv_, columns_for(context, all, options.asked_for),
+    book_.emplace(Book::Setup{*csv_, columns_for(context, all, options.requested),
                               has_people ? People::shown : People::hidden, std::move(ids),
                               options.judging.judge.seed, context.layout.version,
                               arguments.has("resume")});
@@ -159,12 +146,12 @@ class Records {
 
 /// The full report on one submission.
 int grade_one(const Context& context, const IntakeEntry& entry, Records& records,
-              const Arguments& arguments, const std::vector<Lab>& asked_for,
+              const Arguments& arguments, const std::vector<Lab>& requested,
               SubmissionOptions options) {
   Book* const book = records.book();
   const Submission& submission = entry.submission;
   const auto json = arguments.get("json");
-  const auto labs = labs_of(context, submission, asked_for);
+  const auto labs = labs_of(context, submission, requested);
   if (!entry.unreadable.empty() && book == nullptr && !json) throw UsageError(entry.unreadable);
   if (labs.empty() && book == nullptr && !json && entry.unreadable.empty()) {
     throw UsageError(fmt::format("{} contains no lab files ({} …)", submission.label,
@@ -186,16 +173,14 @@ int grade_one(const Context& context, const IntakeEntry& entry, Records& records
     fmt::print("{}\n", report_lab(lab, verdict, this_terminal()));
   }
   if (labs.size() > 1 || !verdict.unreadable.empty()) fmt::print("{}", report_summary({verdict}));
-  if (!verdict.absent.empty() && asked_for.empty() && verdict.unreadable.empty()) {
+  if (!verdict.absent.empty() && requested.empty() && verdict.unreadable.empty()) {
     fmt::print("not handed in: {}\n", fmt::join(verdict.absent, ", "));
   }
-  // Neither a grade nor a file that could pass for one.
+  // There is no grade, and no file that looks like one.
   if (!verdict.not_judged.empty()) throw MachineError("not judged: " + verdict.not_judged);
   if (json) {
-    GradescopeOptions wanted;
-    wanted.leaderboard = arguments.has("leaderboard");
-    wanted.visibility = visibility_of(arguments).value_or(wanted.visibility);
-    write_text(*json, report_json(verdict, wanted));
+    write_text(*json, report_json(verdict, {arguments.has("leaderboard"),
+                                            arguments.visibility().value_or("visible")}));
   }
   if (!arguments.has("no-plots")) show_plots(context, submission, labs);
   return 0;
@@ -236,16 +221,14 @@ int grade_on_slurm(const Context& context, const Arguments& arguments, std::size
   tasks.csv = *arguments.get("csv");
   tasks.count = count;
   tasks.seed = seed;
-  tasks.go_on = arguments.has("resume");
-  if (const auto labs = arguments.get("lab")) tasks.options = {"--lab", *labs};
-  if (const auto roster = arguments.get("roster")) {
-    tasks.options.insert(tasks.options.end(), {"--roster", *roster});
-  }
-  for (const char* flag : {"speed", "with-reference"}) {
-    if (arguments.has(flag)) tasks.options.push_back(std::string("--") + flag);
+  tasks.is_resumed = arguments.has("resume");
+  for (const char* option : {"lab", "roster", "speed", "with-reference"}) {
+    const auto value = arguments.get(option);
+    if (value) tasks.options.push_back(std::string("--") + option);
+    if (value && !value->empty()) tasks.options.push_back(*value);
   }
   tasks.words = arguments.words;
-  if (!tasks.go_on) records.book()->begin();
+  if (!tasks.is_resumed) records.book()->begin();
   const std::string job = submit_tasks(context, tasks);
   fmt::print(
       "job {}: {} tasks, seed {}; when squeue lists none of them, the same with --resume and "
@@ -265,8 +248,8 @@ void check_slurm(const Arguments& arguments) {
   }
 }
 
-/// Gives the submissions the ids of the roster, and lists who is missing on either side.
-void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
+/// Gives the submissions the ids of the roster; prints who is only on the roster or not on it.
+void apply_roster(const fs::path& file, std::vector<IntakeEntry>& entries) {
   const Roster roster = read_roster(file);
   const RosterReport report = match_roster(roster, entries);
   fmt::print("roster: {} students, {} without a submission\n", roster.people.size(),
@@ -278,9 +261,9 @@ void match(const fs::path& file, std::vector<IntakeEntry>& entries) {
   list("not on the roster", report.not_on_roster);
 }
 
-/// Lists clones of handouts, and zips of ./lab submit, of another version: their students saw other
+/// Prints which handouts and zips of ./lab submit have another version: their students saw other
 /// checks.
-void compare_versions(const Context& context, const std::vector<IntakeEntry>& entries) {
+void report_other_versions(const Context& context, const std::vector<IntakeEntry>& entries) {
   std::map<std::string, std::set<std::string>> ids;  // by version
   for (const IntakeEntry& entry : entries) {
     for (const auto& [lab, file] : entry.submission.files) {
@@ -298,13 +281,8 @@ void compare_versions(const Context& context, const std::vector<IntakeEntry>& en
 }
 
 int grade(const Context& context, const Arguments& arguments) {
-  if (arguments.words.empty())
-    throw UsageError("usage: ./lab grade DIR|ZIP... (try: ./lab grade solutions)");
-  const auto json = arguments.get("json"), csv = arguments.get("csv");
-  require_writable(json);
-  require_writable(csv);
-  const auto html = arguments.get("html");
-  require_writable(html);
+  const auto json = arguments.output("json"), csv = arguments.output("csv"),
+             html = arguments.output("html");
   if (html && fs::exists(*html) && !fs::is_directory(*html)) {
     throw UsageError(
         fmt::format("--html takes a directory, but {} is not one", sandbox::printable_line(*html)));
@@ -313,11 +291,11 @@ int grade(const Context& context, const Arguments& arguments) {
     throw UsageError("--json takes one DIR; for several there is --csv");
   }
   if (arguments.has("leaderboard") && !json) throw UsageError("--leaderboard needs --json FILE");
-  if (visibility_of(arguments) && !json) throw UsageError("--visibility needs --json FILE");
+  if (arguments.visibility() && !json) throw UsageError("--visibility needs --json FILE");
   check_slurm(arguments);
   require_known_points(context.layout, context.labs);
   BatchOptions options;
-  options.asked_for = labs_asked_for(context, arguments);
+  options.requested = requested_labs(context, arguments);
   options.workers = static_cast<unsigned>(
       std::clamp<std::uint64_t>(arguments.number("jobs").value_or(cores()), 1, 512));
   options.with_speed = arguments.has("speed");
@@ -332,8 +310,8 @@ int grade(const Context& context, const Arguments& arguments) {
                                        : "one in each directory, zip file or name in these");
   }
   for (IntakeEntry& one : intake.entries) read_hours(context.labs, one.submission);
-  if (const auto roster = arguments.get("roster")) match(*roster, intake.entries);
-  compare_versions(context, intake.entries);
+  if (const auto roster = arguments.get("roster")) apply_roster(*roster, intake.entries);
+  report_other_versions(context, intake.entries);
   if (arguments.has("resume")) gather_tasks(*csv);
   const bool single =
       intake.entries.size() == 1 && !arguments.has("shard") && !arguments.has("roster");
@@ -344,46 +322,52 @@ int grade(const Context& context, const Arguments& arguments) {
     return grade_on_slurm(context, arguments, mine.size(), records, options.judging.judge.seed);
   }
   if (single) {
-    return grade_one(context, mine[0], records, arguments, options.asked_for, options.judging);
+    return grade_one(context, mine[0], records, arguments, options.requested, options.judging);
   }
   return grade_many(context, mine, records, csv.has_value(), options);
 }
 
 const RegisterCommand grade_command{
-    {"grade",
-     "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--roster FILE] [--html DIR] ...",
-     {"lab=,", "roster=", "with-reference", "json=", "leaderboard", "visibility=", "csv=", "resume",
-      "html=", "shard=", "slurm", "seed=", "jobs=j", "speed", "no-plots"},
-     "Grades every lab that has a file in DIR: at its top, in starter/, or anywhere below. A\n"
-     "directory or zip file with the work of several people, as Gradescope, Canvas and Moodle\n"
-     "export it, counts as one submission per person. One submission gets a report of each\n"
-     "check, and plots; several get one line each.\n"
-     "  --lab LAB     grade only this lab; a missing file earns 0 points (several: --lab 1,2)\n"
-     "  --csv FILE    write a row for each submission as soon as it is judged, and its full "
-     "verdict\n"
-     "                to FILE-verdicts/\n"
-     "  --resume      continue a run with the same FILE and its seed; changed submissions and "
-     "those\n"
-     "                that were not judged are judged again\n"
-     "  --roster FILE  a row for each student of this list, with name, e-mail address, time of\n"
-     "                submission and LATE mark; the file has the columns id, name, email, or is\n"
-     "                what Canvas, Moodle or Gradescope exports\n"
-     "  --with-reference  use the solutions of the labs that a lab depends on\n"
-     "  --html DIR    write DIR/index.html with all points and what ./lab stats shows, and a page\n"
-     "                for each submission\n"
-     "  --json FILE   write Gradescope's results.json (one DIR)\n"
-     "  --leaderboard with --json: publish the speed relative to the reference to the class\n"
-     "  --visibility V  with --json: visible, hidden, after_due_date or after_published\n"
-     "  --seed S      use this seed\n"
-     "  -j N          run N jobs at once: submissions, or checks of a single one (all cores)\n"
-     "  --speed       also measure the speed tasks; for several submissions, at the end, in turn\n"
-     "  --shard k/n   every n-th submission from the k-th on, for n machines; ./lab merge merges\n"
-     "                the tables\n"
-     "  --slurm       with --csv: submit a cluster task per submission; --resume collects them\n"
-     "  --no-plots    no plots\n"
-     "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some submissions are not\n"
-     "judged and have no points.\n",
-     grade}};
+    {.usage =
+         "grade DIR|ZIP... [--lab LAB] [--csv FILE [--resume]] [--roster FILE] [--html DIR] ...",
+     .details =
+         "Grades every lab that has a file in DIR: at its top, in starter/, or anywhere below. A "
+         "directory or zip file with the work of several people, as Gradescope, Canvas and Moodle "
+         "export it, counts as one submission per person. One submission gets a report of each "
+         "check, and plots; several get one line each. Try: ./lab grade solutions.\n"
+         "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some submissions are "
+         "not judged and have no points.",
+     .options =
+         {{"--lab LAB,…", "grade only these labs (--lab 1,2); a missing file earns 0 points"},
+          {"--csv FILE",
+           "write a row for each submission as soon as it is judged, and its full verdict "
+           "to FILE-verdicts/"},
+          {"--resume",
+           "continue a run with the same FILE and its seed; changed submissions and those "
+           "that were not judged are judged again"},
+          {"--roster FILE",
+           "a row for each student of this list, with name, e-mail address, time of "
+           "submission and LATE mark; the file has the columns id, name, email, or is what "
+           "Canvas, Moodle or Gradescope exports"},
+          {"--with-reference", "use the solutions of the labs that a lab depends on"},
+          {"--html DIR",
+           "write DIR/index.html with all points and what ./lab stats shows, and a page for "
+           "each submission"},
+          {"--json FILE", "write Gradescope's results.json (one DIR)"},
+          {"--leaderboard",
+           "with --json: publish the speed relative to the reference to the class"},
+          {"--visibility V", "with --json: visible, hidden, after_due_date or after_published"},
+          {"--seed S", "use this seed"},
+          {"--jobs N, -j N",
+           "run N jobs at once: submissions, or checks of a single one (all cores)"},
+          {"--speed", "also measure the speed tasks; for several submissions, at the end, in turn"},
+          {"--shard k/n",
+           "every n-th submission from the k-th on, for n machines; ./lab merge merges the "
+           "tables"},
+          {"--slurm", "with --csv: submit a cluster task per submission; --resume collects them"},
+          {"--no-plots", "no plots"}},
+     .run = grade,
+     .least_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -1,29 +1,18 @@
 // gradescope: writes the zip that Gradescope builds its image from.
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
-#include "grader/commands/judging_options.hpp"
 #include "grader/commands/tree.hpp"
 #include "grader/judging/points.hpp"
 #include "grader/submission/scratch.hpp"
-#include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Replaces the line of a shell script that sets this variable.
-void set(std::string& script, const char* name, const std::string& value) {
+void set_variable(std::string& script, const char* name, const std::string& value) {
   const std::string start = fmt::format("\n{}=", name);
   const auto at = script.find(start);
   if (at == std::string::npos) throw MachineError(fmt::format("run_autograder has no {}=", name));
@@ -32,44 +21,37 @@ void set(std::string& script, const char* name, const std::string& value) {
 }
 
 /// Collects the content of the zip in a directory.
-void lay_out(const Context& context, const Arguments& arguments, const std::string& labs,
-             const fs::path& to) {
-  const fs::path root = context.layout.root, place = root / "autograder" / "gradescope";
-  const auto chosen = labs_and_those_below(context, labs);
+void write_tree(const Context& context, const Arguments& arguments, const std::string& labs,
+                const fs::path& to) {
+  const fs::path root = context.layout.root;
+  const auto chosen = labs_with_dependencies(context, labs);
   const JudgeForm form =
       has_compiled_judge(context.layout) ? JudgeForm::compiled : JudgeForm::sources;
-  for (const std::string& file : files_without_answers(context, chosen, form)) {
-    copy_into(root / file, to / file);
-  }
-  if (form == JudgeForm::compiled) {
-    copy_compiled_judge(context, chosen, to);
-  } else {  // setup.sh compiles it; there is no git history to give its version
+  copy_course(context, chosen, form, to);
+  if (form == JudgeForm::sources) {  // setup.sh compiles it; git cannot tell its version
     write_text(to / "VERSION.txt", context.layout.version + '\n');
   }
-  if (fs::exists(root / points_file)) copy_into(root / points_file, to / points_file);
   if (arguments.has("leaderboard")) {  // only the leaderboard compares with the solutions
     for (const std::string& lab : chosen) {
       const fs::path file = fs::path("solutions") / find_lab(context.labs, lab).file();
       copy_into(root / file, to / file);
     }
   }
-  for (const char* script : {"setup.sh", "run_autograder"}) copy_into(place / script, to / script);
-  std::string run = read_whole_text(place / "run_autograder");
-  set(run, "LAB", labs);
-  set(run, "LEADERBOARD", arguments.has("leaderboard") ? "1" : "");
-  set(run, "VISIBILITY", visibility_of(arguments).value_or(""));
+  const fs::path scripts = root / "autograder" / "gradescope";
+  std::string run = read_whole_text(scripts / "run_autograder");
+  set_variable(run, "LAB", labs);
+  set_variable(run, "LEADERBOARD", arguments.has("leaderboard") ? "1" : "");
+  set_variable(run, "VISIBILITY", arguments.visibility().value_or(""));
   write_text(to / "run_autograder", run);
+  write_text(to / "setup.sh", read_whole_text(scripts / "setup.sh"));
   for (const char* script : {"setup.sh", "run_autograder"}) {
     fs::permissions(to / script, fs::perms(0755));
   }
 }
 
 int gradescope(const Context& context, const Arguments& arguments) {
-  const auto out = arguments.get("out");
-  if (arguments.words.empty() || !out) {
-    throw UsageError("usage: ./lab gradescope LAB... --out FILE.zip (./lab gradescope --help)");
-  }
-  require_writable(out);
+  const auto out = arguments.output("out");
+  if (!out) throw WrongUsage();
   require_known_points(context.layout, context.labs);
   std::vector<std::string> names;
   for (const std::string& word : arguments.words) {
@@ -78,7 +60,7 @@ int gradescope(const Context& context, const Arguments& arguments) {
   }
   const ScratchDirectory scratch(context.layout);
   const fs::path tree = scratch.path() / "tree", zip = fs::absolute(*out);
-  lay_out(context, arguments, fmt::format("{}", fmt::join(names, ",")), tree);
+  write_tree(context, arguments, fmt::format("{}", fmt::join(names, ",")), tree);
 
   // Packed in a temporary directory and renamed: the zip is always complete.
   const fs::path aside = zip.string() + ".new";
@@ -101,18 +83,20 @@ int gradescope(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand gradescope_command{
-    {"gradescope",
-     "gradescope LAB... --out FILE.zip [--visibility V] [--leaderboard]",
-     {"out=", "visibility=", "leaderboard"},
-     "Writes the autograder of an assignment with these labs; a missing file earns 0 points. The\n"
-     "zip file has everything that the labs need, with setup.sh and run_autograder at its top,\n"
-     "but no solutions.\n"
-     "  --out FILE.zip  where to write it\n"
-     "  --visibility V  when students see the checks: visible, hidden, after_due_date,\n"
-     "                  after_published\n"
-     "  --leaderboard   a leaderboard of speed for the whole class; the zip file then has the "
-     "reference\n",
-     gradescope}};
+    {.usage = "gradescope LAB... --out FILE.zip [--visibility V] [--leaderboard]",
+     .details =
+         "Writes the autograder of an assignment with these labs; a missing file earns 0 points. "
+         "The zip file has everything that the labs need, with setup.sh and run_autograder at its "
+         "top, but no solutions.",
+     .options = {{"--out FILE.zip", "where to write it"},
+                 {"--visibility V",
+                  "when students see the checks: visible, hidden, after_due_date, "
+                  "after_published"},
+                 {"--leaderboard",
+                  "a leaderboard of speed for the whole class; the zip file then has the "
+                  "reference"}},
+     .run = gradescope,
+     .least_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

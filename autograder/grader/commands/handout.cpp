@@ -2,48 +2,39 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <iterator>
 #include <sstream>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
 #include "grader/base/replace.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/checkout/hints.hpp"
-#include "grader/commands/command.hpp"
+#include "grader/commands/git.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/commands/tree.hpp"
 #include "grader/commands/upgrade.hpp"
 #include "grader/judging/points.hpp"
 #include "grader/submission/scratch.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Does a line mention a command for something that is not part of the handout?
-bool names_what_is_absent(const std::string& line, const fs::path& handed_out) {
+bool names_absent_command(const std::string& line, const fs::path& handout) {
   return std::any_of(std::begin(command_list), std::end(command_list),
                      [&](const CommandEntry& command) {
                        const bool is_named =
                            line.find(fmt::format("`./lab {}`", command.name)) != std::string::npos;
-                       return is_named && !fs::exists(handed_out / command.about);
+                       return is_named && !fs::exists(handout / command.about);
                      });
 }
 
 /// The README of docs/handout covers lab 1 and all labs; this adapts it to the labs of this
 /// handout.
 std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
-                       const fs::path& handed_out) {
+                       const fs::path& handout) {
   std::string all, list;
   std::istringstream lines(given);
   for (std::string line; std::getline(lines, line);) {
-    if (!names_what_is_absent(line, handed_out)) all += line + '\n';
+    if (!names_absent_command(line, handout)) all += line + '\n';
   }
   const Lab& first = labs.front();
   if (first.number != 1) {
@@ -97,11 +88,11 @@ std::string compile_flags_for(const std::vector<Lab>& labs) {
 
 /// Leaves out the tasks that points.csv leaves out: their sections and hints; the starter says so.
 void leave_tasks_out(const fs::path& root, const Lab& lab, const fs::path& to) {
-  const fs::path place = to / "labs" / lab.folder;
+  const fs::path folder = to / "labs" / lab.folder;
   for (const std::string& task : tasks_left_out(root)) {
     if (std::atoi(task.c_str()) != lab.number) continue;
     for (const auto& [file, heading] :
-         {std::pair{place / "README.md", "### "}, std::pair{place / "hints.md", "## "}}) {
+         {std::pair{folder / "README.md", "### "}, std::pair{folder / "hints.md", "## "}}) {
       if (fs::exists(file)) write_text(file, without_section(read_text(file), heading + task));
     }
     const fs::path starter = to / "starter" / lab.file();
@@ -127,36 +118,25 @@ void state_hints(const fs::path& readme, const Manifest& manifest) {
 void write_handout(const Context& context, const Manifest& manifest, const fs::path& to) {
   const fs::path root = context.layout.root;
   const JudgeForm form = manifest.form == "sources" ? JudgeForm::sources : JudgeForm::compiled;
-  const std::set<std::string>& chosen = manifest.labs;
-  const auto copy = [&](const fs::path& from, const fs::path& name) { copy_into(from, to / name); };
-  for (const std::string& file : files_without_answers(context, chosen, form))
-    copy(root / file, file);
-  const fs::path extra = root / "docs" / "handout";
-  for (const auto& entry : fs::recursive_directory_iterator(extra)) {
-    if (entry.is_regular_file()) copy(entry.path(), fs::relative(entry.path(), extra));
-  }
+  copy_course(context, manifest.labs, form, to);
+  fs::copy(root / "docs" / "handout", to, fs::copy_options::recursive);
   std::vector<Lab> labs = context.labs;
-  std::erase_if(labs, [&](const Lab& lab) { return !chosen.contains(lab.name); });
-  if (fs::exists(root / points_file)) copy(root / points_file, points_file);
+  std::erase_if(labs, [&](const Lab& lab) { return !manifest.labs.contains(lab.name); });
   for (const Lab& lab : labs) {
+    const std::string questions =
+        answers_template(lab, read_whole_text(root / "labs" / lab.folder / "README.md"));
+    if (!questions.empty()) {
+      fs::create_directories(to / "answers");
+      write_text(to / "answers" / (lab.folder + ".md"), questions);
+    }
     leave_tasks_out(root, lab, to);
     const fs::path hints = to / "labs" / lab.folder / "hints.md";
     if (manifest.hints.empty() || !fs::exists(hints)) continue;
     write_text(hints, with_fewer_hints(read_whole_text(hints), steps_in(manifest)));
     state_hints(to / "labs" / lab.folder / "README.md", manifest);
   }
-  for (const Lab& lab : labs) {
-    const std::string questions =
-        answers_template(lab, read_whole_text(root / "labs" / lab.folder / "README.md"));
-    if (questions.empty()) continue;
-    fs::create_directories(to / "answers");
-    write_text(to / "answers" / (lab.folder + ".md"), questions);
-  }
-  if (form == JudgeForm::compiled) {
-    copy_compiled_judge(context, chosen, to);
-    write_text(to / "compile_flags.txt", compile_flags_for(labs));
-  }
-  make_manifest(context, manifest, to);  // the README is about what exists
+  if (form == JudgeForm::compiled) write_text(to / "compile_flags.txt", compile_flags_for(labs));
+  make_manifest(context, manifest, to);  // the README mentions commands for what exists
   for (const char* name : {"README.md", "Dockerfile", ".github/workflows/grade.yml"}) {
     std::string text = read_whole_text(to / name);
     keep_one_form(text, form);
@@ -167,8 +147,6 @@ void write_handout(const Context& context, const Manifest& manifest, const fs::p
 }
 
 int handout(const Context& context, const Arguments& arguments) {
-  if (arguments.words.size() != 1)
-    throw UsageError("usage: ./lab handout DIR [--labs 1,2,…] [--hints N] [--with-sources]");
   require_known_points(context.layout, context.labs);
   const fs::path to = fs::absolute(arguments.words[0]).lexically_normal();
   const std::string shown = sandbox::printable_line(to.string());
@@ -179,7 +157,7 @@ int handout(const Context& context, const Arguments& arguments) {
   }
   // An existing handout keeps its labs, form and hints, unless the options change them.
   if (is_new || arguments.has("labs")) {
-    manifest.labs.merge(labs_and_those_below(context, arguments.get("labs")));
+    manifest.labs.merge(labs_with_dependencies(context, arguments.get("labs")));
   }
   if (is_new) manifest.form = arguments.has("with-sources") ? "sources" : "compiled";
   if (const auto most = arguments.number("hints")) manifest.hints = std::to_string(*most);
@@ -201,19 +179,21 @@ int handout(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand handout_command{
-    {"handout",
-     "handout DIR [--labs 1,2,…] [--hints N] [--with-sources]",
-     {"labs=", "hints=", "with-sources"},
-     "Writes a git repository with one commit: the labs, the starters, the autograder as\n"
-     "programs, a README for students, an editor's tasks, a dev container, and a workflow that\n"
-     "grades each push. It has no solutions, checks or tests. Students need Linux on this\n"
-     "machine's architecture, and a compiler. If DIR is a handout already, adds a commit with\n"
-     "the changes; starter/, answers/ and edited files stay as they are.\n"
-     "  --labs LIST   only these labs and those that they depend on\n"
-     "  --hints N     only the first N steps of each task's hints, 0 to 3\n"
-     "  --with-sources  the autograder's sources in place of its programs, for other systems and\n"
-     "                  for those who want to read them; the checks contain working algorithms\n",
-     handout}};
+    {.usage = "handout DIR [--labs 1,2,…] [--hints N] [--with-sources]",
+     .details =
+         "Writes a git repository with one commit: the labs, the starters, the autograder as "
+         "programs, a README for students, an editor's tasks, a dev container, and a workflow that "
+         "grades each push. It has no solutions, checks or tests. Students need Linux on this "
+         "machine's architecture, and a compiler. If DIR is a handout already, adds a commit with "
+         "the changes; starter/, answers/ and edited files stay as they are.",
+     .options = {{"--labs LIST", "only these labs and those that they depend on"},
+                 {"--hints N", "only the first N steps of each task's hints, 0 to 3"},
+                 {"--with-sources",
+                  "the autograder's sources in place of its programs, for other systems and for "
+                  "those who want to read them; the checks contain working algorithms"}},
+     .run = handout,
+     .least_words = 1,
+     .most_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -2,29 +2,24 @@
 
 #include <algorithm>
 #include <fstream>
-#include <system_error>
-
-#include <fmt/format.h>
-
-#include "grader/base/text_file.hpp"
 
 namespace mc::grader {
 namespace {
 
 /// Does this name a file below the handout? Files of a manifest may be removed.
-bool is_below(const std::filesystem::path& name) {
+bool is_below(const fs::path& name) {
   return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
 }
 
 }  // namespace
 
-Manifest read_manifest(const std::filesystem::path& handout) {
+Manifest read_manifest(const fs::path& handout) {
   Manifest manifest;
   constexpr std::uintmax_t longest = std::uintmax_t{1} << 20;
   const auto place = handout / manifest_file;  // a submission may have anything there
   std::error_code unreadable;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(place, unreadable)) ||
-      std::filesystem::file_size(place, unreadable) > longest || unreadable) {
+  if (!fs::is_regular_file(fs::symlink_status(place, unreadable)) ||
+      fs::file_size(place, unreadable) > longest || unreadable) {
     return manifest;
   }
   std::ifstream file(place);
@@ -44,7 +39,7 @@ Manifest read_manifest(const std::filesystem::path& handout) {
   return manifest;
 }
 
-void write_manifest(const std::filesystem::path& handout, const Manifest& manifest) {
+void write_manifest(const fs::path& handout, const Manifest& manifest) {
   std::string text = fmt::format("version={}\nform={}\nhints={}\n", manifest.version, manifest.form,
                                  manifest.hints);
   for (const std::string& lab : manifest.labs) text += fmt::format("lab={}\n", lab);
@@ -53,7 +48,7 @@ void write_manifest(const std::filesystem::path& handout, const Manifest& manife
   write_text(handout / manifest_file, text);
 }
 
-std::string hash_of_file(const std::filesystem::path& file) {
+std::string hash_of_file(const fs::path& file) {
   return fmt::format("{:016x}", hash_text(read_whole_text(file)));
 }
 

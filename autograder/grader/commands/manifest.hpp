@@ -1,10 +1,10 @@
 #pragma once
 // What a handout says of itself: its version, its labs, and the files that the course wrote.
 
-#include <filesystem>
 #include <map>
 #include <set>
-#include <string>
+
+#include "grader/commands/command.hpp"
 
 namespace mc::grader {
 
@@ -20,10 +20,10 @@ struct Manifest {
 };
 
 /// Empty where there is no manifest: not a handout.
-Manifest read_manifest(const std::filesystem::path& handout);
-void write_manifest(const std::filesystem::path& handout, const Manifest& manifest);
+Manifest read_manifest(const fs::path& handout);
+void write_manifest(const fs::path& handout, const Manifest& manifest);
 
 /// Of a file's text, for comparing versions of it.
-std::string hash_of_file(const std::filesystem::path& file);
+std::string hash_of_file(const fs::path& file);
 
 }  // namespace mc::grader

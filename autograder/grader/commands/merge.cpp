@@ -1,28 +1,15 @@
 // merge: joins the tables of a class that several machines graded.
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <map>
-#include <string>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
-#include "grader/commands/judging_options.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/corrections.hpp"
-#include "grader/gradebook/table.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Copies the verdicts of the rows as well: stats reads hints from them.
 void copy_verdicts(const MergeResult& merged, const fs::path& out) {
@@ -56,9 +43,7 @@ void join_states(const std::vector<BookState>& states, const fs::path& out) {
 }
 
 int merge(const Context& context, const Arguments& arguments) {
-  if (arguments.words.empty()) throw UsageError("usage: ./lab merge A.csv B.csv … [--out F]");
-  const auto out = arguments.get("out");
-  require_writable(out);
+  const auto out = arguments.output("out");
   std::vector<Table> tables;
   for (const std::string& word : arguments.words) tables.push_back(read_table(word));
   const MergeResult merged = merge_tables(tables, context.labs);
@@ -80,15 +65,16 @@ int merge(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand merge_command{
-    {"merge",
-     "merge A.csv B.csv … [--out F]",
-     {"out="},
-     "Merges the tables of ./lab grade --shard into the one that an unsharded run writes: a row\n"
-     "for each id, in the order of the ids, with the columns of all tables. Different rows for\n"
-     "one id are an error; different versions and seeds are reported.\n"
-     "  --out F       write the table to this file, and the verdicts to F-verdicts/ next to it;\n"
-     "                without it, print the table only\n",
-     merge}};
+    {.usage = "merge A.csv B.csv … [--out F]",
+     .details =
+         "Merges the tables of ./lab grade --shard into the one that an unsharded run writes: a "
+         "row for each id, in the order of the ids, with the columns of all tables. Different rows "
+         "for one id are an error; different versions and seeds are reported.",
+     .options = {{"--out F",
+                  "write the table to this file, and the verdicts to F-verdicts/ next to it; "
+                  "without it, print the table only"}},
+     .run = merge,
+     .least_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

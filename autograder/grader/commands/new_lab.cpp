@@ -6,29 +6,12 @@
 #include <map>
 #include <sstream>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/commands/command.hpp"
+#include "grader/base/replace.hpp"
 
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The line with each @key@ replaced by its value.
-std::string filled(std::string line, const std::map<std::string, std::string>& values) {
-  for (const auto& [key, value] : values) {
-    for (auto at = line.find(key); at != line.npos; at = line.find(key, at + value.size())) {
-      line.replace(at, key.size(), value);
-    }
-  }
-  return line;
-}
-
 int new_lab(const Context& context, const Arguments& arguments) {
-  if (arguments.words.size() != 1) throw UsageError("usage: ./lab new-lab NAME");
   const std::string& lab = arguments.words[0];
   for (const Lab& other : context.labs) {
     if (other.name == lab) throw UsageError(fmt::format("lab {} is already {}", other.number, lab));
@@ -49,11 +32,12 @@ int new_lab(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand new_lab_command{
-    {"new-lab",
-     "new-lab NAME",
-     {},
-     "NAME has lower-case letters, digits and _: light_transport. The lab gets the next number.\n",
-     new_lab}};
+    {.usage = "new-lab NAME",
+     .details = "NAME has lower-case letters, digits and _: light_transport. The lab gets the next "
+                "number.",
+     .run = new_lab,
+     .least_words = 1,
+     .most_words = 1}};
 
 }  // namespace
 
@@ -75,7 +59,7 @@ std::vector<fs::path> write_new_lab(const fs::path& skeleton, int number, const 
   std::string* text = nullptr;
   std::istringstream lines(read_whole_text(skeleton));
   for (std::string line; std::getline(lines, line);) {
-    line = filled(line, values);
+    for (const auto& [key, value] : values) replace_all(line, key, value);
     if (line.starts_with("==== ")) {
       text = &files[line.substr(5)];
     } else if (text != nullptr) {

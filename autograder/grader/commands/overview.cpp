@@ -1,7 +1,5 @@
 // ./lab without a command: the student's progress.
 
-#include <fmt/format.h>
-
 #include "grader/commands/command.hpp"
 #include "grader/commands/progress.hpp"
 
@@ -11,15 +9,15 @@ namespace {
 int overview(const Context& context, const Arguments&) {
   const Lab* next = nullptr;
   for (const Lab& lab : context.labs) {
-    const auto known = recall(context.layout, lab);
-    std::string where = "not checked yet";
+    const auto known = read_progress(context.layout, lab);
+    std::string state = "not checked yet";
     if (known) {
-      where = fmt::format("{:g} of {:g} points", known->earned, known->points);
-      if (!known->is_current) where += ", changed since";
-      if (!known->next.empty()) where += fmt::format("; next: {}", known->next);
+      state = fmt::format("{:g} of {:g} points", known->earned, known->points);
+      if (!known->is_current) state += ", changed since";
+      if (!known->next.empty()) state += fmt::format("; next: {}", known->next);
     }
     if (next == nullptr && (!known || !known->is_current || !known->next.empty())) next = &lab;
-    fmt::print("  {:<24} {}\n", lab.title(), where);
+    fmt::print("  {:<24} {}\n", lab.title(), state);
   }
   if (next != nullptr) {
     fmt::print(
@@ -32,7 +30,7 @@ int overview(const Context& context, const Arguments&) {
   return 0;
 }
 
-const RegisterCommand overview_command{{"", "", {}, "", overview}};
+const RegisterCommand overview_command{{.run = overview}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -1,11 +1,7 @@
 // plot: draws a lab's plots, several submissions side by side.
 
 #include <algorithm>
-#include <filesystem>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/pictures/plots.hpp"
 #include "grader/reports/progress_line.hpp"
@@ -13,13 +9,10 @@
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 int plot(const Context& context, const Arguments& arguments) {
-  if (arguments.words.empty()) throw UsageError("usage: ./lab plot LAB [DIR...]");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
-  std::vector<Submission> submissions = submissions_with_solutions(
-      context, lab, {arguments.words.begin() + 1, arguments.words.end()});
+  std::vector<Submission> submissions =
+      submissions_with_solutions(context, lab, arguments.words_after(1));
   std::string folder = "side-by-side";
   if (arguments.has("alone")) {
     submissions.resize(std::max<std::size_t>(1, arguments.words.size() - 1));
@@ -35,12 +28,12 @@ int plot(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand plot_command{
-    {"plot",
-     "plot LAB [DIR...] [--alone]",
-     {"alone"},
-     "Draws starter/ if no DIR is named, next to the solutions if the checkout has them.\n"
-     "  --alone   without the solutions\n",
-     plot}};
+    {.usage = "plot LAB [DIR...] [--alone]",
+     .details =
+         "Draws starter/ if no DIR is named, next to the solutions if the checkout has them.",
+     .options = {{"--alone", "without the solutions"}},
+     .run = plot,
+     .least_words = 1}};
 
 }  // namespace
 }  // namespace mc::grader

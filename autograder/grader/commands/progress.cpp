@@ -1,35 +1,28 @@
 #include "grader/commands/progress.hpp"
 
+#include <algorithm>
 #include <sstream>
-#include <system_error>
-
-#include <fmt/format.h>
-
-#include "grader/base/text_file.hpp"
 
 namespace mc::grader {
 namespace {
 
-std::filesystem::path file_of(const Layout& layout, const Lab& lab) {
+fs::path file_of(const Layout& layout, const Lab& lab) {
   return layout.build / "progress" / lab.name;
 }
-std::uint64_t text_now(const Layout& layout, const Lab& lab) {
+std::uint64_t hash_now(const Layout& layout, const Lab& lab) {
   return hash_text(read_text(layout.starter() / lab.file()));
 }
 
 }  // namespace
 
-void remember(const Layout& layout, const LabVerdict& verdict) {
-  std::string next = "-";
-  for (const CheckResult& result : verdict.checks) {
-    if (!result.is_open()) continue;
-    next = result.check.task;
-    break;
-  }
+void write_progress(const Layout& layout, const LabVerdict& verdict) {
+  const auto next = std::find_if(verdict.checks.begin(), verdict.checks.end(),
+                                 [](const CheckResult& result) { return result.is_open(); });
   const auto file = file_of(layout, verdict.lab);
-  std::filesystem::create_directories(file.parent_path());
-  write_text(file, fmt::format("{} {} {} {}\n", verdict.earned(), verdict.points(), next,
-                               text_now(layout, verdict.lab)));
+  fs::create_directories(file.parent_path());
+  write_text(file, fmt::format("{} {} {} {}\n", verdict.earned(), verdict.points(),
+                               next == verdict.checks.end() ? "-" : next->check.task,
+                               hash_now(layout, verdict.lab)));
 }
 
 std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVerdict& verdict) {
@@ -40,22 +33,21 @@ std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVer
     std::string task;
     int count = 0;
     if (!(known >> task >> count) || task != result.check.task) count = 0;
-    std::filesystem::create_directories(file.parent_path());
+    fs::create_directories(file.parent_path());
     write_text(file, fmt::format("{} {}\n", result.check.task, count + 1));
     return {count + 1, result.check.task};
   }
-  std::error_code ignored;
-  std::filesystem::remove(file, ignored);
+  fs::remove(file);
   return {0, {}};
 }
 
-std::optional<Progress> recall(const Layout& layout, const Lab& lab) {
+std::optional<Progress> read_progress(const Layout& layout, const Lab& lab) {
   std::istringstream file(read_text(file_of(layout, lab)));
   Progress progress;
   std::uint64_t text = 0;
   if (!(file >> progress.earned >> progress.points >> progress.next >> text)) return {};
   if (progress.next == "-") progress.next.clear();
-  progress.is_current = text == text_now(layout, lab);
+  progress.is_current = text == hash_now(layout, lab);
   return progress;
 }
 

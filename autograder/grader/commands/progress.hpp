@@ -1,10 +1,7 @@
 #pragma once
 // The outcome of the last check of each lab, stored in the build directory for `./lab` alone.
 
-#include <optional>
-#include <string>
-#include <utility>
-
+#include "grader/commands/command.hpp"
 #include "grader/judging/verdict.hpp"
 
 namespace mc::grader {
@@ -15,12 +12,12 @@ struct Progress {
   bool is_current = false;  ///< the file has not changed since then
 };
 
-void remember(const Layout& layout, const LabVerdict& verdict);
+void write_progress(const Layout& layout, const LabVerdict& verdict);
 
 /// The first task that fails, and how many verdicts in a row it has been that, this one included; 0
 /// if no task fails.
 std::pair<int, std::string> failures_in_a_row(const Layout& layout, const LabVerdict& verdict);
 
-std::optional<Progress> recall(const Layout& layout, const Lab& lab);
+std::optional<Progress> read_progress(const Layout& layout, const Lab& lab);
 
 }  // namespace mc::grader

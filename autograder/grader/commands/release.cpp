@@ -1,23 +1,13 @@
 // release: adds a lab's solution and answers to a handout, after its deadline.
 
-#include <filesystem>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/commands/command.hpp"
+#include "grader/commands/git.hpp"
 #include "grader/commands/tree.hpp"
 #include "grader/commands/upgrade.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 int release(const Context& context, const Arguments& arguments) {
-  if (arguments.words.size() != 2) throw UsageError("usage: ./lab release LAB DIR");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
   const fs::path handout = arguments.words[1];
   const std::string shown = sandbox::printable_line(handout.string());
@@ -29,15 +19,12 @@ int release(const Context& context, const Arguments& arguments) {
     throw UsageError(fmt::format("{} does not have lab {}", shown, lab.name));
   }
   std::vector<std::string> files;
-  const auto add = [&](const fs::path& from, const std::string& name) {
-    if (!fs::exists(from)) return;
-    fs::remove(handout / name);
-    copy_into(from, handout / name);
-    files.push_back(name);
-  };
-  add(context.layout.solutions() / lab.file(), "released/" + lab.file());
-  const std::string answers = lab.folder + ".md";
-  add(context.layout.root / "docs" / "answers" / answers, "released/" + answers);
+  for (const fs::path& from : {context.layout.solutions() / lab.file(),
+                               context.layout.root / "docs" / "answers" / (lab.folder + ".md")}) {
+    if (!fs::exists(from)) continue;
+    files.push_back("released/" + from.filename().string());
+    copy_into(from, handout / files.back());
+  }
   if (git(handout, {"status", "--porcelain", "--", "released"}).empty()) {
     fmt::print("{} already has it\n", shown);
     return 0;
@@ -48,12 +35,13 @@ int release(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand release_command{
-    {"release",
-     "release LAB DIR",
-     {},
-     "Adds a commit to the handout in DIR: released/LAB.cpp, the solution, and released/N-LAB.md,\n"
-     "the answers to the written questions. ./lab plot LAB released compares with it.\n",
-     release}};
+    {.usage = "release LAB DIR",
+     .details = "Adds a commit to the handout in DIR: released/LAB.cpp, the solution, and "
+                "released/N-LAB.md, the answers to the written questions. ./lab plot LAB released "
+                "compares with it.",
+     .run = release,
+     .least_words = 2,
+     .most_words = 2}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -2,37 +2,31 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/pictures/renders.hpp"
 #include "grader/reports/progress_line.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 bool is_one_of(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Takes the picture off `words`; what is left are directories.
 RenderOptions options_of(const Arguments& arguments, const protocol::RenderList& list,
-                         std::vector<std::string>& directories) {
+                         std::vector<std::string>& words) {
   RenderOptions options;
   options.reference = list.kinds[0];
-  directories = arguments.words;
-  if (!directories.empty() && is_one_of(list.pictures, directories[0])) {
-    options.pictures = {directories[0]};
-    directories.erase(directories.begin());
-  } else if (!directories.empty() && !fs::exists(directories[0])) {
-    throw UsageError(fmt::format("'{}' is neither a picture nor a directory; the pictures are {}",
-                                 directories[0], fmt::join(list.pictures, ", ")));
-  } else {
-    options.pictures = list.pictures;
-  }
+  options.pictures = list.pictures;
   options.kinds = list.kinds;
+  if (!words.empty() && is_one_of(list.pictures, words[0])) {
+    options.pictures = {words[0]};
+    words.erase(words.begin());
+  } else if (!words.empty() && !fs::exists(words[0])) {
+    throw UsageError(fmt::format("'{}' is neither a picture nor a directory; the pictures are {}",
+                                 words[0], fmt::join(list.pictures, ", ")));
+  }
   if (const auto kind = arguments.get("sampler")) {
     if (!is_one_of(list.kinds, *kind)) {
       throw UsageError(
@@ -51,12 +45,12 @@ RenderOptions options_of(const Arguments& arguments, const protocol::RenderList&
 void print_table(const std::vector<RenderResult>& table, std::uint64_t spp) {
   std::string above;
   for (const RenderResult& row : table) {
-    const std::string what = fmt::format("{}, {}", row.submission, row.picture);
-    if (what != above) {
-      fmt::print("\n{:<24}{:>7} spp              in equal time\n", what, spp);
+    const std::string title = fmt::format("{}, {}", row.submission, row.picture);
+    if (title != above) {
+      fmt::print("\n{:<24}{:>7} spp              in equal time\n", title, spp);
       fmt::print("{:<24}{:>11}{:>8}{:>10}{:>8}{:>11}\n", "", "RMSE", "ms", "spp", "ms", "RMSE");
     }
-    above = what;
+    above = title;
     if (!row.failure.empty()) {
       fmt::print("  {:<22}   {}\n", row.kind, row.failure);
       continue;
@@ -70,8 +64,8 @@ void print_table(const std::vector<RenderResult>& table, std::uint64_t spp) {
 }
 
 int render(const Context& context, const Arguments& arguments) {
-  std::vector<std::string> directories;
   const Lab& lab = lab_with_pictures(context.layout, context.labs);
+  std::vector<std::string> directories = arguments.words;
   const RenderOptions options =
       options_of(arguments, render_list(context.layout, lab), directories);
   const std::vector<Submission> submissions = submissions_with_solutions(context, lab, directories);
@@ -90,14 +84,14 @@ int render(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand render_command{
-    {"render",
-     "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
-     {"sampler=", "spp="},
-     "Draws two sheets of each picture into build/render: one with N samples per pixel (16), one\n"
-     "with as many as each sampler makes in the time of N independent ones. Draws all pictures\n"
-     "if none is named; an unknown name prints a list of them. DIR is as in plot.\n"
-     "  --sampler KIND   only this kind of sampler\n",
-     render}};
+    {.usage = "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
+     .details =
+         "Draws two sheets of each picture into build/render: one with N samples per pixel, one "
+         "with as many as each sampler makes in the time of N independent ones. Draws all pictures "
+         "if none is named; an unknown name prints a list of them. DIR is as in ./lab plot.",
+     .options = {{"--sampler KIND", "only this kind of sampler"},
+                 {"--spp N", "the samples per pixel (16)"}},
+     .run = render}};
 
 }  // namespace
 }  // namespace mc::grader

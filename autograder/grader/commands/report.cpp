@@ -1,13 +1,6 @@
 // report: the student's work as a page.
 
-#include <filesystem>
-
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
-#include "grader/commands/judging_options.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/pictures/plots.hpp"
 #include "grader/reports/html.hpp"
@@ -17,34 +10,27 @@
 namespace mc::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Shows a file in a browser if there is a browser and a display.
 void open_in_browser(const fs::path& file) {
-  const bool has_screen =
-      std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
 #ifdef __APPLE__
   sandbox::run_process({"open", file.string()});
-  (void)has_screen;
 #else
-  if (has_screen) sandbox::run_process({"xdg-open", file.string()}, {.wall_seconds = 10});
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  sandbox::run_process({"xdg-open", file.string()}, {.wall_seconds = 10});
 #endif
 }
 
 int report(const Context& context, const Arguments& arguments) {
-  if (arguments.words.empty() || arguments.words.size() > 2) {
-    throw UsageError("usage: ./lab report LAB [DIR]");
-  }
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
-  const bool own = arguments.words.size() == 1;
-  const fs::path directory = own ? context.layout.starter() : fs::path(arguments.words[1]);
-  Submission submission = open_submission(context.labs, directory);
-  if (own) submission.label = "starter";
+  const bool is_own = arguments.words.size() == 1;
+  Submission submission = open_submission(
+      context.labs, is_own ? context.layout.starter() : fs::path(arguments.words[1]));
+  if (is_own) submission.label = "starter";
   if (!submission.files.contains(lab.name)) {
     throw UsageError(fmt::format("{} has no {}", submission.label, lab.file()));
   }
   SubmissionOptions options;
-  options.judge.seed = seed_of(arguments);
+  options.judge.seed = arguments.seed();
   ProgressLine line("checking " + lab.name);
   options.progress = [&](double done, double all, const std::string& what) {
     line.show(100 * done, 100 * all, what);
@@ -54,8 +40,7 @@ int report(const Context& context, const Arguments& arguments) {
   material.sources[lab.name] = read_text(submission.files.at(lab.name));
   line.show(0, 0, "drawing " + lab.name);
   if (verdict.labs[0].no_program.empty()) {
-    const auto compared = submissions_with_solutions(
-        context, lab, own ? std::vector<std::string>{} : std::vector{directory.string()});
+    const auto compared = submissions_with_solutions(context, lab, arguments.words_after(1));
     for (const fs::path& picture : draw_plots(context.layout, lab, compared, "report").pictures) {
       if (picture.extension() == ".svg") material.pictures[lab.name].push_back(picture);
     }
@@ -70,12 +55,15 @@ int report(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand report_command{
-    {"report",
-     "report LAB [DIR] [--seed S] [--no-browser]",
-     {"seed=", "no-browser"},
-     "Writes the verdict, your code with the compiler's messages at their lines, your plots and\n"
-     "your speed to build/report/LAB.html, and opens it if there is a browser.\n",
-     report}};
+    {.usage = "report LAB [DIR] [--seed S] [--no-browser]",
+     .details = "Writes the verdict, your code with the compiler's messages at their lines, your "
+                "plots and your speed to build/report/LAB.html, and opens it if there is a "
+                "browser.",
+     .options = {{"--seed S", "repeat the run with that seed"},
+                 {"--no-browser", "only write the page"}},
+     .run = report,
+     .least_words = 1,
+     .most_words = 2}};
 
 }  // namespace
 }  // namespace mc::grader

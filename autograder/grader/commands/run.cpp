@@ -1,15 +1,7 @@
 // run: runs one experiment by hand.
 
 #include <cstdlib>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/commands/become.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
@@ -21,8 +13,6 @@
 
 namespace mc::grader {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Builds the program to run, for judging or for a kind of debugging; if that fails, prints the
 /// reason and returns an empty path.
@@ -53,7 +43,6 @@ std::optional<BuildKind> kind_of(const Arguments& arguments) {
 }
 
 int run(const Context& context, const Arguments& arguments) {
-  if (arguments.words.empty()) throw UsageError("usage: ./lab run LAB [EXPERIMENT ARGUMENT...]");
   const Lab& lab = find_lab(context.labs, arguments.words[0]);
   const fs::path directory = arguments.get("dir").value_or(context.layout.starter().string());
   const Intake intake = take_in_one(context, directory);
@@ -70,27 +59,26 @@ int run(const Context& context, const Arguments& arguments) {
         wrapped("or with the values alone, in this order. Numbers are written 0.5, lists 1,2,4 "
                 "or @FILE, structs 3:0.5:2.",
                 width, 0));
-    become({program, "--list", std::to_string(width)});
+    execute({program, "--list", std::to_string(width)});
   }
-  std::vector<std::string> command{program};
-  command.insert(command.end(), arguments.words.begin() + 1, arguments.words.end());
-  become(std::move(command));
+  std::vector<std::string> command = arguments.words_after(1);
+  command.insert(command.begin(), program);
+  execute(std::move(command));
 }
 
 const RegisterCommand run_command{
-    {"run",
-     "run LAB [--dir DIR] [--sanitize | --debug] [EXPERIMENT ARGUMENT...]",
-     {"dir=", "sanitize", "debug"},
-     "Without EXPERIMENT: list the experiments of the lab. Numbers are written 0.5, lists 1,2,4,\n"
-     "structs 3:0.5:2. There is no sandbox here: it is your own program, on your own machine.\n"
-     "  --dir DIR    use the files of DIR instead of starter/\n"
-     "  --sanitize   build with the address and undefined-behavior sanitizers; prints the path of "
-     "the\n"
-     "               program\n"
-     "  --debug      only build the program for a debugger, and print its path\n"
-     "  ./lab run variance mean 1,2,4\n",
-     run,
-     2}};
+    {.usage = "run LAB [--dir DIR] [--sanitize | --debug] [EXPERIMENT ARGUMENT...]",
+     .details = "For example: ./lab run variance mean 1,2,4. Without EXPERIMENT: list the "
+                "experiments of the lab. Numbers are written 0.5, lists 1,2,4, structs 3:0.5:2. "
+                "There is no sandbox here: it is your own program, on your own machine.",
+     .options = {{"--dir DIR", "use the files of DIR instead of starter/"},
+                 {"--sanitize",
+                  "build with the address and undefined-behavior sanitizers; prints the path of "
+                  "the program"},
+                 {"--debug", "only build the program for a debugger, and print its path"}},
+     .run = run,
+     .least_words = 1,
+     .words_before_verbatim = 2}};
 
 }  // namespace
 }  // namespace mc::grader

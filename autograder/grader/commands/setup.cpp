@@ -1,9 +1,6 @@
 // setup: in a checkout, the entry script has done the work before this runs. A handout compiles
 // what all submissions of a lab share.
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/submission/from_source.hpp"
 #include "sandbox/process.hpp"
@@ -11,8 +8,7 @@
 namespace mc::grader {
 namespace {
 
-int setup(const Context& context, const Arguments& arguments) {
-  if (!arguments.words.empty()) throw UsageError("usage: ./lab setup");
+int setup(const Context& context, const Arguments&) {
   if (context.layout.judge_is_compiled) {
     for (const Lab& lab : context.labs) shared_objects(context.layout, lab);
     if (!sandbox::run_process({"gnuplot", "--version"}).succeeded()) {
@@ -25,12 +21,11 @@ int setup(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand setup_command{
-    {"setup",
-     "setup",
-     {},
-     "Uses apt, dnf or brew, and prints what it runs. Asks first at a terminal, but not without\n"
-     "one or with CI=true. Changes nothing if nothing is missing.\n",
-     setup}};
+    {.usage = "setup",
+     .details = "Uses apt, dnf or brew, and prints what it runs. Asks first at a terminal, but not "
+                "without one or with CI=true. Changes nothing if nothing is missing.",
+     .run = setup,
+     .most_words = 0}};
 
 }  // namespace
 }  // namespace mc::grader

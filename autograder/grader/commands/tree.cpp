@@ -4,17 +4,10 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "runner/text.hpp"
-#include "sandbox/printable.hpp"
-#include "sandbox/process.hpp"
+#include "grader/commands/git.hpp"
+#include "grader/judging/points.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 /// Files that hold answers or are for instructors only.
@@ -62,15 +55,6 @@ bool is_left_out(const Context& context, const std::set<std::string>& chosen,
   return false;
 }
 
-std::string list_of(const std::vector<std::string>& files) {
-  constexpr std::size_t most = 10;
-  std::string all;
-  for (std::size_t i = 0; i < std::min(most, files.size()); ++i) {
-    all += "\n  " + sandbox::printable_line(files[i]);
-  }
-  return all + (files.size() > most ? "\n  …" : "");
-}
-
 /// Untracked files would be missing from the copy, and modified ones would be in it without a
 /// version: refuses the first, and lists the second.
 void compare_with_git(const Context& context, const std::set<std::string>& chosen) {
@@ -79,65 +63,34 @@ void compare_with_git(const Context& context, const std::set<std::string>& chose
                                                        "--untracked-files=all", "--no-renames"});
   std::vector<std::string> unknown, changed;
   for (const std::string_view entry : text::split(listed, '\0')) {
-    const auto blank = entry.find(' ');  // "?? name", "M name"
-    if (blank == std::string_view::npos) continue;
-    const std::string file(entry.substr(blank + 1));
+    if (entry.size() < 4) continue;
+    const std::string file(entry.substr(3));  // "?? name", " M name"
     if (is_kept_back(file, form) || is_left_out(context, chosen, file)) continue;
     (entry.starts_with("??") ? unknown : changed).push_back(file);
   }
   if (!unknown.empty()) {
-    throw UsageError("these files are not in git; add or remove them first:" + list_of(unknown));
+    throw UsageError("these files are not in git; add or remove them first: " + some_of(unknown));
   }
   if (!changed.empty()) {
-    fmt::print(stderr, "lab: the handout has changes that are not committed:{}\n",
-               list_of(changed));
+    fmt::print(stderr, "lab: the handout has changes that are not committed: {}\n",
+               some_of(changed));
   }
 }
 
-}  // namespace
-
-std::string git(const fs::path& directory, std::vector<std::string> words) {
-  words.insert(words.begin(), {"git", "-C", directory.string()});
-  const auto run = sandbox::run_process(words);
-  if (!run.succeeded()) {
-    throw MachineError(fmt::format("{}: {}", fmt::join(words, " "),
-                                   sandbox::printable_line(run.errors.substr(0, 200))));
-  }
-  return run.output;
-}
-
-std::set<std::string> labs_and_those_below(const Context& context,
-                                           const std::optional<std::string>& list) {
-  std::set<std::string> chosen;
-  if (!list) {
-    for (const Lab& lab : context.labs) chosen.insert(lab.name);
-    return chosen;
-  }
-  for (const std::string_view word : text::split(*list, ',')) {
-    const Lab& lab = find_lab(context.labs, std::string(word));
-    chosen.insert(lab.name);
-    chosen.insert(lab.depends_on.begin(), lab.depends_on.end());
-  }
-  return chosen;
-}
-
-std::vector<std::string> files_without_answers(const Context& context,
-                                               const std::set<std::string>& labs, JudgeForm form) {
-  std::vector<std::string> files;
+/// Copies the files that git tracks, so no builds and no private files.
+void copy_tracked(const Context& context, const std::set<std::string>& labs, JudgeForm form,
+                  const fs::path& to) {
+  const fs::path root = context.layout.root;
   compare_with_git(context, labs);
-  const std::string listed = git(context.layout.root, {"ls-files", "-z"});
+  const std::string listed = git(root, {"ls-files", "-z"});
   for (const std::string_view name : text::split(listed, '\0')) {
     const std::string file(name);
     if (file.empty() || is_kept_back(file, form) || is_left_out(context, labs, file)) continue;
-    if (fs::exists(context.layout.root / file)) files.push_back(file);
+    if (fs::exists(root / file)) copy_into(root / file, to / file);
   }
-  return files;
 }
 
-bool has_compiled_judge(const Layout& layout) {
-  return fs::exists(layout.build / "handout" / "grader");
-}
-
+/// Into autograder/bin, with the script that starts it.
 void copy_compiled_judge(const Context& context, const std::set<std::string>& labs,
                          const fs::path& to) {
   const Layout& layout = context.layout;
@@ -167,8 +120,47 @@ void copy_compiled_judge(const Context& context, const std::set<std::string>& la
   }
 }
 
+}  // namespace
+
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  const std::vector<std::string> some(
+      names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
+  std::string text = fmt::format("{}", fmt::join(some, ", "));
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  return sandbox::printable_line(text);
+}
+
+std::set<std::string> labs_with_dependencies(const Context& context,
+                                             const std::optional<std::string>& list) {
+  std::set<std::string> chosen;
+  if (!list) {
+    for (const Lab& lab : context.labs) chosen.insert(lab.name);
+    return chosen;
+  }
+  for (const std::string_view word : text::split(*list, ',')) {
+    const Lab& lab = find_lab(context.labs, std::string(word));
+    chosen.insert(lab.name);
+    chosen.insert(lab.depends_on.begin(), lab.depends_on.end());
+  }
+  return chosen;
+}
+
+void copy_course(const Context& context, const std::set<std::string>& labs, JudgeForm form,
+                 const fs::path& to) {
+  copy_tracked(context, labs, form, to);
+  if (form == JudgeForm::compiled) copy_compiled_judge(context, labs, to);
+  const fs::path points = context.layout.root / points_file;
+  if (fs::exists(points)) copy_into(points, to / points_file);
+}
+
+bool has_compiled_judge(const Layout& layout) {
+  return fs::exists(layout.build / "handout" / "grader");
+}
+
 void copy_into(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
+  fs::remove(to);
   fs::copy_file(from, to);
 }
 

@@ -1,40 +1,33 @@
 #pragma once
 // A part of this repository for students or graders: no answers, and only some labs.
 
-#include <filesystem>
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
-#include "grader/checkout/context.hpp"
+#include "grader/commands/command.hpp"
 
 namespace mc::grader {
 
-/// Runs git in that directory and returns its output. Throws MachineError if it fails.
-std::string git(const std::filesystem::path& directory, std::vector<std::string> words);
+/// "a, b and 3 more", printable.
+std::string some_of(const std::vector<std::string>& names);
 
 /// The labs named by a list such as "1,2", and those they depend on; all labs without a list.
-std::set<std::string> labs_and_those_below(const Context& context,
-                                           const std::optional<std::string>& list);
+std::set<std::string> labs_with_dependencies(const Context& context,
+                                             const std::optional<std::string>& list);
 
 /// Does the copy have the judge as programs, or its sources?
 enum class JudgeForm { compiled, sources };
 
-/// The files that git tracks, so no builds and no private files; without answers and files that
-/// only the repository needs; of the labs, only these.
-std::vector<std::string> files_without_answers(const Context& context,
-                                               const std::set<std::string>& labs, JudgeForm form);
+/// Copies the course without answers and without files that only the repository needs; of the labs,
+/// only these. In compiled form, the judge is in autograder/bin, with the script that starts it.
+/// Throws MachineError if this machine could not link it statically, and UsageError for files that
+/// are not in git.
+void copy_course(const Context& context, const std::set<std::string>& labs, JudgeForm form,
+                 const fs::path& to);
 
 /// Could this machine link the judge statically? Not on macOS, and not without static libraries.
 bool has_compiled_judge(const Layout& layout);
 
-/// Copies the compiled judge for these labs into autograder/bin of `to`, with the script that
-/// starts it. Throws MachineError if this machine could not link it statically.
-void copy_compiled_judge(const Context& context, const std::set<std::string>& labs,
-                         const std::filesystem::path& to);
-
-/// Copies a file and creates the directories it needs.
-void copy_into(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Copies a file in place of an existing one, and creates the directories it needs.
+void copy_into(const fs::path& from, const fs::path& to);
 
 }  // namespace mc::grader

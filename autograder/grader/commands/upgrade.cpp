@@ -2,29 +2,14 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/text_file.hpp"
+#include "grader/commands/git.hpp"
 #include "grader/commands/tree.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 bool is_students_own(const std::string& file) {
   return file.starts_with("starter/") || file.starts_with("answers/");
-}
-
-/// A paragraph of the message; nothing for an empty list.
-std::string paragraph_of(const std::string& what, const std::vector<std::string>& names) {
-  constexpr std::size_t most = 12;
-  if (names.empty()) return {};
-  const std::vector<std::string> some(
-      names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
-  return fmt::format("{}: {}{}\n", what, fmt::join(some, ", "),
-                     names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
 }
 
 /// What differs between two versions, by kind.
@@ -34,10 +19,14 @@ struct Difference {
   std::string message(const Manifest& before, const Manifest& now) const {
     const std::string was =
         before.version == now.version ? "" : fmt::format(", was {}", before.version);
-    return fmt::format("Monte Carlo labs {}{}\n\n", now.version, was) +
-           paragraph_of("New labs", labs) + paragraph_of("Checks changed", checks) +
-           paragraph_of("Handouts changed", handouts) + paragraph_of("Other files", others) +
-           paragraph_of("Removed", removed) + paragraph_of("Edited here, so kept", kept);
+    std::string text = fmt::format("Monte Carlo labs {}{}\n\n", now.version, was);
+    for (const auto& [title, names] :
+         {std::pair("New labs", &labs), std::pair("Checks changed", &checks),
+          std::pair("Handouts changed", &handouts), std::pair("Other files", &others),
+          std::pair("Removed", &removed), std::pair("Edited here, so kept", &kept)}) {
+      if (!names->empty()) text += fmt::format("{}: {}\n", title, some_of(*names));
+    }
+    return text;
   }
 };
 
@@ -52,8 +41,8 @@ Manifest make_manifest(const Context& context, Manifest manifest, const fs::path
   for (const Lab& lab : context.labs) {
     if (!manifest.labs.contains(lab.name)) continue;
     std::vector<fs::path> files;
-    const fs::path place = context.layout.root / "autograder" / "checks" / lab.name;
-    for (const auto& entry : fs::directory_iterator(place)) files.push_back(entry.path());
+    const fs::path folder = context.layout.root / "autograder" / "checks" / lab.name;
+    for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     std::string all;
     for (const fs::path& file : files) all += read_whole_text(file);
@@ -110,7 +99,6 @@ std::string upgrade(const fs::path& handout, const fs::path& tree) {
     if (!is_of_new_lab) {
       (is_handout_text(file) ? difference.handouts : difference.others).push_back(file);
     }
-    fs::remove(handout / file);
     copy_into(tree / file, handout / file);
     touched.push_back(file);
   }
@@ -125,8 +113,7 @@ std::string upgrade(const fs::path& handout, const fs::path& tree) {
     touched.push_back(file);
   }
   if (touched.empty() && before.version == now.version) return {};
-  fs::copy_file(tree / manifest_file, handout / manifest_file,
-                fs::copy_options::overwrite_existing);
+  copy_into(tree / manifest_file, handout / manifest_file);
   touched.emplace_back(manifest_file);
   std::string message = difference.message(before, now);
   commit_files(handout, touched, message);

@@ -2,6 +2,7 @@
 
 #include <poll.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,17 +15,15 @@
 #include <sstream>
 #include <system_error>
 #include <thread>
+#include <utility>
 
-#include <fmt/format.h>
-
-#include "grader/commands/saves.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
-/// Tells the programs that `watch` starts what to write for: "100", or "100c" with colors.
+/// Tells the programs that `watch` starts the width of the terminal, and whether it has colors:
+/// "100", or "100c".
 constexpr const char* terminal_variable = "MC_WATCHED";
 
 /// The writing end of a pipe that is polled for signals and for the end of a run.
@@ -51,6 +50,44 @@ std::string clock_time() {
   std::strftime(text, sizeof text, "%H:%M:%S", std::localtime(&now));
   return text;
 }
+
+/// Files and their state at the last look. A save is a change of time, size or inode, so editors
+/// may write into a file, replace it, or remove it and write it anew.
+class WatchedFiles {
+ public:
+  explicit WatchedFiles(const std::vector<fs::path>& files) : files_(files) { changed(); }
+
+  /// Has a file been saved or removed since the last call?
+  bool changed() {
+    std::vector<State> now;
+    for (const fs::path& file : files_) now.push_back(state_of(file));
+    return std::exchange(states_, now) != now;
+  }
+  /// The name of the first missing file; empty if none is missing.
+  std::string missing() const {
+    const auto found = std::find(states_.begin(), states_.end(), State{});
+    if (found == states_.end()) return {};
+    return files_[static_cast<std::size_t>(found - states_.begin())].filename().string();
+  }
+
+ private:
+  struct State {
+    fs::file_time_type time{};
+    off_t size = 0;
+    ino_t inode = 0;
+    bool operator==(const State&) const = default;
+  };
+  static State state_of(const fs::path& file) {
+    struct stat found {};
+    std::error_code vanished;
+    const auto time = fs::last_write_time(file, vanished);
+    if (vanished || stat(file.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return {};
+    return {time, found.st_size, found.st_ino};
+  }
+
+  const std::vector<fs::path>& files_;
+  std::vector<State> states_;
+};
 
 /// One run of the judge, concurrent with the watching.
 class Run {
@@ -111,7 +148,7 @@ class Screen {
       say(fmt::format("judged {}", clock_time()));
     }
   }
-  void leave() const {
+  void end() const {
     if (terminal_.interactive) fmt::print("\n");
   }
 
@@ -139,10 +176,10 @@ std::size_t rows_of(std::string_view line, std::size_t columns) {
   return std::max<std::size_t>(1, (columns_of(shown) + columns - 1) / columns);
 }
 
-/// Waits until something may have happened: a hint, a signal, the end of a run, a second.
-void wait_for_something(int wakes, int hint, int milliseconds) {
-  pollfd watched[] = {{wakes, POLLIN, 0}, {hint, POLLIN, 0}};
-  poll(watched, hint < 0 ? 1 : 2, milliseconds);
+/// Waits until a signal arrives, a run ends, or the time is over.
+void wait_for_wake_up(int wakes, int milliseconds) {
+  pollfd watched{wakes, POLLIN, 0};
+  poll(&watched, 1, milliseconds);
   char some[64];
   while (read(wakes, some, sizeof some) > 0) {
   }
@@ -161,36 +198,36 @@ int watch(const Context& context, const std::vector<std::string>& words,
   command.insert(command.end(), words.begin(), words.end());
 
   const Screen screen;
-  Saves saves(files);
+  WatchedFiles watched(files);
   std::optional<Run> run;
-  bool is_due = true;  // there is a text that has not been judged
-  std::string waits_for;
+  bool is_unjudged = true;  // the present text
+  std::string reported;     // the missing file
   while (!interrupted) {
-    if (saves.changed()) {
+    if (watched.changed()) {
       if (run) screen.say("saved again: judging starts over");
       run.reset();
-      is_due = true;
+      is_unjudged = true;
       // An editor may save in several steps: start after a moment without changes.
-      wait_for_something(wakes.read.get(), -1, 50);
+      wait_for_wake_up(wakes.read.get(), 50);
       continue;
     }
-    const std::string missing = saves.missing();
-    if (is_due && missing.empty()) {
+    const std::string missing = watched.missing();
+    if (is_unjudged && missing.empty()) {
       screen.say(fmt::format("judging {}", files[0].filename().string()));
       run.emplace(command, screen.terminal());
-      is_due = false;
-    } else if (is_due && missing != waits_for) {
+      is_unjudged = false;
+    } else if (is_unjudged && missing != reported) {
       screen.say(fmt::format("{} does not exist: waiting for it", missing));
     }
-    waits_for = missing;
-    wait_for_something(wakes.read.get(), saves.hint(), 1000);
+    reported = missing;
+    wait_for_wake_up(wakes.read.get(), 100);
     if (run && run->has_ended() && !interrupted) {
       screen.show(run->text());
       run.reset();
     }
   }
   run.reset();
-  screen.leave();
+  screen.end();
   return 0;
 }
 

@@ -1,13 +1,7 @@
 #pragma once
 // check --watch: judges again whenever a file is saved.
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "grader/checkout/context.hpp"
+#include "grader/commands/command.hpp"
 #include "grader/reports/report.hpp"
 
 namespace mc::grader {
@@ -15,7 +9,7 @@ namespace mc::grader {
 /// Judges with `./lab WORDS…` at once and after each save of one of `files`, until interrupted. A
 /// save stops a run in progress. Returns the exit status: 0.
 int watch(const Context& context, const std::vector<std::string>& words,
-          const std::vector<std::filesystem::path>& files);
+          const std::vector<fs::path>& files);
 
 /// The terminal of the `watch` that started this program; nothing if it was started otherwise.
 std::optional<Terminal> watching_terminal();

@@ -6,10 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "grader/base/side_by_side.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/judging/budget.hpp"
 #include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
@@ -18,7 +15,6 @@
 #include "grader/submission/source.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 /// The size limit of build/programs.
@@ -37,13 +33,12 @@ std::string everything_in(const IntakeEntry& entry, const JudgeOptions& options)
 /// Did the machine, and not only the autograder, prevent judging?
 bool has_machine_failed(const Verdict& verdict) {
   if (verdict.not_judged.empty()) return false;
-  if (verdict.labs.empty()) return true;
-  for (const LabVerdict& lab : verdict.labs) {
-    for (const CheckResult& result : lab.checks) {
-      if (result.status == Status::not_judged) return true;
-    }
-  }
-  return false;
+  return verdict.labs.empty() ||
+         std::any_of(verdict.labs.begin(), verdict.labs.end(), [](const LabVerdict& lab) {
+           return std::any_of(lab.checks.begin(), lab.checks.end(), [](const CheckResult& one) {
+             return one.status == Status::not_judged;
+           });
+         });
 }
 
 std::vector<std::string> absent_from(const Context& context, const Submission& submission) {
@@ -81,7 +76,7 @@ class Batch {
   void find_known() {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const IntakeEntry& one = entries_[i];
-      const auto labs = labs_of(context_, one.submission, options_.asked_for);
+      const auto labs = labs_of(context_, one.submission, options_.requested);
       auto known = known_verdict(one, labs);
       if (!known) {
         open_.push_back(i);
@@ -121,11 +116,11 @@ class Batch {
     options.progress = [&](double done, double all, const std::string&) {
       show_progress(at, all > 0 ? done / all : 0);
     };
-    const auto labs = labs_of(context_, one.submission, options_.asked_for);
+    const auto labs = labs_of(context_, one.submission, options_.requested);
     const Verdict verdict = judge_entry(context_, one, labs, options);
     if (book_ != nullptr) book_->add(verdict);
     show_progress(at, 1);
-    note(verdict);
+    report(verdict);
     sweep(one);
   }
 
@@ -137,7 +132,7 @@ class Batch {
     line_->show(done, all, fmt::format("submissions, {} at a time", options_.workers));
   }
 
-  void note(const Verdict& verdict) {
+  void report(const Verdict& verdict) {
     const std::lock_guard lock(mutex_);
     line_->clear();
     fmt::print("{}", report_summary({verdict}, widest_));
@@ -209,8 +204,8 @@ class Batch {
 }  // namespace
 
 std::vector<Lab> labs_of(const Context& context, const Submission& submission,
-                         const std::vector<Lab>& asked_for) {
-  if (!asked_for.empty()) return asked_for;
+                         const std::vector<Lab>& requested) {
+  if (!requested.empty()) return requested;
   std::vector<Lab> present;
   for (const Lab& lab : context.labs) {
     if (submission.files.contains(lab.name)) present.push_back(lab);
@@ -219,11 +214,11 @@ std::vector<Lab> labs_of(const Context& context, const Submission& submission,
 }
 
 std::vector<LabColumns> columns_for(const Context& context, const std::vector<IntakeEntry>& entries,
-                                    const std::vector<Lab>& asked_for) {
+                                    const std::vector<Lab>& requested) {
   std::vector<LabColumns> columns;
   for (const Lab& lab : context.labs) {
     const bool is_judged = std::any_of(entries.begin(), entries.end(), [&](auto& one) {
-      const auto labs = labs_of(context, one.submission, asked_for);
+      const auto labs = labs_of(context, one.submission, requested);
       return std::any_of(labs.begin(), labs.end(), [&](auto& a) { return a.name == lab.name; });
     });
     if (!is_judged) continue;

@@ -1,9 +1,6 @@
 #pragma once
 // Judges many submissions in parallel.
 
-#include <string>
-#include <vector>
-
 #include "grader/gradebook/book.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/submission/intake.hpp"
@@ -13,11 +10,11 @@ namespace mc::grader {
 /// The labs to judge: those asked for, even if files are missing; else those that the submission
 /// has a file of.
 std::vector<Lab> labs_of(const Context& context, const Submission& submission,
-                         const std::vector<Lab>& asked_for);
+                         const std::vector<Lab>& requested);
 
 /// The table columns for these submissions.
 std::vector<LabColumns> columns_for(const Context& context, const std::vector<IntakeEntry>& entries,
-                                    const std::vector<Lab>& asked_for);
+                                    const std::vector<Lab>& requested);
 
 /// Always returns a verdict: if the machine fails, the verdict says so instead of a grade.
 Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std::vector<Lab>& labs,
@@ -26,7 +23,7 @@ Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std:
 struct BatchOptions {
   SubmissionOptions judging;
   unsigned workers = 1;        ///< submissions at the same time
-  std::vector<Lab> asked_for;  ///< empty: the labs that were handed in
+  std::vector<Lab> requested;  ///< empty: the labs that were handed in
   bool with_speed = false;     ///< measured at the end, one after the other
 };
 

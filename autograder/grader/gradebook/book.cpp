@@ -12,14 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/reports/verdict_json.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 fs::path state_file(const fs::path& csv) {
@@ -99,7 +94,7 @@ Book::Book(Setup setup) : setup_(std::move(setup)) {
       if (entry.path().extension() == ".json") fs::remove(entry.path());
     }
   }
-  write_state(false);
+  write_book_state(setup_.csv, false, setup_.seed);
 }
 
 void Book::keep(const Verdict& verdict) {
@@ -149,7 +144,7 @@ void Book::update(const Verdict& verdict) {
 void Book::finish(bool whole) {
   const std::lock_guard lock(mutex_);
   write_table();
-  write_state(whole);
+  write_book_state(setup_.csv, whole, setup_.seed);
 }
 
 void Book::write_table() const {
@@ -158,10 +153,6 @@ void Book::write_table() const {
     if (const auto row = rows_.find(id); row != rows_.end()) table += row->second;
   }
   write_text(setup_.csv, table);
-}
-
-void Book::write_state(bool finished) const {
-  write_book_state(setup_.csv, finished, setup_.seed);
 }
 
 }  // namespace mc::grader

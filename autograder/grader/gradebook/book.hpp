@@ -3,15 +3,9 @@
 // the next submission is judged, so a killed run loses no finished work.
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
 #include <mutex>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "grader/judging/verdict.hpp"
-#include "grader/reports/csv.hpp"
+#include "grader/gradebook/table.hpp"
 #include "sandbox/descriptor.hpp"
 
 namespace mc::grader {
@@ -69,7 +63,6 @@ class Book {
 
  private:
   void write_table() const;
-  void write_state(bool finished) const;
 
   const Setup setup_;
   sandbox::Descriptor lock_, table_;

@@ -1,16 +1,11 @@
 #include "grader/gradebook/class_page.hpp"
 
 #include <algorithm>
-#include <map>
 
-#include <fmt/format.h>
-
-#include "grader/base/text_file.hpp"
 #include "grader/reports/html.hpp"
 #include "grader/submission/source.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 /// A table that scrolls; its first column names the rows.
@@ -57,13 +52,10 @@ std::string histogram(const LabStatistics& lab) {
 }
 
 std::string lab_section(const LabStatistics& lab) {
-  const std::string title = lab.lab.title(), others = other_submissions(lab);
+  const std::string title = lab.lab.title();
   std::string all =
-      fmt::format("<h2>{}</h2>\n<p>{} attempts", html_escaped(title), lab.totals.size());
-  if (!lab.totals.empty()) all += "; " + center_of(lab.totals);
-  if (!others.empty()) all += "<br>" + others;
-  if (const auto hours = reported_hours(lab); !hours.empty()) all += "<br>" + hours;
-  all += "</p>\n<h3>Points</h3>\n" + histogram(lab) + "<h3>Tasks</h3>\n";
+      fmt::format("<h2>{}</h2>\n<p>{}</p>\n<h3>Points</h3>\n{}<h3>Tasks</h3>\n",
+                  html_escaped(title), fmt::join(summary_of(lab), "<br>"), histogram(lab));
   all += table_begin({"points earned", "attempts with all points"}, "task", title + ": tasks");
   for (const TaskStatistics& one : lab.tasks) {
     all += "<tr>" + name_cell(one.task) + number_cell(fmt::format("{:.0f} %", 100 * one.share)) +
@@ -99,9 +91,8 @@ std::string statistics_sections(const ClassStatistics& statistics) {
   }
   if (statistics.hints.empty()) return all;
   all += "<h2>Hints</h2>\n" + table_begin({"submissions"}, "hint", "hints");
-  for (std::size_t i = 0; i < std::min(most_hints, statistics.hints.size()); ++i) {
-    all += "<tr>" + name_cell(html_escaped(statistics.hints[i].hint)) +
-           number_cell(statistics.hints[i].submissions) + "</tr>\n";
+  for (const HintStatistics& one : statistics.hints) {
+    all += "<tr>" + name_cell(html_escaped(one.hint)) + number_cell(one.submissions) + "</tr>\n";
   }
   return all + table_end;
 }
@@ -232,8 +223,8 @@ void write_class_pages(const fs::path& directory, const Context& context, const 
     if (verdict == verdicts.end()) continue;
     PageMaterial material;
     for (const Row& row : table.rows) {
-      if (field(row, "id") == one.submission.label)
-        material.corrections = field(row, "corrections");
+      if (field(row, "id") != one.submission.label) continue;
+      material.corrections = field(row, "corrections");
     }
     for (const LabVerdict& lab : verdict->second.labs) {
       const auto file = one.submission.files.find(lab.lab.name);

@@ -1,13 +1,7 @@
 #pragma once
 // A class as HTML pages: its statistics, and a page per submission.
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "grader/checkout/context.hpp"
 #include "grader/gradebook/statistics.hpp"
-#include "grader/gradebook/table.hpp"
 #include "grader/submission/intake.hpp"
 
 namespace mc::grader {

@@ -1,20 +1,11 @@
 #include "grader/gradebook/corrections.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <map>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/reports/csv.hpp"
 #include "grader/submission/source.hpp"
-#include "runner/text.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* note_column = "corrections";
@@ -35,12 +26,6 @@ double number_in(const Row& row, const std::string& column) {
 
 std::string text_of_points(double points) {
   return fmt::format("{:g}", points);
-}
-
-void add_column(Table& table, const std::string& column) {
-  if (std::find(table.columns.begin(), table.columns.end(), column) == table.columns.end()) {
-    table.columns.push_back(column);
-  }
 }
 
 /// Sets one cell and notes its old value.
@@ -74,26 +59,19 @@ std::vector<Correction> read_corrections(const fs::path& csv, const std::vector<
         fmt::format("{}, line {}: {}", sandbox::printable_line(file.string()), line, why));
   };
   if (!source.problem.empty()) throw UsageError(source.problem);
-  std::string_view text = source.text;
-  constexpr std::string_view mark = "\xef\xbb\xbf";
-  if (text.starts_with(mark)) text.remove_prefix(mark.size());
   std::vector<Correction> corrections;
-  const auto rows = csv_rows(text);
+  const auto rows = csv_rows(source.text);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& row = rows[i];
     if (i == 0 && row[0] == "id") continue;
     if (row.size() < 3 || row.size() > 4) {
       refuse(i + 1, "a line must be id,what,points,comment");
     }
-    Correction one{row[0], row[1], 0, row.size() == 4 ? sandbox::printable_line(row[3]) : ""};
-    try {
-      text::parse(row[2], one.points);
-    } catch (const std::invalid_argument&) {
-      one.points = NAN;
-    }
-    if (!std::isfinite(one.points)) {
+    const auto points = finite_number(row[2]);
+    if (!points) {
       refuse(i + 1, fmt::format("'{}' is not a number of points", sandbox::printable_line(row[2])));
     }
+    Correction one{row[0], row[1], *points, row.size() == 4 ? sandbox::printable_line(row[3]) : ""};
     if (!is_check_column(one.what) && lab_called(labs, one.what) == nullptr) {
       refuse(i + 1, fmt::format("'{}' is not a lab (variance), the written points of a lab "
                                 "(variance written), nor a check (its column)",
@@ -108,7 +86,7 @@ std::vector<Correction> apply_corrections(Table& table, const std::vector<Correc
                                           const std::vector<Lab>& labs) {
   if (corrections.empty()) return {};
   std::map<std::string, Row*> rows;
-  add_column(table, note_column);
+  add_column(table.columns, note_column);
   for (Row& row : table.rows) {
     rows[field(row, "id")] = &row;
     row.erase(note_column);
@@ -123,14 +101,14 @@ std::vector<Correction> apply_corrections(Table& table, const std::vector<Correc
     }
     Row& row = *found->second;
     if (is_check_column(one.what)) {
-      add_column(table, one.what);
+      add_column(table.columns, one.what);
       set_points(row, one.what, one);
       if (const Lab* lab = lab_of_column(labs, one.what)) add_up(table, row, labs, *lab);
       continue;
     }
     const Lab& lab = *lab_called(labs, one.what);
     if (one.what.ends_with(written)) {
-      add_column(table, lab.name + std::string(written));
+      add_column(table.columns, lab.name + std::string(written));
       set_points(row, lab.name + std::string(written), one);
       add_up(table, row, labs, lab);
     } else {
@@ -139,7 +117,7 @@ std::vector<Correction> apply_corrections(Table& table, const std::vector<Correc
   }
   for (const auto& [row, one] : totals) {  // after the sums
     const std::string column = lab_called(labs, one.what)->name + " total";
-    add_column(table, column);
+    add_column(table.columns, column);
     set_points(*row, column, one);
   }
   return without_row;

@@ -10,10 +10,6 @@
 // `what` is a check (its points), a lab (its total, whatever the checks say), or a lab and
 // "written" (points added to its total, for written questions).
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "grader/gradebook/table.hpp"
 
 namespace mc::grader {

@@ -1,26 +1,18 @@
 #include "grader/gradebook/roster.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
-#include <chrono>
 #include <ctime>
-#include <map>
-#include <optional>
-#include <string_view>
 
 #include <fmt/chrono.h>
-#include <fmt/format.h>
 
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/reports/csv.hpp"
 #include "grader/submission/exports.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
-/// The columns that hold a field, in small letters; the first that is not empty counts.
+/// The columns that may hold a value, in lower case; the first that is not empty counts.
 ///   Canvas, gradebook: Student, ID, SIS User ID, SIS Login ID, Section. Its ID is the number in the
 ///     names of downloaded files (community.canvaslms.com, "How do I export grades in the
 ///     Gradebook?"; github.com/instructure/canvas-lms, lib/gradebook_importer.rb).
@@ -40,7 +32,7 @@ const Names emails{"email", "email address", "e-mail", "sis login id"};
 const Names logins{"sis login id", "username", "github_username"};
 }  // namespace roster_columns
 
-std::string in_small_letters(std::string text) {
+std::string in_lower_case(std::string text) {
   for (char& c : text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
@@ -57,7 +49,7 @@ std::string trailing_digits(const std::string& text) {
   return text.substr(text.find_last_not_of("0123456789") + 1);
 }
 
-/// A row by its columns in small letters.
+/// A row by its columns in lower case.
 using Fields = std::map<std::string, std::string, std::less<>>;
 
 std::string first_of(const Fields& fields, const Names& columns) {
@@ -83,7 +75,7 @@ std::optional<Person> person_in(const Fields& fields) {
   const bool is_canvas = fields.contains("student");
   Person person;
   person.name = name_in(fields);
-  const std::string role = in_small_letters(first_of(fields, {"role"}));
+  const std::string role = in_lower_case(first_of(fields, {"role"}));
   if (person.name == "Points Possible" || person.name == "Test Student" ||
       (!role.empty() && role.find("student") == std::string::npos && role != "0")) {
     return {};
@@ -103,13 +95,13 @@ std::optional<Person> person_in(const Fields& fields) {
   for (const std::string& key :
        {id, person.email, person.name, first_of(fields, roster_columns::logins),
         person.email.substr(0, person.email.find('@'))}) {
-    if (!key.empty()) person.keys.insert(in_small_letters(key));
+    if (!key.empty()) person.keys.insert(in_lower_case(key));
   }
   if (!person.number.empty()) person.keys.insert('#' + person.number);
   return person;
 }
 
-/// What a part of a submission's id may name its person by, the surest first.
+/// The keys that a part of a submission's id may hold, the surest first.
 std::vector<std::string> keys_in(const std::string& part) {
   std::vector<std::string> keys;
   const auto open = part.rfind('('), close = part.rfind(')');  // Gradescope: "Jane (jane@x.edu)"
@@ -142,7 +134,7 @@ class Keys {
   }
   const Person* find(const std::string& part) const {
     for (const std::string& key : keys_in(part)) {
-      const auto found = by_key_.find(in_small_letters(key));
+      const auto found = by_key_.find(in_lower_case(key));
       if (found != by_key_.end() && found->second != nullptr) return found->second;
     }
     return nullptr;
@@ -170,12 +162,8 @@ class Keys {
 std::string file_time(const Submission& submission) {
   std::time_t newest = 0;
   for (const auto& [lab, file] : submission.files) {
-    std::error_code gone;
-    const auto age = fs::file_time_type::clock::now() - fs::last_write_time(file, gone);
-    if (gone) continue;
-    const auto when = std::chrono::system_clock::now() -
-                      std::chrono::duration_cast<std::chrono::system_clock::duration>(age);
-    newest = std::max(newest, std::chrono::system_clock::to_time_t(when));
+    struct stat found {};
+    if (stat(file.c_str(), &found) == 0) newest = std::max(newest, found.st_mtime);
   }
   return newest == 0 ? "" : fmt::format("{:%Y-%m-%d %H:%M:%S} (file time)", fmt::gmtime(newest));
 }
@@ -197,25 +185,23 @@ IntakeEntry entry_of(const Person& person, IntakeEntry entry) {
 Roster read_roster(const fs::path& file) {
   const std::string shown = sandbox::printable_line(file.string());
   if (!fs::is_regular_file(file)) throw UsageError("no such roster: " + shown);
-  std::string text = read_whole_text(file);
-  constexpr std::string_view mark = "\xef\xbb\xbf";
-  if (text.starts_with(mark)) text.erase(0, mark.size());
-  const auto rows = csv_rows(text);
+  const auto rows = csv_rows(read_whole_text(file));
   Roster roster;
   if (!rows.empty()) roster.columns = rows[0];
-  for (std::string& column : roster.columns)
+  for (std::string& column : roster.columns) {
     column = without_blanks(sandbox::printable_line(column));
+  }
   std::set<std::string> taken;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     Fields fields;
     Row row;
     for (std::size_t k = 0; k < std::min(rows[i].size(), roster.columns.size()); ++k) {
-      row[roster.columns[k]] = fields[in_small_letters(roster.columns[k])] =
+      row[roster.columns[k]] = fields[in_lower_case(roster.columns[k])] =
           without_blanks(sandbox::printable_line(rows[i][k]));
     }
     auto person = person_in(fields);
     if (!person) continue;
-    if (!taken.insert(in_small_letters(person->id)).second) {
+    if (!taken.insert(in_lower_case(person->id)).second) {
       throw UsageError(fmt::format("{}: two people have the id '{}'", shown, person->id));
     }
     person->row = std::move(row);
@@ -256,7 +242,7 @@ RosterReport match_roster(const Roster& roster, std::vector<IntakeEntry>& entrie
   std::set<std::string> taken;
   for (IntakeEntry& entry : matched) {
     const std::string plain = entry.submission.label;
-    for (int i = 2; !taken.insert(in_small_letters(entry.submission.label)).second; ++i) {
+    for (int i = 2; !taken.insert(in_lower_case(entry.submission.label)).second; ++i) {
       entry.submission.label = fmt::format("{} ({})", plain, i);
     }
   }

@@ -3,10 +3,7 @@
 // (gradebook), Moodle (grading worksheet, participants, grades), Gradescope (roster) or GitHub
 // Classroom export. Columns are found by their headers.
 
-#include <filesystem>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "grader/gradebook/table.hpp"
 #include "grader/submission/intake.hpp"
@@ -16,7 +13,7 @@ namespace mc::grader {
 struct Person {
   std::string id, name, email;
   std::string number;          ///< the platform's, in the names of exported files; may be empty
-  std::set<std::string> keys;  ///< all that may name this person, in small letters
+  std::set<std::string> keys;  ///< all that may name this person, in lower case
   Row row;                     ///< of the roster, for tables that go back to the platform
 };
 

@@ -1,18 +1,9 @@
 #include "grader/gradebook/slurm.hpp"
 
-#include <algorithm>
-#include <system_error>
-
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/gradebook/book.hpp"
-#include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 /// The tasks' output directory: grades-slurm/ for grades.csv.
@@ -50,7 +41,7 @@ std::string trimmed(std::string text) {
 
 std::string submit_tasks(const Context& context, const SlurmTasks& tasks) {
   const fs::path place = task_directory(tasks.csv), script = place / "task.sh";
-  if (!tasks.go_on) fs::remove_all(place);
+  if (!tasks.is_resumed) fs::remove_all(place);
   fs::create_directories(place);
   write_text(script, script_of(context, tasks, place));
   const auto run =

@@ -3,11 +3,8 @@
 // submission with its own table, so it can be killed, requeued and restarted like any other run.
 
 #include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
 
-#include "grader/checkout/context.hpp"
+#include "grader/gradebook/table.hpp"
 
 namespace mc::grader {
 
@@ -17,7 +14,7 @@ struct SlurmTasks {
   std::vector<std::string> words = {};    ///< the submissions
   std::size_t count = 0;                  ///< number of submissions: task k has the k-th
   std::uint64_t seed = 0;
-  bool go_on = false;  ///< keep the results of an earlier job's tasks
+  bool is_resumed = false;  ///< keep the results of an earlier job's tasks
 };
 
 /// Submits the tasks from this directory with sbatch; returns the job's number. Throws MachineError

@@ -4,15 +4,9 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <stdexcept>
-#include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "grader/base/errors.hpp"
 #include "runner/text.hpp"
-#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
@@ -20,12 +14,7 @@ namespace {
 std::optional<double> points_in(const Table& table, const Row& row, const std::string& column) {
   const std::string text = field(row, column);
   if (text.empty()) return {};
-  try {
-    double value = 0;
-    text::parse(text, value);
-    if (std::isfinite(value)) return value;
-  } catch (const std::invalid_argument&) {  // reported below
-  }
+  if (const auto value = finite_number(text)) return value;
   throw UsageError(fmt::format("{}: '{}' of {} is not a number of points, in column '{}'",
                                sandbox::printable_line(table.file.string()), text, field(row, "id"),
                                column));
@@ -38,17 +27,11 @@ std::optional<double> hours_in(const std::string& answer) {
   const std::string unit =
       answer.substr(std::min(answer.find_first_not_of(' ', end), answer.size()));
   if (!unit.empty() && unit != "h" && unit != "hours") return {};
-  try {
-    double hours = 0;
-    text::parse(answer.substr(0, end), hours);
-    if (hours >= 0 && hours <= most) return hours;
-  } catch (const std::invalid_argument&) {  // counted as unusable
-  }
-  return {};
+  const auto hours = finite_number(answer.substr(0, end));
+  return hours && *hours >= 0 && *hours <= most ? hours : std::nullopt;
 }
 
-/// The reason in place of this row's cells of a lab, if it should have been judged but could not
-/// be.
+/// Should this row's lab have been judged, but could not be?
 bool lacks_grade(const Row& row, const Lab& lab) {
   const std::string status = field(row, lab.name + " status");
   return status == "not judged" || status == "unreadable";
@@ -206,6 +189,18 @@ double quantile(std::vector<double> values, double share) {
   return std::lerp(values[below], values[above], rank - std::floor(rank));
 }
 
+/// "hours: 14 reported, median 7, quartiles 6 and 9.5; 1 unusable"; empty if there are none.
+std::string reported_hours(const LabStatistics& lab) {
+  if (lab.hours.empty() && lab.unusable_hours == 0) return {};
+  std::string all = fmt::format("hours: {} reported", lab.hours.size());
+  if (!lab.hours.empty()) {
+    all += fmt::format(", median {:.3g}, quartiles {:.3g} and {:.3g}", quantile(lab.hours, 0.5),
+                       quantile(lab.hours, 0.25), quantile(lab.hours, 0.75));
+  }
+  if (lab.unusable_hours > 0) all += fmt::format("; {} unusable", lab.unusable_hours);
+  return all;
+}
+
 }  // namespace
 
 ClassStatistics statistics_of(const Table& table, const std::map<std::string, Verdict>& verdicts,
@@ -235,6 +230,8 @@ ClassStatistics statistics_of(const Table& table, const std::map<std::string, Ve
   for (const auto& [hint, count] : hints) statistics.hints.push_back({hint, count});
   std::stable_sort(statistics.hints.begin(), statistics.hints.end(),
                    [](auto& a, auto& b) { return a.submissions > b.submissions; });
+  constexpr std::size_t most_hints = 15;
+  if (statistics.hints.size() > most_hints) statistics.hints.resize(most_hints);
   return statistics;
 }
 
@@ -296,15 +293,13 @@ std::string center_of(const std::vector<double>& totals) {
       quantile(totals, 0.5));
 }
 
-std::string reported_hours(const LabStatistics& lab) {
-  if (lab.hours.empty() && lab.unusable_hours == 0) return {};
-  std::string all = fmt::format("hours: {} reported", lab.hours.size());
-  if (!lab.hours.empty()) {
-    all += fmt::format(", median {:.3g}, quartiles {:.3g} and {:.3g}", quantile(lab.hours, 0.5),
-                       quantile(lab.hours, 0.25), quantile(lab.hours, 0.75));
-  }
-  if (lab.unusable_hours > 0) all += fmt::format("; {} unusable", lab.unusable_hours);
-  return all;
+std::vector<std::string> summary_of(const LabStatistics& lab) {
+  const std::string center = center_of(lab.totals);
+  std::vector<std::string> lines{
+      fmt::format("{} attempts{}", lab.totals.size(), center.empty() ? "" : "; " + center),
+      other_submissions(lab), reported_hours(lab)};
+  std::erase(lines, "");
+  return lines;
 }
 
 }  // namespace mc::grader

@@ -1,12 +1,6 @@
 #pragma once
 // Statistics of a table of grades, for the class and for the checks.
 
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "grader/gradebook/table.hpp"
 
 namespace mc::grader {
@@ -54,7 +48,7 @@ struct ClassStatistics {
   std::size_t submissions = 0;
   std::size_t without_verdict = 0;  ///< of these: their unwritten tasks count as wrong
   std::vector<LabStatistics> labs;
-  std::vector<HintStatistics> hints;  ///< most frequent first
+  std::vector<HintStatistics> hints;  ///< the most frequent, in order
 };
 
 /// Points come from the table, where an instructor may have corrected them. Verdicts, by id, say
@@ -78,19 +72,16 @@ struct PointsBar {
 /// Ten bars of a tenth of the points each, all points, and more.
 std::vector<PointsBar> histogram_of(const std::vector<double>& totals, double points = 100);
 
-/// "2 not attempted, 1 does not compile"; empty if all are attempts.
+/// "2 not attempted, 1 not compiling"; empty if all are attempts.
 std::string other_submissions(const LabStatistics& lab);
 
 /// "mean 41.2, median 38"; empty for no totals.
 std::string center_of(const std::vector<double>& totals);
 
-/// "hours: 14 reported, median 7, quartiles 6 and 9.5; 1 unusable"; empty if there are none.
-std::string reported_hours(const LabStatistics& lab);
+/// Lines about the submissions: "14 attempts; mean 41.2, median 38", then others and hours, if any.
+std::vector<std::string> summary_of(const LabStatistics& lab);
 
 /// For a terminal of at least 80 columns.
 std::string report_statistics(const ClassStatistics& statistics);
-
-/// The number of hints shown.
-inline constexpr std::size_t most_hints = 15;
 
 }  // namespace mc::grader

@@ -1,8 +1,5 @@
 // The statistics of a class, at a terminal.
 #include <algorithm>
-#include <string>
-
-#include <fmt/format.h>
 
 #include "grader/gradebook/statistics.hpp"
 #include "grader/reports/report.hpp"
@@ -65,16 +62,12 @@ std::string report_statistics(const ClassStatistics& statistics) {
         '\n';
   }
   for (const LabStatistics& one : statistics.labs) {
-    all += fmt::format("\n{}: {} attempts", one.lab.title(), one.totals.size());
-    if (!one.totals.empty()) all += "; " + center_of(one.totals);
-    if (const auto others = other_submissions(one); !others.empty()) all += "\n  " + others;
-    if (const auto hours = reported_hours(one); !hours.empty()) all += "\n  " + hours;
-    all += "\n\n" + histogram_text(one) + '\n' + tasks_text(one.tasks) + '\n' +
-           checks_text(one.checks);
+    all +=
+        fmt::format("\n{}: {}\n\n{}\n{}\n{}", one.lab.title(), fmt::join(summary_of(one), "\n  "),
+                    histogram_text(one), tasks_text(one.tasks), checks_text(one.checks));
   }
   if (!statistics.hints.empty()) all += "\nHints, by the submissions they were given to\n\n";
-  for (std::size_t i = 0; i < std::min(most_hints, statistics.hints.size()); ++i) {
-    const HintStatistics& one = statistics.hints[i];
+  for (const HintStatistics& one : statistics.hints) {
     all += fmt::format("  {:>6}  {}\n", one.submissions, wrapped(one.hint, width - 10, 10));
   }
   return all;

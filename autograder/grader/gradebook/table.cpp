@@ -1,21 +1,15 @@
 #include "grader/gradebook/table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
-#include <string_view>
+#include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/gradebook/book.hpp"
-#include "grader/reports/csv.hpp"
-#include "sandbox/printable.hpp"
+#include "runner/text.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
 
 std::string shown(const fs::path& file) {
@@ -34,9 +28,11 @@ std::string_view lab_number(std::string_view column) {
 
 /// Sort key of a column: first what every row has, then labs, checks, and added columns.
 std::pair<int, int> place_of(const std::vector<Lab>& labs, const std::string& column) {
-  constexpr std::string_view fixed[] = {"id",   "seed",  "version",   "seconds", "reason",
-                                        "name", "email", "submitted", "late"};
-  if (std::find(std::begin(fixed), std::end(fixed), column) != std::end(fixed)) return {0, 0};
+  if (has_column(
+          {"id", "seed", "version", "seconds", "reason", "name", "email", "submitted", "late"},
+          column)) {
+    return {0, 0};
+  }
   const Lab* const lab = lab_of_column(labs, column);
   if (lab == nullptr) return {3, 0};
   return {is_check_column(column) ? 2 : 1, lab->number};
@@ -65,14 +61,29 @@ std::string field(const Row& row, const std::string& column) {
   return found == row.end() ? "" : found->second;
 }
 
+bool has_column(const std::vector<std::string>& columns, const std::string& column) {
+  return std::find(columns.begin(), columns.end(), column) != columns.end();
+}
+
+void add_column(std::vector<std::string>& columns, const std::string& column) {
+  if (!has_column(columns, column)) columns.push_back(column);
+}
+
+std::optional<double> finite_number(std::string_view text) {
+  try {
+    double value = 0;
+    text::parse(text, value);
+    if (std::isfinite(value)) return value;
+  } catch (const std::invalid_argument&) {  // nothing
+  }
+  return {};
+}
+
 Table read_table(const fs::path& file) {
   if (!fs::exists(file) || fs::is_directory(file)) {
     throw UsageError("no such table: " + shown(file));
   }
-  std::string text = read_whole_text(file);
-  constexpr std::string_view mark = "\xef\xbb\xbf";  // the byte order mark of spreadsheets
-  if (text.starts_with(mark)) text.erase(0, mark.size());
-  auto rows = csv_rows(text);
+  auto rows = csv_rows(read_whole_text(file));
   const auto is_no_table = [&](const std::string& why) {
     throw UsageError(fmt::format("{} is not a table of grades: {}", shown(file), why));
   };
@@ -124,11 +135,7 @@ MergeResult merge_tables(const std::vector<Table>& tables, const std::vector<Lab
   auto& columns = merged.table.columns;
   std::map<std::string, Row> rows;
   for (const Table& table : tables) {
-    for (const std::string& column : table.columns) {
-      if (std::find(columns.begin(), columns.end(), column) == columns.end()) {
-        columns.push_back(column);
-      }
-    }
+    for (const std::string& column : table.columns) add_column(columns, column);
     for (const Row& row : table.rows) {
       const std::string id = field(row, "id");
       const auto [before, is_new] = rows.emplace(id, row);

@@ -1,20 +1,32 @@
 #pragma once
-// Reads tables of grades back from the files that csv.hpp wrote.
+// Reads tables of grades back from the files that csv.hpp wrote. This header has what nearly every
+// file of this folder needs.
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grader/base/errors.hpp"
+#include "grader/base/text_file.hpp"
+#include "grader/checkout/context.hpp"
 #include "grader/judging/verdict.hpp"
+#include "grader/reports/csv.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
+namespace fs = std::filesystem;
 
 /// The fields of a row by their columns; empty ones are absent.
 using Row = std::map<std::string, std::string>;
 
 struct Table {
-  std::filesystem::path file;
+  fs::path file;
   std::vector<std::string> columns;
   std::vector<Row> rows;
 };
@@ -22,8 +34,15 @@ struct Table {
 /// The field of this column; empty if there is none.
 std::string field(const Row& row, const std::string& column);
 
+bool has_column(const std::vector<std::string>& columns, const std::string& column);
+/// Adds it at the end, unless it exists.
+void add_column(std::vector<std::string>& columns, const std::string& column);
+
+/// The value of a text that is a finite number; nothing for other texts.
+std::optional<double> finite_number(std::string_view text);
+
 /// Throws UsageError if there is no such file, or if it is not a table of grades.
-Table read_table(const std::filesystem::path& file);
+Table read_table(const fs::path& file);
 
 /// The text that csv_header() and csv_row() would write.
 std::string table_text(const Table& table);
@@ -31,7 +50,7 @@ std::string table_text(const Table& table);
 struct MergeResult {
   Table table;
   /// The table that each id's row comes from.
-  std::map<std::string, std::filesystem::path> from;
+  std::map<std::string, fs::path> from;
   std::vector<std::string> differences;  ///< "the seeds differ: a.csv 7, b.csv 8"
 };
 

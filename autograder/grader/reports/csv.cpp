@@ -101,6 +101,8 @@ std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict,
 }
 
 std::vector<std::vector<std::string>> csv_rows(std::string_view table) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";  // the byte order mark of spreadsheets
+  if (table.starts_with(mark)) table.remove_prefix(mark.size());
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row;
   std::string field;

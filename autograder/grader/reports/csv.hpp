@@ -28,7 +28,7 @@ std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict,
 std::string csv_field(const std::string& text);
 
 /// Parses a table into rows of fields; undoes csv_field()'s protection of formulas. Accepts Windows
-/// line ends.
+/// line ends and a byte order mark.
 std::vector<std::vector<std::string>> csv_rows(std::string_view table);
 
 }  // namespace mc::grader

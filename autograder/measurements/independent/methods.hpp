@@ -38,8 +38,8 @@ inline const std::vector<LineIntegrand> line_integrands{
     {"x^-0.75", {4, -0.75, 1, 0}, 4},          {"normal", {6, 0, 1, 0}, 0}};
 
 /// Estimates of one of them.
-inline std::vector<experiments::Counted> estimates_of(const LineIntegrand& integrand, Count n,
-                                                      Count replicates) {
+inline std::vector<experiments::CountedEstimate> estimates_of(const LineIntegrand& integrand,
+                                                              Count n, Count replicates) {
   return values_of(TRY_MEASURE(estimates, integrand.g, n, 1, replicates), replicates);
 }
 
