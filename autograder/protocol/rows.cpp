@@ -1,8 +1,9 @@
 #include "protocol/rows.hpp"
 
-#include <array>
 #include <cstdio>
-#include <cstdlib>
+#include <stdexcept>
+
+#include "runner/text.hpp"
 
 namespace mc::protocol {
 
@@ -15,20 +16,18 @@ std::string line_of(const Row& row) {
 }
 
 std::optional<Row> row_in(std::string_view line) {
-  std::array<std::string, 7> fields;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto tab = line.find('\t');
-    if ((tab == std::string_view::npos) != (i + 1 == fields.size())) return {};
-    fields[i] = line.substr(0, tab);
-    line.remove_prefix(tab == std::string_view::npos ? line.size() : tab + 1);
+  const auto fields = text::split(line, '\t');
+  if (fields.size() != 7) return {};
+  Row row{std::string(fields[0]), std::string(fields[1]), std::string(fields[2])};
+  try {
+    text::parse(fields[3], row.dims);
+    text::parse(fields[4], row.n);
+    text::parse(fields[5], row.value);
+    text::parse(fields[6], row.error);
+  } catch (const std::invalid_argument&) {
+    return {};
   }
-  return Row{fields[0],
-             fields[1],
-             fields[2],
-             std::strtoull(fields[3].c_str(), nullptr, 10),
-             std::strtoull(fields[4].c_str(), nullptr, 10),
-             std::strtod(fields[5].c_str(), nullptr),
-             std::strtod(fields[6].c_str(), nullptr)};
+  return row;
 }
 
 }  // namespace mc::protocol

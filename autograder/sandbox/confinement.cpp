@@ -41,8 +41,12 @@ std::uint64_t forbidden_writes(long abi) {
   return all;
 }
 
-/// The ruleset; none if the kernel has no Landlock or it is disabled.
-Descriptor ruleset_for(const std::filesystem::path& writable) {
+#endif
+
+}  // namespace
+
+Descriptor ruleset_for([[maybe_unused]] const std::filesystem::path& writable) {
+#ifdef MC_HAVE_LANDLOCK
   const long abi =
       syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (abi < 1) return {};
@@ -61,23 +65,16 @@ Descriptor ruleset_for(const std::filesystem::path& writable) {
   allow(writable.c_str(), handled.handled_access_fs);
   allow("/dev/null", LANDLOCK_ACCESS_FS_WRITE_FILE);
   return ruleset;
-}
-
-#endif
-
-}  // namespace
-
-Confinement::Confinement([[maybe_unused]] const std::filesystem::path& writable) {
-#ifdef MC_HAVE_LANDLOCK
-  ruleset_ = ruleset_for(writable);
+#else
+  return {};
 #endif
 }
 
-bool Confinement::apply() const {
+bool confine([[maybe_unused]] const Descriptor& ruleset) {
 #ifdef __linux__
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
 #ifdef MC_HAVE_LANDLOCK
-  if (ruleset_ && syscall(SYS_landlock_restrict_self, ruleset_.get(), 0) != 0) return false;
+  if (ruleset && syscall(SYS_landlock_restrict_self, ruleset.get(), 0) != 0) return false;
 #endif
   // socket() fails with EACCES. If a container allows no filter, compilers run without one: they do
   // not use the network, and run no untrusted code.

@@ -8,17 +8,12 @@
 
 namespace mc::sandbox {
 
-/// Created in the parent, where allocating is safe; applied between fork and exec.
-class Confinement {
- public:
-  /// Files can be created, written and removed only below `writable`, if the kernel has Landlock.
-  explicit Confinement(const std::filesystem::path& writable);
+/// A Landlock ruleset: files can be created, written and removed only below `writable`. None if the
+/// kernel has no Landlock or it is disabled. Created in the parent, where allocating is safe.
+Descriptor ruleset_for(const std::filesystem::path& writable);
 
-  /// Async-signal-safe. False if the kernel refuses what it claimed to support.
-  bool apply() const;
-
- private:
-  Descriptor ruleset_;  ///< none without Landlock
-};
+/// Confines this process, between fork and exec: async-signal-safe. False if the kernel refuses what
+/// it claimed to support.
+bool confine(const Descriptor& ruleset);
 
 }  // namespace mc::sandbox

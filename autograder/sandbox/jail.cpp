@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,9 +19,9 @@
 
 #include <fmt/format.h>
 
+#include "sandbox/child.hpp"
 #include "sandbox/lockdown.hpp"
 #include "sandbox/printable.hpp"
-#include "sandbox/process.hpp"
 
 namespace mc::sandbox {
 namespace {
@@ -52,9 +51,10 @@ struct Start {
   LaunchFailure& failure;
 };
 
-/// A new process that locks itself down and becomes the program. Its number; -1 where there is
-/// none. On Linux without a copy of the parent's memory: after a fork each page the parent writes
-/// is a fault, and one check starts dozens of programs. No signal handler of ours may run in there.
+/// Starts a process that locks itself down and becomes the program. Returns its pid; -1 if there is
+/// none. On Linux without a copy of the parent's memory: after a fork, each page that the parent
+/// writes is a fault, and one check starts dozens of programs. No signal handler of ours may run in
+/// the child.
 [[gnu::noinline]] pid_t start(const Start& start) {
   const pid_t parent = getpid();
 #ifdef __linux__
@@ -77,37 +77,30 @@ struct Start {
   return pid;
 }
 
+constexpr std::size_t most_of_response = sizeof(wire::Header) + wire::longest_result;
+
 /// Everything that the parent receives from and does to one child.
 struct Watch {
   pid_t pid;
   Descriptor request, printed, response;
   std::string printed_text{}, response_bytes{};
-  bool out_of_time = false, printed_too_much = false, answered_too_much = false;
-  bool gone = false;
+  bool out_of_time = false, gone = false;
   int status = 0;
   rusage used{};
 
   void kill_now() const {
-    if (gone) return;     // reaped: the pid may be reused
-    kill(-pid, SIGKILL);  // its session, if it has one already
-    kill(pid, SIGKILL);
+    if (!gone) kill_group(pid);  // once it is reaped, the pid may be reused
   }
 
-  /// Sends the request and reads the output until the child has ended and all output is here.
+  /// Sends the request and reads the output until the child has ended and all output is read.
   void until_gone(std::string_view to_send, const Limits& limits);
 };
 
 void Watch::until_gone(std::string_view to_send, const Limits& limits) {
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(limits.wall_seconds));
-#ifdef SYS_pidfd_open
-  const int raw = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
-  const Descriptor end = raw < 0 ? Descriptor() : Descriptor(raw, "pidfd");
-#else
-  const Descriptor end;
-#endif
-  constexpr std::size_t most = sizeof(wire::Header) + wire::longest_result;
-  while (!gone || printed.get() >= 0 || response.get() >= 0) {
+  const Descriptor end = end_of(pid);
+  while (!gone || printed || response) {
     if (to_send.empty()) request.reset();
     pollfd watched[] = {{request.get(), POLLOUT, 0},
                         {printed.get(), POLLIN, 0},
@@ -120,7 +113,7 @@ void Watch::until_gone(std::string_view to_send, const Limits& limits) {
       kill_now();
     }
     // Without a descriptor for the child's end, poll for it.
-    const int patience = end.get() >= 0 ? std::clamp<int>(static_cast<int>(left), 1, 1000) : 2;
+    const int patience = end ? std::clamp<int>(static_cast<int>(left), 1, 1000) : 2;
     poll(watched, 4, patience);
 
     if (watched[0].revents != 0) {
@@ -128,44 +121,36 @@ void Watch::until_gone(std::string_view to_send, const Limits& limits) {
       if (sent > 0) to_send.remove_prefix(static_cast<std::size_t>(sent));
       if (sent < 0 && errno != EAGAIN && errno != EINTR) to_send = {};  // it does not read
     }
-    if (printed.get() >= 0 && !read_available(printed, printed_text, limits.printed))
-      printed.reset();
-    if (response.get() >= 0 && !read_available(response, response_bytes, most)) response.reset();
-    if (printed_text.size() > limits.printed) {
-      printed_too_much = true;
-      printed.reset();
+    const auto receive = [&](Descriptor& from, std::string& to, std::size_t limit) {
+      if (from && !read_available(from, to, limit)) from.reset();
+      if (to.size() <= limit) return;
+      from.reset();
       kill_now();
-    }
-    if (response_bytes.size() > most) {
-      answered_too_much = true;
-      response.reset();
-      kill_now();
-    }
+    };
+    receive(printed, printed_text, limits.printed);
+    receive(response, response_bytes, most_of_response);
     if (!gone && wait4(pid, &status, WNOHANG, &used) == pid) gone = true;
   }
 }
 
+constexpr std::pair<int, const char*> crashes[] = {
+    {SIGSEGV,
+     "crashed: segmentation fault (outside an array, or out of stack by endless recursion?)"},
+    {SIGBUS, "crashed: bus error"},
+    {SIGFPE, "crashed: an integer divided by zero"},
+    {SIGILL, "crashed: illegal instruction (a function that ends without returning its value?)"},
+    {SIGABRT,
+     "crashed: aborted (a failed assertion, a corrupted heap, or an exception in a noexcept)"},
+    {SIGSYS,
+     "made a system call a lab never needs (open a file, start a process, use the network)"},
+    {SIGKILL, "was killed (by the machine: out of memory?)"},
+};
+
 std::string crash(int signal) {
-  switch (signal) {
-    case SIGSEGV:
-      return "crashed: segmentation fault (outside an array, or out of stack by endless "
-             "recursion?)";
-    case SIGBUS:
-      return "crashed: bus error";
-    case SIGFPE:
-      return "crashed: an integer divided by zero";
-    case SIGILL:
-      return "crashed: illegal instruction (a function that ends without returning its value?)";
-    case SIGABRT:
-      return "crashed: aborted (a failed assertion, a corrupted heap, or an exception in a "
-             "noexcept)";
-    case SIGSYS:
-      return "made a system call a lab never needs (open a file, start a process, use the network)";
-    case SIGKILL:
-      return "was killed (by the machine: out of memory?)";
-    default:
-      return fmt::format("crashed: signal {} ({})", signal, strsignal(signal));
+  for (const auto& [one, text] : crashes) {
+    if (one == signal) return text;
   }
+  return fmt::format("crashed: signal {} ({})", signal, strsignal(signal));
 }
 
 /// Parses the response. False if it is malformed.
@@ -188,11 +173,8 @@ bool read_response(std::string_view bytes, Outcome& outcome) {
 Outcome interpret(const Watch& child, const Limits& limits) {
   Outcome outcome;
   outcome.printed = printable(child.printed_text.substr(0, limits.printed));
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  outcome.cpu_seconds = seconds(child.used.ru_utime) + seconds(child.used.ru_stime);
-  outcome.peak_memory = static_cast<std::size_t>(child.used.ru_maxrss) * rusage_memory_unit;
+  outcome.cpu_seconds = cpu_seconds_of(child.used);
+  outcome.peak_memory = peak_memory_of(child.used);
 
   // Which limit a runaway program reaches first depends on the machine; the report must not.
   const auto over_limit = [&] {
@@ -203,9 +185,9 @@ Outcome interpret(const Watch& child, const Limits& limits) {
   };
   const bool signaled = WIFSIGNALED(child.status);
   const int signal = signaled ? WTERMSIG(child.status) : 0;
-  if (child.printed_too_much) {
+  if (child.printed_text.size() > limits.printed) {
     outcome.failure = fmt::format("printed more than {} KB", limits.printed >> 10);
-  } else if (child.answered_too_much) {
+  } else if (child.response_bytes.size() > most_of_response) {
     outcome.failure = fmt::format("sent a result of more than {} MB", wire::longest_result >> 20);
   } else if (signal == SIGXCPU || outcome.cpu_seconds > std::ceil(limits.cpu_seconds)) {
     // Also if it caught the signal and exited by itself in the second before SIGKILL.
@@ -260,20 +242,18 @@ Outcome run_jailed(int descriptor, const std::string& path, std::string_view req
   (void)prepared;
 
   SharedFailure launch;
-  Pipe asked = make_pipe(), said = make_pipe(), answered = make_pipe();
-  make_nonblocking(asked.write);
-  make_nonblocking(said.read);
-  make_nonblocking(answered.read);
+  Pipe to_child = make_pipe(), printed = make_pipe(), response = make_pipe();
+  for (const Descriptor* ours : {&to_child.write, &printed.read, &response.read}) {
+    make_nonblocking(*ours);
+  }
   const pid_t pid = start({{descriptor, path.c_str()},
-                           {asked.read.get(), said.write.get(), answered.write.get()},
+                           {to_child.read.get(), printed.write.get(), response.write.get()},
                            limits,
                            *launch});
   if (pid < 0) fail("fork");
-  asked.read.reset();
-  said.write.reset();
-  answered.write.reset();
+  for (Descriptor* its : {&to_child.read, &printed.write, &response.write}) its->reset();
 
-  Watch child{pid, std::move(asked.write), std::move(said.read), std::move(answered.read)};
+  Watch child{pid, std::move(to_child.write), std::move(printed.read), std::move(response.read)};
   child.until_gone(request, limits);
   if ((*launch).error != 0) {
     throw std::system_error((*launch).error, std::generic_category(),

@@ -4,7 +4,6 @@
 #include <grp.h>
 #include <poll.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,23 +13,21 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <string_view>
+#include <sstream>
 #include <system_error>
 
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
 
+#include "sandbox/child.hpp"
 #include "sandbox/confinement.hpp"
 #include "sandbox/descriptor.hpp"
-#include "sandbox/reaper.hpp"
 
 extern char** environ;
 
 namespace mc::sandbox {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::vector<std::string> environment_with(
     const std::vector<std::pair<std::string, std::string>>& changes) {
@@ -52,22 +49,6 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
-/// The program's path according to PATH; the name itself if it is not found, so that exec reports
-/// the error. Called before the fork, because searching PATH may allocate.
-std::string found_in_path(const std::string& name) {
-  if (name.find('/') != std::string::npos) return name;
-  const char* path = std::getenv("PATH");
-  std::string_view left = path == nullptr ? "/usr/bin:/bin" : path;
-  while (!left.empty()) {
-    const auto colon = left.find(':');
-    std::string candidate = std::string(left.substr(0, colon)) + '/' + name;
-    if (candidate[0] == '/' && access(candidate.c_str(), X_OK) == 0) return candidate;
-    if (colon == std::string_view::npos) break;
-    left.remove_prefix(colon + 1);
-  }
-  return name;
-}
-
 /// Everything the child needs, prepared before the fork.
 struct Launch {
   const char* path;
@@ -76,6 +57,7 @@ struct Launch {
   const char* directory;
   int input, output, errors;
   pid_t parent;
+  const Descriptor& ruleset;  ///< of a confined program
 };
 
 bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
@@ -117,21 +99,9 @@ bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
   // Again, because the change of user resets it.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) _exit(exit_not_started);
 #endif
-  if (options.confinement != nullptr && !options.confinement->apply()) _exit(exit_not_started);
+  if (options.confined && !confine(launch.ruleset)) _exit(exit_not_started);
   execve(launch.path, launch.arguments, launch.environment);
   _exit(127);
-}
-
-/// Milliseconds until the deadline, rounded up; -1 for none.
-int patience_of(const ProcessOptions& options, Clock::time_point start, bool killed) {
-  int patience = -1;
-  if (options.wall_seconds > 0 && !killed) {
-    const double left =
-        options.wall_seconds - std::chrono::duration<double>(Clock::now() - start).count();
-    patience = std::max(0, static_cast<int>(left * 1000)) + 1;
-  }
-  if (options.stop != nullptr) patience = patience < 0 ? 200 : std::min(patience, 200);
-  return patience;
 }
 
 /// An unnamed file in the working directory of a confined program.
@@ -156,30 +126,36 @@ std::string text_in(const Descriptor& file, std::size_t most) {
   return text;
 }
 
-/// The elapsed time of the program, and whether it must end now.
+/// How long the program may still run.
 class Patience {
  public:
   explicit Patience(const ProcessOptions& options) : options_(options) {}
 
-  /// Milliseconds to wait for the next event; -1: no limit.
-  int milliseconds() const { return patience_of(options_, start_, killed_); }
+  /// Milliseconds to wait for the next event, at most `most`.
+  int milliseconds(double most) const {
+    if (options_.stop != nullptr) most = std::min(most, 200.0);
+    if (options_.wall_seconds > 0 && !killed_) most = std::min(most, 1000 * seconds_left() + 1);
+    return std::max(1, static_cast<int>(most));
+  }
 
   /// Kills the program's session when its time is up or a stop is requested.
   void enforce(pid_t pid, ProcessResult& result) {
-    const bool late =
-        options_.wall_seconds > 0 &&
-        std::chrono::duration<double>(Clock::now() - start_).count() >= options_.wall_seconds;
+    const bool late = options_.wall_seconds > 0 && seconds_left() <= 0;
     const bool stopped = options_.stop != nullptr && *options_.stop;
     if (killed_ || (!late && !stopped)) return;
     killed_ = true;
     result.out_of_time = late && !stopped;
-    kill(-pid, SIGKILL);
-    kill(pid, SIGKILL);  // in case it has no session yet
+    kill_group(pid);
   }
 
  private:
+  double seconds_left() const {
+    return options_.wall_seconds -
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
   const ProcessOptions& options_;
-  const Clock::time_point start_ = Clock::now();
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool killed_ = false;
 };
 
@@ -193,7 +169,8 @@ void read_pipes(pid_t pid, Pipe& output, Pipe& errors, const ProcessOptions& opt
   std::string* const texts[] = {&result.output, &result.errors};
   while (*ends[0] || *ends[1]) {
     pollfd watched[] = {{ends[0]->get(), POLLIN, 0}, {ends[1]->get(), POLLIN, 0}};
-    if (poll(watched, 2, patience.milliseconds()) < 0 && errno != EINTR) fail("poll");
+    constexpr double day = 86'400'000;
+    if (poll(watched, 2, patience.milliseconds(day)) < 0 && errno != EINTR) fail("poll");
     for (int i = 0; i < 2; ++i) {
       if (!*ends[i]) continue;
       std::string some;
@@ -209,12 +186,7 @@ void read_pipes(pid_t pid, Pipe& output, Pipe& errors, const ProcessOptions& opt
 /// Waits for the end of a program whose output goes to files, without reaping it.
 void wait_for_end(pid_t pid, const ProcessOptions& options, ProcessResult& result) {
   Patience patience(options);
-#ifdef SYS_pidfd_open
-  const int raw = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
-  const Descriptor end = raw < 0 ? Descriptor() : Descriptor(raw, "pidfd");
-#else
-  const Descriptor end;
-#endif
+  const Descriptor end = end_of(pid);
   for (;;) {
     siginfo_t ended{};
     if (waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -222,14 +194,23 @@ void wait_for_end(pid_t pid, const ProcessOptions& options, ProcessResult& resul
       return;
     }
     pollfd watched{end.get(), POLLIN, 0};
-    const int most = end ? 1000 : 2;
-    const int left = patience.milliseconds();
-    poll(&watched, 1, left < 0 ? most : std::min(left, most));
+    poll(&watched, 1, patience.milliseconds(end ? 1000 : 2));
     patience.enforce(pid, result);
   }
 }
 
 }  // namespace
+
+std::string found_in_path(const std::string& name) {
+  if (name.find('/') != std::string::npos) return name;
+  const char* const path = std::getenv("PATH");
+  std::istringstream places(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string place; std::getline(places, place, ':');) {
+    const std::string file = place + '/' + name;
+    if (file[0] == '/' && access(file.c_str(), X_OK) == 0) return file;
+  }
+  return name;
+}
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
   auto words = command;
@@ -237,9 +218,10 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   const auto arguments = pointers(words), environment = pointers(variables);
   const std::string directory = options.directory.string(), path = found_in_path(command[0]);
 
-  const bool has_files = options.confinement != nullptr;
+  Descriptor ruleset;
   Pipe output, errors;
-  if (has_files) {
+  if (options.confined) {
+    ruleset = ruleset_for(options.directory);
     output.write = unnamed_file(directory);
     errors.write = unnamed_file(directory);
   } else {
@@ -247,15 +229,16 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     errors = make_pipe();
   }
   const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
-  const Launch launch{path.c_str(),  arguments.data(),   environment.data(), directory.c_str(),
-                      nothing.get(), output.write.get(), errors.write.get(), getpid()};
+  const Launch launch{path.c_str(),       arguments.data(), environment.data(),
+                      directory.c_str(),  nothing.get(),    output.write.get(),
+                      errors.write.get(), getpid(),         ruleset};
   const pid_t pid = fork();
   if (pid < 0) fail("fork");
   if (pid == 0) become(launch, options);
   const GroupGuard guard(pid);  // a compiler starts more programs
 
   ProcessResult result;
-  if (has_files) {
+  if (options.confined) {
     wait_for_end(pid, options, result);
     result.output = text_in(output.write, options.output);
     result.errors = text_in(errors.write, options.output);
@@ -274,11 +257,8 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   if (result.exit_code == exit_not_started) {
     throw std::system_error(EAGAIN, std::generic_category(), "cannot start " + command[0]);
   }
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  result.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
-  result.peak_memory = static_cast<std::size_t>(used.ru_maxrss) * rusage_memory_unit;
+  result.cpu_seconds = cpu_seconds_of(used);
+  result.peak_memory = peak_memory_of(used);
   result.written = static_cast<std::size_t>(used.ru_oublock) * 512;
   return result;
 }

@@ -12,8 +12,6 @@
 
 namespace mc::sandbox {
 
-class Confinement;
-
 struct ProcessOptions {
   std::filesystem::path directory = {};                               ///< working directory
   std::vector<std::pair<std::string, std::string>> environment = {};  ///< added to our own
@@ -25,9 +23,10 @@ struct ProcessOptions {
   std::size_t file_size = 0;                  ///< of each file that it writes
   std::size_t output = std::size_t{4} << 20;  ///< bytes of output kept; the rest is discarded
   const std::atomic<bool>* stop = nullptr;    ///< stops it soon after this becomes true
-  /// Rights of a program that reads untrusted text. Its output goes to files, so that a text that
-  /// makes it read its own output (/proc/self/fd/1) reaches an end.
-  const Confinement* confinement = nullptr;
+  /// A program that reads untrusted text: it may write only in `directory` and has no network
+  /// (confinement.hpp). Its output goes to files, so that a text that makes it read its own output
+  /// (/proc/self/fd/1) reaches an end.
+  bool confined = false;
   uid_t user = 0;  ///< run as this user and group, with no others; 0: unchanged
 };
 
@@ -43,18 +42,15 @@ struct ProcessResult {
   bool succeeded() const { return exit_code == 0; }
 };
 
-/// Throws std::system_error if the machine has no process or descriptor left.
+/// Runs `command`, a program and its arguments. Throws std::system_error if the machine has no
+/// process or descriptor left.
 ProcessResult run_process(const std::vector<std::string>& command,
                           const ProcessOptions& options = {});
 
 /// Exit code of a child that could not execute its program.
 constexpr int exit_not_started = 121;
 
-/// The unit of getrusage's ru_maxrss.
-#ifdef __APPLE__
-constexpr std::size_t rusage_memory_unit = 1;
-#else
-constexpr std::size_t rusage_memory_unit = 1024;
-#endif
+/// The program's path according to PATH; `name` itself if it has a slash or is not found.
+std::string found_in_path(const std::string& name);
 
 }  // namespace mc::sandbox

@@ -1,6 +1,6 @@
 #pragma once
-// An experiment: a named function from numbers to numbers, which a judge can ask for over the wire
-// and a person by hand. A lab defines its experiments in experiments.cpp and lists them there, in
+// An experiment: a named function from numbers to numbers, which a judge calls over the wire and a
+// person by hand. A lab defines its experiments in experiments.cpp and lists them there, in
 // experiments().
 
 #include <cstddef>
@@ -32,32 +32,35 @@ struct Experiment {
 /// The experiments of the lab that this program was built for.
 std::span<const Experiment> experiments();
 
-/// What one may write for a parameter that is a word, or a number that stands for something.
+/// The values that a parameter may have, if it is a word, or a number with a meaning.
 struct Choice {
   std::string parameter;
   std::string meaning;  ///< may be empty
   std::vector<std::string> values;
 };
 
-/// Of this lab's parameters.
+/// Those of this lab's parameters.
 std::vector<Choice> choices();
 
-/// For a list of experiments: MC_EXPERIMENT(mean, "x", "the mean of x"), and how its list is read,
-/// where it returns one: MC_EXPERIMENT(halton, "n dims", "…", {.dims = "dims"})
+/// How an experiment is called by hand: "welford --x LIST".
+std::string call_of(const Experiment& experiment);
+
+/// All experiments of this lab, with their parameters and what they do, in lines of at most `width`
+/// columns.
+std::string list_of_experiments(std::size_t width);
+
+/// For a list of experiments: MC_EXPERIMENT(mean, "x", "the mean of x"). One that returns a list says
+/// how to print it: MC_EXPERIMENT(halton, "n dims", "…", {.dims = "dims"})
 #define MC_EXPERIMENT(name, parameters, description, ...)                  \
   ::mc::runner::make_experiment<&mc::experiments::name>(#name, parameters, \
                                                         description __VA_OPT__(, ) __VA_ARGS__)
 
-/// How a person writes a value of a type.
+/// How a person types a value of a type: "NUMBER", "LIST", "x:y".
 template <class T>
 std::string form_of() {
   if constexpr (wire::Listed<T>) {
-    std::string all;
-    for (const std::string_view name : text::split(field_names(T{}), ',')) {
-      if (!all.empty()) all += ':';
-      all += name;
-    }
-    return all;
+    const auto names = text::split(field_names(T{}), ',');
+    return text::joined({names.begin(), names.end()}, ":", names.size(), "");
   } else if constexpr (std::is_same_v<T, std::string>) {
     return "NAME";
   } else if constexpr (is_list<T>) {
@@ -98,10 +101,10 @@ struct Adapter<function> {
     std::apply([&](auto&... argument) { (text::parse(texts[i++], argument), ...); }, arguments);
     constexpr bool are_lists[] = {is_list<std::remove_cvref_t<Parameters>>..., false};
     const auto names = text::split(experiment.parameters, ' ');
-    Given given;
-    for (i = 0; i < texts.size(); ++i) given.push_back({names[i], texts[i], are_lists[i]});
+    TypedArguments typed;
+    for (i = 0; i < texts.size(); ++i) typed.push_back({names[i], texts[i], are_lists[i]});
     return printed(std::apply(function, std::move(arguments)), experiment.name, experiment.layout,
-                   given);
+                   typed);
   }
 };
 

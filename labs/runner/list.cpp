@@ -1,8 +1,8 @@
-#include "runner/list.hpp"
-
 #include <algorithm>
-#include <string_view>
+#include <string>
 #include <vector>
+
+#include "runner/experiment.hpp"
 
 namespace mc::runner {
 namespace {
@@ -11,35 +11,9 @@ namespace {
 std::vector<std::string> parameters_of(const Experiment& experiment) {
   std::vector<std::string> all;
   const auto forms = experiment.forms();
-  const auto names = text::split(experiment.parameters, ' ');
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    all.push_back("--" + std::string(names[i]) + ' ' + forms[i]);
-  }
+  const auto names = text::words_of(experiment.parameters);
+  for (std::size_t i = 0; i < forms.size(); ++i) all.push_back("--" + names[i] + ' ' + forms[i]);
   return all;
-}
-
-/// Words in lines of at most `width` columns, all but the first after `indent` blanks.
-std::string wrapped(const std::vector<std::string>& words, std::size_t width, std::size_t indent) {
-  std::string all;
-  std::size_t column = indent;
-  for (const std::string& word : words) {
-    if (column > indent && column + 1 + word.size() > width) {
-      all += '\n' + std::string(indent, ' ');
-      column = indent;
-    }
-    if (column > indent) all += ' ', ++column;
-    all += word;
-    column += word.size();
-  }
-  return all;
-}
-
-std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> words;
-  for (const std::string_view word : text::split(text, ' ')) {
-    if (!word.empty()) words.emplace_back(word);
-  }
-  return words;
 }
 
 }  // namespace
@@ -51,28 +25,29 @@ std::string call_of(const Experiment& experiment) {
 }
 
 std::string list_of_experiments(std::size_t width) {
+  std::string all;
+  // Adds words after what the line begins with; more lines begin with `indent` blanks.
+  const auto add = [&](const std::string& begin, const std::vector<std::string>& words,
+                       std::size_t indent) {
+    all += begin + text::wrapped(words, width - std::min(width, indent), indent) + '\n';
+  };
   std::size_t longest = 0;
   for (const Experiment& one : experiments()) longest = std::max(longest, one.name.size());
-  const std::size_t indent = longest + 4;
-  std::string all;
   for (const Experiment& one : experiments()) {
     const std::string blank(longest - one.name.size() + 2, ' ');
-    all += "  " + std::string(one.name) + blank + wrapped(parameters_of(one), width, indent) + '\n';
-    all += "    " + wrapped(words_of(one.description), width, 4) + '\n';
+    add("  " + std::string(one.name) + blank, parameters_of(one), longest + 4);
+    add("    ", text::words_of(one.description), 4);
   }
   for (const Choice& choice : choices()) {
-    all +=
-        '\n' + wrapped(words_of("--" + choice.parameter + " " + choice.meaning), width, 2) + '\n';
+    add("\n", text::words_of("--" + choice.parameter + " " + choice.meaning), 2);
     const bool are_words = std::all_of(choice.values.begin(), choice.values.end(), [](auto& value) {
       return value.find(' ') == std::string::npos;
     });
     if (are_words) {
-      all += "    " + wrapped(choice.values, width, 4) + '\n';
+      add("    ", choice.values, 4);
       continue;
     }
-    for (const std::string& value : choice.values) {
-      all += "    " + wrapped(words_of(value), width, 8) + '\n';
-    }
+    for (const std::string& value : choice.values) add("    ", text::words_of(value), 8);
   }
   return all;
 }

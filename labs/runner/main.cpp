@@ -1,5 +1,5 @@
-// main() of a submission's program. Without arguments it is being judged: one request on descriptor
-// 0, one response on descriptor 3 (wire.hpp). With arguments it is run by hand:
+// main() of a submission's program. Without arguments it is judged: one request on descriptor 0, one
+// response on descriptor 3 (wire.hpp). With arguments it is run by hand:
 //
 //   program                 (judged)
 //   program --list 80       the experiments of this lab, in lines of 80 columns
@@ -18,7 +18,6 @@
 
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
-#include "runner/list.hpp"
 
 namespace {
 
@@ -49,7 +48,7 @@ void write_all(int descriptor, const void* data, std::size_t size) {
   auto bytes = static_cast<const char*>(data);
   while (size > 0) {
     const ssize_t wrote = write(descriptor, bytes, size);
-    if (wrote <= 0) return;  // the judge has closed its end: it knows enough
+    if (wrote <= 0) return;  // the judge has closed its end
     bytes += wrote;
     size -= static_cast<std::size_t>(wrote);
   }
@@ -101,7 +100,7 @@ std::string answer_all(mc::wire::Reader& from) {
   return std::move(to.bytes);
 }
 
-[[noreturn]] void be_judged() {
+[[noreturn]] void answer_judge() {
   const std::string request = read_all(request_descriptor);
   const auto [status, bytes] = outcome_of([&] { return answer(request); });
   const mc::wire::Header header{mc::wire::magic, status, 0, bytes.size()};
@@ -111,7 +110,7 @@ std::string answer_all(mc::wire::Reader& from) {
   _exit(0);  // what the submission registered to run at exit is not part of the measurement
 }
 
-/// The file that "@file" names, its line ends as commas; any other text unchanged.
+/// The content of the file that "@file" names, with commas for line ends; any other text unchanged.
 std::string contents_of(const std::string& argument) {
   if (!argument.starts_with('@')) return argument;
   std::FILE* const file = std::fopen(argument.c_str() + 1, "r");
@@ -133,13 +132,10 @@ bool is_named(std::string_view given, std::string_view name) {
                     [](char a, char b) { return a == b || (a == '-' && b == '_'); });
 }
 
-/// Arguments in their order: as they are, or by their names: --n 12 --dims 2.
+/// The arguments in the order of the parameters; they may be given by name: --n 12 --dims 2.
 std::vector<std::string> in_order(const mc::runner::Experiment& experiment,
                                   std::span<char* const> given) {
-  std::vector<std::string> names;
-  for (const std::string_view name : mc::text::split(experiment.parameters, ' ')) {
-    if (!name.empty()) names.emplace_back(name);
-  }
+  const std::vector<std::string> names = mc::text::words_of(experiment.parameters);
   std::vector<std::string> all;
   if (given.empty() || !std::string_view(given[0]).starts_with("--")) {
     for (const char* argument : given) all.push_back(contents_of(argument));
@@ -155,7 +151,7 @@ std::vector<std::string> in_order(const mc::runner::Experiment& experiment,
     if (!found) throw std::invalid_argument("--" + name + " is missing");
   }
   if (given.size() != 2 * names.size()) {
-    throw std::invalid_argument("a name too many, or one without its value");
+    throw std::invalid_argument("an unknown or repeated name, or a name without a value");
   }
   return all;
 }
@@ -193,7 +189,7 @@ int run_by_hand(std::string_view name, std::span<char* const> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc <= 1) be_judged();
+  if (argc <= 1) answer_judge();
   if (std::string_view(argv[1]) == "--list") {
     const std::size_t width = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : default_width;
     std::fputs(mc::runner::list_of_experiments(width).c_str(), stdout);

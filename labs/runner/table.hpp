@@ -1,6 +1,6 @@
 #pragma once
-// A result by hand: a table with a point, or another entry, a line, below a line that begins with #
-// and says which number is what. A number alone is printed alone.
+// A result printed for a person: a table with one point, or other entry, per line, under a line of
+// names that begins with #. A single number is printed alone.
 
 #include <cstddef>
 #include <string>
@@ -14,38 +14,40 @@
 
 namespace mc::runner {
 
-/// How the lists of a result are read. A list without any of this is one column. All but the
-/// names in `columns` and `index` are parameters of the experiment: a number, or a list, which
-/// stands for how many values it has.
+/// How the first list of a result is cut into columns; without any of these it is one column. All but
+/// `columns` and `index` name a parameter of the experiment, whose value counts: a number, or the
+/// length of a list.
 struct Layout {
-  std::string_view columns = {};  ///< names, by blanks; without them x y z, or x0 x1 … from four on
-  std::string_view points = {};  ///< how many points a set has, if its columns follow each other,
-  std::string_view dims = {};    ///< or how many columns it has
-  std::string_view sets = {};    ///< how many sets follow each other
-  std::string_view index = {};   ///< the name of a column that counts the lines, from 0 on,
-  std::string_view from = {};    ///< or from here on,
-  std::string_view row_labels = {};  ///< or that holds the values of this list
-  std::string_view width = {};       ///< of a picture, whose pixels come row by row
-  std::string_view kmax = {};        ///< of a periodogram: ky and within it kx from -kmax to kmax
+  std::string_view columns =
+      {};  ///< their names, between blanks; otherwise x y z, or x0 x1 x2 x3 …
+  std::string_view points = {};      ///< points of a set, whose columns follow each other,
+  std::string_view dims = {};        ///< or its columns
+  std::string_view sets = {};        ///< sets that follow each other
+  std::string_view index = {};       ///< the name of a column that numbers the lines, from 0 on,
+  std::string_view from = {};        ///< or from this number on,
+  std::string_view row_labels = {};  ///< or that has the values of this list
+  std::string_view width = {};       ///< of a picture, whose pixels are stored row by row
+  std::string_view kmax = {};        ///< of a periodogram: for each ky, kx from -kmax to kmax
 };
 
 /// An argument of an experiment, as it was typed.
-struct Argument {
+struct TypedArgument {
   std::string_view name;
   std::string_view text;
   bool is_list;
 };
-using Given = std::vector<Argument>;
+using TypedArguments = std::vector<TypedArgument>;
 
-/// Columns of one length, each with its name.
+/// Columns of equal length, each with its name.
 struct Block {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> columns;
-  bool is_list = true;  ///< or one line of numbers
+  bool is_list = true;  ///< false: one line of numbers
 };
 
 /// The blocks as text, the first list laid out.
-std::string as_table(std::vector<Block> blocks, const Layout& layout, const Given& given);
+std::string as_table(std::vector<Block> blocks, const Layout& layout,
+                     const TypedArguments& arguments);
 
 template <class T>
 constexpr bool is_list = false;
@@ -110,15 +112,14 @@ std::vector<Block> blocks_of(const T& value) {
   return blocks;
 }
 
-/// A result, as printed for an experiment that is run by hand; a list without a name has the
-/// experiment's.
+/// The result of an experiment that is run by hand; a list without a name has the experiment's.
 template <class T>
 std::string printed(const T& value, std::string_view name, const Layout& layout,
-                    const Given& given) {
+                    const TypedArguments& arguments) {
   if constexpr (is_list<T>) {
-    return as_table({block_of(std::string(name), value)}, layout, given);
+    return as_table({block_of(std::string(name), value)}, layout, arguments);
   } else if constexpr (wire::Listed<T>) {
-    return as_table(blocks_of(value), layout, given);
+    return as_table(blocks_of(value), layout, arguments);
   } else {
     return text::print(value);
   }

@@ -1,12 +1,14 @@
 #include "runner/text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 
-// No fmt here: no distribution ships a static one, and header-only it costs eight seconds of every
+// Without fmt: no distribution has a static one, and as headers it costs eight seconds of every
 // fresh build.
 
 namespace mc::text {
@@ -22,15 +24,6 @@ std::string shortest(Number value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-template <class Integer>
-void parse_integer(std::string_view text, Integer& value) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) {
-    throw std::invalid_argument(quoted(text) + " is not a whole number that fits here");
-  }
-}
-
 }  // namespace
 
 void parse(std::string_view text, double& value) {
@@ -41,18 +34,18 @@ void parse(std::string_view text, double& value) {
     throw std::invalid_argument(quoted(text) + " is not a number");
   }
 }
-void parse(std::string_view text, std::uint64_t& value) {
-  parse_integer(text, value);
+template <std::integral T>
+void parse(std::string_view text, T& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) {
+    throw std::invalid_argument(quoted(text) + " is not a whole number that fits here");
+  }
 }
-void parse(std::string_view text, std::int64_t& value) {
-  parse_integer(text, value);
-}
-void parse(std::string_view text, unsigned& value) {
-  parse_integer(text, value);
-}
-void parse(std::string_view text, int& value) {
-  parse_integer(text, value);
-}
+template void parse(std::string_view text, int& value);
+template void parse(std::string_view text, unsigned& value);
+template void parse(std::string_view text, std::int64_t& value);
+template void parse(std::string_view text, std::uint64_t& value);
 void parse(std::string_view text, std::string& value) {
   value = text;
 }
@@ -70,6 +63,31 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words;
+  for (const std::string_view part : split(text, ' ')) {
+    if (!part.empty()) words.emplace_back(part);
+  }
+  return words;
+}
+
+std::string wrapped(const std::vector<std::string>& words, std::size_t width, std::size_t indent) {
+  std::string all, line;
+  for (const std::string& word : words) {
+    if (!line.empty() && columns_of(line) + 1 + columns_of(word) > width) {
+      all += line + '\n' + std::string(indent, ' ');
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return all + line;
+}
+
+std::size_t columns_of(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
 void wrong_number_of_fields(std::string_view names) {
   throw std::invalid_argument("expected the fields " + std::string(names) + ", separated by ':'");
 }
@@ -83,21 +101,28 @@ std::string filled(std::string_view text, const std::string& with) {
   return all;
 }
 
+std::string joined(const std::vector<std::string>& items, const std::string& separator,
+                   std::size_t most, const std::string& what) {
+  if (items.size() == most + 1) ++most;  // "1 more" is as long
+  std::string all;
+  for (std::size_t i = 0; i < items.size() && i < most; ++i) {
+    all += (i > 0 ? separator : "") + items[i];
+  }
+  if (items.size() <= most) return all;
+  return all + separator + "… " + std::to_string(items.size() - most) + " more " + what;
+}
+
 std::string print(double value) {
-  return std::isnan(value) ? "nan" : shortest(value);  // whose sign means nothing
+  return std::isnan(value) ? "nan" : shortest(value);  // the sign of a NaN has no meaning
 }
-std::string print(std::uint64_t value) {
+template <std::integral T>
+std::string print(T value) {
   return shortest(value);
 }
-std::string print(std::int64_t value) {
-  return shortest(value);
-}
-std::string print(unsigned value) {
-  return shortest(value);
-}
-std::string print(int value) {
-  return shortest(value);
-}
+template std::string print(int value);
+template std::string print(unsigned value);
+template std::string print(std::int64_t value);
+template std::string print(std::uint64_t value);
 std::string print(const std::string& value) {
   return value;
 }

@@ -3,7 +3,7 @@
 // list, 3:0.5:2 a struct field by field, anything else a word.
 
 #include <algorithm>
-#include <cstdint>
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -13,16 +13,27 @@
 
 namespace mc::text {
 
-/// Each throws std::invalid_argument for what is not such a number, or does not fit.
+/// Reads a whole text. Throws std::invalid_argument if it is not such a number or does not fit.
 void parse(std::string_view text, double& value);
-void parse(std::string_view text, std::uint64_t& value);
-void parse(std::string_view text, std::int64_t& value);
-void parse(std::string_view text, unsigned& value);
-void parse(std::string_view text, int& value);
+template <std::integral T>  // int, unsigned, and of 64 bits
+void parse(std::string_view text, T& value);
 void parse(std::string_view text, std::string& value);
 template <wire::Listed T>
 void parse(std::string_view text, T& value);
+
+/// The parts between separators, without the blanks around them; one empty part for an empty text.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// The words between blanks.
+std::vector<std::string> words_of(std::string_view text);
+
+/// Words in lines of at most `width` columns; lines after the first begin with `indent` blanks, which
+/// do not count.
+std::string wrapped(const std::vector<std::string>& words, std::size_t width, std::size_t indent);
+
+/// The columns that a UTF-8 text takes: one per code point; the labs use no others.
+std::size_t columns_of(std::string_view text);
+
 [[noreturn]] void wrong_number_of_fields(std::string_view names);
 
 template <class T>
@@ -43,21 +54,23 @@ void parse(std::string_view text, T& value) {
       fields(value));
 }
 
-/// A value in the form in which it is typed: what parse() reads back. Lists of lists are not typed.
+/// A value as a user types it: parse() reads it back. There is no form for lists of lists.
 template <class T>
 std::string as_typed(const T& value);
 template <class T>
 std::string as_typed(const std::vector<T>& values);
 
-/// A text with this in place of each {}.
+/// `text` with each {} replaced by `with`.
 std::string filled(std::string_view text, const std::string& with);
 
-/// The fewest digits that give back the same number.
+/// Joins items; of more than `most`, the first of them, and how many more `what` there are.
+std::string joined(const std::vector<std::string>& items, const std::string& separator,
+                   std::size_t most, const std::string& what);
+
+/// With the fewest digits that give back the same number.
 std::string print(double value);
-std::string print(std::uint64_t value);
-std::string print(std::int64_t value);
-std::string print(unsigned value);
-std::string print(int value);
+template <std::integral T>
+std::string print(T value);
 std::string print(const std::string& value);
 
 template <class T>

@@ -1,7 +1,7 @@
 #pragma once
-// The wire between a judge and a submission's program: how a measurement is asked for (on
-// descriptor 0) and answered (on descriptor 3). Both ends run on one machine, so numbers travel as
-// their own bytes.
+// The wire between a judge and a submission's program: the request for a measurement (on descriptor
+// 0) and the response (on descriptor 3). Both ends run on one machine, so numbers are sent as their
+// own bytes.
 //
 //   request  = name, arguments                                   (a name is a string)
 //            | "", a list of requests: all in this process, in order; the result is a list of
@@ -19,8 +19,8 @@
 #include <type_traits>
 #include <vector>
 
-/// Lists the fields of a struct, once, for the wire and for printing. Stands in the struct's own
-/// namespace and names every field in order: MC_FIELDS(Moments, count, mean, m2)
+/// Lists the fields of a struct, for the wire and for printing. Use it in the struct's namespace,
+/// with every field in order: MC_FIELDS(Moments, count, mean, m2)
 #define MC_FIELDS(Type, ...)                                   \
   inline auto fields(Type& object_) {                          \
     auto& [__VA_ARGS__] = object_;                             \
@@ -44,7 +44,7 @@ struct Header {
   std::uint64_t length;
 };
 
-/// Bytes that are not what the types say.
+/// Bytes that do not have the expected types.
 struct malformed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

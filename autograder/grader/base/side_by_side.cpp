@@ -14,7 +14,7 @@ void run_side_by_side(std::size_t count, unsigned workers,
   std::mutex mutex;
   std::size_t next = 0;
   std::exception_ptr failure;
-  const auto labour = [&] {
+  const auto worker = [&] {
     for (;;) {
       std::size_t mine = 0;
       {
@@ -34,12 +34,12 @@ void run_side_by_side(std::size_t count, unsigned workers,
   // The caller works too: with one worker, no thread is created.
   for (unsigned i = 1; i < workers && i < count; ++i) {
     try {
-      threads.emplace_back(labour);
+      threads.emplace_back(worker);
     } catch (const std::system_error&) {  // no more threads: the existing ones do the work
       break;
     }
   }
-  labour();
+  worker();
   for (std::thread& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);
 }

@@ -45,20 +45,20 @@ inline std::string read_whole_text(const std::filesystem::path& path) {
 /// Writes a temporary file and renames it, so readers see either the old text or the new one.
 /// Throws std::system_error if that fails (full disk, no such directory); the old text stays.
 inline void write_text(const std::filesystem::path& path, std::string_view text) {
-  auto aside = path;
-  aside += ".new-" + std::to_string(getpid());
-  std::ofstream file(aside, std::ios::binary);
+  auto temporary = path;
+  temporary += ".new-" + std::to_string(getpid());
+  std::ofstream file(temporary, std::ios::binary);
   file << text;
   file.close();
   std::error_code error;
   if (!file) {
     error = std::error_code(errno, std::generic_category());
   } else {
-    std::filesystem::rename(aside, path, error);
+    std::filesystem::rename(temporary, path, error);
   }
   if (error) {
     std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
+    std::filesystem::remove(temporary, ignored);
     throw std::system_error(error, "cannot write " + path.string());
   }
 }

@@ -1,7 +1,5 @@
 #include "grader/checkout/experiments.hpp"
 
-#include <string_view>
-
 #include "grader/base/text_file.hpp"
 #include "runner/text.hpp"
 
@@ -15,12 +13,8 @@ std::vector<Experiment> experiments_of(const Layout& layout, const Lab& lab) {
     const auto from = at + start.size(), comma = text.find(',', from);
     const auto open = text.find('"', from), close = text.find('"', open + 1);
     if (close == std::string::npos) break;
-    Experiment one{text.substr(from, comma - from), {}};
-    const std::string names = text.substr(open + 1, close - open - 1);
-    for (const std::string_view name : text::split(names, ' ')) {
-      if (!name.empty()) one.parameters.emplace_back(name);
-    }
-    all.push_back(std::move(one));
+    all.push_back(
+        {text.substr(from, comma - from), text::words_of(text.substr(open + 1, close - open - 1))});
   }
   return all;
 }

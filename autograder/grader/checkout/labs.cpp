@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -42,19 +43,17 @@ std::vector<std::string> included_by(const fs::path& header) {
   return names;
 }
 
-void add_ancestors(std::vector<Lab>& labs, const Layout& layout) {
+void add_dependencies(std::vector<Lab>& labs, const Layout& layout) {
   for (Lab& lab : labs) {  // in order: the labs it depends on have lower numbers and are done
+    std::set<std::string> names;
     for (const std::string& name : included_by(layout.labs() / lab.folder / lab.header())) {
       for (const Lab& other : labs) {
         if (other.name != name || other.number >= lab.number) continue;
-        lab.depends_on.insert(lab.depends_on.end(), other.depends_on.begin(),
-                              other.depends_on.end());
-        lab.depends_on.push_back(other.name);
+        names.insert(other.depends_on.begin(), other.depends_on.end());
+        names.insert(other.name);
       }
     }
-    std::sort(lab.depends_on.begin(), lab.depends_on.end());
-    lab.depends_on.erase(std::unique(lab.depends_on.begin(), lab.depends_on.end()),
-                         lab.depends_on.end());
+    lab.depends_on = {names.begin(), names.end()};
   }
 }
 
@@ -80,7 +79,7 @@ std::vector<Lab> find_labs(const Layout& layout) {
     labs.push_back({std::stoi(folder.substr(0, dash)), name, folder, {}});
   }
   std::sort(labs.begin(), labs.end(), [](auto& a, auto& b) { return a.number < b.number; });
-  add_ancestors(labs, layout);
+  add_dependencies(labs, layout);
   return labs;
 }
 

@@ -38,12 +38,11 @@ fs::path program_directory() {
 /// The first C++ compiler on the path; CXX comes first. Empty if there is none.
 std::string find_compiler() {
   const char* const chosen = std::getenv("CXX");
-  const char* const path = std::getenv("PATH");
-  for (std::string name : {chosen == nullptr ? "" : chosen, "c++", "g++", "clang++"}) {
-    if (name.find('/') != std::string::npos && access(name.c_str(), X_OK) == 0) return name;
-    for (const std::string_view place : text::split(path == nullptr ? "" : path, ':')) {
-      const fs::path file = fs::path(place) / name;
-      if (!name.empty() && access(file.c_str(), X_OK) == 0) return file.string();
+  for (const char* name : {chosen == nullptr ? "" : chosen, "c++", "g++", "clang++"}) {
+    const std::string file = sandbox::found_in_path(name);
+    if (file.find('/') != std::string::npos && !fs::is_directory(file) &&
+        access(file.c_str(), X_OK) == 0) {
+      return file;
     }
   }
   return {};
@@ -75,6 +74,15 @@ void find_surroundings(Layout& layout) {
                     std::string::npos;
 }
 
+/// The parts of one of CMake's lists.
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts;
+  for (const std::string_view part : text::split(list, ';')) {
+    if (!part.empty()) parts.emplace_back(part);
+  }
+  return parts;
+}
+
 }  // namespace
 
 Layout read_layout() {
@@ -88,47 +96,34 @@ Layout read_layout() {
     const auto at = line.find('=');
     if (at == std::string::npos) continue;
     const std::string key = line.substr(0, at), value = line.substr(at + 1);
+    const std::vector<std::string> parts = parts_of(value);
     if (key == "root") layout.root = value;
     if (key == "compiler") layout.compiler = value;
     if (key == "judge_is_compiled") layout.judge_is_compiled = value == "yes";
     if (key == "sanitized") layout.sanitized = value == "yes";
     if (key == "version") layout.version = value;
     if (key == "compiler_id") layout.is_clang = value.find("Clang") != std::string::npos;
-    if (key.starts_with("peers.")) layout.peers[key.substr(6)];
-    if (key == "link_flags" || key.starts_with("objects.") || key.starts_with("peers.")) {
-      for (const std::string_view part : text::split(value, ';')) {
-        if (part.empty()) continue;
-        if (key == "link_flags") {
-          layout.link_flags.emplace_back(part);
-        } else if (key.starts_with("peers.")) {
-          layout.peers[key.substr(6)].emplace_back(part);
-        } else {
-          layout.objects[key.substr(8)].emplace_back(part);
-        }
-      }
-    }
+    if (key == "link_flags") layout.link_flags = parts;
+    if (key.starts_with("peers.")) layout.peers[key.substr(6)] = parts;
+    if (key.starts_with("objects.")) layout.objects[key.substr(8)] = {parts.begin(), parts.end()};
   }
-  const auto with_points = [&] {  // a verdict with other points is another version's
-    const std::string points = read_text(layout.root / "points.csv");
-    if (points.empty() || layout.version.find(" points ") != std::string::npos) return;
-    layout.version += fmt::format(" points {:08x}", hash_text(points) & 0xffffffffu);
-  };
   if (layout.judge_is_compiled) {
     find_surroundings(layout);
-    with_points();
+  } else if (std::ifstream packed(layout.root / "VERSION.txt"); std::getline(packed, line)) {
+    layout.version = line;  // Gradescope's package with sources: its points are in it
     return layout;
+  } else {
+    const auto commit = sandbox::run_process(
+        {"git", "-C", layout.root.string(), "describe", "--always", "--dirty", "--exclude=*"});
+    if (commit.succeeded()) {
+      layout.version += " (" + commit.output.substr(0, commit.output.find('\n')) + ")";
+    }
   }
-  // Gradescope's package with sources.
-  if (std::ifstream taken(layout.root / "VERSION.txt"); std::getline(taken, line)) {
-    layout.version = line;
-    return layout;
+  // A verdict with other points is another version's.
+  const std::string points = read_text(layout.root / "points.csv");
+  if (!points.empty() && layout.version.find(" points ") == std::string::npos) {
+    layout.version += fmt::format(" points {:08x}", hash_text(points) & 0xffffffffu);
   }
-  const auto commit = sandbox::run_process(
-      {"git", "-C", layout.root.string(), "describe", "--always", "--dirty", "--exclude=*"});
-  if (commit.succeeded()) {
-    layout.version += " (" + commit.output.substr(0, commit.output.find('\n')) + ")";
-  }
-  with_points();
   return layout;
 }
 

@@ -36,53 +36,39 @@ Check parse_check(const protocol::CheckEnd& record) {
   return check;
 }
 
-/// Checks by task.
+/// Checks by task; those of a task follow each other.
 std::vector<std::vector<CheckResult*>> by_task(std::vector<CheckResult>& results) {
   std::vector<std::vector<CheckResult*>> tasks;
   for (CheckResult& result : results) {
-    const auto same = std::find_if(tasks.begin(), tasks.end(), [&](const auto& task) {
-      return task.front()->check.task == result.check.task;
-    });
-    (same == tasks.end() ? tasks.emplace_back() : *same).push_back(&result);
+    const bool is_new = tasks.empty() || tasks.back()[0]->check.task != result.check.task;
+    (is_new ? tasks.emplace_back() : tasks.back()).push_back(&result);
   }
   return tasks;
 }
 
-/// Runs tasks in order until one is not right; later ones are not reported. Stretch checks do not
-/// count.
-void run_until_first_failure(const Layout& layout, const Lab& lab, const sandbox::Program& program,
-                             const JudgeOptions& options, std::vector<CheckResult>& results) {
-  std::size_t begin = 0, done = 0;
-  bool failed = false;
-  while (begin < results.size() && !failed) {
-    std::vector<CheckResult*> task;
-    std::size_t end = begin;
-    for (; end < results.size() && results[end].check.task == results[begin].check.task; ++end) {
-      task.push_back(&results[end]);
-    }
-    run_task(layout, lab, program, options, task, [&] {
-      if (options.progress) options.progress(++done, results.size());
-    });
-    failed = std::any_of(task.begin(), task.end(), [](auto* result) {
-      return result->status != Status::passed && !result->check.is_stretch();
-    });
-    begin = end;
-  }
-  results.resize(begin);
-}
-
+/// Judges tasks side by side; with `first`, in order until one is not right: later ones are not
+/// reported. Stretch checks do not count.
 void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& program,
                 const JudgeOptions& options, std::vector<CheckResult>& results) {
   const auto tasks = by_task(results);
   std::mutex mutex;
   std::size_t done = 0;
-  run_side_by_side(tasks.size(), std::max(1u, options.workers), [&](std::size_t i) {
+  const auto run = [&](std::size_t i) {
     run_task(layout, lab, program, options, tasks[i], [&] {
       const std::lock_guard lock(mutex);
       ++done;
       if (options.progress) options.progress(done, results.size());
     });
-  });
+  };
+  if (!options.first) return run_side_by_side(tasks.size(), std::max(1u, options.workers), run);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    run(i);
+    const bool is_right = std::all_of(tasks[i].begin(), tasks[i].end(), [](auto* result) {
+      return result->status == Status::passed || result->check.is_stretch();
+    });
+    if (!is_right) break;
+  }
+  results.resize(done);
 }
 
 /// A check that fails after a task it needs has failed is waiting: one fault is shown once. A
@@ -110,9 +96,13 @@ void withhold(std::vector<CheckResult>& results) {
     if (result.check.is_main && result.status != Status::passed) undone.insert(result.check.task);
   }
   for (CheckResult& result : results) {
-    if (result.status != Status::passed || !undone.contains(result.check.task)) continue;
-    result.status = Status::withheld;
+    const bool counts = !undone.contains(result.check.task);
+    if (result.status == Status::passed && !counts) result.status = Status::withheld;
   }
+}
+
+std::filesystem::path program_with(CaseKind kind, const Layout& layout, const Lab& lab) {
+  return kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
 }
 
 }  // namespace
@@ -121,8 +111,8 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
   static std::mutex mutex;
   static std::map<std::string, std::vector<Check>> known;  // one run per lab and process
   const std::lock_guard lock(mutex);
-  auto& checks = known[lab.name];
-  if (!checks.empty()) return checks;
+  if (const auto found = known.find(lab.name); found != known.end()) return found->second;
+  std::vector<Check> checks;
   const CheckProcess run = run_check_program(
       layout.checks(lab.name), "",
       {.environment = {{protocol::program_variable, ""}, {protocol::program_path_variable, ""}}});
@@ -131,16 +121,11 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
     throw MachineError(
         fmt::format("the checks of lab {} are not built: run ./lab setup", lab.name));
   }
-  try {
-    apply_points(layout.root, lab, checks);
-  } catch (...) {
-    checks.clear();  // not known yet
-    throw;
-  }
+  apply_points(layout.root, lab, checks);
   std::stable_sort(checks.begin(), checks.end(), [](const Check& a, const Check& b) {
     return task_number(a.task) < task_number(b.task);
   });
-  return checks;
+  return known[lab.name] = checks;
 }
 
 void wait_for_labs(LabVerdict& verdict,
@@ -176,8 +161,7 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const BuildResult& bu
     throw UsageError(fmt::format("lab {} has no task {}", lab.name, options.only));
   }
   if (built.program) {
-    (options.first ? run_until_first_failure : run_checks)(layout, lab, *built.program, options,
-                                                           verdict.checks);
+    run_checks(layout, lab, *built.program, options, verdict.checks);
     find_waiting(verdict.checks);
     withhold(verdict.checks);
     for (CheckResult& result : verdict.checks) {
@@ -199,11 +183,9 @@ LabVerdict judge_lab(const Layout& layout, const Lab& lab, const BuildResult& bu
 
 std::vector<std::string> hidden_cases(const Layout& layout, const Lab& lab, CaseKind kind,
                                       const std::string& tag) {
-  const auto path =
-      kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
   // Without a program and an output file, each of them ends at once.
   const CheckProcess run =
-      run_check_program(path, tag,
+      run_check_program(program_with(kind, layout, lab), tag,
                         {.environment = {{protocol::program_variable, ""},
                                          {protocol::program_path_variable, ""},
                                          {protocol::plot_data_variable, "/nowhere"},
@@ -221,9 +203,7 @@ CheckProcess run_hidden_cases(const Layout& layout, const Lab& lab, CaseKind kin
       {{protocol::program_variable, std::to_string(protocol::program_descriptor)},
        {protocol::seed_variable, "1"}});
   options.descriptors = {{program.descriptor.get(), protocol::program_descriptor}};
-  const auto path =
-      kind == CaseKind::checks ? layout.checks(lab.name) : layout.measurements(lab.name);
-  return run_check_program(path, which, std::move(options));
+  return run_check_program(program_with(kind, layout, lab), which, std::move(options));
 }
 
 }  // namespace mc::grader

@@ -115,7 +115,7 @@ std::string fault_in(const LabVerdict& judged) {
 
 /// Keeps what the autograder failed on, so that it can be looked into.
 void keep_for_report(const Layout& layout, const Submission& submission, const Verdict& verdict) {
-  std::error_code ignored;  // on a full disk there is no keeping
+  std::error_code ignored;  // the disk may be full
   const auto place = layout.build / "not-judged" /
                      fmt::format("{}-{:08x}", verdict.seed,
                                  static_cast<std::uint32_t>(hash_text(verdict.submission)));

@@ -51,6 +51,12 @@ std::string repeat_command(const Lab& lab, const Check& check, const JudgeOption
                      options.seed, options.with_reference ? " --with-reference" : "");
 }
 
+std::string own_repeat_command(const Lab& lab, const Check& check, std::uint64_t seed) {
+  JudgeOptions own;
+  own.seed = seed;
+  return repeat_command(lab, check, own);
+}
+
 std::string by_hand_command(const Layout& layout, const Lab& lab,
                             const std::vector<std::string>& call, const JudgeOptions& options) {
   std::string command =

@@ -19,39 +19,17 @@ namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
-/// By way of `file`.
-std::vector<protocol::Row> measure(const Layout& layout, const Lab& lab,
-                                   const sandbox::Program& program,
-                                   const std::set<std::string>& tasks, const fs::path& file) {
-  fs::create_directories(file.parent_path());
-  fs::remove(file);
-  run_hidden_cases(
-      layout, lab, CaseKind::checks, program, "[.speed]",
-      {.environment = {{protocol::rows_variable, file.string()},
-                       {protocol::speed_tasks_variable, fmt::format("{}", fmt::join(tasks, " "))}},
-       .wall_seconds = 60});
-  std::vector<protocol::Row> rows;
-  std::ifstream written(file);
-  for (std::string line; std::getline(written, line);) {
-    if (auto row = protocol::row_in(line)) rows.push_back(std::move(*row));
-  }
-  fs::remove(file);
-  return rows;
-}
-
-/// In the same minute as the submission's own: what a machine does changes from one to the next.
+/// Measured right after the submission's own rows: the speed of a machine changes within minutes.
 std::vector<protocol::Row> rows_of_reference(const Layout& layout, const Lab& lab,
                                              const std::set<std::string>& tasks,
                                              const sandbox::Program& program,
                                              const std::vector<protocol::Row>& own) {
   if (!fs::exists(layout.solutions() / lab.file())) return {};
-  const auto labs = find_labs(layout);
-  const Submission solutions = open_submission(labs, layout.solutions());
+  const Submission solutions = open_submission(find_labs(layout), layout.solutions());
   const BuildResult built = build_program(layout, lab, solutions);
   if (!built.program) return {};
   if (built.program->path == program.path) return own;  // it is the reference itself
-  return measure(layout, lab, *built.program, tasks,
-                 layout.build / "speed" / fmt::format("{}.{}.reference.tsv", lab.name, getpid()));
+  return speed_rows(layout, lab, *built.program, tasks);
 }
 
 const protocol::Row* find(const std::vector<protocol::Row>& rows, const std::string& kind,
@@ -82,8 +60,21 @@ std::map<std::string, double> kept_ratios(const fs::path& file) {
 std::vector<protocol::Row> speed_rows(const Layout& layout, const Lab& lab,
                                       const sandbox::Program& program,
                                       const std::set<std::string>& tasks) {
-  return measure(layout, lab, program, tasks,
-                 layout.build / "speed" / fmt::format("{}.{}.tsv", lab.name, getpid()));
+  const fs::path file = layout.build / "speed" / fmt::format("{}.{}.tsv", lab.name, getpid());
+  fs::create_directories(file.parent_path());
+  fs::remove(file);
+  run_hidden_cases(
+      layout, lab, CaseKind::checks, program, "[.speed]",
+      {.environment = {{protocol::rows_variable, file.string()},
+                       {protocol::speed_tasks_variable, fmt::format("{}", fmt::join(tasks, " "))}},
+       .wall_seconds = 60});
+  std::vector<protocol::Row> rows;
+  std::ifstream written(file);
+  for (std::string line; std::getline(written, line);) {
+    if (auto row = protocol::row_in(line)) rows.push_back(std::move(*row));
+  }
+  fs::remove(file);
+  return rows;
 }
 
 std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,

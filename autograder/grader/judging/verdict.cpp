@@ -6,16 +6,28 @@
 
 namespace mc::grader {
 
-double LabVerdict::earned() const {
+namespace {
+
+template <class Item, class Value>
+double sum(const std::vector<Item>& items, Value value) {
   double total = 0;
-  for (const auto& result : checks) total += result.earned();
+  for (const Item& item : items) total += value(item);
   return total;
 }
 
+}  // namespace
+
+double LabVerdict::earned() const {
+  return sum(checks, [](auto& result) { return result.earned(); });
+}
 double LabVerdict::points() const {
-  double total = 0;
-  for (const auto& result : checks) total += result.check.points;
-  return total;
+  return sum(checks, [](auto& result) { return result.check.points; });
+}
+double Verdict::earned() const {
+  return sum(labs, [](auto& lab) { return lab.earned(); });
+}
+double Verdict::points() const {
+  return sum(labs, [](auto& lab) { return lab.points(); });
 }
 
 std::optional<double> LabVerdict::times_the_reference() const {
@@ -29,23 +41,20 @@ std::optional<double> LabVerdict::times_the_reference() const {
   return std::exp(logarithms / count);
 }
 
-double Verdict::earned() const {
-  double total = 0;
-  for (const auto& lab : labs) total += lab.earned();
-  return total;
-}
-
-double Verdict::points() const {
-  double total = 0;
-  for (const auto& lab : labs) total += lab.points();
-  return total;
-}
-
 int task_number(const std::string& task) {
   return std::atoi(task.c_str() + std::min(task.size(), task.find('.') + 1));
 }
 
 std::string describe(const CheckResult& result, const LabVerdict& verdict) {
+  const auto is_unfinished = [&](const std::string& need) {
+    const auto& labs = verdict.unfinished;
+    return std::find(labs.begin(), labs.end(), need) != labs.end();
+  };
+  const auto is_not_passed = [&](const std::string& need) {
+    return std::any_of(verdict.checks.begin(), verdict.checks.end(), [&](auto& other) {
+      return other.check.task == need && other.status != Status::passed;
+    });
+  };
   switch (result.status) {
     case Status::passed:
       return "passed";
@@ -57,15 +66,8 @@ std::string describe(const CheckResult& result, const LabVerdict& verdict) {
       return "passed; counts once the main check of " + result.check.task + " passes";
     case Status::waiting:
       for (const std::string& need : result.check.needs) {
-        for (const std::string& lab : verdict.unfinished) {
-          if (lab != need) continue;
-          return need.find('.') == std::string::npos ? "waiting for lab " + need
-                                                     : "waiting for task " + need;
-        }
-        for (const auto& other : verdict.checks) {
-          if (other.check.task == need && other.status != Status::passed)
-            return "waiting for " + need;
-        }
+        if (is_unfinished(need)) return "waiting for " + lab_or_task(need);
+        if (is_not_passed(need)) return "waiting for " + need;
       }
       return "waiting";
     case Status::not_run:
@@ -76,6 +78,10 @@ std::string describe(const CheckResult& result, const LabVerdict& verdict) {
       break;
   }
   return "internal error of the autograder";
+}
+
+std::string lab_or_task(const std::string& need) {
+  return (need.find('.') == std::string::npos ? "lab " : "task ") + need;
 }
 
 }  // namespace mc::grader

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grader/checkout/labs.hpp"
-#include "grader/submission/delivery.hpp"
+#include "grader/submission/submission.hpp"
 #include "protocol/records.hpp"
 
 namespace mc::grader {
@@ -106,6 +106,9 @@ struct Verdict {
 
 /// The number of a task within its lab: 10 for "1.10".
 int task_number(const std::string& task);
+
+/// "lab 3", or "task 1.4": what a check needs.
+std::string lab_or_task(const std::string& need);
 
 /// "passed", "failed", "not written yet", "waiting for 1.1", "not run", "internal error"
 std::string describe(const CheckResult& result, const LabVerdict& verdict);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/base/replace.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
@@ -50,9 +51,8 @@ std::string csv_field(const std::string& text) {
   std::string line = sandbox::printable_line(text);
   if (begins_formula(text)) line.insert(0, "'");
   if (line.find_first_of("\",;' ") == std::string::npos) return line;
-  std::string all = "\"";
-  for (const char c : line) all += c == '"' ? "\"\"" : std::string(1, c);
-  return all + '"';
+  replace_all(line, "\"", "\"\"");
+  return '"' + line + '"';
 }
 
 std::string csv_header(const std::vector<LabColumns>& labs, People people) {
@@ -113,30 +113,34 @@ std::vector<std::vector<std::string>> csv_rows(std::string_view table) {
     row.push_back(made_harmless ? field.substr(1) : field);
     field.clear();
   };
+  const auto end_row = [&] {
+    if (begun || !field.empty()) {
+      end_field();
+      rows.push_back(std::move(row));
+    }
+    row.clear();
+    begun = false;
+  };
   for (std::size_t i = 0; i < table.size(); ++i) {
     const char c = table[i];
     const bool next_is_quote = i + 1 < table.size() && table[i + 1] == '"';
-    if (quoted) {
-      if (c != '"')
-        field += c;
-      else if (next_is_quote)
-        field += table[++i];
-      else
-        quoted = false;
+    if (c == '"' && quoted && next_is_quote) {
+      field += table[++i];
     } else if (c == '"') {
-      quoted = begun = true;
+      quoted = !quoted;
+      begun = true;
+    } else if (quoted) {
+      field += c;
     } else if (c == ',') {
       end_field();
       begun = true;
     } else if (c == '\n') {
-      if (begun || !field.empty()) end_field(), rows.push_back(std::move(row));
-      row.clear();
-      begun = false;
+      end_row();
     } else if (c != '\r') {
       field += c;
     }
   }
-  if (begun || !field.empty()) end_field(), rows.push_back(std::move(row));
+  end_row();
   return rows;
 }
 

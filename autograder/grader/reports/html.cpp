@@ -1,12 +1,14 @@
 #include "grader/reports/html.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <cstdlib>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
+#include "grader/judging/repeat_commands.hpp"
 #include "grader/reports/report.hpp"
 #include "runner/text.hpp"
 
@@ -55,14 +57,9 @@ std::multimap<std::size_t, std::string> messages_of(const LabVerdict& lab) {
   const std::string file = lab.lab.file();
   for (const std::string_view line : text::split(lab.no_program, '\n')) {
     if (!line.starts_with(file + ':')) continue;
-    const auto parts = text::split(line, ':');
-    std::size_t row = 0;
-    if (parts.size() < 3) continue;
-    std::from_chars(parts[1].data(), parts[1].data() + parts[1].size(), row);
+    const std::size_t row = std::strtoul(line.data() + file.size() + 1, nullptr, 10);
     const auto colon = line.find(": ", file.size());
-    if (row > 0 && colon != std::string_view::npos) {
-      messages.emplace(row, std::string(line.substr(colon + 2)));
-    }
+    if (row > 0 && colon != std::string_view::npos) messages.emplace(row, line.substr(colon + 2));
   }
   return messages;
 }
@@ -70,56 +67,43 @@ std::multimap<std::size_t, std::string> messages_of(const LabVerdict& lab) {
 /// The file with its line numbers, and the compiler's messages under the lines they are about.
 std::string code(const std::string& source, const LabVerdict& lab) {
   const auto messages = messages_of(lab);
-  std::string all = "<ol class=\"code\">\n";
+  std::string list = "<ol class=\"code\">\n";
   std::size_t row = 0;
-  for (std::size_t begin = 0; begin <= source.size();) {
-    const auto end = std::min(source.find('\n', begin), source.size());
-    if (begin == source.size()) break;  // after the last line's end
-    ++row;
-    all += "<li>" + html_escaped(source.substr(begin, end - begin));
-    const auto [first, last] = messages.equal_range(row);
+  std::istringstream lines(source);
+  for (std::string line; std::getline(lines, line);) {
+    list += "<li>" + html_escaped(line);
+    const auto [first, last] = messages.equal_range(++row);
     for (auto message = first; message != last; ++message) {
-      all += fmt::format("\n<span class=\"message\">↑ {}</span>", html_escaped(message->second));
+      list += fmt::format("\n<span class=\"message\">↑ {}</span>", html_escaped(message->second));
     }
-    all += "</li>\n";
-    begin = end + 1;
+    list += "</li>\n";
   }
-  const std::string list = all + "</ol>\n";
+  list += "</ol>\n";
   const std::string name = html_escaped(lab.lab.file());
   return messages.empty() ? fmt::format("<details><summary>{}, {} lines</summary>\n{}</details>\n",
                                         name, row, list)
                           : fmt::format("<h3>{}</h3>\n{}", name, list);
 }
 
-std::string mark_of(const CheckResult& result) {
+std::string mark_of(const CheckResult& result, const LabVerdict& lab) {
   if (result.status == Status::passed) return "<span class=\"passed\">✓ passed</span>";
   if (result.status == Status::failed) return "<span class=\"failed\">✗ failed</span>";
-  return {};
+  return fmt::format("<span class=\"other\">{}</span>", html_escaped(describe(result, lab)));
 }
 
 std::string check_row(const CheckResult& result, const LabVerdict& lab, std::uint64_t seed) {
-  std::string mark = mark_of(result);
-  if (mark.empty()) {
-    mark = fmt::format("<span class=\"other\">{}</span>", html_escaped(describe(result, lab)));
+  std::string what = html_escaped(result.check.name), report = result.report;
+  if (result.status == Status::failed) {
+    report = failure_report(lab, result, own_repeat_command(lab.lab, result.check, seed));
   }
-  std::string what = html_escaped(result.check.name);
-  if (!result.report.empty() && result.status == Status::failed) {
-    std::string report = result.report + "\nread      labs/" + lab.lab.folder +
-                         "/README.md, section " + result.check.task +
-                         // In the student's own checkout, not where this was judged.
-                         fmt::format("\nagain     ./lab check {} --only {} --seed {}", lab.lab.name,
-                                     result.check.task, seed);
-    if (!result.by_hand.empty()) report += "\nby hand   " + result.by_hand;
+  if (!report.empty() && result.status != Status::not_written && result.status != Status::waiting) {
     what += "<pre>" + html_escaped(report) + "</pre>";
-  } else if (!result.report.empty() && result.status != Status::not_written &&
-             result.status != Status::waiting && lab.no_program.empty()) {
-    what += "<pre>" + html_escaped(result.report) + "</pre>";
   }
   if (!result.printed.empty()) {
     what += "<details><summary>it printed</summary><pre>" +
             html_escaped(result.printed.substr(0, 4000)) + "</pre></details>";
   }
-  return fmt::format("<tr><td>{}</td><td>{}</td>{}</tr>\n", mark, what,
+  return fmt::format("<tr><td>{}</td><td>{}</td>{}</tr>\n", mark_of(result, lab), what,
                      points_cell(result.earned(), result.check.points));
 }
 
@@ -146,31 +130,18 @@ std::string speed_table(const LabVerdict& lab) {
   return all + "</table></div>\n";
 }
 
-/// A file's bytes, encoded for embedding in a page.
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string all;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      all += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return all;
-}
-
 std::string pictures_of(const std::vector<std::filesystem::path>& files) {
   std::string all;
   for (const auto& file : files) {
-    const std::string name = html_escaped(file.stem().string());
+    std::string svg = read_text(file);
+    replace_all(svg, "%", "%25");  // first: the others insert it
+    replace_all(svg, "#", "%23");
+    replace_all(svg, "\n", "%0A");
+    replace_all(svg, "\t", "%09");
     all += fmt::format(
-        "<figure><img alt=\"plot {0}\" src=\"data:image/svg+xml;base64,{1}\">"
+        "<figure><img alt=\"plot {0}\" src=\"data:image/svg+xml,{1}\">"
         "<figcaption class=\"quiet\">{0}</figcaption></figure>\n",
-        name, base64(read_text(file)));
+        html_escaped(file.stem().string()), html_escaped(svg));
   }
   return all;
 }
@@ -187,8 +158,8 @@ std::string lab_section(const LabVerdict& lab, std::uint64_t seed, const PageMat
   if (!lab.on_reference.empty()) all += "<p>" + html_escaped(reference_line(lab)) + "</p>\n";
   if (!lab.no_program.empty()) all += "<pre>" + html_escaped(lab.no_program) + "</pre>\n";
   for (const std::string& need : lab.unfinished) {
-    all += fmt::format("<p>First: {} {} is not right yet, and checks below depend on it.</p>\n",
-                       need.find('.') == std::string::npos ? "lab" : "task", html_escaped(need));
+    all += fmt::format("<p>First: {} is not right yet, and checks below depend on it.</p>\n",
+                       html_escaped(lab_or_task(need)));
   }
   if (lab.no_program.empty()) {
     all +=
@@ -206,25 +177,11 @@ std::string lab_section(const LabVerdict& lab, std::uint64_t seed, const PageMat
 }  // namespace
 
 std::string html_escaped(std::string_view text) {
-  std::string all;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        all += "&lt;";
-        break;
-      case '>':
-        all += "&gt;";
-        break;
-      case '&':
-        all += "&amp;";
-        break;
-      case '"':
-        all += "&quot;";
-        break;
-      default:
-        all += c;
-    }
-  }
+  std::string all(text);
+  replace_all(all, "&", "&amp;");  // first: the others insert it
+  replace_all(all, "<", "&lt;");
+  replace_all(all, ">", "&gt;");
+  replace_all(all, "\"", "&quot;");
   return all;
 }
 

@@ -13,16 +13,14 @@ namespace mc::grader {
 namespace {
 
 std::string output_of(const CheckResult& result, const LabVerdict& lab, std::uint64_t seed) {
-  JudgeOptions own;  // the reader's own checkout
-  own.seed = seed;
   if (result.status == Status::passed) return "";
   // The reason is reported once, above all checks.
   if (!lab.no_program.empty()) return "not run: see the top";
   std::string text = describe(result, lab);
-  if (!result.report.empty() && result.status != Status::not_written) text += "\n" + result.report;
   if (result.status == Status::failed) {
-    text += fmt::format("\nread      labs/{}/README.md, section {}\nagain     {}", lab.lab.folder,
-                        result.check.task, repeat_command(lab.lab, result.check, own));
+    text += '\n' + failure_report(lab, result, own_repeat_command(lab.lab, result.check, seed));
+  } else if (!result.report.empty() && result.status != Status::not_written) {
+    text += '\n' + result.report;
   }
   if (!result.printed.empty()) text += "\nit printed\n" + sandbox::shortened(result.printed, 2000);
   return text;

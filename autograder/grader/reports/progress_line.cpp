@@ -1,31 +1,19 @@
 #include "grader/reports/progress_line.hpp"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "grader/reports/report.hpp"
+
 namespace mc::grader {
 namespace {
 
 using namespace std::chrono_literals;
-
-bool is_interactive() {
-  const char* kind = std::getenv("TERM");
-  return isatty(STDERR_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
-}
-
-std::size_t columns() {
-  winsize size{};
-  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-  return 80;
-}
 
 std::string rounded(double seconds) {
   return seconds < 90     ? fmt::format("{:.0f} s", 10 * std::round(seconds / 10))
@@ -36,8 +24,8 @@ std::string rounded(double seconds) {
 }  // namespace
 
 ProgressLine::ProgressLine(std::string what)
-    : next_(start_ + (is_interactive() ? 500ms : 10s)),
-      interactive_(is_interactive()),
+    : interactive_(is_interactive(STDERR_FILENO)),
+      next_(start_ + (interactive_ ? 500ms : 10s)),
       what_(std::move(what)) {
   try {
     ticker_ = std::thread([this] { tick(); });
@@ -55,17 +43,11 @@ ProgressLine::~ProgressLine() {
   clear();
 }
 
-void ProgressLine::show(double done, double all) {
+void ProgressLine::show(double done, double all, const std::string& what) {
   const std::lock_guard lock(mutex_);
   done_ = done;
   all_ = all;
-}
-
-void ProgressLine::show(double done, double all, std::string what) {
-  const std::lock_guard lock(mutex_);
-  done_ = done;
-  all_ = all;
-  what_ = std::move(what);
+  if (!what.empty()) what_ = what;
 }
 
 void ProgressLine::clear() {
@@ -94,7 +76,7 @@ void ProgressLine::print() {
     fmt::print(stderr, "{}\n", line);
     return;
   }
-  const std::size_t width = columns();
+  const std::size_t columns = window_columns(STDERR_FILENO), width = columns > 0 ? columns : 80;
   if (line.size() >= width) line.resize(width - 1);
   fmt::print(stderr, "\r\x1b[K{}", line);
   is_shown_ = true;

@@ -17,11 +17,9 @@ class ProgressLine {
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
 
-  /// Reports the finished part of the work. The unit is arbitrary: equal parts, or expected
-  /// seconds.
-  void show(double done, double all);
-  /// The same, and changes the current activity.
-  void show(double done, double all, std::string what);
+  /// Reports the finished part of the work, in any unit: equal parts, or expected seconds. Changes
+  /// the current activity unless `what` is empty.
+  void show(double done, double all, const std::string& what = {});
   /// Removes the line so that something else can be printed; it comes back by itself.
   void clear();
 
@@ -31,8 +29,8 @@ class ProgressLine {
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start_ = Clock::now();
-  Clock::time_point next_;  ///< when it is printed next
   const bool interactive_;
+  Clock::time_point next_;  ///< when it is printed next
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false, is_shown_ = false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grader/judging/verdict.hpp"
+#include "runner/text.hpp"
 
 namespace mc::grader {
 
@@ -19,8 +20,19 @@ struct Terminal {
 /// The terminal on standard output; color only there, and not with NO_COLOR; at most 100 columns.
 Terminal this_terminal();
 
+/// Is this descriptor a terminal where a line can be rewritten?
+bool is_interactive(int descriptor);
+
+/// The columns of the terminal on this descriptor; 0 if it is not one.
+std::size_t window_columns(int descriptor);
+
 /// One lab, check by check, with the report of each failure.
 std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal);
+
+/// The report of a failed check with the section to read and the commands that repeat it: `repeat`
+/// judges the check again.
+std::string failure_report(const LabVerdict& lab, const CheckResult& result,
+                           const std::string& repeat);
 
 /// The lines of a lab's speed tasks: "2.8 uniforms  0.6 ns, 1.1 times as fast as the reference".
 std::string report_speed(const LabVerdict& lab);
@@ -28,8 +40,7 @@ std::string report_speed(const LabVerdict& lab);
 /// A line for each submission and lab; names take at least `columns`.
 std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t columns = 10);
 
-/// The width of a name in a terminal.
-std::size_t columns_of(std::string_view text);
+using text::columns_of;
 
 /// Text wrapped at blanks to `width` columns; lines after the first are indented by `indent`
 /// blanks.

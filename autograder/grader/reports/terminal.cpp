@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <set>
 #include <utility>
@@ -18,48 +17,62 @@
 namespace mc::grader {
 namespace {
 
-constexpr const char* green = "\x1b[32m";
-constexpr const char* red = "\x1b[31m";
-constexpr const char* grey = "\x1b[2m";
-constexpr const char* bold = "\x1b[1m";
+constexpr const char *green = "\x1b[32m", *red = "\x1b[31m", *grey = "\x1b[2m", *bold = "\x1b[1m";
+
+/// Is a report due, of the submission or of the autograder?
+bool is_fault(const CheckResult& result) {
+  return result.status == Status::failed || result.status == Status::internal_error;
+}
 
 std::string painted(const Terminal& terminal, const char* color, const std::string& text) {
   return terminal.color ? color + text + "\x1b[0m" : text;
 }
 
-/// "measured  x = 1" with its lines wrapped under the second column.
-std::string report_line(std::string_view line, std::size_t margin, std::size_t width) {
-  constexpr std::size_t label = 10;
-  const std::size_t inner = std::max<std::size_t>(width, margin + label + 20) - margin - label;
-  const std::string blank(margin, ' ');
-  if (line.size() > label && line.substr(0, label).find("  ") != std::string_view::npos) {
-    return blank + std::string(line.substr(0, label)) +
-           wrapped(line.substr(label), inner, margin + label) + '\n';
-  }
-  return blank + std::string(line) + '\n';  // another shape: a compiler's line, unchanged
-}
-
 constexpr std::size_t margin = 9;
 
-std::string check_line(const std::string& name, const Terminal& terminal, const char* color,
-                       const char* mark, const std::string& right) {
-  const std::size_t room = terminal.width > 24 ? terminal.width - 14 : 10;
-  std::string text = wrapped(name, room - 9, margin);
+/// "measured  x = 1" with its lines wrapped under the second column.
+std::string report_line(std::string_view line, const Terminal& terminal) {
+  constexpr std::size_t label = 10, indent = margin + label;
+  const std::size_t width = std::max(terminal.width, indent + 20) - indent;
+  const bool has_label =
+      line.size() > label && line.substr(0, label).find("  ") != std::string_view::npos;
+  return fmt::format("{:{}}{}{}\n", "", margin, line.substr(0, has_label ? label : line.size()),
+                     has_label ? wrapped(line.substr(label), width, indent) : "");
+}
+
+std::string report_lines(std::string_view report, const Terminal& terminal) {
+  std::string all;
+  for (const std::string_view line : text::split(report, '\n')) all += report_line(line, terminal);
+  return all;
+}
+
+struct Mark {
+  const char *color, *text;
+};
+
+Mark mark_of(const CheckResult& result) {
+  if (result.status == Status::passed) return {green, "✓"};
+  if (is_fault(result)) return {red, "✗"};
+  return {grey, result.status == Status::not_judged ? "?" : "·"};
+}
+
+/// "  ✓ name                8/8": the mark of a check, its name, and its points at the right.
+std::string check_line(const std::string& name, const Terminal& terminal, const Mark& mark,
+                       const std::string& right) {
+  const std::string text = wrapped(name, std::max<std::size_t>(terminal.width, 24) - 23, margin);
   const auto last = text.rfind('\n');
   const std::size_t used =
       last == std::string::npos ? 4 + columns_of(text) : columns_of(text.substr(last + 1));
-  const std::size_t gap =
-      used + 1 + right.size() < terminal.width ? terminal.width - used - right.size() : 1;
-  return fmt::format("  {} {}{}{}\n", painted(terminal, color, mark), text,
-                     std::string(gap > 0 ? gap : 1, ' '), right);
+  const std::size_t free = terminal.width - std::min(terminal.width, used + right.size());
+  return fmt::format("  {} {}{:{}}{}\n", painted(terminal, mark.color, mark.text), text, "",
+                     std::max<std::size_t>(free, 1), right);
 }
 
 std::string printed_lines(const std::string& printed) {
   constexpr std::size_t most = 8;
-  const auto lines = text::split(printed, '\n');
   std::string all;
   std::size_t count = 0;
-  for (const std::string_view line : lines) {
+  for (const std::string_view line : text::split(printed, '\n')) {
     if (line.empty()) continue;
     if (count++ < most)
       all += fmt::format("{:{}}| {}\n", "", margin, sandbox::shortened(line, 160));
@@ -72,18 +85,8 @@ std::string points_of(double earned, double points) {
   return fmt::format("{:g}/{:g}", earned, points);
 }
 
-/// Of checks; a stretch has no points.
-std::string points_or_stretch(double earned, double points) {
-  return points > 0 ? points_of(earned, points) : "stretch";
-}
-
 std::string points_in_all(const Terminal& terminal, const LabVerdict& lab) {
   return painted(terminal, bold, fmt::format("{:g} of {:g}", lab.earned(), lab.points()));
-}
-
-/// "lab 3", or "task 1.4"
-std::string called(const std::string& need) {
-  return (need.find('.') == std::string::npos ? "lab " : "task ") + need;
 }
 
 /// The task or lab that must be right first, if it is in another lab.
@@ -91,26 +94,15 @@ std::string roots_elsewhere(const LabVerdict& lab) {
   std::string all;
   for (const std::string& need : lab.unfinished) {
     const auto dot = need.find('.');
-    all += fmt::format(
-        "  First: {} is not right yet, and checks below depend on it: ./lab check {}\n",
-        called(need), dot == std::string::npos ? need : need.substr(0, dot) + " --only " + need);
+    all +=
+        fmt::format("  First: {} is not right yet, and checks below depend on it: ./lab check {}\n",
+                    lab_or_task(need),
+                    dot == std::string::npos ? need : need.substr(0, dot) + " --only " + need);
   }
   return all.empty() ? all : all + '\n';
 }
 
-/// The full report of a failure.
-std::string full_report(const LabVerdict& lab, const CheckResult& result,
-                        const Terminal& terminal) {
-  std::string all;
-  const auto add = [&](std::string_view line) { all += report_line(line, margin, terminal.width); };
-  for (const std::string_view line : text::split(result.report, '\n')) add(line);
-  add(fmt::format("read      labs/{}/README.md, section {}", lab.lab.folder, result.check.task));
-  add("again     " + result.repeat);
-  if (!result.by_hand.empty()) add("by hand   " + result.by_hand);
-  return all;
-}
-
-/// The same without the contents of long lists: a call may be long; its result comes at the end.
+/// The line without the contents of long lists: a call may be long; its result comes at the end.
 std::string with_short_lists(std::string_view line) {
   constexpr std::size_t longest = 24;
   std::string all;
@@ -134,45 +126,64 @@ std::string short_report(const CheckResult& result, std::set<std::string>& hints
   for (std::string_view line : text::split(result.report, '\n')) {
     if (all.empty()) {
       if (line.starts_with(measured)) line.remove_prefix(measured.size());
-      all += report_line("also      " + sandbox::shortened(with_short_lists(line), 240), margin,
-                         terminal.width);
+      all += report_line("also      " + sandbox::shortened(with_short_lists(line), 240), terminal);
     } else if (line.starts_with(likely) && hints.insert(std::string(line)).second) {
-      all += report_line(line, margin, terminal.width);
+      all += report_line(line, terminal);
     }
   }
   return all;
 }
 
+/// How many of the checks from `first` on share one line: those that the same failure of the machine
+/// prevented; of one task, those that are waiting, not written or not run.
+std::size_t together_from(const std::vector<CheckResult>& checks, std::size_t first) {
+  const CheckResult& one = checks[first];
+  if (one.status == Status::passed || is_fault(one)) return 1;
+  const auto end = std::find_if_not(
+      checks.begin() + static_cast<std::ptrdiff_t>(first), checks.end(), [&](auto& other) {
+        return other.status == one.status &&
+               (one.status == Status::not_judged ? other.report == one.report
+                                                 : other.check.task == one.check.task);
+      });
+  return static_cast<std::size_t>(end - checks.begin()) - first;
+}
+
+/// The line of `count` checks that share a status.
+std::string title_of(const CheckResult& first, std::size_t count, const LabVerdict& lab) {
+  if (first.status == Status::passed || is_fault(first)) return first.check.name;
+  if (first.status == Status::not_judged) {
+    return first.check.name + (count > 1 ? fmt::format(" and {} more", count - 1) : "");
+  }
+  return fmt::format(
+      "{}: {}",
+      count > 1 ? fmt::format("{} ({} checks)", first.check.task, count) : first.check.name,
+      describe(first, lab));
+}
+
 }  // namespace
 
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
-  std::string all, line;
-  for (const std::string_view word : text::split(text, ' ')) {
-    if (!line.empty() && columns_of(line) + 1 + columns_of(word) > width) {
-      all += line + '\n' + std::string(indent, ' ');
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + std::string(word);
-  }
-  return all + line;
+  const auto words = text::split(text, ' ');
+  return text::wrapped({words.begin(), words.end()}, width, indent);
 }
 
-/// Columns that a UTF-8 text takes (every code point one; the labs use no others).
-std::size_t columns_of(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+bool is_interactive(int descriptor) {
+  const char* kind = std::getenv("TERM");
+  return isatty(descriptor) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
+}
+
+std::size_t window_columns(int descriptor) {
+  winsize size{};
+  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 Terminal this_terminal() {
   Terminal terminal;
   const char* no_color = std::getenv("NO_COLOR");
-  const char* kind = std::getenv("TERM");
-  terminal.interactive =
-      isatty(STDOUT_FILENO) != 0 && (kind == nullptr || std::strcmp(kind, "dumb") != 0);
+  terminal.interactive = is_interactive(STDOUT_FILENO);
   terminal.color = terminal.interactive && (no_color == nullptr || *no_color == '\0');
-  winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
-    terminal.width = std::clamp<std::size_t>(size.ws_col, 40, 100);
+  if (const std::size_t columns = window_columns(STDOUT_FILENO); columns > 0) {
+    terminal.width = std::clamp<std::size_t>(columns, 40, 100);
   }
   return terminal;
 }
@@ -193,6 +204,14 @@ std::string not_judged_line(const Verdict& verdict) {
   return fmt::format("not judged: {}\n", verdict.not_judged);
 }
 
+std::string failure_report(const LabVerdict& lab, const CheckResult& result,
+                           const std::string& repeat) {
+  std::string all = fmt::format("{}\nread      labs/{}/README.md, section {}\nagain     {}",
+                                result.report, lab.lab.folder, result.check.task, repeat);
+  if (!result.by_hand.empty()) all += "\nby hand   " + result.by_hand;
+  return all;
+}
+
 std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Terminal& terminal) {
   std::string all = fmt::format("{}  {}, seed {}\n\n", painted(terminal, bold, lab.lab.title()),
                                 verdict.submission, verdict.seed);
@@ -208,68 +227,41 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
   all += roots_elsewhere(lab);
   std::set<std::string> explained;  // tasks whose first failure is above
   std::set<std::string> hints;      // shown above
-  const CheckResult* next = nullptr;
+  const auto is_open = [](const CheckResult& result) { return result.is_open(); };
+  const auto next = std::find_if(lab.checks.begin(), lab.checks.end(), is_open);
   const bool is_grade = verdict.not_judged.empty();
-  for (std::size_t i = 0; i < lab.checks.size(); ++i) {
+  for (std::size_t i = 0, count = 0; i < lab.checks.size(); i += count) {
     const CheckResult& result = lab.checks[i];
-    if (result.status == Status::not_judged) {  // a failing machine affects many checks alike
-      std::size_t last = i;
-      while (last + 1 < lab.checks.size() && lab.checks[last + 1].status == result.status &&
-             lab.checks[last + 1].report == result.report) {
-        ++last;
-      }
-      all += check_line(
-          last > i ? fmt::format("{} and {} more", result.check.name, last - i) : result.check.name,
-          terminal, grey, "?", "not judged");
-      all += report_line("because   " + result.report, margin, terminal.width);
-      i = last;
-      continue;
-    }
-    const std::string points =
-        is_grade ? points_or_stretch(result.earned(), result.check.points) : std::string();
-    if (result.is_open() && next == nullptr) next = &result;
-    if (result.status == Status::passed) {
-      all += check_line(result.check.name, terminal, green, "✓", points);
-      continue;
-    }
-    if (result.status == Status::failed || result.status == Status::internal_error) {
-      all += check_line(result.check.name, terminal, red, "✗", points);
+    count = together_from(lab.checks, i);
+    double points = 0;
+    for (std::size_t j = i; j < i + count; ++j) points += lab.checks[j].check.points;
+    all += check_line(title_of(result, count, lab), terminal, mark_of(result),
+                      result.status == Status::not_judged ? "not judged"
+                      : !is_grade                         ? ""
+                      : points > 0                        ? points_of(result.earned(), points)
+                                                          : "stretch");
+    if (result.status == Status::not_judged || result.status == Status::not_run) {
+      all += report_line("because   " + result.report, terminal);
+    } else if (is_fault(result)) {
       const bool is_first = explained.insert(result.check.task).second;
       if (is_first || result.status != Status::failed) {
-        all += full_report(lab, result, terminal);
-        for (const std::string_view line : text::split(result.report, '\n')) {
-          hints.insert(std::string(line));
-        }
+        all += report_lines(failure_report(lab, result, result.repeat), terminal);
+        for (const auto line : text::split(result.report, '\n')) hints.emplace(line);
       } else {
         all += short_report(result, hints, terminal);
       }
-    } else {
-      // Once per task, however many checks it has.
-      double together = result.check.points;
-      std::size_t last = i;
-      while (last + 1 < lab.checks.size() && lab.checks[last + 1].check.task == result.check.task &&
-             lab.checks[last + 1].status == result.status) {
-        together += lab.checks[++last].check.points;
-      }
-      const std::string what = last > i
-                                   ? fmt::format("{} ({} checks)", result.check.task, last - i + 1)
-                                   : result.check.name;
-      all += check_line(what + ": " + describe(result, lab), terminal, grey, "·",
-                        is_grade ? points_or_stretch(0, together) : std::string());
-      if (result.status == Status::not_run) {
-        all += report_line("because   " + result.report, margin, terminal.width);
-      }
-      i = last;
     }
-    all += printed_lines(result.printed);
+    if (result.status != Status::passed && result.status != Status::not_judged) {
+      all += printed_lines(result.printed);
+    }
   }
   if (!lab.speed.empty()) all += "\n" + report_speed(lab);
   if (!is_grade) return all + "\n  not judged: this is not a zero\n" + jail_warning(verdict);
   all += fmt::format("\n  {} points", points_in_all(terminal, lab));
-  if (next != nullptr) {
+  if (next != lab.checks.end()) {
     all += fmt::format("; next: {}", next->check.task);
   } else if (!lab.unfinished.empty()) {
-    all += fmt::format("; next: {}", called(lab.unfinished[0]));
+    all += fmt::format("; next: {}", lab_or_task(lab.unfinished[0]));
   }
   return all + "\n" + jail_warning(verdict);
 }

@@ -1,149 +1,146 @@
 #include "grader/reports/verdict_json.hpp"
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>> {
+  static void to_json(ordered_json& json, const std::optional<T>& value) {
+    json = value ? ordered_json(*value) : ordered_json(nullptr);
+  }
+  static void from_json(const ordered_json& json, std::optional<T>& value) {
+    value = json.is_null() ? std::nullopt : std::optional(json.get<T>());
+  }
+};
+
 namespace mc::grader {
-namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// Increment when the content of a verdict changes: older ones are then judged again.
 constexpr int verdict_format = 2;
 
-constexpr std::array<std::pair<Status, const char*>, 8> status_names{{
-    {Status::passed, "passed"},
-    {Status::failed, "failed"},
-    {Status::not_written, "not written"},
-    {Status::withheld, "withheld"},
-    {Status::waiting, "waiting"},
-    {Status::not_run, "not run"},
-    {Status::not_judged, "not judged"},
-    {Status::internal_error, "internal error"},
-}};
+/// Keys that verdicts of version 1.0 lack.
+constexpr std::string_view newer_keys[] = {"delivery", "hours", "on_reference", "is_estimate",
+                                           "addition"};
 
-const char* name_of(Status status) {
-  for (const auto& [one, name] : status_names) {
-    if (one == status) return name;
-  }
-  return "internal error";
+/// In the order of Status.
+constexpr std::string_view status_names[] = {"passed",  "failed",  "not written", "withheld",
+                                             "waiting", "not run", "not judged",  "internal error"};
+
+void to_json(Json& json, Status status) {
+  json = status_names[static_cast<std::size_t>(status)];
 }
-
-Status status_named(const std::string& text) {
-  for (const auto& [one, name] : status_names) {
-    if (name == text) return one;
-  }
-  throw std::invalid_argument("no such status: " + text);
+void from_json(const Json& json, Status& status) {
+  const auto found =
+      std::find(std::begin(status_names), std::end(status_names), json.get<std::string>());
+  if (found == std::end(status_names)) throw std::invalid_argument("no such status");
+  status = static_cast<Status>(found - std::begin(status_names));
 }
 
-Json maybe(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-std::optional<double> maybe_in(const Json& value) {
-  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+// The keys and the fields of each struct, in one list for writing and reading.
+
+template <class Field>
+void fields(Lab& lab, Field field) {
+  field("number", lab.number);
+  field("name", lab.name);
+  field("folder", lab.folder);
+  field("depends_on", lab.depends_on);
 }
 
-Json json_of(const Lab& lab) {
-  return {{"number", lab.number},
-          {"name", lab.name},
-          {"folder", lab.folder},
-          {"depends_on", lab.depends_on}};
-}
-Lab lab_in(const Json& json) {
-  return {json.at("number"), json.at("name"), json.at("folder"), json.at("depends_on")};
-}
-
-Json json_of(const CheckResult& result) {
-  const Check& check = result.check;
-  return {{"name", check.name},
-          {"task", check.task},
-          {"needs", check.needs},
-          {"points", check.points},
-          {"main", check.is_main},
-          {"edge", check.is_edge},
-          {"status", name_of(result.status)},
-          {"report", result.report},
-          {"printed", result.printed},
-          {"repeat", result.repeat},
-          {"by_hand", result.by_hand},
-          {"seconds", result.seconds}};
-}
-CheckResult check_in(const Json& json) {
-  CheckResult result;
-  result.check = {json.at("name"),   json.at("task"), json.at("needs"),
-                  json.at("points"), json.at("main"), json.at("edge")};
-  result.status = status_named(json.at("status"));
-  result.report = json.at("report");
-  result.printed = json.at("printed");
-  result.repeat = json.at("repeat");
-  result.by_hand = json.at("by_hand");
-  result.seconds = json.at("seconds");
-  return result;
+template <class Field>
+void fields(CheckResult& result, Field field) {
+  field("name", result.check.name);
+  field("task", result.check.task);
+  field("needs", result.check.needs);
+  field("points", result.check.points);
+  field("main", result.check.is_main);
+  field("edge", result.check.is_edge);
+  field("status", result.status);
+  field("report", result.report);
+  field("printed", result.printed);
+  field("repeat", result.repeat);
+  field("by_hand", result.by_hand);
+  field("seconds", result.seconds);
 }
 
-Json json_of(const Speed& speed) {
-  return {{"name", speed.name},
-          {"nanoseconds", speed.nanoseconds},
-          {"reference", maybe(speed.reference)},
-          {"is_estimate", speed.is_estimate},
-          {"error", maybe(speed.error)},
-          {"reference_error", maybe(speed.reference_error)},
-          {"points", speed.points},
-          {"integrand", speed.integrand},
-          {"addition", speed.addition}};
-}
-Speed speed_in(const Json& json) {
-  return {json.at("name"),
-          json.at("nanoseconds"),
-          maybe_in(json.at("reference")),
-          json.value("is_estimate", false),
-          maybe_in(json.at("error")),
-          maybe_in(json.at("reference_error")),
-          json.at("points"),
-          json.at("integrand"),
-          json.value("addition", 0.0)};
+template <class Field>
+void fields(Speed& speed, Field field) {
+  field("name", speed.name);
+  field("nanoseconds", speed.nanoseconds);
+  field("reference", speed.reference);
+  field("is_estimate", speed.is_estimate);
+  field("error", speed.error);
+  field("reference_error", speed.reference_error);
+  field("points", speed.points);
+  field("integrand", speed.integrand);
+  field("addition", speed.addition);
 }
 
-Json json_of(const Delivery& delivery) {
-  return {{"name", delivery.name},
-          {"email", delivery.email},
-          {"submitted", delivery.submitted},
-          {"late", delivery.late},
-          {"platform_name", delivery.platform_name},
-          {"hours", delivery.hours}};
-}
-Delivery delivery_in(const Json& json) {
-  return {json.at("name"),          json.at("email"),
-          json.at("submitted"),     json.at("late"),
-          json.at("platform_name"), json.value("hours", std::map<std::string, std::string>())};
+template <class Field>
+void fields(Delivery& delivery, Field field) {
+  field("name", delivery.name);
+  field("email", delivery.email);
+  field("submitted", delivery.submitted);
+  field("late", delivery.late);
+  field("platform_name", delivery.platform_name);
+  field("hours", delivery.hours);
 }
 
-Json json_of(const LabVerdict& lab) {
-  auto checks = Json::array(), speed = Json::array();
-  for (const CheckResult& result : lab.checks) checks.push_back(json_of(result));
-  for (const Speed& one : lab.speed) speed.push_back(json_of(one));
-  // "earned" is for people and scripts; the grader does not read it back.
-  return {{"lab", json_of(lab.lab)},         {"earned", lab.earned()},
-          {"points", lab.points()},          {"no_program", lab.no_program},
-          {"unfinished", lab.unfinished},    {"seconds", lab.seconds},
-          {"checks", std::move(checks)},     {"speed", std::move(speed)},
-          {"on_reference", lab.on_reference}};
+template <class Field>
+void fields(LabVerdict& lab, Field field) {
+  double earned = lab.earned(), points = lab.points();  // for people and scripts: not read back
+  field("lab", lab.lab);
+  field("earned", earned);
+  field("points", points);
+  field("no_program", lab.no_program);
+  field("unfinished", lab.unfinished);
+  field("seconds", lab.seconds);
+  field("checks", lab.checks);
+  field("speed", lab.speed);
+  field("on_reference", lab.on_reference);
 }
-LabVerdict lab_verdict_in(const Json& json) {
-  LabVerdict lab;
-  lab.lab = lab_in(json.at("lab"));
-  lab.no_program = json.at("no_program");
-  lab.unfinished = json.at("unfinished").get<std::vector<std::string>>();
-  lab.seconds = json.at("seconds");
-  for (const Json& one : json.at("checks")) lab.checks.push_back(check_in(one));
-  for (const Json& one : json.at("speed")) lab.speed.push_back(speed_in(one));
-  lab.on_reference = json.value("on_reference", std::vector<std::string>());
-  return lab;
+
+/// Without its contents, which are not UTF-8.
+template <class Field>
+void fields(Verdict& verdict, Field field) {
+  field("submission", verdict.submission);
+  field("found_in", verdict.found_in);
+  field("delivery", verdict.delivery);
+  field("seed", verdict.seed);
+  field("version", verdict.version);
+  field("flags", verdict.flags);
+  field("jail_complete", verdict.jail_complete);
+  field("not_judged", verdict.not_judged);
+  field("unreadable", verdict.unreadable);
+  field("absent", verdict.absent);
+  field("seconds", verdict.seconds);
+  field("labs", verdict.labs);
 }
+
+template <class T>
+concept HasFields = requires(T& value) {
+  fields(value, [](const char*, auto&) {});
+};
+
+template <HasFields T>
+void to_json(Json& json, const T& value) {
+  fields(const_cast<T&>(value), [&](const char* key, const auto& field) { json[key] = field; });
+}
+template <HasFields T>
+void from_json(const Json& json, T& value) {
+  fields(value, [&](const char* key, auto& field) {
+    const bool is_newer =
+        std::find(std::begin(newer_keys), std::end(newer_keys), key) != std::end(newer_keys);
+    if (!is_newer || json.contains(key)) json.at(key).get_to(field);
+  });
+}
+
+namespace {
 
 /// JSON is UTF-8, and a source file may have any bytes: each becomes the code point of its value.
 std::string bytes_as_utf8(std::string_view bytes) {
@@ -172,42 +169,17 @@ std::string bytes_in_utf8(std::string_view text) {
 }  // namespace
 
 std::string verdict_to_json(const Verdict& verdict) {
-  auto labs = Json::array();
-  for (const LabVerdict& lab : verdict.labs) labs.push_back(json_of(lab));
-  const Json all{{"format", verdict_format},
-                 {"submission", verdict.submission},
-                 {"found_in", verdict.found_in},
-                 {"delivery", json_of(verdict.delivery)},
-                 {"contents", bytes_as_utf8(verdict.contents)},
-                 {"seed", verdict.seed},
-                 {"version", verdict.version},
-                 {"flags", verdict.flags},
-                 {"jail_complete", verdict.jail_complete},
-                 {"not_judged", verdict.not_judged},
-                 {"unreadable", verdict.unreadable},
-                 {"absent", verdict.absent},
-                 {"seconds", verdict.seconds},
-                 {"labs", std::move(labs)}};
-  return all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+  Json json = verdict;
+  json["format"] = verdict_format;
+  json["contents"] = bytes_as_utf8(verdict.contents);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 Verdict verdict_from_json(const std::string& text) {
   const Json json = Json::parse(text);
   if (json.at("format") != verdict_format) throw std::invalid_argument("another format");
-  Verdict verdict;
-  verdict.submission = json.at("submission");
-  verdict.found_in = json.at("found_in");
-  if (json.contains("delivery")) verdict.delivery = delivery_in(json.at("delivery"));
+  Verdict verdict = json;
   verdict.contents = bytes_in_utf8(json.at("contents").get<std::string>());
-  verdict.seed = json.at("seed");
-  verdict.version = json.at("version");
-  verdict.flags = json.at("flags");
-  verdict.jail_complete = json.at("jail_complete");
-  verdict.not_judged = json.at("not_judged");
-  verdict.unreadable = json.at("unreadable");
-  verdict.absent = json.at("absent").get<std::vector<std::string>>();
-  verdict.seconds = json.at("seconds");
-  for (const Json& lab : json.at("labs")) verdict.labs.push_back(lab_verdict_in(lab));
   return verdict;
 }
 

@@ -2,10 +2,10 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <clocale>
+#include <fstream>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -17,15 +17,12 @@
 #include "sandbox/descriptor.hpp"
 #include "sandbox/printable.hpp"
 
-// libarchive: CMake bundles it on every system, it is tested against hostile archives, and it
-// reports names and types before unpacking anything. `unzip` and `cmake -E tar` write first, so
-// links in the path and lists that differ from the content would be their responsibility.
+// libarchive is tested against hostile archives, and it reports names and types before anything is
+// unpacked. `unzip` and `cmake -E tar` write at once: they would have to handle links in paths, and
+// lists that differ from the content.
 #ifdef MC_HAVE_ARCHIVE
 #include <archive.h>
 #include <archive_entry.h>
-#endif
-#ifdef __APPLE__
-#include <xlocale.h>
 #endif
 
 namespace mc::grader {
@@ -40,34 +37,15 @@ bool is_ignored(const fs::path& name) {
 #ifdef MC_HAVE_ARCHIVE
 namespace {
 
-/// One byte more than a compilation accepts, so that the student learns that it is too long.
+/// One byte more than a compilation accepts, so that the report says that the file is too long.
 constexpr std::size_t most_of_a_source = (std::size_t{1} << 20) + 1;
-
-/// libarchive converts names to the locale's encoding; "C" loses names with an umlaut. Affects only
-/// this thread.
-class Utf8Names {
- public:
-  Utf8Names() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
-    if (utf8_ == nullptr) utf8_ = newlocale(LC_CTYPE_MASK, "en_US.UTF-8", nullptr);
-    if (utf8_ != nullptr) before_ = uselocale(utf8_);
-  }
-  ~Utf8Names() {
-    if (utf8_ == nullptr) return;
-    uselocale(before_);
-    freelocale(utf8_);
-  }
-  Utf8Names(const Utf8Names&) = delete;
-
- private:
-  locale_t utf8_, before_ = nullptr;
-};
 
 struct ArchiveDeleter {
   void operator()(archive* one) const { archive_read_free(one); }
 };
 
 /// The target path of an entry, below the directory; empty if it is left out.
-fs::path place_of(archive_entry* entry) {
+fs::path target_of(archive_entry* entry) {
   const char* name = archive_entry_pathname_utf8(entry);
   if (name == nullptr) name = archive_entry_pathname(entry);
   if (name == nullptr || *name == '\0') return {};
@@ -87,31 +65,27 @@ fs::path place_of(archive_entry* entry) {
   return ignored ? fs::path() : place;
 }
 
-/// Copies at most `most` bytes of the entry into a new file; returns the number of bytes written.
-/// Sets `longer` if there are more.
+/// Copies at most `most` bytes of the entry into a new file; returns how many. Sets `longer` if there
+/// are more; does not read the entry if `most` is 0.
 std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& longer) {
-  const sandbox::Descriptor file(
-      open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600), "unpacking");
+  std::ofstream file(to, std::ios::binary);
   std::vector<char> buffer(std::size_t{1} << 16);
   std::size_t written = 0;
-  for (;;) {
+  while (most > 0 && !longer && file) {
     const la_ssize_t got = archive_read_data(from, buffer.data(), buffer.size());
     if (got < 0) throw UnreadableSubmission("the zip file is damaged");
-    if (got == 0) return written;
+    if (got == 0) break;
     longer = written + static_cast<std::size_t>(got) > most;
     const std::size_t part = longer ? most - written : static_cast<std::size_t>(got);
-    for (std::size_t done = 0; done < part;) {
-      const ssize_t put = write(file.get(), buffer.data() + done, part - done);
-      if (put < 0 && errno != EINTR) sandbox::fail("unpacking");
-      if (put > 0) done += static_cast<std::size_t>(put);
-    }
+    file.write(buffer.data(), static_cast<std::streamsize>(part));
     written += part;
-    if (longer) return written;
   }
+  file.close();
+  if (!file) sandbox::fail("unpacking");
+  return written;
 }
 
-/// Leaves out names that the disk does not accept; a disk that accepts nothing is the machine's
-/// fault.
+/// False if the file system does not accept the name. Throws std::system_error if the disk is full.
 bool make_directory(const fs::path& directory) {
   std::error_code error;
   fs::create_directories(directory, error);
@@ -123,7 +97,7 @@ bool make_directory(const fs::path& directory) {
   return true;
 }
 
-bool takes_name(const fs::path& file) {
+bool is_possible_file(const fs::path& file) {
   constexpr std::size_t longest_name = 255;
   return file.filename().string().size() <= longest_name && !fs::is_directory(file);
 }
@@ -131,7 +105,10 @@ bool takes_name(const fs::path& file) {
 }  // namespace
 
 void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
-  const Utf8Names utf8;
+  // libarchive converts names to the locale's encoding; "C" loses names with an umlaut.
+  static const bool has_utf8 = std::setlocale(LC_CTYPE, "C.UTF-8") != nullptr ||
+                               std::setlocale(LC_CTYPE, "en_US.UTF-8") != nullptr;
+  (void)has_utf8;
   const std::unique_ptr<archive, ArchiveDeleter> reading(archive_read_new());
   if (!reading) throw std::system_error(ENOMEM, std::generic_category(), "unpacking");
   archive_read_support_format_zip_seekable(reading.get());
@@ -156,7 +133,7 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
       throw UnreadableSubmission(
           fmt::format("the zip file has more than {} entries", limits.entries));
     }
-    const fs::path place = place_of(entry);
+    const fs::path place = target_of(entry);
     // Too deep for any submission; a name of a thousand parts would create a thousand directories.
     if (std::distance(place.begin(), place.end()) > limits.depth) continue;
     const auto type = archive_entry_filetype(entry);
@@ -164,7 +141,7 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
     if (place.empty() || (type != AE_IFREG && type != AE_IFDIR)) continue;
     const fs::path to = paths.to / place;
     if (!make_directory(type == AE_IFDIR ? to : to.parent_path())) continue;
-    if (type == AE_IFDIR || !takes_name(to)) continue;
+    if (type == AE_IFDIR || !is_possible_file(to)) continue;
     const bool is_source = to.extension() == ".cpp", is_zip = to.extension() == ".zip";
     // Gradescope's names; and the version that ./lab submit writes.
     const bool is_metadata =
@@ -174,11 +151,6 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
     }
     bool longer = false;
     const std::size_t most = is_source ? most_of_a_source : is_zip || is_metadata ? limits.file : 0;
-    if (most == 0) {
-      const sandbox::Descriptor empty(
-          open(to.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600), "unpacking");
-      continue;
-    }
     bytes += copy(reading.get(), to, most, longer);
     if (longer && is_zip) fs::resize_file(to, 0);  // reported when it is opened
     const timespec times[] = {{0, UTIME_OMIT}, {archive_entry_mtime(entry), 0}};

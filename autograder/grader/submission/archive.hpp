@@ -7,7 +7,7 @@
 
 namespace mc::grader {
 
-/// A submission that cannot be read, and why, in one line. Others are not affected.
+/// A submission cannot be read, and why, in one line. Others are not affected.
 struct UnreadableSubmission : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,14 +23,14 @@ struct ArchiveLimits {
 struct Unpacking {
   std::filesystem::path zip, to;
 };
-/// Unpacks directories, .cpp files, zips and what tells names and versions into `to`, which
+/// Unpacks directories, .cpp files, zips, and the files with names and versions into `to`, which
 /// must be ours and hold no links. Other files are created empty, so that pictures and builds cost
 /// nothing; links, .git, build and what macOS adds are left out. Throws UnreadableSubmission for a
 /// file that is not a zip, escapes `to`, is encrypted or exceeds the limits;
 /// std::system_error if the disk is full.
 void unpack(const Unpacking& paths, const ArchiveLimits& limits = {});
 
-/// Is this a name that is never handed in on purpose: .git, __MACOSX, build?
+/// Is this the name of something that nobody submits on purpose: .git, __MACOSX, build?
 bool is_ignored(const std::filesystem::path& name);
 
 }  // namespace mc::grader

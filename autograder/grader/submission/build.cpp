@@ -69,7 +69,7 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
   }
 
   const ScratchDirectory scratch(layout);
-  const fs::path aside = scratch.path() / "program";
+  const fs::path temporary = scratch.path() / "program";
   std::vector<std::string> command{layout.compiler, "-s"};
   // For an object that looks like link-time optimization, the linker would start a compiler, whose
   // includes are not checked.
@@ -79,7 +79,7 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
   for (const fs::path& object : objects) command.push_back(object.string());
   for (const fs::path& object : trusted_objects) command.push_back(object.string());
   command.insert(command.end(), submission.libraries.begin(), submission.libraries.end());
-  command.insert(command.end(), {"-o", aside.string()});
+  command.insert(command.end(), {"-o", temporary.string()});
   const CompilerRun run =
       run_compiler(layout, command, scratch.path(), [](const std::string& errors) {
         return errors.find("undefined") != std::string::npos ||
@@ -93,7 +93,8 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
   }
   if (!linked.succeeded()) {
     for (const fs::path& object : objects) {
-      if (!fs::exists(object)) throw MachineError(object.string() + " was taken away");
+      if (!fs::exists(object))
+        throw MachineError(object.string() + " was removed during the build");
     }
     std::map<std::string, std::string> headers;
     for (const Lab& other : labs) {
@@ -102,21 +103,21 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     built.failure = explain_link_errors(linked.errors, lab, headers);
     return built;
   }
-  const Segments segments = segments_of(aside);
+  const Segments segments = segments_of(temporary);
   if (segments.memory > most_static_memory) {
     built.failure = fmt::format("The global variables of {} take {} MB; {} MB is the most.",
                                 lab.file(), segments.memory >> 20, most_static_memory >> 20);
     return built;
   }
-  // The kernel would open it on the program's behalf, even in the jail.
+  // The kernel would open the loader for the program, even in the jail.
   if (segments.loader) {
     built.failure = fmt::format("{} names its own loader (a section .interp).", lab.file());
     return built;
   }
-  fs::permissions(aside, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                             fs::perms::others_read | fs::perms::others_exec);
-  sandbox::Program program = sandbox::open_program(aside.string());  // immune to later renames
-  program.path = keep_cached(slot, "program", key, aside).string();
+  fs::permissions(temporary, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                                 fs::perms::others_read | fs::perms::others_exec);
+  sandbox::Program program = sandbox::open_program(temporary.string());  // immune to later renames
+  program.path = keep_cached(slot, "program", key, temporary).string();
   built.program = std::move(program);
   return built;
 }

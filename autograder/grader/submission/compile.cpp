@@ -23,7 +23,6 @@
 #include "grader/submission/include_policy.hpp"
 #include "grader/submission/scratch.hpp"
 #include "grader/submission/source.hpp"
-#include "sandbox/confinement.hpp"
 #include "sandbox/jail.hpp"
 #include "sandbox/printable.hpp"
 
@@ -89,16 +88,6 @@ Object refused(const Unit& unit, const fs::path& file) {
                   unit.lab.file(), shown(unit, file))};
 }
 
-std::vector<std::string> include_flags(const Unit& unit) {
-  std::vector<std::string> flags{"-I" + unit.layout.labs().string()};
-  for (const auto& entry : fs::directory_iterator(unit.layout.labs())) {
-    if (entry.is_directory()) flags.push_back("-I" + entry.path().string());
-  }
-  if (unit.trusted) flags.push_back("-I" + unit.layout.root.string());
-  std::sort(flags.begin(), flags.end());
-  return flags;
-}
-
 /// The command that compiles `name` and lists what it reads: -H names each file on opening it, even
 /// if the compilation fails later; -MD and --MD write their lists only if it succeeds, but those
 /// are complete.
@@ -159,9 +148,8 @@ bool can_read_labs(const Layout& layout, const fs::path& directory) {
 
 sandbox::ProcessResult run_confined(const Layout& layout, const std::vector<std::string>& command,
                                     const fs::path& directory) {
-  const sandbox::Confinement confinement(directory);
   sandbox::ProcessOptions options = compiler_limits(directory);
-  options.confinement = &confinement;
+  options.confined = true;
   if (geteuid() == 0 && chown(directory.c_str(), compiler_user, compiler_user) == 0 &&
       can_read_labs(layout, directory)) {
     options.user = compiler_user;
@@ -188,8 +176,7 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
   if (const auto file = forbidden(unit.layout, unit.trusted, directory, opened)) {
     return fmt::format(
         "{} does not compile, and its errors are not shown: its compilation reads {}, which is not "
-        "a "
-        "header of a lab or of the standard library.",
+        "a header of a lab or of the standard library.",
         name, shown(unit, *file));
   }
   // The assembler quotes files that .include reads, and does not list them.
@@ -222,6 +209,16 @@ std::vector<std::string> compile_flags() {
   return flags;
 }
 
+std::vector<std::string> include_flags(const Layout& layout, bool with_repository) {
+  std::vector<std::string> flags{"-I" + layout.labs().string()};
+  for (const auto& entry : fs::directory_iterator(layout.labs())) {
+    if (entry.is_directory()) flags.push_back("-I" + entry.path().string());
+  }
+  if (with_repository) flags.push_back("-I" + layout.root.string());
+  std::sort(flags.begin(), flags.end());
+  return flags;
+}
+
 void precompile_headers(const Layout& layout) {
   if (layout.is_clang) return;
   const auto flags = compile_flags();
@@ -229,11 +226,11 @@ void precompile_headers(const Layout& layout) {
   const fs::path compiled = header.string() + ".gch";
   if (fs::exists(compiled)) return;
   const ScratchDirectory scratch(layout);
-  const fs::path aside = scratch.path() / "gch";
+  const fs::path temporary = scratch.path() / "gch";
   std::vector<std::string> command{layout.compiler};
   command.insert(command.end(), flags.begin(), flags.end());
-  command.insert(command.end(), {"-x", "c++-header", header.string(), "-o", aside.string()});
-  if (sandbox::run_process(command).succeeded()) fs::rename(aside, compiled);
+  command.insert(command.end(), {"-x", "c++-header", header.string(), "-o", temporary.string()});
+  if (sandbox::run_process(command).succeeded()) fs::rename(temporary, compiled);
 }
 
 namespace {
@@ -241,8 +238,8 @@ namespace {
 /// Throws MachineError if the compiler fails on a text that is known to be right.
 void compile_known_program(const Layout& layout, const fs::path& directory,
                            const std::vector<std::string>& more) {
-  write_text(directory / "sound.cpp", "int main() { return 0; }\n");
-  std::vector<std::string> command{layout.compiler, "sound.cpp", "-o", "sound.out"};
+  write_text(directory / "known.cpp", "int main() { return 0; }\n");
+  std::vector<std::string> command{layout.compiler, "known.cpp", "-o", "known.out"};
   command.insert(command.end(), more.begin(), more.end());
   const auto run = run_confined(layout, command, directory);
   if (!run.succeeded()) {
@@ -253,7 +250,7 @@ void compile_known_program(const Layout& layout, const fs::path& directory,
 
 }  // namespace
 
-void require_sound_machine(const Layout& layout) {
+void require_working_machine(const Layout& layout) {
   std::error_code unknown;
   const auto space = fs::space(layout.build, unknown);
   constexpr std::uintmax_t enough = std::uintmax_t{64} << 20;
@@ -265,10 +262,10 @@ void require_sound_machine(const Layout& layout) {
 }
 
 void probe_machine(const Layout& layout) {
-  require_sound_machine(layout);
+  require_working_machine(layout);
   const ScratchDirectory scratch(layout);
   compile_known_program(layout, scratch.path(), {});
-  const fs::path program = scratch.path() / "sound.out";
+  const fs::path program = scratch.path() / "known.out";
   fs::permissions(program, fs::perms(0755));
   // Its exit status is irrelevant: what matters is that the sandbox can start it.
   sandbox::run_jailed(sandbox::open_program(program.string()), "");
@@ -285,7 +282,7 @@ std::string stopped(const Layout& layout, const sandbox::ProcessResult& run,
     // It was blocked if it used nearly no CPU time while the same compiler, on a known text,
     // finishes in a tenth of the time.
     const auto start = std::chrono::steady_clock::now();
-    require_sound_machine(layout);
+    require_working_machine(layout);
     const std::chrono::duration<double> probe = std::chrono::steady_clock::now() - start;
     if (run.cpu_seconds < 1 && probe.count() < limits.wall_seconds / 10) {
       return fmt::format("was stopped after waiting {} s", limits.wall_seconds);
@@ -319,13 +316,13 @@ CompilerRun run_compiler(const Layout& layout, const std::vector<std::string>& c
   CompilerRun run{run_confined(layout, command, directory), {}};
   run.stopped = stopped(layout, run.result, limits);
   if (run.result.succeeded() || !run.stopped.empty()) return run;
-  require_sound_machine(layout);
+  require_working_machine(layout);
   if (is_text_at_fault(run.result.errors)) return run;
   // The machine may have been out of processes for a moment.
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   run.result = run_confined(layout, command, directory);
   run.stopped = stopped(layout, run.result, limits);
-  if (!run.result.succeeded() && run.stopped.empty()) require_sound_machine(layout);
+  if (!run.result.succeeded() && run.stopped.empty()) require_working_machine(layout);
   return run;
 }
 
@@ -338,7 +335,7 @@ Object compile(const Unit& unit) {
     return {{}, fmt::format("{} is empty.", name)};
   }
   const auto flags = compile_flags();
-  const auto includes = include_flags(unit);
+  const auto includes = include_flags(unit.layout, unit.trusted);
   const std::string key =
       fmt::format("{} {} {} {} {}", rules, fmt::join(flags, " "), fmt::join(includes, " "),
                   hash_of_surroundings(unit.layout, unit.trusted), text);

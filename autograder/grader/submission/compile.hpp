@@ -38,6 +38,10 @@ void precompile_headers(const Layout& layout);
 /// The compile flags of a submission, as recorded with a grade.
 std::vector<std::string> compile_flags();
 
+/// The flags for the directories of headers, in a stable order: of the labs, and of the repository if
+/// wanted.
+std::vector<std::string> include_flags(const Layout& layout, bool with_repository);
+
 /// How a compiler or linker ended.
 struct CompilerRun {
   sandbox::ProcessResult result;
@@ -54,7 +58,7 @@ CompilerRun run_compiler(const Layout& layout, const std::vector<std::string>& c
 
 /// Throws MachineError if the machine, not the text, made a compilation fail: then the same
 /// compiler fails on a text that is known to be right, or the disk is full.
-void require_sound_machine(const Layout& layout);
+void require_working_machine(const Layout& layout);
 
 /// Compiles, links and starts a known program in the sandbox. Throws if the machine cannot.
 void probe_machine(const Layout& layout);

@@ -155,12 +155,15 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
            std::find(lab.depends_on.begin(), lab.depends_on.end(), name) != lab.depends_on.end();
   };
   std::set<std::string> missing, doubled;
+  const std::pair<const char*, std::set<std::string>&> messages[] = {
+      // of bfd, of lld
+      {"undefined reference to", missing},
+      {"undefined symbol:", missing},
+      {"multiple definition of", doubled},
+      {"duplicate symbol:", doubled}};
   for (const std::string& line : lines_of(diagnostics)) {
-    for (const char* words : {"undefined reference to", "undefined symbol:"}) {  // bfd, lld
-      if (const auto name = quoted_after(line, words)) missing.insert(*name);
-    }
-    for (const char* words : {"multiple definition of", "duplicate symbol:"}) {
-      if (const auto name = quoted_after(line, words)) doubled.insert(*name);
+    for (const auto& [words, names] : messages) {
+      if (const auto name = quoted_after(line, words)) names.insert(*name);
     }
   }
   std::vector<std::string> lines;

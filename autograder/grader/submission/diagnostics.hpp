@@ -13,7 +13,7 @@ struct NamedText {
 };
 
 /// The first errors of a compilation with their lines. The compiler is run without quoting source
-/// lines (see build.cpp); this inserts those of `file`.
+/// lines (see compile.cpp); this inserts those of `file`.
 std::string first_errors(const std::string& diagnostics, const NamedText& file);
 
 /// The first standard header that a file needs but does not include, as a sentence; empty if there

@@ -24,7 +24,7 @@ bool is_key(std::string_view text) {
 }
 
 /// Canvas renames a second "variance.cpp" to "variance-1.cpp".
-void take_count_off(PlatformName& one) {
+void remove_count(PlatformName& one) {
   const fs::path name = one.file;
   const std::string stem = name.stem().string();
   const auto dash = stem.rfind('-');
@@ -35,16 +35,10 @@ void take_count_off(PlatformName& one) {
 
 /// The value after ":name: " or ":email: "; YAML may quote it.
 std::string yaml_value(std::string_view line) {
-  auto value = line.substr(line.find(": ") + 2);
-  while (!value.empty() &&
-         (value.front() == ' ' || value.front() == '\'' || value.front() == '"')) {
-    value.remove_prefix(1);
-  }
-  while (!value.empty() && (value.back() == ' ' || value.back() == '\r' || value.back() == '\'' ||
-                            value.back() == '"')) {
-    value.remove_suffix(1);
-  }
-  return std::string(value);
+  const auto value = line.substr(line.find(": ") + 2);
+  constexpr const char* around = " \r'\"";
+  const auto first = value.find_first_not_of(around), last = value.find_last_not_of(around);
+  return first == std::string_view::npos ? "" : std::string(value.substr(first, last + 1 - first));
 }
 
 }  // namespace
@@ -63,16 +57,18 @@ std::optional<PlatformName> named_by_platform(const fs::path& path) {
   const auto parts = text::split(name, '_');
   for (std::size_t i = 1; i + 2 < parts.size(); ++i) {
     if (!is_key(parts[i]) || !is_key(parts[i + 1])) continue;
-    std::string person;
+    PlatformName found;
     for (std::size_t j = 0; j <= i; ++j) {
-      if (parts[j] == "LATE") continue;  // in the name only if the platform says so
-      person += (person.empty() ? "" : "_") + std::string(parts[j]);
+      if (parts[j] == "LATE") {  // the mark of Canvas, not a part of the name
+        found.late = true;
+      } else {
+        found.person += (found.person.empty() ? "" : "_") + std::string(parts[j]);
+      }
     }
-    const auto begin = static_cast<std::size_t>(parts[i + 2].data() - name.data());
-    PlatformName found{id_from_name(person), name.substr(begin), path};
-    found.late = std::find(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(i), "LATE") !=
-                 parts.begin() + static_cast<std::ptrdiff_t>(i);
-    take_count_off(found);
+    found.person = id_from_name(found.person);
+    found.file = name.substr(static_cast<std::size_t>(parts[i + 2].data() - name.data()));
+    found.path = path;
+    remove_count(found);
     return found;
   }
   return {};

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -15,6 +14,7 @@
 #include "grader/base/errors.hpp"
 #include "grader/base/side_by_side.hpp"
 #include "grader/base/text_file.hpp"
+#include "grader/submission/compile.hpp"
 #include "grader/submission/include_policy.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
@@ -59,12 +59,7 @@ std::vector<std::string> command_for(const Layout& layout, const std::vector<std
         "dnf "
         "install gcc-c++ glibc-static libstdc++-static), or set CXX");
   }
-  std::vector<std::string> includes{"-I" + layout.root.string(),  // a mistake includes the solution
-                                    "-I" + layout.labs().string()};
-  for (const auto& entry : fs::directory_iterator(layout.labs())) {
-    if (entry.is_directory()) includes.push_back("-I" + entry.path().string());
-  }
-  std::sort(includes.begin(), includes.end());  // a stable key
+  const auto includes = include_flags(layout, true);  // a mistake includes the solution
   std::vector<std::string> command{layout.compiler, "-std=c++20", "-ffp-contract=off"};
   command.insert(command.end(), flags.begin(), flags.end());
   command.insert(command.end(), includes.begin(), includes.end());
@@ -73,33 +68,29 @@ std::vector<std::string> command_for(const Layout& layout, const std::vector<std
 
 /// Compiles one file to a temporary name and renames it. Returns the compiler's messages on
 /// failure.
-std::string compile_source(std::vector<std::string> command, const Source& source,
-                           std::atomic<bool>& something_new) {
+std::string compile_source(std::vector<std::string> command, const Source& source) {
   command.insert(command.end(), source.flags.begin(), source.flags.end());
   command.insert(command.end(), {"-c", source.file.string()});
   const std::string key = fmt::format("{}", fmt::join(command, " "));
   const fs::path known = sibling(source.object, ".key");
   if (fs::exists(source.object) && read_text(known) == fingerprint(key, source.object)) return {};
-  something_new = true;
   fs::create_directories(source.object.parent_path());
-  const std::string aside = fmt::format("{}.{}", source.object.string(), getpid());
-  command.insert(command.end(), {"-o", aside, "-MMD", "-MT", "object", "-MF",
+  const std::string temporary = fmt::format("{}.{}", source.object.string(), getpid());
+  command.insert(command.end(), {"-o", temporary, "-MMD", "-MT", "object", "-MF",
                                  sibling(source.object, ".d").string()});
   const auto run = sandbox::run_process(command);
   if (!run.succeeded()) return run.errors.empty() ? "the compiler failed\n" : run.errors;
-  fs::rename(aside, source.object);
+  fs::rename(temporary, source.object);
   write_text(known, fingerprint(key, source.object));
   return {};
 }
 
 /// Compiles the files side by side. Returns the first failure's messages.
 std::string compile_sources(const std::vector<Source>& sources,
-                            const std::vector<std::string>& command,
-                            std::atomic<bool>& something_new) {
+                            const std::vector<std::string>& command) {
   std::vector<std::string> failures(sources.size());
-  run_side_by_side(sources.size(), cores(), [&](std::size_t i) {
-    failures[i] = compile_source(command, sources[i], something_new);
-  });
+  run_side_by_side(sources.size(), cores(),
+                   [&](std::size_t i) { failures[i] = compile_source(command, sources[i]); });
   for (const std::string& failure : failures) {
     if (!failure.empty()) return failure;
   }
@@ -162,26 +153,27 @@ ProgramByHand build_by_hand(const Layout& layout, const Lab& lab, const Submissi
     sources.push_back({file->second, own / (name + ".o"), standard_headers});
   }
 
-  std::atomic<bool> something_new = false;
-  const std::string failure =
-      compile_sources(sources, command_for(layout, kind.compile_flags), something_new);
+  const std::string failure = compile_sources(sources, command_for(layout, kind.compile_flags));
   if (!failure.empty()) return {{}, failure};
 
   const fs::path program = own / lab.name;
-  if (fs::exists(program) && !something_new) return {program, {}};
-  const std::string aside = fmt::format("{}.{}", program.string(), getpid());
-  std::vector<std::string> command{layout.compiler, "-o", aside};
+  const bool is_current =
+      fs::exists(program) && std::all_of(sources.begin(), sources.end(), [&](auto& source) {
+        return fs::last_write_time(source.object) < fs::last_write_time(program);
+      });
+  if (is_current) return {program, {}};
+  const std::string temporary = fmt::format("{}.{}", program.string(), getpid());
+  std::vector<std::string> command{layout.compiler, "-o", temporary};
   command.insert(command.end(), kind.link_flags.begin(), kind.link_flags.end());
   for (const Source& source : sources) command.push_back(source.object.string());
   const auto linked = sandbox::run_process(command);
   if (!linked.succeeded()) {
-    fs::remove(program);  // the objects are newer
     return {{},
             linked.errors +
                 "(If the linker misses the sanitizers themselves: Fedora has them in the "
                 "packages libasan and libubsan.)\n"};
   }
-  fs::rename(aside, program);
+  fs::rename(temporary, program);
   return {program, {}};
 }
 
@@ -196,8 +188,7 @@ std::vector<fs::path> shared_objects(const Layout& layout, const Lab& lab) {
   std::vector<Source> sources = shared_sources(layout, lab, layout.build / "objects");
   for (Source& source : sources) source.flags = {"-O1"};
   sources[0].flags = {"-O3"};  // the experiments: nothing else computes for long
-  std::atomic<bool> something_new = false;
-  const std::string failure = compile_sources(sources, command, something_new);
+  const std::string failure = compile_sources(sources, command);
   if (!failure.empty()) {
     throw MachineError(fmt::format("lab {} does not compile here (C++20 is needed):\n{}",
                                    lab.number, sandbox::shortened(failure, 2000)));

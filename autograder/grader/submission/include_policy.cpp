@@ -5,6 +5,7 @@
 #include <mutex>
 #include <system_error>
 
+#include "grader/base/replace.hpp"
 #include "runner/text.hpp"
 #include "sandbox/process.hpp"
 
@@ -81,11 +82,7 @@ std::vector<fs::path> dependencies(const std::string& rule) {
 }
 
 bool may_embed(std::string text) {
-  for (const char* splice : {"\\\n", "\\\r\n"}) {
-    for (auto at = text.find(splice); at != std::string::npos; at = text.find(splice, at)) {
-      text.erase(at, std::string_view(splice).size());
-    }
-  }
+  for (const char* splice : {"\\\n", "\\\r\n"}) replace_all(text, splice, "");
   return text.find("embed") != std::string::npos;
 }
 

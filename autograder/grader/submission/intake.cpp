@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
 #include "grader/submission/archive.hpp"
@@ -27,18 +28,6 @@ using Files = std::map<std::string, fs::path>;  // lab name -> file
 /// Limits of nesting and of the number of directories, beyond any real submission.
 constexpr int deepest = 12;
 constexpr std::size_t most_entries = 20'000;
-
-/// The lab files in `directory` itself. Links are ignored: they might lead to the solution.
-Files files_in(const std::vector<Lab>& labs, const fs::path& directory) {
-  Files files;
-  if (fs::is_symlink(fs::symlink_status(directory))) return files;
-  for (const Lab& lab : labs) {
-    if (fs::is_regular_file(fs::symlink_status(directory / lab.file()))) {
-      files[lab.name] = fs::canonical(directory / lab.file());
-    }
-  }
-  return files;
-}
 
 /// The content of a directory, by name: directories, zips and other files; no links.
 struct Listing {
@@ -91,7 +80,7 @@ std::string seen_from(const fs::path& root, const fs::path& file) {
   return place == "." ? "" : sandbox::printable_line(place.string());
 }
 
-/// The only combination of these places that has each file once.
+/// The files of all places. Throws UnreadableSubmission if a file is in two of them.
 Files together(const fs::path& root, const std::vector<Files>& places) {
   Files all;
   for (const Files& files : places) {
@@ -113,7 +102,8 @@ bool looks_like_one_persons(const fs::path& directory) {
   return false;
 }
 
-/// The directory whose children belong to several people: this one or the only one below it.
+/// The directory whose entries belong to several people: this one, or below it one that has no
+/// sibling.
 std::optional<fs::path> parent_in(const std::vector<Lab>& labs, fs::path directory) {
   for (int depth = 0; depth < deepest; ++depth) {
     if (!files_in(labs, directory).empty() || !files_in(labs, directory / "starter").empty() ||
@@ -149,7 +139,7 @@ class IntakeBuilder {
       if (!is_zip && !fs::is_directory(status)) {
         throw UnreadableSubmission(shown + " is a file: name the directory it is in, or a zip");
       }
-      const fs::path root = is_zip ? unpacked_once(place) : place;
+      const fs::path root = is_zip ? unpacked(place) : place;
       const auto parent = meaning_ == Meaning::many ? parent_in(context_.labs, root) : std::nullopt;
       if (!parent) return open(root, entry);
       children(*parent, is_zip);
@@ -167,7 +157,7 @@ class IntakeBuilder {
   }
 
   Intake finish() {
-    make_unique();
+    make_labels_unique();
     intake_.each_word_is_one = meaning_ == Meaning::one;
     return std::move(intake_);
   }
@@ -190,8 +180,6 @@ class IntakeBuilder {
     entry.submission.path = named;
     try {
       work(entry);
-    } catch (const UnreadableSubmission& error) {
-      entry.unreadable = error.what();
     } catch (const std::system_error& error) {
       if (is_machine_fault(error.code())) throw;
       entry.unreadable = error.code().message();
@@ -205,7 +193,7 @@ class IntakeBuilder {
   bool is_export(const std::string& word) {
     try {
       const fs::path place = word;
-      fs::path root = place.extension() == ".zip" ? unpacked_once(place) : place;
+      fs::path root = place.extension() == ".zip" ? unpacked(place) : place;
       for (int depth = 0; depth < 2; ++depth) {
         const Listing listing = listing_of(root);
         const auto is_named = [](const fs::path& path) {
@@ -219,35 +207,33 @@ class IntakeBuilder {
         if (listing.directories.size() != 1) return false;
         root = listing.directories[0];
       }
-    } catch (const std::exception&) {  // reported when it is taken in
+    } catch (const std::exception&) {  // word() reports it
     }
     return false;
   }
 
-  fs::path unpacked_once(const fs::path& zip) {
-    const auto found = roots_.find(zip);
-    if (found != roots_.end()) return found->second;
-    const fs::path root = unpacked(zip);
-    return roots_[zip] = root;
-  }
-
+  /// The directory of a zip's content.
   fs::path unpacked(const fs::path& zip) {
+    if (const auto found = unpacked_.find(zip); found != unpacked_.end()) return found->second;
     if (fs::file_size(zip) == 0)
       throw UnreadableSubmission("the zip file is empty, or larger than 64 MB");
     intake_.unpacked.push_back(std::make_unique<ScratchDirectory>(context_.layout));
     unpack({.zip = zip, .to = intake_.unpacked.back()->path()});
-    return intake_.unpacked.back()->path();
+    return unpacked_[zip] = intake_.unpacked.back()->path();
+  }
+
+  /// The only one of these zips; nothing if there is none.
+  static std::optional<fs::path> only_zip(const std::vector<fs::path>& zips) {
+    if (zips.size() > 1) throw UnreadableSubmission("several zip files: which one counts?");
+    return zips.empty() ? std::nullopt : std::optional(zips[0]);
   }
 
   /// One person's work below `root`. A folder with nothing but a zip means that zip.
   void open(fs::path root, IntakeEntry& entry) {
     std::vector<Files> places = places_in(root);
     if (places.empty()) {
-      const Listing listing = listing_of(root);
-      if (listing.zips.size() > 1)
-        throw UnreadableSubmission("several zip files: which one counts?");
-      if (listing.zips.size() == 1) {
-        root = unpacked(listing.zips[0]);
+      if (const auto zip = only_zip(listing_of(root).zips)) {
+        root = unpacked(*zip);
         places = places_in(root);
       }
     }
@@ -270,10 +256,8 @@ class IntakeBuilder {
     }
     std::set<std::string> where;
     for (const auto& [lab, file] : entry.submission.files) where.insert(seen_from(root, file));
-    for (const std::string& place : where) {
-      if (place.empty()) continue;
-      entry.submission.found_in += (entry.submission.found_in.empty() ? "" : ", ") + place;
-    }
+    where.erase("");  // at the top
+    entry.submission.found_in = fmt::format("{}", fmt::join(where, ", "));
   }
 
   /// One directory per person; Moodle has an online text as well as the files: take the one with
@@ -354,12 +338,11 @@ class IntakeBuilder {
     for (const PlatformName& one : files) {
       if (one.path.extension() == ".zip") zips.push_back(one.path);
     }
-    if (zips.size() > 1) throw UnreadableSubmission("several zip files: which one counts?");
-    if (zips.size() == 1) open(unpacked(zips[0]), entry);
+    if (const auto zip = only_zip(zips)) open(unpacked(*zip), entry);
   }
 
   /// An id is also a file name, possibly on a disk that ignores case.
-  void make_unique() {
+  void make_labels_unique() {
     std::set<std::string> taken;
     for (IntakeEntry& one : intake_.entries) {
       const std::string plain = one.submission.label;
@@ -377,7 +360,7 @@ class IntakeBuilder {
   const Context& context_;
   Meaning meaning_;
   Intake intake_;
-  std::map<fs::path, fs::path> roots_;  ///< of the zips on the command line, once unpacked
+  std::map<fs::path, fs::path> unpacked_;  ///< zip -> the directory of its content
 };
 
 }  // namespace

@@ -11,29 +11,26 @@
 namespace mc::grader {
 namespace fs = std::filesystem;
 
-Submission open_submission(const std::vector<Lab>& labs, const fs::path& directory) {
-  if (!fs::exists(directory)) {
-    throw UsageError(
-        fmt::format("no such directory: {}", sandbox::printable_line(directory.string())));
-  }
-  if (!fs::is_directory(directory)) {
-    throw UsageError(fmt::format("{} is a file: name the directory it is in",
-                                 sandbox::printable_line(directory.string())));
-  }
-  Submission submission{sandbox::printable_line(directory.string()), directory, {}, false};
-  while (submission.label.size() > 1 && submission.label.back() == '/') submission.label.pop_back();
-  if (fs::is_symlink(
-          fs::path(directory.string().substr(0, directory.string().find_last_not_of('/') + 1)))) {
-    throw UsageError(fmt::format("{} is a link: name the directory itself", submission.label));
-  }
+std::map<std::string, fs::path> files_in(const std::vector<Lab>& labs, const fs::path& directory) {
+  std::map<std::string, fs::path> files;
+  if (fs::is_symlink(fs::symlink_status(directory))) return files;
   for (const Lab& lab : labs) {
     const fs::path file = directory / lab.file();
-    // Links are ignored: they might lead to the solution.
-    if (fs::is_regular_file(fs::symlink_status(file))) {
-      submission.files[lab.name] = fs::canonical(file);
-    }
+    if (fs::is_regular_file(fs::symlink_status(file))) files[lab.name] = fs::canonical(file);
   }
-  return submission;
+  return files;
+}
+
+Submission open_submission(const std::vector<Lab>& labs, const fs::path& directory) {
+  std::string name = directory.string();
+  while (name.size() > 1 && name.ends_with('/')) name.pop_back();
+  const std::string shown = sandbox::printable_line(name);
+  if (!fs::exists(name)) throw UsageError("no such directory: " + shown);
+  if (!fs::is_directory(name)) {
+    throw UsageError(shown + " is a file: name the directory it is in");
+  }
+  if (fs::is_symlink(name)) throw UsageError(shown + " is a link: name the directory itself");
+  return {shown, directory, files_in(labs, name), false};
 }
 
 bool is_reference(const Layout& layout, const Submission& submission) {

@@ -9,9 +9,21 @@
 
 #include "grader/checkout/labs.hpp"
 #include "grader/checkout/layout.hpp"
-#include "grader/submission/delivery.hpp"
 
 namespace mc::grader {
+
+/// Who submitted it, and when, according to a learning platform or a roster, and the hours that the
+/// student reports.
+struct Delivery {
+  std::string name, email;  ///< from the roster
+  /// "2026-01-02 03:04:05 Z" from the platform's metadata; "… (file time)" if only files tell it.
+  std::string submitted;
+  bool late = false;          ///< the platform's mark
+  std::string platform_name;  ///< of the file or directory in the export, for sending feedback back
+  std::map<std::string, std::string> hours = {};  ///< by lab, as the student wrote them
+
+  bool operator==(const Delivery&) const = default;
+};
 
 struct Submission {
   std::string label;  ///< its name in reports
@@ -25,6 +37,11 @@ struct Submission {
   std::string found_in = {};  ///< where below `path` the files are; empty if at the top
   Delivery delivery = {};
 };
+
+/// The lab files in `directory` itself, by the lab's name. Links are ignored, also as the directory:
+/// they might lead to the solutions.
+std::map<std::string, std::filesystem::path> files_in(const std::vector<Lab>& labs,
+                                                      const std::filesystem::path& directory);
 
 /// A directory with some of the labs' .cpp files. Throws UsageError if it does not exist, is a link
 /// (it might lead to the solutions), or is not a directory.

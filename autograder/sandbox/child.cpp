@@ -1,17 +1,14 @@
-#include "sandbox/reaper.hpp"
+#include "sandbox/child.hpp"
 
 #include <signal.h>
-#include <unistd.h>
-
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstddef>
 #include <utility>
-
-#include "sandbox/descriptor.hpp"
 
 namespace mc::sandbox {
 namespace {
@@ -68,7 +65,7 @@ int notes() {
   return descriptor;
 }
 
-void send_to_reaper(pid_t note) {
+void send_note(pid_t note) {
   const int descriptor = notes();
   if (descriptor < 0) return;
   // Writes are shorter than PIPE_BUF, so they are atomic.
@@ -78,12 +75,42 @@ void send_to_reaper(pid_t note) {
 
 }  // namespace
 
+Descriptor end_of(pid_t pid) {
+#ifdef SYS_pidfd_open
+  const int raw = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
+  if (raw >= 0) return Descriptor(raw, "pidfd");
+#endif
+  (void)pid;
+  return {};
+}
+
+void kill_group(pid_t leader) {
+  kill(-leader, SIGKILL);
+  kill(leader, SIGKILL);  // in case it has no session yet
+}
+
+double cpu_seconds_of(const rusage& used) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+std::size_t peak_memory_of(const rusage& used) {
+#ifdef __APPLE__
+  constexpr std::size_t unit = 1;
+#else
+  constexpr std::size_t unit = 1024;
+#endif
+  return static_cast<std::size_t>(used.ru_maxrss) * unit;
+}
+
 GroupGuard::GroupGuard(pid_t leader) : leader_(leader) {
-  send_to_reaper(leader_);
+  send_note(leader_);
 }
 
 GroupGuard::~GroupGuard() {
-  send_to_reaper(-leader_);
+  send_note(-leader_);
 }
 
 }  // namespace mc::sandbox
