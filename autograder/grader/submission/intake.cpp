@@ -75,21 +75,21 @@ void search(const std::vector<Lab>& labs, const fs::path& directory, int depth, 
 }
 
 /// The path of `file` relative to `root`; empty for the root itself.
-std::string seen_from(const fs::path& root, const fs::path& file) {
+std::string place_in(const fs::path& root, const fs::path& file) {
   const fs::path place = file.parent_path().lexically_relative(fs::canonical(root));
   return place == "." ? "" : sandbox::printable_line(place.string());
 }
 
 /// The files of all places. Throws UnreadableSubmission if a file is in two of them.
-Files together(const fs::path& root, const std::vector<Files>& places) {
+Files combined(const fs::path& root, const std::vector<Files>& places) {
   Files all;
   for (const Files& files : places) {
     for (const auto& [lab, file] : files) {
       const auto [before, is_new] = all.emplace(lab, file);
       if (is_new) continue;
-      throw UnreadableSubmission(
-          fmt::format("{} is in {} and in {}: which one counts?", file.filename().string(),
-                      seen_from(root, before->second), seen_from(root, file)));
+      throw UnreadableSubmission(fmt::format("{} is in {} and in {}: which one counts?",
+                                             file.filename().string(),
+                                             place_in(root, before->second), place_in(root, file)));
     }
   }
   return all;
@@ -125,11 +125,11 @@ class IntakeBuilder {
  public:
   IntakeBuilder(const Context& context, Meaning meaning) : context_(context), meaning_(meaning) {}
 
-  void word(const std::string& word) {
+  void add(const std::string& word) {
     // "alice/" and "." have names, too.
     const auto end = word.find_last_not_of('/');
     const fs::path place = end == std::string::npos ? word : word.substr(0, end + 1);
-    guarded(id_of(place), word, [&](IntakeEntry& entry) {
+    add_entry(id_of(place), word, [&](IntakeEntry& entry) {
       const fs::file_status status = fs::symlink_status(place);
       const std::string shown = sandbox::printable_line(word);
       if (!fs::exists(status)) throw UnreadableSubmission("no such directory: " + shown);
@@ -142,14 +142,14 @@ class IntakeBuilder {
       const fs::path root = is_zip ? unpacked(place) : place;
       const auto parent = meaning_ == Meaning::many ? parent_in(context_.labs, root) : std::nullopt;
       if (!parent) return open(root, entry);
-      children(*parent, is_zip);
+      add_people_in(*parent, is_zip);
       entry.submission.label.clear();  // belongs to no single person
     });
   }
 
   /// Decides what a word means, once for all words: several words are one submission each, so that
   /// a directory without an owner does not become people, unless platforms exported them all.
-  void decide(const std::vector<std::string>& words) {
+  void decide_meaning(const std::vector<std::string>& words) {
     if (meaning_ == Meaning::one || words.size() < 2) return;
     if (std::all_of(words.begin(), words.end(), [&](auto& word) { return is_export(word); }))
       return;
@@ -174,7 +174,7 @@ class IntakeBuilder {
 
   /// Adds the result of `work` on `named`, or why it cannot be read.
   template <class Work>
-  void guarded(std::string id, const fs::path& named, const Work& work) {
+  void add_entry(std::string id, const fs::path& named, const Work& work) {
     IntakeEntry entry;
     entry.submission.label = std::move(id);
     entry.submission.path = named;
@@ -207,7 +207,7 @@ class IntakeBuilder {
         if (listing.directories.size() != 1) return false;
         root = listing.directories[0];
       }
-    } catch (const std::exception&) {  // word() reports it
+    } catch (const std::exception&) {  // add() reports it
     }
     return false;
   }
@@ -237,7 +237,7 @@ class IntakeBuilder {
         places = places_in(root);
       }
     }
-    take(root, places, entry);
+    set_files(root, places, entry);
   }
 
   std::vector<Files> places_in(const fs::path& root) const {
@@ -247,15 +247,16 @@ class IntakeBuilder {
     return places;
   }
 
-  static void take(const fs::path& root, const std::vector<Files>& places, IntakeEntry& entry) {
-    entry.submission.files = together(root, places);
+  static void set_files(const fs::path& root, const std::vector<Files>& places,
+                        IntakeEntry& entry) {
+    entry.submission.files = combined(root, places);
     for (const auto& [lab, file] : entry.submission.files) {
       if (access(file.c_str(), R_OK) == 0) continue;
       throw UnreadableSubmission(fmt::format("{} cannot be read: {}", file.filename().string(),
                                              std::generic_category().message(errno)));
     }
     std::set<std::string> where;
-    for (const auto& [lab, file] : entry.submission.files) where.insert(seen_from(root, file));
+    for (const auto& [lab, file] : entry.submission.files) where.insert(place_in(root, file));
     where.erase("");  // at the top
     entry.submission.found_in = fmt::format("{}", fmt::join(where, ", "));
   }
@@ -278,7 +279,7 @@ class IntakeBuilder {
   }
 
   /// Several people's work, side by side in `parent`.
-  void children(const fs::path& parent, bool is_unpacked) {
+  void add_people_in(const fs::path& parent, bool is_unpacked) {
     const Listing listing = listing_of(parent);
     std::map<std::string, std::vector<PlatformName>> flat;  // by person
     for (const auto* kind : {&listing.files, &listing.zips}) {
@@ -292,22 +293,22 @@ class IntakeBuilder {
     for (const auto& [key, directory] : directories_by_person(listing.directories)) {
       const std::string name = directory.filename().string();
       const GradescopeEntry& known = entries[name];
-      guarded(known.people.empty() ? id_of(directory) : id_from_name(known.people),
-              named(directory), [&, &from = directory](IntakeEntry& entry) {
-                entry.submission.delivery.platform_name = name;
-                entry.submission.delivery.submitted = known.submitted;
-                open(from, entry);
-              });
+      add_entry(known.people.empty() ? id_of(directory) : id_from_name(known.people),
+                named(directory), [&, &from = directory](IntakeEntry& entry) {
+                  entry.submission.delivery.platform_name = name;
+                  entry.submission.delivery.submitted = known.submitted;
+                  open(from, entry);
+                });
     }
     for (const fs::path& zip : listing.zips) {
       if (named_by_platform(zip)) continue;
-      guarded(id_of(zip), named(zip), [&](IntakeEntry& entry) { open(unpacked(zip), entry); });
+      add_entry(id_of(zip), named(zip), [&](IntakeEntry& entry) { open(unpacked(zip), entry); });
     }
     for (const auto& [person, files] : flat) {
-      guarded(person, {}, [&, &all = files](IntakeEntry& entry) { gather(all, entry); });
+      add_entry(person, {}, [&, &all = files](IntakeEntry& entry) { collect(all, entry); });
     }
     for (const fs::path& link : listing.links) {
-      guarded(id_of(link), {}, [](IntakeEntry&) { throw UnreadableSubmission("it is a link"); });
+      add_entry(id_of(link), {}, [](IntakeEntry&) { throw UnreadableSubmission("it is a link"); });
     }
     std::stable_sort(intake_.entries.begin() + static_cast<std::ptrdiff_t>(first),
                      intake_.entries.end(),
@@ -315,7 +316,7 @@ class IntakeBuilder {
   }
 
   /// One person's files among those of all.
-  void gather(const std::vector<PlatformName>& files, IntakeEntry& entry) {
+  void collect(const std::vector<PlatformName>& files, IntakeEntry& entry) {
     std::map<std::string, PlatformName> latest;  // by lab
     for (const PlatformName& one : files) {
       for (const Lab& lab : context_.labs) {
@@ -333,7 +334,7 @@ class IntakeBuilder {
       delivery.platform_name = one.path.filename().string();
       delivery.late = one.late;
     }
-    if (!places.empty()) return take(files[0].path.parent_path(), places, entry);
+    if (!places.empty()) return set_files(files[0].path.parent_path(), places, entry);
     std::vector<fs::path> zips;
     for (const PlatformName& one : files) {
       if (one.path.extension() == ".zip") zips.push_back(one.path);
@@ -366,10 +367,10 @@ class IntakeBuilder {
 }  // namespace
 
 Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning) {
-  IntakeBuilder taking(context, meaning);
-  taking.decide(words);
-  for (const std::string& word : words) taking.word(word);
-  return taking.finish();
+  IntakeBuilder builder(context, meaning);
+  builder.decide_meaning(words);
+  for (const std::string& word : words) builder.add(word);
+  return builder.finish();
 }
 
 Intake take_in_one(const Context& context, const fs::path& place) {

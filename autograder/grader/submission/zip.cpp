@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 
 namespace mc::grader {
 namespace {
@@ -16,59 +15,42 @@ std::uint32_t crc32(const std::string& bytes) {
   return ~crc;
 }
 
-/// Appends the low `bytes` bytes of a value, the lowest first.
-void add(std::string& to, std::size_t value, int bytes) {
-  for (int i = 0; i < bytes; ++i) to += static_cast<char>(value >> (8 * i) & 0xff);
+/// The low bytes of a value, the lowest first.
+std::string number(std::size_t value, int bytes) {
+  std::string all;
+  for (int i = 0; i < bytes; ++i) all += static_cast<char>(value >> (8 * i) & 0xff);
+  return all;
 }
-void add16(std::string& to, std::initializer_list<std::size_t> values) {
-  for (const std::size_t value : values) add(to, value, 2);
+std::string two_bytes(std::size_t value) {
+  return number(value, 2);
 }
-void add32(std::string& to, std::initializer_list<std::size_t> values) {
-  for (const std::size_t value : values) add(to, value, 4);
-}
-
-/// What a file's own header and its entry in the directory share.
-void add_description(std::string& to, const ZipEntry& entry) {
-  constexpr std::size_t version = 10, utf8_names = 1 << 11, stored = 0;
-  constexpr std::size_t midnight = 0, first_of_1980 = (1 << 5) + 1;
-  add16(to, {version, utf8_names, stored, midnight, first_of_1980});
-  add32(to, {crc32(entry.content), entry.content.size(), entry.content.size()});
-  add16(to, {entry.name.size(), 9});  // the size of time_of()
-}
-
-/// "UT", 5 bytes, of which the first says that there is one time: that of the last change.
-std::string time_of(const ZipEntry& entry) {
-  std::string field;
-  add16(field, {0x5455, 5});
-  add(field, 1, 1);
-  add32(field, {static_cast<std::size_t>(entry.modified)});
-  return field;
+std::string four_bytes(std::size_t value) {
+  return number(value, 4);
 }
 
 }  // namespace
 
 std::string zip_of(const std::vector<ZipEntry>& entries) {
-  constexpr std::size_t made_on_unix = (3 << 8) + 10, readable = std::size_t{0100644} << 16;
+  constexpr std::size_t version = 10, made_on_unix = 3 << 8, utf8_names = 1 << 11, stored = 0;
+  constexpr std::size_t midnight = 0, first_of_1980 = (1 << 5) + 1, readable = 0100644;
   std::string files, directory;
-  for (const ZipEntry& entry : entries) {
-    const std::size_t start = files.size();
-    add32(files, {0x04034b50});
-    add_description(files, entry);
-    files += entry.name + time_of(entry) + entry.content;
-
-    add32(directory, {0x02014b50});
-    add16(directory, {made_on_unix});
-    add_description(directory, entry);
-    add16(directory, {0, 0, 0});
-    add32(directory, {readable, start});
-    directory += entry.name + time_of(entry);
+  for (const auto& [name, content, modified] : entries) {
+    // "UT", 5 bytes, of which the first says that there is one time: that of the last change.
+    const std::string time =
+        "UT" + two_bytes(5) + number(1, 1) + four_bytes(static_cast<std::size_t>(modified));
+    const std::string description =
+        two_bytes(version) + two_bytes(utf8_names) + two_bytes(stored) + two_bytes(midnight) +
+        two_bytes(first_of_1980) + four_bytes(crc32(content)) + four_bytes(content.size()) +
+        four_bytes(content.size()) + two_bytes(name.size()) + two_bytes(time.size());
+    constexpr std::size_t comment = 0, disk = 0, attributes = 0;
+    directory += "PK\1\2" + two_bytes(made_on_unix + version) + description + two_bytes(comment) +
+                 two_bytes(disk) + two_bytes(attributes) + four_bytes(readable << 16) +
+                 four_bytes(files.size()) + name + time;
+    files += "PK\3\4" + description + name + time + content;
   }
-  std::string end;
-  add32(end, {0x06054b50});
-  add16(end, {0, 0, entries.size(), entries.size()});
-  add32(end, {directory.size(), files.size()});
-  add16(end, {0});
-  return files + directory + end;
+  const std::string count = two_bytes(entries.size());
+  return files + directory + "PK\5\6" + four_bytes(0) + count + count +
+         four_bytes(directory.size()) + four_bytes(files.size()) + two_bytes(0);
 }
 
 }  // namespace mc::grader
