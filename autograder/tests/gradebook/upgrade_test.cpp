@@ -95,10 +95,10 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   const std::string given = read_text(semester.root / header);
   semester.make_older(header, "// older\n");
   write_text(semester.clone / "README.md", "mine\n");
-  semester.git_in(semester.clone, {"stash", "-q"});
+  git(semester.clone, {"stash", "-q"});
   CHECK(contains(semester.update().output, "Now version 1.0.0"));
-  CHECK(lines(semester.git_in(semester.clone, {"stash", "list"}).output) == 1);  // the student's
-  semester.git_in(semester.clone, {"stash", "drop", "-q"});
+  CHECK(lines(git(semester.clone, {"stash", "list"})) == 1);  // the student's
+  git(semester.clone, {"stash", "drop", "-q"});
   write_text(semester.clone / "starter" / "variance.cpp", work);
   CHECK(contains(semester.update().output, "Already the latest: 1.0.0"));
   write_text(semester.clone / header, "// mine\n");
