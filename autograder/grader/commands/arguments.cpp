@@ -95,6 +95,7 @@ Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& s
   std::vector<KnownOption> known;
   for (const std::string& shown : syntax.options)
     known.push_back(known_option(shown, known.size()));
+  known.push_back(known_option("--help", known.size()));
   std::vector<option> longs;
   std::string letters = "+:";  // ends at the first word
   for (const KnownOption& one : known) {
@@ -132,9 +133,7 @@ Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& s
     } else if (code == '?') {
       std::vector<std::string> names;
       for (const KnownOption& one : known) names.push_back("--" + one.name);
-      throw UsageError(names.empty() ? fmt::format("no option {}", last)
-                                     : fmt::format("no option {}; did you mean {}?", last,
-                                                   nearest(last, names)));
+      throw UsageError(fmt::format("no option {}; did you mean {}?", last, nearest(last, names)));
     } else {
       for (const KnownOption& one : known) {
         if (one.code != code) continue;

@@ -110,11 +110,12 @@ int dispatch(std::vector<std::string> words) {
        }));
   if (needs_course) run_course(layout, std::move(words));
   if (!words.empty()) words.erase(words.begin());
-  if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) {
+  if (!words.empty() && words[0] == "-h") words[0] = "--help";
+  const Arguments arguments = command->parse(words);
+  if (arguments.has("help")) {
     print_help(*command, std::string(entry.description));
     return 0;
   }
-  const Arguments arguments = command->parse(words);
   try {
     const std::size_t count = arguments.words.size();
     if (count < command->least_words || count > command->most_words) throw WrongUsage();

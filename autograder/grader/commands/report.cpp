@@ -1,5 +1,7 @@
 // report: the student's work as a page.
 
+#include <cstdlib>
+
 #include "grader/commands/command.hpp"
 #include "grader/judging/judge_submission.hpp"
 #include "grader/pictures/plots.hpp"

@@ -17,6 +17,7 @@
 #include <thread>
 #include <utility>
 
+#include "sandbox/descriptor.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
