@@ -1,4 +1,4 @@
-// What documents, comments and checks state about constructions: the lattice's generating vector, the
+// What documents and checks state about constructions: the generating vector of the lattice, the
 // pairs of Sobol' dimensions of 6.3, the independence of scrambled digits, the variance by order.
 
 #include <algorithm>

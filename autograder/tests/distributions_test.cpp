@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
+#include "checks/support/domain.hpp"
 #include "checks/support/statistics.hpp"
 #include "common/normal_quantile.hpp"
 
