@@ -63,7 +63,7 @@ namespace definition {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     double farthest = -1;
-    for (double left = std::ceil(c * double(i)) + 1; left > 0; --left) {
+    for (double left = std::ceil(c * static_cast<double>(i)) + 1; left > 0; --left) {
       const Point2 candidate = uniform_point(rng);
       double nearest = 1;
       for (std::size_t j = 0; j < i; ++j) {
@@ -106,7 +106,7 @@ class Neighbors {
     double least = std::numeric_limits<double>::infinity();
     for (long ring = 0; 2 * (ring - 1) < side_; ++ring) {
       // Rings 0 … ring-1 contain all points within a distance of ring - 1 cells.
-      const double searched = double(ring - 1) / double(side_);
+      const double searched = static_cast<double>(ring - 1) / static_cast<double>(side_);
       if (ring > 0 && least <= searched * searched) break;
       for (long j = -ring; j <= ring; ++j) {
         const long step = std::abs(j) == ring || ring == 0 ? 1 : 2 * ring;
@@ -126,7 +126,7 @@ class Neighbors {
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  long cell_of(double x) const { return static_cast<long>(x * double(side_)); }
+  long cell_of(double x) const { return static_cast<long>(x * static_cast<double>(side_)); }
   std::size_t at(long i, long j) const {  // left meets right, and top meets bottom
     return static_cast<std::size_t>((j & (side_ - 1)) * side_ + (i & (side_ - 1)));
   }
@@ -150,7 +150,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
   Neighbors points;
   for (std::size_t i = 0; i < x.size(); ++i) {
     double farthest = -1;
-    for (double left = std::ceil(c * double(i)) + 1; left > 0; --left) {
+    for (double left = std::ceil(c * static_cast<double>(i)) + 1; left > 0; --left) {
       const Point2 candidate = uniform_point(rng);
       const double nearest = points.nearest(candidate, farthest);
       if (nearest > farthest) farthest = nearest, x[i] = candidate.x, y[i] = candidate.y;
@@ -221,7 +221,8 @@ PointSet poisson_disk(double radius, Rng& rng) {
   }
   for (int level = 0; level <= 10 && !active.empty(); ++level) {
     for (std::size_t darts = active.size(); darts > 0 && !active.empty(); --darts) {
-      Point2& cell = active[static_cast<std::size_t>(uniform(rng) * double(active.size()))];
+      Point2& cell =
+          active[static_cast<std::size_t>(uniform(rng) * static_cast<double>(active.size()))];
       const Point2 u = uniform_point(rng);
       const Point2 dart{std::min(cell.x + u.x * width, below_one),
                         std::min(cell.y + u.y * width, below_one)};
@@ -257,7 +258,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
       for (std::size_t p = 0; p < x.size(); ++p) {
         sum += std::polar(1.0, -2 * std::numbers::pi * (kx * x[p] + ky * y[p]));
       }
-      power[i++] = std::norm(sum) / double(x.size());
+      power[i++] = std::norm(sum) / static_cast<double>(x.size());
     }
   }
 }
@@ -276,13 +277,14 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
   };
   std::vector<std::complex<double>> along_x(side), sum(side * side);
   for (std::size_t p = 0; p < x.size(); ++p) {
-    for (std::size_t i = 0; i < side; ++i) along_x[i] = wave(double(i) - kmax, x[p]);
+    for (std::size_t i = 0; i < side; ++i) along_x[i] = wave(static_cast<double>(i) - kmax, x[p]);
     for (std::size_t j = 0; j < side; ++j) {
-      const auto along_y = wave(double(j) - kmax, y[p]);
+      const auto along_y = wave(static_cast<double>(j) - kmax, y[p]);
       for (std::size_t i = 0; i < side; ++i) sum[j * side + i] += along_x[i] * along_y;
     }
   }
-  for (std::size_t k = 0; k < power.size(); ++k) power[k] = std::norm(sum[k]) / double(x.size());
+  for (std::size_t k = 0; k < power.size(); ++k)
+    power[k] = std::norm(sum[k]) / static_cast<double>(x.size());
 }
 
 // 4.5 --------------------------------------------------------------------------------------------

@@ -42,7 +42,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
   // other digits. Small terms are added first, and each division shrinks the earlier rounding
   // errors, so the total error is below 2 * 2^-53. In base 2, an index of 54 ones would round to 1.
   const double others = radical_inverse(base, index / base);
-  return std::min(below_one, (double(index % base) + others) / base);
+  return std::min(below_one, (static_cast<double>(index % base) + others) / base);
 }
 
 // 5.2 --------------------------------------------------------------------------------------------
@@ -101,9 +101,8 @@ auto step_of(double size, double others) {
 void step(std::span<double> column, std::size_t start, std::span<const double> digits,
           std::span<const double> others) {
   fill_by_blocks(column, start, digits,
-                 [next = others.begin(), size = double(digits.size())](std::size_t) mutable {
-                   return step_of(size, *next++);
-                 });
+                 [next = others.begin(), size = static_cast<double>(digits.size())](
+                     std::size_t) mutable { return step_of(size, *next++); });
 }
 }  // namespace
 
@@ -148,7 +147,8 @@ void halton(PointSet& points, std::uint64_t first) {
 // 5.4 --------------------------------------------------------------------------------------------
 void hammersley(PointSet& points) {
   const auto x = points.column(0);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = double(i) / double(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = static_cast<double>(i) / static_cast<double>(x.size());
   const auto bases = primes(points.dims() - 1);
   for (std::size_t d = 1; d < points.dims(); ++d) {
     radical_inverses(bases[d - 1], 0, points.column(d));
@@ -178,7 +178,7 @@ constexpr Directions directions_of(const JoeKuo& given) {
 /// The XOR of the direction numbers of the bits that are set in `index`.
 constexpr std::uint32_t sobol_word(const Directions& v, std::uint64_t index) {
   std::uint32_t word = 0;
-  for (unsigned k = 0; k < 32; ++k) word ^= v[k] & -(std::uint32_t(index) >> k & 1);
+  for (unsigned k = 0; k < 32; ++k) word ^= v[k] & -(static_cast<std::uint32_t>(index) >> k & 1);
   return word;
 }
 
@@ -195,6 +195,8 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 namespace {
 constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
 constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
+constexpr auto upper_half = [](std::uint64_t w) { return static_cast<std::uint32_t>(w >> 32); };
+constexpr auto lower_half = [](std::uint64_t w) { return static_cast<std::uint32_t>(w); };
 /// A coordinate's bits, moved to the top of the mantissa.
 constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
 /// The double in [0, 1) whose first 32 bits after the point are `upper`, and whose next 21 bits are
@@ -215,7 +217,7 @@ constexpr auto sobol_tables = [] {
     v = definition::directions_of(joe_kuo[d]);
     words[0] = bits(1);
     for (std::size_t i = 1; i < words.size(); ++i) {
-      const auto lowest = std::size_t(std::countr_zero(i));  // a bit; words[i] without it is known
+      const int lowest = std::countr_zero(i);  // a bit; words[i] without it is known
       words[i] = words[i & (i - 1)] ^ wide(v[lowest]);
     }
   }
@@ -239,12 +241,13 @@ double star_discrepancy(std::span<const double> x) {
   require_points(x, "x");
   std::vector<double> sorted(x.begin(), x.end());
   std::sort(sorted.begin(), sorted.end());
-  const double n = double(x.size());
+  const auto n = static_cast<double>(x.size());
   // The worst interval ends at a point x_i: either it is [0, x_i), with i points inside, or [0,
   // x_i], with i + 1 points.
   double worst = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
-    worst = std::max({worst, sorted[i] - double(i) / n, double(i + 1) / n - sorted[i]});
+    worst = std::max({worst, sorted[i] - static_cast<double>(i) / n,
+                      static_cast<double>(i + 1) / n - sorted[i]});
   }
   return worst;
 }
@@ -264,7 +267,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   double worst = 0, here = 0;
   for (const auto& [next, value] : points) {
     for (std::size_t k = 0; k + 1 < ys.size(); ++k) {
-      const double inside = double(k) / double(x.size());
+      const double inside = static_cast<double>(k) / static_cast<double>(x.size());
       worst = std::max(worst, std::max(inside - here * ys[k], next * ys[k + 1] - inside));
     }
     ys.insert(std::upper_bound(ys.begin() + 1, ys.end() - 1, value), value);
@@ -276,7 +279,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 // 5.7 --------------------------------------------------------------------------------------------
 void random_shift(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) {
-    const double shift = double(rng() >> 11) * 0x1p-53;
+    const double shift = static_cast<double>(rng() >> 11) * 0x1p-53;
     for (double& value : points.column(d)) {
       value += shift;
       if (value >= 1) value -= 1;  // also where the sum was rounded up to 1
@@ -295,7 +298,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
       const std::uint64_t before = k == 0 ? 0 : word >> (64 - k);
       flips |= mix_bits(mix_bits(hashed ^ before) + k) >> 63 << (63 - k);
     }
-    value = double((word ^ flips) >> 11) * 0x1p-53;
+    value = static_cast<double>((word ^ flips) >> 11) * 0x1p-53;
   }
 }
 }  // namespace definition
@@ -325,8 +328,8 @@ static constexpr std::uint32_t mirrored(std::uint32_t word) {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
   const std::uint64_t one = rng(), two = rng();
-  const std::uint32_t m = std::uint32_t(one) | 1, s = std::uint32_t(one >> 32);
-  const std::uint32_t a = std::uint32_t(two) | 1, b = std::uint32_t(two >> 32);
+  const std::uint32_t m = lower_half(one) | 1, s = upper_half(one);
+  const std::uint32_t a = lower_half(two) | 1, b = upper_half(two);
   const auto scrambled = [=](std::uint32_t z) {  // z is the first 32 bits, mirrored
     z ^= z * 0x3d20adeau;
     z = z * m + s;
@@ -346,7 +349,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     const std::size_t size = std::min(block, column.size());
     std::uint64_t longer = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      words[i] = std::uint32_t(bits(x[i] + 0x1p20));
+      words[i] = lower_half(bits(x[i] + 0x1p20));
       longer |= bits(rest(x[i]));
     }
     const std::size_t rests = longer == 0 ? 0 : size;  // 0 for Sobol' points: they have 32 bits
@@ -355,9 +358,9 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     for (std::size_t i = 0; i < size; ++i) words[i] = scrambled(words[i]);
     for (std::size_t i = 0; i < size; ++i) flips[i] = hash(words[i]);
     for (std::size_t i = 0; i < rests; ++i) {  // nested, too
-      const std::uint32_t last = mirrored(std::uint32_t(bits(rest(x[i]) + 0.75)) << 11);
+      const std::uint32_t last = mirrored(lower_half(bits(rest(x[i]) + 0.75)) << 11);
       const std::uint64_t random = mix_bits(words[i] ^ one);
-      const std::uint32_t odd = std::uint32_t(random) | 1, add = std::uint32_t(random >> 32);
+      const std::uint32_t odd = lower_half(random) | 1, add = upper_half(random);
       flips[i] ^= mirrored((last * odd + add) ^ add);
     }
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
@@ -383,7 +386,9 @@ void fill_moves(std::span<std::uint64_t> row, std::size_t zero, unsigned __int12
   std::swap(row[0], row[zero]);
   Choices any(rng);
   for (std::size_t k = row.size() - 1; k > 1; --k) std::swap(row[k], row[1 + any.below(k)]);
-  const auto units = [=](std::uint64_t digit) { return std::uint64_t(digit * unit >> 64); };
+  const auto units = [=](std::uint64_t digit) {
+    return static_cast<std::uint64_t>(digit * unit >> 64);
+  };
   for (std::uint64_t& digit : row) digit = units(digit) - units(zero);
 }
 }  // namespace
@@ -408,7 +413,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
     unit /= base;
     zeros = (zeros & last_index) * base;
     moves.resize(moves.size() + base);
-    fill_moves(std::span(moves).last(base), std::size_t(zeros >> 64), unit,
+    fill_moves(std::span(moves).last(base), static_cast<std::size_t>(zeros >> 64), unit,
                Rng(hashed + moves.size() / base));
   }
 
@@ -443,7 +448,8 @@ void lattice(PointSet& points, std::uint64_t seed) {
   const std::uint64_t n = points.size();
   for (std::size_t d = 0; d < points.dims(); ++d) {
     const auto x = points.column(d);
-    for (std::uint64_t i = 0; i < n; ++i) x[i] = double(i * lattice_vector[d] % n) / double(n);
+    for (std::uint64_t i = 0; i < n; ++i)
+      x[i] = static_cast<double>(i * lattice_vector[d] % n) / static_cast<double>(n);
   }
   Rng rng(seed);
   random_shift(points, rng);

@@ -120,13 +120,13 @@ constexpr std::size_t block = sobol_block.size();
 /// Nested scrambling of the numbers 0, 1, … samples - 1, with their bits placed after the point:
 /// each bit is flipped depending on the bits before it.
 std::vector<std::uint32_t> nested_order(std::size_t samples, std::uint64_t seed) {
-  const auto size = double(std::bit_ceil(samples));
+  const auto size = static_cast<double>(std::bit_ceil(samples));
   std::vector<double> index(samples);
-  for (std::size_t i = 0; i < samples; ++i) index[i] = double(i) / size;
+  for (std::size_t i = 0; i < samples; ++i) index[i] = static_cast<double>(i) / size;
   owen_scramble(index, seed);
   std::vector<std::uint32_t> order(samples);
   std::transform(index.begin(), index.end(), order.begin(),
-                 [=](double i) { return std::uint32_t(i * size); });
+                 [=](double i) { return static_cast<std::uint32_t>(i * size); });
   return order;
 }
 
@@ -179,10 +179,11 @@ void fill_halton(const SampleDimension& dim, std::size_t place, std::span<double
 void fill_lattice(const SampleDimension& dim, std::size_t place, std::span<double> x,
                   std::uint64_t seed) {
   in_order(dim, x, [&](std::span<double> all) { sobol_points(0, all, dim.tables); });
-  const auto z = double(lattice_vector[place]), shift = to_unit(Rng(seed)());
+  const auto z = static_cast<double>(lattice_vector[place]), shift = to_unit(Rng(seed)());
   for (double& value : x) {
     value *= z;
-    value -= double(int(value));  // exact, because the shift is not yet added
+    value -=
+        static_cast<double>(static_cast<int>(value));  // exact, because the shift is not yet added
     value += shift;
     if (value >= 1) value -= 1;
     value = std::min(1 - 0x1p-53, 2 * std::min(value, 1 - value));

@@ -109,7 +109,9 @@ double expect_proportion(const std::string& call, const std::string& event, std:
   outcome.measured = static_cast<double>(count) / size;
   outcome.expected = p;
   outcome.accepted = [&] {
-    const auto of_whole = [&](double k) { return binomial_tails(std::uint64_t(k), trials, p); };
+    const auto of_whole = [&](double k) {
+      return binomial_tails(static_cast<std::uint64_t>(k), trials, p);
+    };
     const Interval counts = central_interval(of_whole, null.alpha, 0, size + 1);
     return Interval{std::floor(counts.low) / size, (std::floor(counts.high) - 1) / size};
   };

@@ -20,7 +20,9 @@ struct Cells {
   std::vector<std::vector<Point2>> points{side * side};
 
   std::vector<Point2>& at(Point2 p, std::size_t right = 0, std::size_t up = 0) {
-    const auto cell = [&](double place) { return static_cast<std::size_t>(place * double(side)); };
+    const auto cell = [&](double place) {
+      return static_cast<std::size_t>(place * static_cast<double>(side));
+    };
     return points[(cell(p.y) + up) % side * side + (cell(p.x) + right) % side];
   }
   bool fits(Point2 p) {

@@ -15,7 +15,8 @@ constexpr double points_per_cell = 2;  // a free choice
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());
   if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
-  const int side = static_cast<int>(std::ceil(std::sqrt(double(x.size()) / points_per_cell)));
+  const int side =
+      static_cast<int>(std::ceil(std::sqrt(static_cast<double>(x.size()) / points_per_cell)));
   std::vector<std::vector<Point2>> cells(static_cast<std::size_t>(side * side));
   const auto cell = [&](int i, int j) -> std::vector<Point2>& {
     return cells[static_cast<std::size_t>((j + side) % side * side + (i + side) % side)];
@@ -32,7 +33,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
           }
         }
       }
-      if (least < enough || least <= double(ring * ring) / (side * side)) break;
+      if (least < enough || least <= static_cast<double>(ring * ring) / (side * side)) break;
     }
     return least;
   };

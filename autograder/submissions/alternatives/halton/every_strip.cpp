@@ -17,10 +17,10 @@ double star_discrepancy(std::span<const double> x) {
   require_points(x, "x");
   std::vector<double> sorted(x.begin(), x.end());
   std::sort(sorted.begin(), sorted.end());
-  const auto n = double(x.size());
+  const auto n = static_cast<double>(x.size());
   double worst = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    worst = std::max(worst, std::abs(sorted[i] - (double(i) + 0.5) / n));
+    worst = std::max(worst, std::abs(sorted[i] - (static_cast<double>(i) + 0.5) / n));
   }
   return 0.5 / n + worst;
 }
@@ -29,7 +29,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) throw std::invalid_argument("x, y: not as many");
   require_points(x, "x");
   require_points(y, "y");
-  const auto n = double(x.size());
+  const auto n = static_cast<double>(x.size());
   std::vector<double> rights(x.begin(), x.end());
   rights.push_back(1);
   double worst = 0;
@@ -43,10 +43,10 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
     std::sort(closed.begin(), closed.end());
     for (std::size_t k = 0; k <= open.size(); ++k) {
       const double top = k < open.size() ? open[k] : 1;
-      worst = std::max(worst, right * top - double(k) / n);
+      worst = std::max(worst, right * top - static_cast<double>(k) / n);
     }
     for (std::size_t k = 0; k < closed.size(); ++k) {
-      worst = std::max(worst, double(k + 1) / n - right * closed[k]);
+      worst = std::max(worst, static_cast<double>(k + 1) / n - right * closed[k]);
     }
   }
   return worst;
@@ -54,7 +54,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 
 void random_shift(PointSet& points, Rng& rng) {
   std::vector<double> shifts(points.dims());
-  for (double& shift : shifts) shift = double(rng() >> 11) * 0x1p-53;
+  for (double& shift : shifts) shift = static_cast<double>(rng() >> 11) * 0x1p-53;
   for (std::size_t d = points.dims(); d-- > 0;) {
     for (double& value : points.column(d)) {
       value += shifts[d];
