@@ -58,7 +58,7 @@ TEST_CASE("the record of a case says how it ended, for every kind of end in Catc
   CHECK(end("1.3").message == "measured  1");
   CHECK(end("1.4").message == "no value");
   CHECK(end("1.5").message == "REQUIRE( f() == 1 ) threw: no value");
-  CHECK(end("1.6").message == "this check checked nothing");
+  CHECK(end("1.6").message == "this check contains no expectation");
   for (const char* task : {"1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.8", "1.9"}) {
     CAPTURE(task);
     CHECK_FALSE(end(task).passed);
