@@ -52,7 +52,7 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
     lists.emplace_back(n, n % 2 == 0 ? -largest_finite : largest_finite);
   }
   lists.emplace_back(1'300'000, huge);  // a sum of x 2^-20 overflows, too
-  Values of_all_sizes;                            // ascending from 1e-300, and descending
+  Values of_all_sizes;                  // ascending from 1e-300, and descending
   for (double exponent = -300; exponent < 300; exponent += 25) {
     of_all_sizes.push_back(std::pow(10, exponent + uniform(rng, 0, 8)));
   }
