@@ -67,6 +67,8 @@ CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
             {[=](double at) { return std::log1p(-at) / rate; },
              "the sign is wrong: log(1 - u) < 0"},
             {[=](double at) { return -std::log1p(-at); }, "the rate is missing"},
+            {[=](double at) { return -std::log1p(-at) * (1 / rate); },
+             "1 / rate can overflow: divide by the rate"},
             {[=](double at) { return -std::log(at) * rate; },
              "this is -log(u) times the rate: divide by the rate, and use 1 - u instead of u"},
             {[=](double at) { return rate * std::exp(-rate * at); },
