@@ -1,4 +1,3 @@
-
 #include <tuple>
 
 #include "checks/blue_noise/random_sets.hpp"

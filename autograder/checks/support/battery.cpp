@@ -1,4 +1,3 @@
-
 #include <bit>
 #include <numbers>
 #include <numeric>

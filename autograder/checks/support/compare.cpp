@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "checks/support/domain.hpp"
+
 namespace mc::checks {
 namespace {
 

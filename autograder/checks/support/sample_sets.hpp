@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "checks/support/battery.hpp"
+#include "checks/support/domain.hpp"
 #include "checks/support/measure.hpp"
 #include "common/points.hpp"
 

@@ -1,6 +1,6 @@
-
 #include <random>
 
+#include "1-variance/experiments.hpp"
 #include "data_sets.hpp"
 
 namespace mc::checks {
