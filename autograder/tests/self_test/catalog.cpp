@@ -153,11 +153,11 @@ std::vector<Definition> definitions_of(const grader::Layout& layout, const grade
 }
 
 std::vector<std::string> linker_flags(const std::vector<Definition>& definitions,
-                                      const std::string& instead) {
+                                      const std::string& aborts) {
   std::vector<std::string> flags;
   for (const Definition& one : definitions) {
-    const bool replaced = one.is_mistaken && !instead.empty();
-    flags.push_back("-Wl,--defsym=" + one.function + '=' + (replaced ? instead : one.replacement));
+    const std::string by = one.function == aborts ? "abort" : one.replacement;
+    flags.push_back("-Wl,--defsym=" + one.function + '=' + by);
   }
   return flags;
 }

@@ -54,9 +54,8 @@ struct Definition {
 std::vector<Definition> definitions_of(const grader::Layout& layout, const grader::Lab& lab,
                                        const std::filesystem::path& object, const Subject& subject);
 
-/// The linker's flags that substitute them, or that substitute `instead` for the mistaken
-/// functions.
+/// The linker's flags that substitute them. If one is named by `aborts`, it aborts instead.
 std::vector<std::string> linker_flags(const std::vector<Definition>& definitions,
-                                      const std::string& instead = {});
+                                      const std::string& aborts = {});
 
 }  // namespace mc::self_test

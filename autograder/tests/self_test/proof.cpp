@@ -4,7 +4,6 @@
 #include <fstream>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "grader/base/text_file.hpp"
 #include "grader/judging/judge.hpp"
@@ -20,23 +19,36 @@ namespace {
 
 int complaint_count = 0;
 
-/// The checks that call a function which the mistake replaces: those that fail if it aborts. Found
-/// once for each catalog and set of functions.
+/// The checks that call a function which the mistake replaces: those that fail if it aborts. Judged
+/// once for each function, until the checks or the experiments change.
 std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definition>& definitions) {
-  proof.submission.libraries = linker_flags(definitions, "abort");
-  proof.built = build_program(proof.layout, proof.lab, proof.submission);
-  const auto checks_built = fs::last_write_time(proof.layout.checks(proof.lab.name));
-  const fs::path kept = fmt::format("{}-{:x}.affected", proof.built.program->path,
-                                    checks_built.time_since_epoch().count());
-  std::set<std::string> names;
-  std::ifstream lines(kept);
-  for (std::string name; std::getline(lines, name);) names.insert(name);
-  if (!names.empty()) return names;
-  for (const CheckResult& result : proof.judge(1).checks) {
-    const bool is_right = result.status == Status::passed || result.status == Status::withheld;
-    if (!is_right) names.insert(result.check.name);
+  std::string stamp = "built:";
+  std::vector<fs::path> built = proof.layout.objects.at(proof.lab.name);
+  built.push_back(proof.layout.checks(proof.lab.name));
+  for (const fs::path& file : built) {
+    stamp += fmt::format(" {:x}", fs::last_write_time(file).time_since_epoch().count());
   }
-  std::ofstream(kept) << fmt::format("{}\n", fmt::join(names, "\n"));
+  std::set<std::string> names;
+  for (const Definition& one : definitions) {
+    if (!one.is_mistaken) continue;
+    const fs::path kept = proof.layout.build / "affected" / proof.lab.name / one.function;
+    std::ifstream lines(kept);
+    std::string line;
+    if (!std::getline(lines, line) || line != stamp) {
+      proof.submission.libraries = linker_flags(definitions, one.function);
+      proof.built = build_program(proof.layout, proof.lab, proof.submission);
+      std::string text = stamp + '\n';
+      for (const CheckResult& result : proof.judge(1).checks) {
+        const bool is_right = result.status == Status::passed || result.status == Status::withheld;
+        if (!is_right) text += result.check.name + '\n';
+      }
+      fs::create_directories(kept.parent_path());
+      write_text(kept, text);
+      lines = std::ifstream(kept);
+      std::getline(lines, line);
+    }
+    while (std::getline(lines, line)) names.insert(line);
+  }
   return names;
 }
 
