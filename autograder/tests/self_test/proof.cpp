@@ -20,12 +20,14 @@ namespace {
 int complaint_count = 0;
 
 /// The checks that call a function which the mistake replaces: those that fail if it aborts. Judged
-/// once for each function, until the checks or the experiments change.
+/// once for each function, until the checks, the experiments or the solutions change.
 std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definition>& definitions) {
-  std::string stamp = "built:";
-  std::vector<fs::path> built = proof.layout.objects.at(proof.lab.name);
-  built.push_back(proof.layout.checks(proof.lab.name));
-  for (const fs::path& file : built) {
+  std::string stamp = "changed:";
+  std::vector<fs::path> files = proof.layout.objects.at(proof.lab.name);
+  files.push_back(proof.layout.checks(proof.lab.name));
+  for (const Lab& lab : proof.labs) files.push_back(proof.layout.solutions() / lab.file());
+  for (const fs::path& file : files) {
+    if (!fs::exists(file)) continue;  // another lab may have no solution
     stamp += fmt::format(" {:x}", fs::last_write_time(file).time_since_epoch().count());
   }
   std::set<std::string> names;
