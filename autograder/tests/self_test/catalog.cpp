@@ -50,6 +50,10 @@ std::string section_begun_by(const std::string& line, const fs::path& catalog) {
   return line.substr(mistake.size(), line.size() - mistake.size() - 2);
 }
 
+std::string defines(const std::string& function, const std::string& by) {
+  return "-Wl,--defsym=" + function + '=' + by;
+}
+
 }  // namespace
 
 bool is_catalog(const fs::path& file) {
@@ -145,19 +149,27 @@ std::vector<Definition> definitions_of(const grader::Layout& layout, const grade
     const auto right = defined.find("mc::right_" + function);
     const bool is_mistaken = mistaken != defined.end();
     if (!is_mistaken && right == defined.end()) continue;
+    if (right == defined.end()) throw grader::UsageError(function + " is not renamed");
     differs = differs || is_mistaken;
-    definitions.push_back({symbol, (is_mistaken ? mistaken : right)->second, is_mistaken});
+    definitions.push_back({symbol, right->second, is_mistaken ? mistaken->second : ""});
   }
   if (!differs) throw grader::UsageError(subject.section + " replaces no function of the lab");
   return definitions;
 }
 
-std::vector<std::string> linker_flags(const std::vector<Definition>& definitions,
-                                      const std::string& aborts) {
+std::vector<std::string> linker_flags(const std::vector<Definition>& definitions) {
   std::vector<std::string> flags;
   for (const Definition& one : definitions) {
-    const std::string by = one.function == aborts ? "abort" : one.replacement;
-    flags.push_back("-Wl,--defsym=" + one.function + '=' + by);
+    flags.push_back(defines(one.function, one.mistaken.empty() ? one.right : one.mistaken));
+  }
+  return flags;
+}
+
+std::vector<std::string> linker_flags_to_abort(const std::string& function,
+                                               const std::vector<Definition>& definitions) {
+  std::vector<std::string> flags;
+  for (const Definition& one : definitions) {
+    flags.push_back(defines(one.function, one.function == function ? "abort" : one.right));
   }
   return flags;
 }

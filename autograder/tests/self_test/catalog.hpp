@@ -43,19 +43,23 @@ class CatalogLock {
   sandbox::Descriptor lock_;
 };
 
-/// A public function of the lab that the catalog has renamed, and what defines it instead.
+/// A public function of the lab that the catalog has renamed. All names are mangled.
 struct Definition {
-  std::string function;      ///< mangled, as are the others
-  std::string replacement;   ///< of the mistake's namespace, or else the solution's right_function
-  bool is_mistaken = false;  ///< the former
+  std::string function;
+  std::string right;  ///< the solution's, renamed right_function
+  std::string
+      mistaken;  ///< that of the mistake's namespace; empty if the mistake keeps the right one
 };
 
-/// All of them for one mistake. Throws UsageError if it replaces none.
+/// All of them for one mistake. Throws UsageError if it replaces none, or one that is not renamed.
 std::vector<Definition> definitions_of(const grader::Layout& layout, const grader::Lab& lab,
                                        const std::filesystem::path& object, const Subject& subject);
 
-/// The linker's flags that substitute them. If one is named by `aborts`, it aborts instead.
-std::vector<std::string> linker_flags(const std::vector<Definition>& definitions,
-                                      const std::string& aborts = {});
+/// The linker's flags that put the mistake's functions in place.
+std::vector<std::string> linker_flags(const std::vector<Definition>& definitions);
+
+/// The linker's flags with which this function aborts, and all others are right.
+std::vector<std::string> linker_flags_to_abort(const std::string& function,
+                                               const std::vector<Definition>& definitions);
 
 }  // namespace mc::self_test

@@ -4,7 +4,9 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/reports/report.hpp"
@@ -19,38 +21,41 @@ namespace {
 
 int complaint_count = 0;
 
-/// The checks that call a function which the mistake replaces: those that fail if it aborts. Judged
-/// once for each function, until the checks, the experiments or the solutions change.
-std::set<std::string> checks_that_call(Proof& proof, const std::vector<Definition>& definitions) {
-  std::string stamp = "changed:";
+/// When the files were written that decide which checks call a function.
+std::string times_of_sources(const Proof& proof) {
   std::vector<fs::path> files = proof.layout.objects.at(proof.lab.name);
   files.push_back(proof.layout.checks(proof.lab.name));
   for (const Lab& lab : proof.labs) files.push_back(proof.layout.solutions() / lab.file());
+  std::string times = "written:";
   for (const fs::path& file : files) {
     if (!fs::exists(file)) continue;  // another lab may have no solution
-    stamp += fmt::format(" {:x}", fs::last_write_time(file).time_since_epoch().count());
+    times += fmt::format(" {:x}", fs::last_write_time(file).time_since_epoch().count());
   }
+  return times;
+}
+
+/// The checks that call this function: those that fail if it aborts. Judged once, whichever mistake
+/// asks first, until one of their sources changes.
+std::set<std::string> checks_that_call(const std::string& function, Proof& proof,
+                                       const std::vector<Definition>& definitions) {
+  const fs::path kept = proof.layout.build / "affected" / proof.lab.name / function;
+  const std::string times = times_of_sources(proof);
   std::set<std::string> names;
-  for (const Definition& one : definitions) {
-    if (!one.is_mistaken) continue;
-    const fs::path kept = proof.layout.build / "affected" / proof.lab.name / one.function;
-    std::ifstream lines(kept);
-    std::string line;
-    if (!std::getline(lines, line) || line != stamp) {
-      proof.submission.libraries = linker_flags(definitions, one.function);
-      proof.built = build_program(proof.layout, proof.lab, proof.submission);
-      std::string text = stamp + '\n';
-      for (const CheckResult& result : proof.judge(1).checks) {
-        const bool is_right = result.status == Status::passed || result.status == Status::withheld;
-        if (!is_right) text += result.check.name + '\n';
-      }
-      fs::create_directories(kept.parent_path());
-      write_text(kept, text);
-      lines = std::ifstream(kept);
-      std::getline(lines, line);
-    }
-    while (std::getline(lines, line)) names.insert(line);
+  std::ifstream file(kept);
+  std::string line;
+  if (std::getline(file, line) && line == times) {
+    while (std::getline(file, line)) names.insert(line);
+    return names;
   }
+  proof.submission.libraries = linker_flags_to_abort(function, definitions);
+  proof.built = build_program(proof.layout, proof.lab, proof.submission);
+  if (!proof.built.program) throw MachineError(proof.built.failure);
+  for (const CheckResult& result : proof.judge(1).checks) {
+    const bool is_right = result.status == Status::passed || result.status == Status::withheld;
+    if (!is_right) names.insert(result.check.name);
+  }
+  fs::create_directories(kept.parent_path());
+  write_text(kept, fmt::format("{}\n{}\n", times, fmt::join(names, "\n")));
   return names;
 }
 
@@ -65,7 +70,11 @@ void build_mistake(Proof& proof, const Subject& subject) {
     return;
   }
   const auto definitions = definitions_of(proof.layout, proof.lab, catalog.path, subject);
-  proof.affected = checks_that_call(proof, definitions);
+  for (const Definition& one : definitions) {
+    if (!one.mistaken.empty()) {
+      proof.affected.merge(checks_that_call(one.function, proof, definitions));
+    }
+  }
   proof.submission.libraries = linker_flags(definitions);
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
 }
