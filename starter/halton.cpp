@@ -13,7 +13,7 @@
 
 namespace mc {
 
-/// An example of style, not a task: the digits of the index, starting with the last one; none for 0.
+/// An example of style, not a task: the digits of the index, the last one first; none for 0.
 [[maybe_unused]] static std::vector<unsigned> digits(unsigned base, std::uint64_t index) {
   if (base < 2) throw std::invalid_argument("base: must be at least 2");
   std::vector<unsigned> result;

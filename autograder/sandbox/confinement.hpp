@@ -12,8 +12,8 @@ namespace mc::sandbox {
 /// kernel has no Landlock or it is disabled. Created in the parent, where allocating is safe.
 Descriptor ruleset_for(const std::filesystem::path& writable);
 
-/// Confines this process, between fork and exec: async-signal-safe. False if the kernel refuses what
-/// it claimed to support.
+/// Confines this process, between fork and exec: async-signal-safe. False if the kernel refuses
+/// what it claimed to support.
 bool confine(const Descriptor& ruleset);
 
 }  // namespace mc::sandbox

@@ -52,8 +52,8 @@ Outcome run_jailed(const Program& program, std::string_view request, const Limit
 Outcome run_jailed(int descriptor, const std::string& path, std::string_view request,
                    const Limits& limits = {});
 
-/// The text of an exception from a program, as one short printable line: 16 MB would bury the check's
-/// report, and lines could pass for ours.
+/// The text of an exception from a program, as one short printable line: 16 MB would bury the
+/// check's report, and lines could pass for ours.
 std::string exception_text(std::string_view text);
 
 /// Is the jail complete? False if the kernel or the build has no seccomp: a grade must then say so.

@@ -51,7 +51,8 @@ inline std::string axe_findings(const std::string& page) {
   if (axe == nullptr || chromium().empty()) return {};
   const Scratch place;
   const std::string run = R"html(<script>
-    addEventListener("load", () => axe.run({ resultTypes: ["violations"] }).then(({ violations }) => {
+    const resultTypes = ["violations"];
+    addEventListener("load", () => axe.run({ resultTypes }).then(({ violations }) => {
       document.title = "axe: " + violations.map(one => one.id + " " + one.nodes[0].html).join("; ");
     }));
   </script>)html";

@@ -54,7 +54,8 @@ onload = () => {
     document.body.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", bubbles: true }));
     if (look() === before) wrong.push(`lab ${lab}: no key moves its slider`);
     for (const node of document.querySelectorAll("canvas, svg, input, select")) {
-      if (!(node.ariaLabel || node.labels?.length)) wrong.push(`lab ${lab}: ${node.id} has no name`);
+      const named = node.ariaLabel || node.labels?.length;
+      if (!named) wrong.push(`lab ${lab}: ${node.id} has no name`);
     }
   }
   for (const name of Object.keys(integrands)) {
@@ -69,7 +70,8 @@ onload = () => {
   if (counts.some(count => count !== 1)) wrong.push("elementary intervals");
   const independent = ways.find(way => way.name === "independent");
   same(mean(rings(spectrum(independent, 4, 4, 32), 32)), 1, .05, "power");
-  document.title = `${controls} controls of ${present}, ${pictures >= 4 * controls}; wrong: ${wrong}`;
+  const enough = pictures >= 4 * controls;
+  document.title = `${controls} controls of ${present}, ${enough}; wrong: ${wrong}`;
 };
 </script>)html";
 

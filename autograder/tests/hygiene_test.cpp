@@ -1,5 +1,5 @@
-// Processes and descriptors: no leaks and no leftovers, in spite of interruptions; an exception in a
-// worker ends the grader with a message and a status.
+// Processes and descriptors: no leaks and no leftovers, in spite of interruptions; an exception in
+// a worker ends the grader with a message and a status.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
-// A checkout that was moved or copied with its build, and one on a machine that lacks a package. A stub
-// replaces what the entry script builds: it says where it was configured.
+// A checkout that was moved or copied with its build, and one on a machine that lacks a package. A
+// stub replaces what the entry script builds: it says where it was configured.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

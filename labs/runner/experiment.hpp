@@ -49,8 +49,8 @@ std::string call_of(const Experiment& experiment);
 /// columns.
 std::string list_of_experiments(std::size_t width);
 
-/// For a list of experiments: MC_EXPERIMENT(mean, "x", "the mean of x"). One that returns a list says
-/// how to print it: MC_EXPERIMENT(halton, "n dims", "…", {.dims = "dims"})
+/// For a list of experiments: MC_EXPERIMENT(mean, "x", "the mean of x"). One that returns a list
+/// says how to print it: MC_EXPERIMENT(halton, "n dims", "…", {.dims = "dims"})
 #define MC_EXPERIMENT(name, parameters, description, ...)                  \
   ::mc::runner::make_experiment<&mc::experiments::name>(#name, parameters, \
                                                         description __VA_OPT__(, ) __VA_ARGS__)

@@ -1,5 +1,5 @@
-// main() of a submission's program. Without arguments it is judged: one request on descriptor 0, one
-// response on descriptor 3 (wire.hpp). With arguments it is run by hand:
+// main() of a submission's program. Without arguments it is judged: one request on descriptor 0,
+// one response on descriptor 3 (wire.hpp). With arguments it is run by hand:
 //
 //   program                 (judged)
 //   program --list 80       the experiments of this lab, in lines of 80 columns

@@ -14,9 +14,9 @@
 
 namespace mc::runner {
 
-/// How the first list of a result is cut into columns; without any of these it is one column. All but
-/// `columns` and `index` name a parameter of the experiment, whose value counts: a number, or the
-/// length of a list.
+/// How the first list of a result is cut into columns; without any of these it is one column. All
+/// but `columns` and `index` name a parameter of the experiment, whose value counts: a number, or
+/// the length of a list.
 struct Layout {
   std::string_view columns =
       {};  ///< their names, between blanks; otherwise x y z, or x0 x1 x2 x3 …

@@ -27,8 +27,8 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// The words between blanks.
 std::vector<std::string> words_of(std::string_view text);
 
-/// Words in lines of at most `width` columns; lines after the first begin with `indent` blanks, which
-/// do not count.
+/// Words in lines of at most `width` columns; lines after the first begin with `indent` blanks,
+/// which do not count.
 std::string wrapped(const std::vector<std::string>& words, std::size_t width, std::size_t indent);
 
 /// The columns that a UTF-8 text takes: one per code point; the labs use no others.

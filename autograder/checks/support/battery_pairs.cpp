@@ -145,8 +145,8 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
   return family.failure();
 }
 
-/// Three positions in a row, and the first two with the last: pairwise independent numbers may still
-/// determine a third.
+/// Three positions in a row, and the first two with the last: pairwise independent numbers may
+/// still determine a third.
 std::optional<Failure> test_triples(const Uniforms& numbers, const Randomness& claim,
                                     std::span<const Complex> z) {
   const std::size_t positions = numbers.positions, replicates = numbers.replicates();

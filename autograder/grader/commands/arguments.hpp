@@ -41,7 +41,8 @@ struct Syntax {
   std::vector<std::string> options;
   std::size_t words_before_verbatim = any_number;
 };
-/// --help is an option, too. Throws UsageError for an unknown option, naming the nearest, or for a missing value.
+/// --help is an option, too. Throws UsageError for an unknown option, naming the nearest, or for a
+/// missing value.
 Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& syntax);
 
 struct LabAndTask {

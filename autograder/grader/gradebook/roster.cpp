@@ -13,11 +13,12 @@ namespace mc::grader {
 namespace {
 
 /// The columns that may hold a value, in lower case; the first that is not empty counts.
-///   Canvas, gradebook: Student, ID, SIS User ID, SIS Login ID, Section. Its ID is the number in the
+///   Canvas, gradebook: Student, ID, SIS User ID, SIS Login ID, Section. ID is the number in the
 ///     names of downloaded files (community.canvaslms.com, "How do I export grades in the
 ///     Gradebook?"; github.com/instructure/canvas-lms, lib/gradebook_importer.rb).
-///   Moodle, grading worksheet: Identifier ("Participant 123"), Full name, ID number, Email address,
-///     Status, Last modified (submission) (github.com/moodle/moodle, mod/assign/gradingtable.php);
+///   Moodle, grading worksheet: Identifier ("Participant 123"), Full name, ID number, Email
+///     address, Status, Last modified (submission)
+///     (github.com/moodle/moodle, mod/assign/gradingtable.php);
 ///     participants and grades: First name, Last name or Surname, ID number, Email address.
 ///   Gradescope, roster: First Name and Last Name, or Name; SID, Email, Role
 ///     (help.gradescope.com/article/w59nl02vyt-instructor-course-add-members).

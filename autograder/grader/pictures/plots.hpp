@@ -13,8 +13,8 @@
 
 namespace mc::grader {
 
-/// Why measurements are missing in a directory of data: "halton is not written yet". Of one picture,
-/// or of all.
+/// Why measurements are missing in a directory of data: "halton is not written yet". Of one
+/// picture, or of all.
 std::set<std::string> missing_in(const std::filesystem::path& data,
                                  const std::string& picture = "");
 

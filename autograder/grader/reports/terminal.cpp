@@ -134,8 +134,8 @@ std::string short_report(const CheckResult& result, std::set<std::string>& hints
   return all;
 }
 
-/// How many of the checks from `first` on share one line: those that the same failure of the machine
-/// prevented; of one task, those that are waiting, not written or not run.
+/// How many of the checks from `first` on share one line: those that the same failure of the
+/// machine prevented; of one task, those that are waiting, not written or not run.
 std::size_t together_from(const std::vector<CheckResult>& checks, std::size_t first) {
   const CheckResult& one = checks[first];
   if (one.status == Status::passed || is_fault(one)) return 1;

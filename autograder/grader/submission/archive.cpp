@@ -65,8 +65,8 @@ fs::path target_of(archive_entry* entry) {
   return ignored ? fs::path() : place;
 }
 
-/// Copies at most `most` bytes of the entry into a new file; returns how many. Sets `longer` if there
-/// are more; does not read the entry if `most` is 0.
+/// Copies at most `most` bytes of the entry into a new file; returns how many. Sets `longer` if
+/// there are more; does not read the entry if `most` is 0.
 std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& longer) {
   std::ofstream file(to, std::ios::binary);
   std::vector<char> buffer(std::size_t{1} << 16);

@@ -21,8 +21,8 @@ struct BuildResult {
 /// Compiles what is new (one translation unit per file) and links. Other builds, of this process or
 /// of others, may run at the same time. There is one program: what is timed is what was judged, so
 /// that no text can distinguish the two. The library's assertions are on in it; in a loop over a
-/// list's own size they cost nothing. Throws MachineError if the machine fails: that is not a grade.
-/// `workers` files are compiled at the same time.
+/// list's own size they cost nothing. Throws MachineError if the machine fails: that is not a
+/// grade. `workers` files are compiled at the same time.
 BuildResult build_program(const Layout& layout, const Lab& lab, const Submission& submission,
                           unsigned workers = cores());
 

@@ -38,8 +38,8 @@ void precompile_headers(const Layout& layout);
 /// The compile flags of a submission, as recorded with a grade.
 std::vector<std::string> compile_flags();
 
-/// The flags for the directories of headers, in a stable order: of the labs, and of the repository if
-/// wanted.
+/// The flags for the directories of headers, in a stable order: of the labs, and of the repository
+/// if wanted.
 std::vector<std::string> include_flags(const Layout& layout, bool with_repository);
 
 /// How a compiler or linker ended.

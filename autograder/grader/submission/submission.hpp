@@ -38,8 +38,8 @@ struct Submission {
   Delivery delivery = {};
 };
 
-/// The lab files in `directory` itself, by the lab's name. Links are ignored, also as the directory:
-/// they might lead to the solutions.
+/// The lab files in `directory` itself, by the lab's name. Links are ignored, also as the
+/// directory: they might lead to the solutions.
 std::map<std::string, std::filesystem::path> files_in(const std::vector<Lab>& labs,
                                                       const std::filesystem::path& directory);
 

@@ -149,8 +149,8 @@ bool only_counts(const std::vector<Token>& tokens, std::size_t i) {
   return in_cast || is_counter || tokens[i + 1].text == "(";
 }
 
-/// Whether the number at `i` is the initial value of a member, `std::size_t next_ = 0, sample_ = 0`.
-/// Some call sets it before it is used.
+/// Whether the number at `i` is the initial value of a member (`std::size_t next_ = 0;`). Some call
+/// sets it before it is used.
 bool is_initial_value(const std::vector<Token>& tokens, std::size_t i) {
   return i >= 3 && tokens[i - 1].text == "=" && tokens[i - 2].text.ends_with('_') &&
          (tokens[i - 3].kind == Kind::word || tokens[i - 3].text == ",");
