@@ -272,7 +272,7 @@ std::string bench_page(const Bench& bench, const std::string& outline,
   std::string page = outline;
   for (auto [name, text] : parts) {
     while (text.ends_with('\n')) text.pop_back();
-    replace_all(page, fmt::format("{{{{{}}}}}", name), text);
+    page = with_replacements(page, {{fmt::format("{{{{{}}}}}", name), text}});
   }
   return page;
 }

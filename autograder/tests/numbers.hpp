@@ -32,6 +32,7 @@
 
 #include <fmt/format.h>
 
+#include "grader/base/replace.hpp"
 #include "tests/documents.hpp"
 
 namespace mc::tests {
@@ -41,23 +42,14 @@ struct WrittenNumber {
   double value = 0, half_unit = 0;
 };
 
-inline std::string replaced(std::string text, std::string_view what, std::string_view with) {
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + with.size())) {
-    text.replace(at, what.size(), with);
-  }
-  return text;
-}
-
 /// "3/8", "−170.7", "36.5 %", "0.5", "1,024", "4.2 · 2⁻⁵³", "4.2 \cdot 2^{-53}", "5.9e-5", "10³⁰⁸";
 /// nothing if it is not a number.
 inline std::optional<WrittenNumber> number_of(std::string text) {
-  constexpr std::pair<const char*, const char*> plain[] = {
-      {"\\cdot", "*"}, {"·", "*"},   {"{", ""},    {"}", ""},    {"−", "-"},  {",", ""},
-      {" ", ""},       {"½", "1/2"}, {"¼", "1/4"}, {"¾", "3/4"}, {"⁰", "^0"}, {"¹", "^1"},
-      {"²", "^2"},     {"³", "^3"},  {"⁴", "^4"},  {"⁵", "^5"},  {"⁶", "^6"}, {"⁷", "^7"},
-      {"⁸", "^8"},     {"⁹", "^9"},  {"⁻", "^-"}};
-  for (const auto& [what, with] : plain) text = replaced(text, what, with);
+  text = grader::with_replacements(
+      text, {{"\\cdot", "*"}, {"·", "*"},   {"{", ""},    {"}", ""},    {"−", "-"},  {",", ""},
+             {" ", ""},       {"½", "1/2"}, {"¼", "1/4"}, {"¾", "3/4"}, {"⁰", "^0"}, {"¹", "^1"},
+             {"²", "^2"},     {"³", "^3"},  {"⁴", "^4"},  {"⁵", "^5"},  {"⁶", "^6"}, {"⁷", "^7"},
+             {"⁸", "^8"},     {"⁹", "^9"},  {"⁻", "^-"}});
   for (std::string before; before != text;) {  // "10^3^0^8" is 10^308
     before = text;
     text = std::regex_replace(text, std::regex(R"((\^[-0-9]+)\^)"), "$1");
@@ -119,7 +111,8 @@ inline std::vector<Claim> claims_in(const std::string& document) {
     const auto end = document.find(closing, at);
     const auto after = std::min(end + closing.size() + 1, document.size());
     const std::string rest = without_comments(document.substr(after));
-    const std::string passage = replaced(rest.substr(0, rest.find("\n\n")), "\n", " ");
+    const std::string passage =
+        grader::with_replacements(rest.substr(0, rest.find("\n\n")), {{"\n", " "}});
     const auto first = at + opening.size();
     std::istringstream lines(document.substr(first, end - first));
     Words bench;

@@ -66,7 +66,7 @@ Cells cells_of_plots(const Layout& layout, const Lab& one) {
   for (const auto& entry : fs::directory_iterator(data)) {
     if (entry.path().extension() != ".tsv") continue;
     const std::string file = entry.path().stem().string();
-    std::istringstream text(replaced(read_text(entry.path()), "\t", " "));
+    std::istringstream text(with_replacements(read_text(entry.path()), {{"\t", " "}}));
     std::string line;
     std::getline(text, line);
     const auto columns = words_of(line);

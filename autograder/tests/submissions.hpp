@@ -38,13 +38,17 @@ class Scratch {
   std::filesystem::path path_;
 };
 
+struct ZipFiles {
+  std::filesystem::path directory, zip;
+};
+
 /// Zips the content of a directory, with paths relative to it.
-inline void zip_content(const std::filesystem::path& directory, const std::filesystem::path& zip) {
-  std::vector<std::string> command{"cmake", "-E", "tar", "cf", zip.string(), "--format=zip"};
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+inline void zip_content(const ZipFiles& files) {
+  std::vector<std::string> command{"cmake", "-E", "tar", "cf", files.zip.string(), "--format=zip"};
+  for (const auto& entry : std::filesystem::directory_iterator(files.directory)) {
     command.push_back(entry.path().filename().string());
   }
-  REQUIRE_RUN(run, sandbox::run_process(command, {.directory = directory}));
+  REQUIRE_RUN(run, sandbox::run_process(command, {.directory = files.directory}));
 }
 
 /// `git …` in a repository, which must succeed.
@@ -62,7 +66,7 @@ inline std::string git(const std::filesystem::path& repository,
 inline std::filesystem::path built_for(const std::filesystem::path& root,
                                        const std::filesystem::path& build, const char* program) {
   const grader::Layout real = grader::read_layout();
-  const auto copy = build / "bin" / program;
+  auto copy = build / "bin" / program;
   std::filesystem::create_directories(build / "bin");
   std::filesystem::copy_file(real.build / "bin" / program, copy,
                              std::filesystem::copy_options::skip_existing);
@@ -89,7 +93,7 @@ struct FirstLab {
     return grader::build_program(layout, lab, grader::open_submission(labs, directory));
   }
   /// In a directory with the same name in every run: the same text is compiled only once.
-  grader::BuildResult build_text(const std::string& name, const std::string& text) const {
+  grader::BuildResult build_text(const char* name, const std::string& text) const {
     const auto directory = layout.build / "tests" / name;
     std::filesystem::create_directories(directory);
     grader::write_text(directory / "variance.cpp", text);

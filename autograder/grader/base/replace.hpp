@@ -1,20 +1,27 @@
 #pragma once
 // Replaces parts of a text.
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
 namespace mc::grader {
 
-/// Replaces each `from` by `to`, from left to right; does not look into what it inserted.
-inline void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  std::string all;
-  std::size_t done = 0;
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, done)) {
-    all.append(text, done, at - done) += to;
-    done = at + from.size();
+struct Replacement {
+  std::string_view from, to;
+};
+
+/// Makes the replacements one after another. Each replaces `from` by `to` wherever it is, from left
+/// to right, but not in what it inserted.
+inline std::string with_replacements(std::string_view text,
+                                     std::initializer_list<Replacement> replacements) {
+  std::string all(text);
+  for (const auto& [from, to] : replacements) {
+    for (auto at = all.find(from); at != std::string::npos; at = all.find(from, at + to.size())) {
+      all.replace(at, from.size(), to);
+    }
   }
-  text = all.append(text, done);
+  return all;
 }
 
 }  // namespace mc::grader

@@ -39,7 +39,7 @@ fs::path program_directory() {
 std::string find_compiler() {
   const char* const chosen = std::getenv("CXX");
   for (const char* name : {chosen == nullptr ? "" : chosen, "c++", "g++", "clang++"}) {
-    const std::string file = sandbox::found_in_path(name);
+    std::string file = sandbox::found_in_path(name);
     if (file.find('/') != std::string::npos && !fs::is_directory(file) &&
         access(file.c_str(), X_OK) == 0) {
       return file;

@@ -44,7 +44,7 @@ std::string script(const Context& context) {
     experiments += fmt::format("      {}|{}|{}) words='{}' ;;\n", lab.number, lab.name, lab.folder,
                                fmt::join(names, " "));
   }
-  std::string all =
+  constexpr std::string_view text =
       R"sh(# Put this into ~/.bashrc or ~/.zshrc:  eval "$(./lab completion bash)"  (or zsh)
 _monte_carlo_labs() {
   local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} words=
@@ -68,12 +68,12 @@ _monte_carlo_labs() {
 }
 complete -o default -F _monte_carlo_labs ./lab lab
 )sh";
-  replace_all(all, "@OPTIONS@", options);
-  replace_all(all, "@EXPERIMENTS@", experiments);
-  replace_all(all, "@COMMANDS@", fmt::format("{}", fmt::join(commands, " ")));
-  replace_all(all, "@LABS@", fmt::format("{}", fmt::join(labs, " ")));
-  replace_all(all, "@TASKS@", fmt::format("{}", fmt::join(tasks, " ")));
-  return all;
+  const auto words = [](const auto& list) { return fmt::format("{}", fmt::join(list, " ")); };
+  return with_replacements(text, {{"@OPTIONS@", options},
+                                  {"@EXPERIMENTS@", experiments},
+                                  {"@COMMANDS@", words(commands)},
+                                  {"@LABS@", words(labs)},
+                                  {"@TASKS@", words(tasks)}});
 }
 
 int completion(const Context& context, const Arguments& arguments) {

@@ -38,16 +38,15 @@ std::string readme_for(const std::string& given, const std::vector<Lab>& labs,
   }
   const Lab& first = labs.front();
   if (first.number != 1) {
-    replace_all(all, "1-variance", first.folder);
-    replace_all(all, "variance", first.name);
-    replace_all(all, "check 1.", fmt::format("check {}.", first.number));
+    all = with_replacements(all, {{"1-variance", first.folder},
+                                  {"variance", first.name},
+                                  {"check 1.", fmt::format("check {}.", first.number)}});
   }
   for (const Lab& lab : labs) {
     list += fmt::format("{}- [{}](labs/{}/README.md)", list.empty() ? "" : "\n", lab.title(),
                         lab.folder);
   }
-  replace_all(all, "<!-- labs -->", list);
-  return all;
+  return with_replacements(all, {{"<!-- labs -->", list}});
 }
 
 /// Replaces "<!-- if FORM -->…<!-- end -->" by its content for this form of the judge, and removes
@@ -96,9 +95,9 @@ void leave_tasks_out(const fs::path& root, const Lab& lab, const fs::path& to) {
       if (fs::exists(file)) write_text(file, without_section(read_text(file), heading + task));
     }
     const fs::path starter = to / "starter" / lab.file();
-    std::string text = read_whole_text(starter);
-    replace_all(text, fmt::format("TODO({}):", task), "not part of this course:");
-    write_text(starter, text);
+    write_text(starter,
+               with_replacements(read_whole_text(starter),
+                                 {{fmt::format("TODO({}):", task), "not part of this course:"}}));
   }
 }
 
@@ -109,9 +108,8 @@ int steps_in(const Manifest& manifest) {
 /// "has three steps", with the number of this handout.
 void state_hints(const fs::path& readme, const Manifest& manifest) {
   constexpr const char* numbers[] = {"no steps", "one step", "two steps", "three steps"};
-  std::string text = read_whole_text(readme);
-  replace_all(text, "has three steps", fmt::format("has {}", numbers[steps_in(manifest)]));
-  write_text(readme, text);
+  const std::string steps = fmt::format("has {}", numbers[steps_in(manifest)]);
+  write_text(readme, with_replacements(read_whole_text(readme), {{"has three steps", steps}}));
 }
 
 /// Writes the handout that this manifest describes into an empty directory.

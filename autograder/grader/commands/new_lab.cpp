@@ -50,16 +50,14 @@ std::vector<fs::path> write_new_lab(const fs::path& skeleton, int number, const 
   std::string dashed = name, title = name;
   std::replace(dashed.begin(), dashed.end(), '_', '-');
   std::replace(title.begin(), title.end(), '_', ' ');
-  const std::map<std::string, std::string> values{
-      {"@lab@", name},
-      {"@number@", std::to_string(number)},
-      {"@title@", title},
-      {"@folder@", fmt::format("{}-{}", number, dashed)}};
   std::map<fs::path, std::string> files;
   std::string* text = nullptr;
-  std::istringstream lines(read_whole_text(skeleton));
+  std::istringstream lines(with_replacements(read_whole_text(skeleton),
+                                             {{"@lab@", name},
+                                              {"@number@", std::to_string(number)},
+                                              {"@title@", title},
+                                              {"@folder@", fmt::format("{}-{}", number, dashed)}}));
   for (std::string line; std::getline(lines, line);) {
-    for (const auto& [key, value] : values) replace_all(line, key, value);
     if (line.starts_with("==== ")) {
       text = &files[line.substr(5)];
     } else if (text != nullptr) {

@@ -90,7 +90,7 @@ Demo make_demo(const Context& context, const Submission& submission) {
       {"VERSION", html_escaped(context.layout.version)},
       {"DATA", data + ']'}};
   for (const auto& [name, text] : parts) {
-    replace_all(demo.page, fmt::format("<!--{}-->", name), text);
+    demo.page = with_replacements(demo.page, {{fmt::format("<!--{}-->", name), text}});
   }
   return demo;
 }

@@ -16,10 +16,9 @@ bool gnuplot_is_there() {
   return sandbox::run_process({"gnuplot", "--version"}).exit_code == 0;
 }
 
-std::string gnuplot_string(std::string text) {
-  replace_all(text, "'", "''");
-  replace_all(text, "\n", "'.\"\\n\".'");  // only double quotes know \n
-  return '\'' + text + '\'';
+std::string gnuplot_string(std::string_view text) {
+  // Only double quotes know \n.
+  return '\'' + with_replacements(text, {{"'", "''"}, {"\n", "'.\"\\n\".'"}}) + '\'';
 }
 
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts) {

@@ -22,7 +22,7 @@ bool gnuplot_is_there();
 bool can_draw(Plots& plots);
 
 /// A string, and a list of strings, quoted for gnuplot.
-std::string gnuplot_string(std::string text);
+std::string gnuplot_string(std::string_view text);
 std::string gnuplot_array(const std::string& name, const std::vector<std::string>& texts);
 
 /// The beginning of every script: the output, its format, the style.

@@ -51,8 +51,7 @@ std::string csv_field(const std::string& text) {
   std::string line = sandbox::printable_line(text);
   if (begins_formula(text)) line.insert(0, "'");
   if (line.find_first_of("\",;' ") == std::string::npos) return line;
-  replace_all(line, "\"", "\"\"");
-  return '"' + line + '"';
+  return '"' + with_replacements(line, {{"\"", "\"\""}}) + '"';
 }
 
 std::string csv_header(const std::vector<LabColumns>& labs, People people) {

@@ -133,11 +133,8 @@ std::string speed_table(const LabVerdict& lab) {
 std::string pictures_of(const std::vector<std::filesystem::path>& files) {
   std::string all;
   for (const auto& file : files) {
-    std::string svg = read_text(file);
-    replace_all(svg, "%", "%25");  // first: the others insert it
-    replace_all(svg, "#", "%23");
-    replace_all(svg, "\n", "%0A");
-    replace_all(svg, "\t", "%09");
+    const std::string svg = with_replacements(  // % first: the others insert it
+        read_text(file), {{"%", "%25"}, {"#", "%23"}, {"\n", "%0A"}, {"\t", "%09"}});
     all += fmt::format(
         "<figure><img alt=\"plot {0}\" src=\"data:image/svg+xml,{1}\">"
         "<figcaption class=\"quiet\">{0}</figcaption></figure>\n",
@@ -177,12 +174,8 @@ std::string lab_section(const LabVerdict& lab, std::uint64_t seed, const PageMat
 }  // namespace
 
 std::string html_escaped(std::string_view text) {
-  std::string all(text);
-  replace_all(all, "&", "&amp;");  // first: the others insert it
-  replace_all(all, "<", "&lt;");
-  replace_all(all, ">", "&gt;");
-  replace_all(all, "\"", "&quot;");
-  return all;
+  return with_replacements(  // & first: the others insert it
+      text, {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}});
 }
 
 std::string scrolling(const std::string& label) {

@@ -169,7 +169,7 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
   auto [opened, messages] = parse_compiler_output(compiled.errors);
   for (const fs::path& place : {directory, unit.layout.build, unit.layout.root}) {
     // Students need not see where the checkout is.
-    replace_all(messages, place.string() + '/', "");
+    messages = with_replacements(messages, {{place.string() + '/', ""}});
   }
   // Messages must not show files that are off limits. The text itself may add lines to the list:
   // they hide its own messages and do no other harm.

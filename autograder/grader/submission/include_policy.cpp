@@ -81,9 +81,9 @@ std::vector<fs::path> dependencies(const std::string& rule) {
   return files;
 }
 
-bool may_embed(std::string text) {
-  for (const char* splice : {"\\\n", "\\\r\n"}) replace_all(text, splice, "");
-  return text.find("embed") != std::string::npos;
+bool may_embed(std::string_view text) {
+  const std::string joined = with_replacements(text, {{"\\\n", ""}, {"\\\r\n", ""}});
+  return joined.find("embed") != std::string::npos;
 }
 
 std::optional<fs::path> forbidden(const Layout& layout, bool trusted, const fs::path& directory,

@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> dependencies(const std::string& rule);
 
 /// Does the text have an #embed, which -H does not list? A false alarm is possible: a comment with
 /// that word counts too.
-bool may_embed(std::string text);
+bool may_embed(std::string_view text);
 
 /// The first of `files` that a submission compiled in `directory` must not read. It may read that
 /// directory, the labs, and the system's headers; a trusted one may read the whole repository.

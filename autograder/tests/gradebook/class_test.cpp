@@ -112,7 +112,7 @@ TEST_CASE("deep names in a zip are left out") {
   for (int i = 0; i < 20; ++i) deep.insert(0, "d/");
   place.write("in/" + deep, "int x;\n");
   const fs::path zip = place.path() / "deep.zip";
-  zip_content(place.path() / "in", zip);
+  zip_content({.directory = place.path() / "in", .zip = zip});
   fs::create_directories(place.path() / "out");
   unpack({.zip = zip, .to = place.path() / "out"});
   const fs::recursive_directory_iterator entries(place.path() / "out");

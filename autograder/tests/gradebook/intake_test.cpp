@@ -32,7 +32,7 @@ struct Place : Scratch {
   }
   /// Zips the content of `directory`, with paths relative to it, and removes the directory.
   Place& zip(const std::string& directory, const fs::path& file) {
-    mc::tests::zip_content(path() / directory, path() / file);
+    mc::tests::zip_content({.directory = path() / directory, .zip = path() / file});
     fs::remove_all(path() / directory);
     return *this;
   }

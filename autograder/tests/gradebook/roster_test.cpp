@@ -142,7 +142,7 @@ TEST_CASE("Canvas's LATE mark and Gradescope's time become columns, from zips to
              "    :email: jane@example.edu\n  :created_at: 2026-01-02 03:04:05.170614000 Z\n"
              "  :history:\n  - :id: 5\n    :created_at: 2025-01-01 00:00:00 Z\n");
   const std::string zip = (course.path() / "export.zip").string();
-  zip_content(in, zip);
+  zip_content({.directory = in, .zip = zip});
   REQUIRE(course.run({"grade", zip, "--lab", "1", "--csv", csv}).exit_code == 0);
   table = read_table(csv);
   REQUIRE(table.rows.size() == 2);

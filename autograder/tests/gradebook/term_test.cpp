@@ -70,7 +70,7 @@ struct Term : Course {
     hand_in_folder(place, work);
     fs::create_directories((place / manifest_file).parent_path());
     write_text(place / manifest_file, "version=0.9\n");
-    zip_content(place, place.string() + ".zip");
+    zip_content({.directory = place, .zip = place.string() + ".zip"});
     fs::remove_all(place);
   }
   /// A clone of the handout with the student's work.
