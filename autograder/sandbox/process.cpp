@@ -206,7 +206,7 @@ std::string found_in_path(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream places(path == nullptr ? "/usr/bin:/bin" : path);
   for (std::string place; std::getline(places, place, ':');) {
-    const std::string file = place + '/' + name;
+    std::string file = place + '/' + name;
     if (file[0] == '/' && access(file.c_str(), X_OK) == 0) return file;
   }
   return name;

@@ -32,7 +32,7 @@ do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
 unset multiplot
 
 # A picture ---------------------------------------------------------------------------------------
-name = "shadow"; width = 600; height = 250 * count
+name = "shadow"; width = 600; height = (count > 1 ? 276 : 250) * count
 load draw
 array rmse[3 * count]  # read before ranges are set, because stats would apply them
 do for [s=1:count] { do for [k=1:3] {
@@ -40,7 +40,7 @@ do for [s=1:count] { do for [k=1:3] {
   rmse[3 * (s - 1) + k] = exists("STATS_min") ? STATS_min : NaN
   undefine STATS_*
 } }
-set multiplot layout count,3 margins 3./width, 1 - 3./width, 26./height, 1 - 28./height spacing 6./width, 60./height
+set multiplot layout count,3 margins 3./width, 1 - 3./width, 26./height, 1 - (head(count) - 6)/height spacing 6./width, (26 + head(count))/height
 set xlabel offset 0,0.3
 set size square
 set palette gray
@@ -55,7 +55,7 @@ set autoscale yfix
 do for [s=1:count] {
   do for [k=1:3] {
     m = word("independent jittered multi_jittered", k)
-    set title is(m).who(s)
+    set title (k == 2 && count > 1 ? labels[s]."\n" : "").is(m)
     set xlabel sprintf("RMSE %.3f", rmse[3 * (s - 1) + k])
     plot data[s]."/shadow-".m.".tsv" matrix with image
   }

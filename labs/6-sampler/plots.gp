@@ -116,7 +116,7 @@ do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
     set xtics ("independent" 1, "stratified" 2, "blue noise" 3, "Halton" 4, "Sobol'" 5, "lattice" 6) rotate by 40 right
     set xlabel ""
     set title sprintf("%d samples", samples[i]).who(s)
-    set ylabel (i % 2 == 1 && s == 1 ? "ns per coordinate, of 4" : "")
+    set ylabel (i % 2 == 1 && s == 1 ? "ns per coordinate, of 4" : "") offset 0,0
     set termoption enhanced
     if (i == 3 && s == 1) { set key at screen 0.02, 0.01 left bottom vertical maxrows 2 Left reverse samplen 1 } else { unset key }
     if (i == 3) { set label 1 "blue noise is not timed:\n4096²/2 candidates" at 3,200 center textcolor rgb ink } else { unset label 1 }

@@ -136,6 +136,17 @@ void look_at(Section& section, const std::vector<Panel>& panels,
   if (has_some) section.why_empty.clear();
 }
 
+/// What the panels are called: directories by their names, or by their paths if two have the same.
+std::vector<std::string> labels_of(const std::vector<Submission>& submissions) {
+  std::vector<std::string> names, paths;
+  for (const Submission& submission : submissions) {
+    paths.push_back(submission.label);
+    names.push_back(fs::path(submission.label).filename().string());
+  }
+  const std::set<std::string> different(names.begin(), names.end());
+  return different.size() == names.size() && !different.contains("") ? names : paths;
+}
+
 /// Measures everything for the plots, with submissions and cases in parallel.
 void measure(const Layout& layout, const Lab& lab, const std::vector<Panel>& panels,
              std::vector<std::string>& remarks) {
@@ -194,16 +205,17 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   if (!can_draw(plots)) return plots;
   const fs::path place = layout.build / "plots" / folder;
   std::vector<Panel> panels;
-  for (const Submission& submission : submissions) {
-    BuildResult built = build_program(layout, lab, submission);
+  const std::vector<std::string> labels = labels_of(submissions);
+  for (std::size_t i = 0; i < submissions.size(); ++i) {
+    BuildResult built = build_program(layout, lab, submissions[i]);
     if (!built.program) {
-      plots.remarks.push_back(fmt::format("{} is not drawn: {}", submission.label, built.failure));
+      plots.remarks.push_back(fmt::format("{} is not drawn: {}", labels[i], built.failure));
       continue;
     }
     const fs::path data = place / "data" / fmt::format("{}-{}", lab.name, panels.size());
     fs::remove_all(data);
     fs::create_directories(data);
-    panels.push_back({submission.label, std::move(built), data});
+    panels.push_back({labels[i], std::move(built), data});
   }
   if (panels.empty()) return plots;
   measure(layout, lab, panels, plots.remarks);

@@ -92,11 +92,9 @@ TEST_CASE("plot the bad pairs", "[.plot]") {
 
 /// An RMSE of 32 sets is right to an eighth of itself: a third of a mark's height.
 void plot_convergence(const Names& names, const std::vector<Integrand>& of) {
-  auto keys = shown;
-  keys.push_back("lattice");
   plot_errors({.names = names,
                .integrands = of,
-               .methods = methods_of(methods, keys),
+               .methods = methods_of(methods, shown),
                .sizes = {16, 64, 256, 1024, 4096, 16384, 65536},
                .replicates = [](Count n) -> Count { return n > 10000 ? 8 : 32; }});
 }
