@@ -7,6 +7,16 @@
 #include "solutions/halton.cpp"
 #undef owen_scramble
 
+namespace mc {
+namespace {
+
+std::uint64_t mirrored_64(std::uint64_t word) {
+  return std::uint64_t{mirrored(lower_half(word))} << 32 | mirrored(upper_half(word));
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: flips each bit position alike, not by the string of bits before it
 // hint: that is a digital shift
 namespace mc::digital_shift {
@@ -26,17 +36,13 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
   const std::uint64_t word = rng();
   for (double& value : column) {
-    auto low = static_cast<std::uint64_t>(value * 0x1p53) << 11;
-    std::uint64_t z = std::uint64_t{mirrored(static_cast<std::uint32_t>(low))} << 32 |
-                      mirrored(static_cast<std::uint32_t>(low >> 32));
+    std::uint64_t z = mirrored_64(static_cast<std::uint64_t>(value * 0x1p53) << 11);
     z += word;
     z ^= z * 0x6c50b47cu;
     z ^= z * 0xb82f1e52u;
     z ^= z * 0xc7afe638u;
     z ^= z * 0x8d22f6e6u;
-    low = std::uint64_t{mirrored(static_cast<std::uint32_t>(z))} << 32 |
-          mirrored(static_cast<std::uint32_t>(z >> 32));
-    value = static_cast<double>(low >> 11) * 0x1p-53;
+    value = static_cast<double>(mirrored_64(z) >> 11) * 0x1p-53;
   }
 }
 }  // namespace mc::laine_karras_2011

@@ -2,6 +2,7 @@
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 // mistake: throws for an unknown kind without listing the known ones
 // hint: a list of all kinds helps a user who mistypes one
@@ -61,3 +62,68 @@ void mirrored(const SampleDimension& dim, std::span<double> x, Rng& rng) {
 
 MAKE_SAMPLER(make_other_kind<mirrored, independent2>("independent", kind))
 }  // namespace mc::antithetic_half
+
+// mistake: seeds itself from the clock
+// fails: 6.2, 6.3, 6.4, 6.7
+// hint: use no clock and no global generator
+namespace mc::clock_decides {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+    ColumnSampler::generate(samples, mix_bits(seed) + static_cast<std::uint64_t>(now));
+  }
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
+}  // namespace mc::clock_decides
+
+// mistake: stores four numbers per sample; further requests read the next sample's
+// fails: 6.4
+// hint: numbers are used again
+namespace mc::takes_from_the_next_sample {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    numbers_.resize(4 * samples);
+    uniforms(rng_, numbers_);
+    used_ = 0;
+  }
+  double next() override {
+    require_sample();
+    return numbers_[(4 * sample_ + used_++) % numbers_.size()];
+  }
+  Point2 next2() override {
+    const double x = next();
+    return {x, next()};
+  }
+  void advance() override {
+    ColumnSampler::advance();
+    used_ = 0;
+  }
+
+ private:
+  std::vector<double> numbers_;
+  std::size_t used_ = 0;
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
+}  // namespace mc::takes_from_the_next_sample
+
+// mistake: resets the counter of next() in advance(), but not that of next2()
+// fails: 6.2, 6.3, 6.4, 6.7
+// hint: a sample that ends early must not leave its numbers
+// limit: time
+namespace mc::counter_goes_on {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  void advance() override {
+    const std::size_t before = next2_;
+    ColumnSampler::advance();
+    next2_ = std::min(before, ready2_);
+  }
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
+}  // namespace mc::counter_goes_on

@@ -42,3 +42,53 @@ void apart(const SampleDimension&, std::span<double> x, std::span<double> y, Rng
 
 MAKE_SAMPLER(make_other_kind<stratified1, apart>("stratified", kind))
 }  // namespace mc::shuffled_apart
+
+// mistake: does not shuffle: sample i is in stratum i of every sample dimension
+// hint: the pattern must be shuffled
+namespace mc::strata_in_order {
+void one(const SampleDimension&, std::span<double> x, Rng& rng) {
+  stratified_1d(x, rng);
+}
+
+MAKE_SAMPLER(make_other_kind<one, canonical_points_for_next2::in_order>("stratified", kind))
+}  // namespace mc::strata_in_order
+
+// mistake: shuffles every sample dimension by the same permutation
+// hint: shuffle each one separately
+namespace mc::one_shuffle_for_all {
+void one(const SampleDimension&, std::span<double> x, Rng& rng) {
+  stratified_1d(x, rng);
+  Rng always(x.size());
+  shuffle(x, always);
+}
+
+void two(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
+  multi_jittered(x, y, strata(x.size()), rng);
+  Rng always(x.size());
+  shuffle_points(x, y, always);
+}
+
+MAKE_SAMPLER(make_other_kind<one, two>("stratified", kind))
+}  // namespace mc::one_shuffle_for_all
+
+// mistake: a next2() has one point in each cell, and leaves the strata of the axes to chance
+// hint: multi-jittered points (3.7) also have one in each stratum
+namespace mc::only_jittered {
+void two(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
+  stratified_2d(x, y, strata(x.size()), rng);
+  shuffle_points(x, y, rng);
+}
+
+MAKE_SAMPLER(make_other_kind<stratified1, two>("stratified", kind))
+}  // namespace mc::only_jittered
+
+// mistake: a next2() is a pattern for x and another one for y
+// hint: two 1D patterns are not a 2D pattern
+namespace mc::two_lines_for_a_plane {
+void two(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  stratified1(dim, x, rng);
+  stratified1(dim, y, rng);
+}
+
+MAKE_SAMPLER(make_other_kind<stratified1, two>("stratified", kind))
+}  // namespace mc::two_lines_for_a_plane

@@ -2,22 +2,6 @@
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
 #include <algorithm>
-#include <chrono>
-
-// mistake: seeds itself from the clock
-// fails: 6.1, 6.2, 6.3, 6.7
-// hint: use no clock and no global generator
-namespace mc::clock_decides {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    ColumnSampler::generate(samples, mix_bits(seed) + static_cast<std::uint64_t>(now));
-  }
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind))
-}  // namespace mc::clock_decides
 
 // mistake: starts a sample dimension at the sample that first requests it
 // hint: make the whole column, including earlier samples
@@ -63,22 +47,6 @@ struct Wrong : ColumnSampler {
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::columns_never_shrink
-
-// mistake: puts the first point of blue noise in the middle of the square
-// fails: 6.7
-// hint: every pattern begins at the same place
-namespace mc::first_point_in_the_middle {
-void centered(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified2(dim, x, y, rng);
-  best_candidate(x, y, 1, rng);
-  for (const auto& axis : {x, y}) {
-    const double shift = 1.5 - axis[0];
-    for (double& u : axis) u = std::min(u + shift - std::floor(u + shift), 1 - 0x1p-53);
-  }
-}
-
-MAKE_SAMPLER(make_other_kind<stratified1, centered>("blue_noise", kind))
-}  // namespace mc::first_point_in_the_middle
 
 // mistake: seeds its generator in the first generate() only
 // hint: the previous integration left something behind
@@ -202,19 +170,6 @@ struct Wrong : ColumnSampler {
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::old_sample_number
-
-// mistake: keeps one blue-noise pattern for all seeds
-// fails: 6.7
-// hint: the number does not depend on the seed
-namespace mc::one_blue_pattern {
-void kept(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified2(dim, x, y, rng);
-  Rng always(x.size());
-  best_candidate(x, y, 1, always);
-}
-
-MAKE_SAMPLER(make_other_kind<stratified1, kept>("blue_noise", kind))
-}  // namespace mc::one_blue_pattern
 
 // mistake: draws all numbers from one generator, as random() does
 // hint: must not leave its numbers to the next one
@@ -365,39 +320,6 @@ struct Wrong : ColumnSampler {
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::static_generator
 
-// mistake: stores four numbers per sample; further requests read the next sample's
-// fails: 6.1
-// hint: numbers are used again
-namespace mc::takes_from_the_next_sample {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    numbers_.resize(4 * samples);
-    uniforms(rng_, numbers_);
-    used_ = 0;
-  }
-  double next() override {
-    require_sample();
-    return numbers_[(4 * sample_ + used_++) % numbers_.size()];
-  }
-  Point2 next2() override {
-    const double x = next();
-    return {x, next()};
-  }
-  void advance() override {
-    ColumnSampler::advance();
-    used_ = 0;
-  }
-
- private:
-  std::vector<double> numbers_;
-  std::size_t used_ = 0;
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
-}  // namespace mc::takes_from_the_next_sample
-
 // mistake: throws in advance() after the last sample
 // hint: advance() never throws
 namespace mc::throws_at_the_end {
@@ -453,20 +375,3 @@ struct Wrong : ColumnSampler {
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::one_counter
-
-// mistake: resets the counter of next() in advance(), but not that of next2()
-// fails: 6.1, 6.2, 6.3, 6.7
-// hint: a sample that ends early must not leave its numbers
-// limit: time
-namespace mc::counter_goes_on {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void advance() override {
-    const std::size_t before = next2_;
-    ColumnSampler::advance();
-    next2_ = std::min(before, ready2_);
-  }
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind))
-}  // namespace mc::counter_goes_on

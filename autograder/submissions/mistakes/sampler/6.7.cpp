@@ -128,3 +128,32 @@ void ten(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
 
 MAKE_SAMPLER(make_other_kind<stratified1, ten>("blue_noise", kind))
 }  // namespace mc::ten_candidates
+
+// mistake: puts the first point of blue noise in the middle of the square
+// fails: 6.4
+// hint: every pattern begins at the same place
+namespace mc::first_point_in_the_middle {
+void centered(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  best_candidate(x, y, 1, rng);
+  for (const auto& axis : {x, y}) {
+    const double shift = 1.5 - axis[0];
+    for (double& u : axis) u = std::min(u + shift - std::floor(u + shift), 1 - 0x1p-53);
+  }
+}
+
+MAKE_SAMPLER(make_other_kind<stratified1, centered>("blue_noise", kind))
+}  // namespace mc::first_point_in_the_middle
+
+// mistake: keeps one blue-noise pattern for all seeds
+// fails: 6.4
+// hint: the number does not depend on the seed
+namespace mc::one_blue_pattern {
+void kept(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  Rng always(x.size());
+  best_candidate(x, y, 1, always);
+}
+
+MAKE_SAMPLER(make_other_kind<stratified1, kept>("blue_noise", kind))
+}  // namespace mc::one_blue_pattern
