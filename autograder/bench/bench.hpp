@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "grader/checkout/context.hpp"
 #include "grader/checkout/labs.hpp"
 #include "grader/checkout/layout.hpp"
 #include "grader/pictures/gnuplot.hpp"

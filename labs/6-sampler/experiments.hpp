@@ -1,7 +1,7 @@
 #pragma once
 // The experiments of lab 6: what is run and measured in a submission. `kind` is the argument of
-// make_sampler(). `scene` names a scene of labs/common/scenes, and `parameters` are the fields of
-// its struct in order; an empty list means their default values. `picture` is edge, penumbra,
+// make_sampler(). `scene` names a scene of labs/common/scenes.hpp, and `parameters` are the fields
+// of its struct in order; an empty list means their default values. `picture` is edge, penumbra,
 // defocus, motion or stripes.
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// The scenes and pictures of labs/common/scenes, by name.
+// The scenes and pictures of labs/common/scenes.hpp, by name.
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/scenes/all.hpp"
+#include "common/scenes.hpp"
 
 namespace mc::experiments {
 

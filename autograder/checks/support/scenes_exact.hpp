@@ -1,5 +1,5 @@
 #pragma once
-// The exact moments of the scenes of labs/common/scenes, for any valid parameters, derived from the
+// The exact moments of the scenes of labs/common/scenes.hpp, for any valid parameters, derived from the
 // geometry and not from the scene's code. Means are in closed form; all moments of an indicator
 // equal its mean; those of lights are integrals (Gauss-Legendre), accurate to 12 digits.
 
@@ -16,7 +16,7 @@
 
 #include "checks/support/rect_light_exact.hpp"
 #include "checks/support/statistics.hpp"
-#include "common/scenes/all.hpp"
+#include "common/scenes.hpp"
 
 namespace mc::checks {
 

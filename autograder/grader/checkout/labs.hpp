@@ -1,5 +1,5 @@
 #pragma once
-// The labs: found as folders labs/N-name.
+// The labs: found as folders labs/N-name. What all parts of the grader share is a Context.
 
 #include <string>
 #include <vector>
@@ -21,6 +21,19 @@ struct Lab {
 
 /// All labs, by number. A lab depends on those whose headers its header includes, transitively.
 std::vector<Lab> find_labs(const Layout& layout);
+
+struct Context {
+  Layout layout;
+  std::vector<Lab> labs;
+};
+
+struct Experiment {
+  std::string name;
+  std::vector<std::string> parameters;  ///< their names, in order
+};
+
+/// What a lab's experiments.cpp lists for ./lab run, in its order; empty if the lab has none.
+std::vector<Experiment> experiments_of(const Layout& layout, const Lab& lab);
 
 /// By number, name or folder. Throws UsageError with the nearest name where there is none.
 const Lab& find_lab(const std::vector<Lab>& labs, const std::string& text);

@@ -12,7 +12,7 @@
 
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
-#include "grader/checkout/context.hpp"
+#include "grader/checkout/labs.hpp"
 #include "grader/commands/arguments.hpp"
 #include "grader/submission/submission.hpp"
 #include "sandbox/printable.hpp"

@@ -1,7 +1,7 @@
 // completion: a script that completes commands, labs, tasks, experiments and options on TAB.
 
 #include "grader/base/replace.hpp"
-#include "grader/checkout/experiments.hpp"
+#include "grader/checkout/labs.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/list.hpp"
 #include "runner/text.hpp"

@@ -14,7 +14,7 @@
 
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
-#include "grader/checkout/context.hpp"
+#include "grader/checkout/labs.hpp"
 #include "grader/judging/verdict.hpp"
 #include "grader/reports/csv.hpp"
 #include "sandbox/printable.hpp"

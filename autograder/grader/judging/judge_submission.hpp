@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "grader/checkout/context.hpp"
+#include "grader/checkout/labs.hpp"
 #include "grader/judging/judge.hpp"
 
 namespace mc::grader {

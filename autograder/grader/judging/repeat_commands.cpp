@@ -6,7 +6,7 @@
 
 #include "grader/base/shell.hpp"
 #include "grader/base/text_file.hpp"
-#include "grader/checkout/experiments.hpp"
+#include "grader/checkout/labs.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/checkout/context.hpp"
+#include "grader/checkout/labs.hpp"
 #include "grader/submission/scratch.hpp"
 #include "grader/submission/submission.hpp"
 

@@ -233,9 +233,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view) {
 
 #include <typeinfo>
 
-#include "common/scenes/motion_edge.hpp"
-#include "common/scenes/pixel_edge.hpp"
-#include "common/scenes/rect_light.hpp"
+#include "common/scenes.hpp"
 
 namespace mc {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
