@@ -93,10 +93,14 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
     }
     expect_independent_uniforms(
         apart, {.words = independent, .alpha = 1e-8 / 52, .otherwise = "", .explain = [&] {
-                  return is_shift
+                  return !is_shift ? nested
+                         : k == 0
                              ? "every bit is flipped in the same way for all strings before it: "
                                "that is a digital shift; draw a flip for each string of bits before"
-                             : nested;
+                             : fmt::format(
+                                   "the flips after bit {} do not depend on that bit: use "
+                                   "all bits before a bit",
+                                   k);
                 }});
   }
   // All flips that the first 32 points show.
@@ -110,7 +114,10 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
     append(decided.values, uniforms_of_flips(points, all.column(set, 0), rng));
   }
   expect_independent_uniforms(decided,
-                              {.words = independent, .otherwise = nested, .repeated = nested});
+                              {.words = independent,
+                               .otherwise = nested,
+                               .repeated = "a flip is repeated for another seed, level or string: "
+                                           "mix all three by a hash, do not add them"});
 }
 
 CHECK_CASE("5.8 a value is scrambled the same way in any column", "[5.8][points:1][edge]") {
@@ -154,15 +161,18 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
        .otherwise = "different seeds give the same state: do not truncate a hash to 32 bits"});
 }
 
-CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
-  // N scrambled points of the line lie one in each of N strata. If they are independent, the error
-  // of the integral of exp(x) is a sum of N independent terms, hence Gaussian, with the variance
-  // (e^2 - 1)/(24 N^3), up to N^-2 of it. Then half of all errors are below the quartile, 0.6745
-  // standard deviations. If only pairs are independent, most errors are small.
+/// N scrambled points, equally spaced in an interval of length 2^-depth, lie one in each of N strata
+/// of an interval. If they are independent, the error of the integral of exp(x) over it, scaled to
+/// length 1, is a sum of N independent terms, hence Gaussian, with the variance (e^2 - 1)/(24 N^3),
+/// up to N^-2 of it. Then half of all errors are below the quartile, 0.6745 standard deviations. If
+/// only pairs are independent, most errors are small.
+void expect_gaussian_errors(int depth, Rng& rng) {
   constexpr std::size_t n = 1024, sets = 250, replicates = 1000;
   const double deviation = std::sqrt((std::exp(2.) - 1) / 24 / (double{n} * n * n));
   const double quartile = 0.6744897501960817 * deviation;
-  const Values x = sobol_points(0, n * (rng() % 1000), n);
+  const auto interval = static_cast<double>(rng() % (std::uint64_t{1} << depth));
+  Values x = steps(n);
+  for (double& value : x) value = std::ldexp(interval + value, -depth);
   std::string call;
   std::size_t below = 0, huge = 0;
   for (std::size_t done = 0; done < replicates; done += sets) {
@@ -170,7 +180,9 @@ CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
     call = got.call;
     for (std::size_t set = 0; set < sets; ++set) {
       double sum = 0;
-      for (const double value : got.column(set, 0)) sum += std::exp(value) - (std::exp(1.) - 1);
+      for (const double value : got.column(set, 0)) {
+        sum += std::exp(wrapped(std::ldexp(value, depth))) - (std::exp(1.) - 1);
+      }
       below += std::abs(sum / n) < quartile ? 1u : 0u;
       huge += std::abs(sum / n) > 5 * deviation ? 1u : 0u;
     }
@@ -180,7 +192,8 @@ CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
   // with a mixing step between them: 548 on average) fails once in 1e8 runs. Hashes that are
   // correct only in pairs fail: one multiply-and-add with a mixing step has 743; power 1 - 1e-14.
   expect_proportion(
-      call + ", the average of exp(x)",
+      fmt::format("{}, the average of exp over an interval of length 2^-{}, scaled to 1", call,
+                  depth),
       fmt::format("the error was below {:.3g}, the quartile of a Gaussian with Owen's variance",
                   quartile),
       below, replicates, 0.5, {"the errors of scrambled points of the line are Gaussian", 1e-17},
@@ -192,6 +205,10 @@ CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
                  "errors are above 5 standard deviations (1 in 1,700,000 for a Gaussian), and the "
                  "others are small; mix more, before and after using the seed",
                  huge)});
+}
+
+CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
+  for (const int depth : {0, 20}) expect_gaussian_errors(depth, rng);
 }
 
 }  // namespace

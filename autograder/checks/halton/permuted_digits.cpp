@@ -1,5 +1,7 @@
 // 5.9: the effect of each position's permutation on a value, and the permutations' randomness.
 
+#include <set>
+
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
 #include "checks/support/expect_all_seeds.hpp"
@@ -146,7 +148,14 @@ CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3]
     const Randomness claim{
         .words = "the scrambled value of index 0 is uniform",
         .otherwise = "use a random digit for each of the zeros of index 0, down to 2^-53",
-        .explain = [&] { return stay ? zeros_too : ""; }};
+        .explain = [&]() -> std::string {
+          const std::size_t different = std::set(values.begin(), values.end()).size();
+          return stay ? zeros_too
+                 : different <= base
+                     ? "all zeros of index 0 become the same digit: use a different "
+                       "permutation for each position"
+                     : "";
+        }};
     expect_independent_uniforms({zeros.call, 1, values}, claim, true);
     // The digits from the 40th bit on, to 6 bits: the last digits are rounded.
     const double power = std::pow(base, std::ceil(40 / std::log2(base)));

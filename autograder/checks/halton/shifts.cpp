@@ -10,6 +10,18 @@ namespace {
 /// and five more in the comparison. Twice that.
 constexpr double shift_tolerance = 18 * half_ulp;
 
+/// Whether at least one in eight points, and three, moved by the same vector, modulo 1.
+bool many_move_alike(View from, View to) {
+  Values moves;
+  for (std::size_t i = 0; i < from.size(); ++i) moves.push_back(wrapped(to[i] - from[i]));
+  std::ranges::sort(moves);
+  const std::size_t many = std::max<std::size_t>(3, moves.size() / 8);
+  for (std::size_t i = many; i <= moves.size(); ++i) {
+    if (moves[i - 1] - moves[i - many] <= shift_tolerance) return true;
+  }
+  return false;
+}
+
 /// The shifts of `times` copies of the points: one for all points of an axis, modulo 1.
 Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, std::uint64_t seed) {
   const std::size_t n = points.size() / dims;
@@ -33,8 +45,10 @@ Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, st
           "all points move by the same vector, modulo 1",
           "the differences of points do not change, modulo 1",
           inside && to[i] > 1 - 1e-6 ? "wrap around at 1, not earlier"
-          : inside                   ? "use one random number per axis, not one per point"
-          : to[i] == 1               ? "it was rounded up to 1: subtract 1 if the sum is 1"
+          : inside && many_move_alike(from, to)
+              ? "points that stay below 1 move by the shift: subtract 1 from the others"
+          : inside     ? "use one random number per axis, not one per point"
+          : to[i] == 1 ? "it was rounded up to 1: subtract 1 if the sum is 1"
           : to[i] > 1
               ? "it is outside [0, 1): subtract 1 if the sum is 1 or more"
               : "it is outside [0, 1): add the shift, and subtract 1 if the sum is 1 or more");

@@ -23,7 +23,7 @@ CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:
   Results means;
   for_all_sizes(1, {normal, exponential, product, five}, rng,
                 [&](std::uint64_t, const Trace& seen) { add_mean(means, seen); });
-  judge_means(means);
+  judge_means(means, "g");
   for (const double odd_one : {nan, infinity, -infinity}) {
     const Function g{exponential, 0, 1, odd_one};
     expect_not_finite(MEASURE(estimates, g, 9, rng(), 1));
@@ -90,6 +90,9 @@ CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:
   judge_calls_in_turn(points_of(exponential, rng), 33, 300, rng);
   // With only a million different streams, one would occur twice here.
   judge_calls_in_turn(points_of(exponential, rng), 1, 10'000, rng);
+  expect_no_period(rng(), [g = fresh(exponential, rng)](std::uint64_t n, std::uint64_t seed) {
+    return MEASURE(estimates, g, n, seed, 1);
+  });
 }
 
 }  // namespace

@@ -132,23 +132,24 @@ void judge_formula(Rng& rng) {
     values.add(
         got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
         [=]() -> std::vector<Suspect> {
-          return {
-              {exact * static_cast<double>(n), "this is the sum over the samples: divide by n"},
-              {a * l * h / (d2 * d), "a cosine is missing: the light is also seen at an angle"},
-              {a * l * h * h / (d2 * d), "the distance is not squared: 1 / distance^2"},
-              {a * l / d2, "both cosines are missing: cos = height / distance"},
-              {a * l * h * h / d2, "the distance is missing: 1 / distance^2"},
-              {l * h * h / (d2 * d2), "the density of points is 1 / area: the area is missing"},
-              {l * h * h / (d2 * d2) / a,
-               "divide by the density 1 / area, that is, multiply by the area"},
-              {a * h * h / (d2 * d2), "the radiance is missing"},
-              {a * l / (d2 * d2), "cos = height / distance: the height is missing"},
-              {a * l * h * h / (d2 * d2 * d2),
-               "cos · cos = height^2 / distance^2: the exponent of the distance is too large"},
-              {exact / pi, "do not divide by pi"},
-              {exact * pi,
-               "do not multiply by pi: this is radiance, not its integral over directions"},
-              {a * l * h * h / (aside2 * aside2), "the squared distance must include height^2"}};
+          return {{exact * static_cast<double>(n), "this is the sum over the samples: divide by n"},
+                  {a * l * h / (d2 * d), "a cosine is missing: the light is also seen at an angle"},
+                  {a * l * h * h / (d2 * d), "the distance is not squared: 1 / distance^2"},
+                  {a * l / d2, "both cosines are missing: cos = height / distance"},
+                  {a * l * h * h / d2, "the distance is missing: 1 / distance^2"},
+                  {l * h * h / (d2 * d2), "the density of points is 1 / area: the area is missing"},
+                  {l * h * h / (d2 * d2) / a,
+                   "divide by the density 1 / area, that is, multiply by the area"},
+                  {a * h * h / (d2 * d2), "the radiance is missing"},
+                  {a * l / (d2 * d2), "cos = height / distance: the height is missing"},
+                  {a * l * h * h / (d2 * d2 * d2),
+                   "cos · cos = height^2 / distance^2: the exponent of the distance is too large"},
+                  {exact / pi, "do not divide by pi"},
+                  {exact * pi,
+                   "do not multiply by pi: this is radiance, not its integral over directions"},
+                  {a * l * h * h / (aside2 * aside2), "the squared distance must include height^2"},
+                  {a * l / (h * h),
+                   "this light is above the receiver: points lie in x0 … x1 and y0 … y1"}};
         });
   }
   values.expect("all points of such a small light give area · radiance · cos · cos / distance^2",
@@ -187,6 +188,14 @@ Numbers places_on_a_line(bool along_x) {
             for (const double square : square_distances(got, line, n * calls)) {
               places.values.push_back(std::clamp(std::sqrt(square) - 0.5, 0.0, 1 - 0x1p-53));
             }
+            // A hundredth of the line stays empty once in 10^21 sets of 5,000 points.
+            const auto [least, largest] = std::ranges::minmax(places.values);
+            expect_that(
+                least < 0.01 || largest > 0.99,
+                fmt::format("{}: values of points from {:.3g} to {:.3g} of a light that is a line",
+                            got.call, least, largest),
+                "values of points from one end to the other", "points are uniform on the light",
+                "in the value at a point, the distance and both cosines are those of this point");
             return places;
           }};
 }

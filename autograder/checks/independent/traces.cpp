@@ -102,10 +102,11 @@ void add_mean(Results& means, const Trace& seen, Results::FindSuspects suspects)
             10 * eps * sizes, [=] { return joined(suspects, mean_suspects(seen.values)); });
 }
 
-void judge_means(Results& means) {
-  means.expect(
-      "n additions lose at most n eps of the sum of absolute values; one digit of slack",
-      "return the mean of the values of g; a NaN comes from 0/0 or from an uninitialized variable");
+void judge_means(Results& means, const std::string& of) {
+  means.expect("n additions lose at most n eps of the sum of absolute values; one digit of slack",
+               fmt::format("return the mean of all values of {}: none of them limited, left out or "
+                           "counted twice",
+                           of));
 }
 
 void add_error(Results& errors, const Trace& seen, Results::FindSuspects suspects) {

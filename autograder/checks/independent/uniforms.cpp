@@ -128,18 +128,21 @@ CHECK_CASE("2.8 a generator of one word", "[2.8][points:2][edge][needs:2.1]") {
   }
 }
 
-/// The last 13 bits of the numbers are independent, too.
+/// The last 13 bits of the numbers, and the last 4, are independent, too. (In a linear congruential
+/// generator, the bit with the period 2^k is the opposite 2^(k-1) numbers later.)
 void judge_last_bits(const Uniforms& numbers, Rng& rng) {
-  Uniforms last{numbers.call + ", the last 13 of 53 bits", 1};
-  for (const double u : numbers.values) {
-    last.values.push_back(fill_cell(bits_of(u) % 8192, 8192, rng));
+  for (const unsigned bits : {13u, 4u}) {
+    Uniforms last{fmt::format("{}, the last {} of 53 bits", numbers.call, bits), 1};
+    const std::uint64_t cells = std::uint64_t{1} << bits;
+    for (const double u : numbers.values) {
+      last.values.push_back(fill_cell(bits_of(u) % cells, cells, rng));
+    }
+    expect_independent_uniforms(
+        last, {"the last bits of many numbers", alpha / 2,
+               "all 53 bits of every number must be random, also of the last ones of a call: the "
+               "low bits of a linear congruential generator have short periods, a sum of two "
+               "numbers is rounded, and a mantissa stores only 52 bits"});
   }
-  expect_independent_uniforms(
-      last, {"the last bits of many numbers", alpha,
-             "all 53 bits of every number must be random, also of the last ones of "
-             "a call: the low bits of a linear congruential generator have short "
-             "periods, a sum of two numbers is rounded, and a mantissa stores only "
-             "52 bits"});
 }
 
 CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:2.1]") {

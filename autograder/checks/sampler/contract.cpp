@@ -184,6 +184,10 @@ CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
         kind, walk(9, seed, all),
         {"the same kind, seed and calls give the same numbers",
          "the numbers must depend on the seed only: use no clock and no global generator"});
+    expect_contract(
+        kind, walk(9, seed, {{1, 2}, {1, 1}}),
+        {"the value of a sample does not depend on which one first requests its dimension",
+         "seed a sample dimension by the integration's seed and its own index only"});
     // Several integrations with one object; some stop within a sample.
     std::vector<Step> steps;
     for (auto walk :
@@ -317,7 +321,8 @@ TEST_CASE("6.8 many samples are correct too",
     for (const double x : got.column(0, 0)) order.push_back(*stratum_of(x, n));
     expect_independent_uniforms({got.call, 1, uniforms_of_permutation(order, rng)},
                                 {.words = "the strata of many samples are in random order",
-                                 .otherwise = "shuffle any number of samples",
+                                 .otherwise = "each permutation must be equally likely, for any "
+                                              "number of samples: the shuffle of 3.4",
                                  .is_certain = true});
   }
 }

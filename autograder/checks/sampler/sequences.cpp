@@ -163,8 +163,9 @@ std::string hint_for(const std::string& kind, const Block& block) {
          : is_uniform ? "two consecutive samples must be two consecutive points, in different "
                         "halves: a uniform shuffle spreads the first points of a block over all "
                         "samples; scramble the samples' indices as in 5.8, from the highest bit on"
-                      : "all dimensions of a block must share one order; and a next2() after the "
-                        "last pair takes both dimensions from the next block";
+                      : "all dimensions of a block share one order; a next2() after the last pair "
+                        "takes both dimensions from the next block; a half that is left over when "
+                        "a block begins is not used";
 }
 
 /// Later blocks have the same dimensions, all in one nested order per block.

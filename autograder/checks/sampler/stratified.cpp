@@ -136,6 +136,22 @@ CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5]
                   .otherwise = "",
                   .explain = [&] { return hint_for_orders(orders); }});
   }
+  // If each value is swapped with any other, the six orders of three values have probabilities of
+  // 4/27 and 5/27: the distribution is 1/27 off, and 20,000 sets show 1/40.
+  constexpr std::size_t sets = 20000;
+  const SampleSets got = columns_of("stratified", 3, domain::seeds(rng, sets), {1});
+  expect_one_in_each_cell(got, lines_of(3, 1), one_per_stratum);
+  Uniforms choices{got.call, 2};
+  std::vector<std::size_t> orders;
+  for (std::size_t set = 0; set < sets; ++set) {
+    const auto order = orders_of(got, set, {1})[0];
+    append(choices.values, uniforms_of_permutation(order, rng));
+    append(orders, order);
+  }
+  const std::string equally_likely = "every order must be equally likely: use the shuffle of 3.4";
+  expect_independent_uniforms(choices, {.words = "all orders of three samples are equally likely",
+                                        .otherwise = shuffle_hint(orders, 3, equally_likely),
+                                        .is_certain = true});
 }
 
 CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]") {

@@ -87,6 +87,7 @@ CHECK_CASE("3.6 every axis is stratified", "[3.6][main][points:4][needs:3.1]") {
       expect_one_in_each_cell(hypercubes(n, dims, 1, rng), lines_of(n, dims), column_of_line);
     }
   }
+  expect_one_in_each_cell(hypercubes(65539, 2, 1, rng), lines_of(65539, 2), column_of_line);
   expect_fresh(hypercubes(64, 7, 2, rng), hypercubes(64, 7, 1, rng), lines_of(64, 7));
 }
 

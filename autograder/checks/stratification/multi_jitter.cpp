@@ -12,15 +12,25 @@ Sets multi_jittered(Grid grid, std::size_t sets, Rng& rng) {
 }
 
 CHECK_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][points:5]") {
-  for (const Grid grid : {Grid{8, 8}, Grid{16, 4}, Grid{3, 5}, Grid{2 + rng() % 30, 2 + rng() % 30},
-                          Grid{33, 31}, Grid{1, 1025}, Grid{4097, 1}, Grid{257, 129}, Grid{7, 1},
-                          Grid{1, 11}, Grid{2, 2}, Grid{1, 2}, Grid{2, 1}, Grid{1, 1}}) {
+  for (const Grid grid :
+       {Grid{8, 8}, Grid{16, 4}, Grid{3, 5}, Grid{2 + rng() % 30, 2 + rng() % 30}, Grid{33, 31},
+        Grid{1, 1025}, Grid{4097, 1}, Grid{257, 129}, Grid{65539, 1}, Grid{7, 1}, Grid{1, 11},
+        Grid{2, 2}, Grid{1, 2}, Grid{2, 1}, Grid{1, 1}}) {
     const std::size_t n = grid.nx * grid.ny;
     const Pattern patterns[] = {plane_of(grid), line_of(n, 0), line_of(n, 1)};
     expect_one_in_each_cell(multi_jittered(grid, 2, rng), patterns, fine_strata);
   }
   expect_fresh(multi_jittered({8, 8}, 2, rng), multi_jittered({8, 8}, 1, rng),
                {{line_of(64, 0), line_of(64, 1)}});
+}
+
+CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
+  for (const Grid grid : {Grid{4, 3}, Grid{1, 4}, Grid{32, 31}}) {
+    const std::size_t n = grid.nx * grid.ny;
+    const std::vector<Pattern> axes{line_of(n, 0), line_of(n, 1)};
+    const Sets got = multi_jittered(grid, std::max<std::size_t>(100, 24000 / n), rng);
+    expect_independent_uniforms(jitters_of(got, axes, fine_strata), random_jitters("3.7"));
+  }
 }
 
 /// Whether the x, and the y, of all points lie in the strata of the canonical arrangement.
@@ -66,15 +76,6 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
         expect_independent_uniforms(some_of(places, at), claim);
       }
     }
-  }
-}
-
-CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
-  for (const Grid grid : {Grid{4, 3}, Grid{1, 4}, Grid{32, 31}}) {
-    const std::size_t n = grid.nx * grid.ny;
-    const std::vector<Pattern> axes{line_of(n, 0), line_of(n, 1)};
-    const Sets got = multi_jittered(grid, std::max<std::size_t>(100, 24000 / n), rng);
-    expect_independent_uniforms(jitters_of(got, axes, fine_strata), random_jitters("3.7"));
   }
 }
 

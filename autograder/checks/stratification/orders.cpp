@@ -56,13 +56,35 @@ void fail_at_fixed_value(const Permutations& orders) {
   }
 }
 
-/// The hint if short random keys were sorted: more than half of all neighbors ascend.
-std::string equal_keys(std::span<const std::size_t> order) {
+/// The hint if many values keep their order or stay together. If short random keys were sorted,
+/// more than half of all neighbors ascend. In a random order, values that were neighbors are n / 3
+/// places apart on average.
+std::string order_hint(std::span<const std::size_t> order) {
+  const std::size_t n = order.size();
+  if (n < 10000) return {};
   std::size_t ascents = 0;
-  for (std::size_t k = 1; k < order.size(); ++k) ascents += order[k - 1] < order[k] ? 1u : 0u;
-  const double share = static_cast<double>(ascents) / static_cast<double>(order.size());
-  if (order.size() < 10000 || share < 0.6 || share > 0.9) return {};
-  return "equal keys stay in order: 16-bit random numbers are too short for so many keys";
+  Order place(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    ascents += k > 0 && order[k - 1] < order[k] ? 1u : 0u;
+    place[order[k]] = k;
+  }
+  double apart = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    apart +=
+        static_cast<double>(std::max(place[i], place[i - 1]) - std::min(place[i], place[i - 1]));
+  }
+  const auto size = static_cast<double>(n);
+  const double share = static_cast<double>(ascents) / size;
+  if (share > 0.6 && share <= 0.9) {
+    return "equal keys stay in order: 16-bit random numbers are too short for so many keys";
+  }
+  if (share > 0.9 && ascents + 1 < n) {
+    return "values with equal random keys stay in order: there must be more keys than values";
+  }
+  if (ascents + 1 < n && apart / size < size / 10) {
+    return "values that were near each other still are: shuffle all of them, not block by block";
+  }
+  return {};
 }
 
 }  // namespace
@@ -82,7 +104,7 @@ void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng)
       rests += v >> 16 == 0 ? 1u : 0u;
     }
     claim.explain = [&]() -> std::string {
-      if (10 * std::max(products, rests) < 9 * numbers.values.size()) return equal_keys(orders[0]);
+      if (10 * std::max(products, rests) < 9 * numbers.values.size()) return order_hint(orders[0]);
       return "16-bit random numbers are too short to choose among so many values";
     };
     expect_independent_uniforms(numbers, claim, true);
@@ -100,7 +122,7 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
   if (only_repeats) return pass();
   Randomness of_numbers = claim;
   of_numbers.expected = "permutations that are all equally likely";
-  of_numbers.explain = [&] { return equal_keys(orders[0]); };
+  of_numbers.explain = [&] { return order_hint(orders[0]); };
   bool are_equal = true;
   for (std::size_t k = 1; k < orders.size() && are_equal; ++k) {
     are_equal = std::equal(orders[k].begin(), orders[k].end(), orders[0].begin());

@@ -114,6 +114,9 @@ CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
       expect_one_in_each_cell(padded(n, dims, 1, rng), padded_patterns(n, dims), pattern_of_each);
     }
   }
+  for (const std::size_t n : {65539u, 66049u}) {  // one row, and a square
+    expect_one_in_each_cell(padded(n, 3, 1, rng), padded_patterns(n, 3), pattern_of_each);
+  }
   expect_fresh(padded(64, 5, 2, rng), padded(64, 5, 1, rng), padded_patterns(64, 5));
   Randomness claim = random_jitters("3.4");
   claim.same = "one pattern is used for several pairs of dimensions: make a new one for each";

@@ -180,13 +180,15 @@ std::optional<Failure> test_triples(const Uniforms& numbers, const Randomness& c
 std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness& claim,
                                       const Pairs& pairs) {
   const std::size_t replicates = numbers.replicates();
-  // Of all pairs the first bits; of a few neighbors, every bit of one with every bit of the other.
+  // Of all pairs the first bits; of a few neighbors, and of the first number and those a power of
+  // two away, every bit of one with every bit of the other.
   const auto planes = static_cast<std::size_t>(std::clamp(numbers.bits - 3, 1, 50));
   const std::size_t first = std::min<std::size_t>(planes, 32);
   const std::size_t inside = std::min<std::size_t>(numbers.positions, 64);
   constexpr std::size_t neighbors = 8;
   const auto crossed = [=](std::size_t p, std::size_t q) {
-    return p + 1 == q && p < neighbors ? planes : std::min<std::size_t>(planes, 8);
+    const bool all = p == 0 ? std::has_single_bit(q) : p + 1 == q && p < neighbors;
+    return all ? planes : std::min<std::size_t>(planes, 8);
   };
   const BitPlanes bits(numbers, planes);
   std::size_t tests = inside * planes * (planes - 1) / 2;

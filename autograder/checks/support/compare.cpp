@@ -123,6 +123,18 @@ bool are_of_float(std::span<const double> got, std::span<const double> exact,
   return 4 * wrong > 3 * got.size();
 }
 
+/// The largest relative error, if it is so small that the formula must be right. The other values
+/// are correct, so a mistake of the formula would have to be a coincidence.
+std::optional<double> small_error(std::span<const double> got, std::span<const double> exact,
+                                  const Agreement& agreement) {
+  double error = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (agreement.agree(got[i], exact[i], i)) continue;
+    error = std::max(error, std::pow(10, -digits(got[i], exact[i])));
+  }
+  return error < 1e-5 ? std::optional(error) : std::nullopt;
+}
+
 std::string hint_for(std::span<const double> got, const Comparison& comparison,
                      const Agreement& agreement) {
   const auto explains = [&](const Curve& curve) {
@@ -153,6 +165,13 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
     return "only about seven digits are correct, as in a float: use double everywhere";
   }
   if (auto limited = limit_hint(got, comparison.exact, agreement); !limited.empty()) return limited;
+  if (const auto error = small_error(got, comparison.exact, agreement);
+      error && comparison.is_tame) {
+    return fmt::format(
+        "almost right, with relative errors of up to {:.1g}: look for a difference of nearly equal "
+        "numbers, a float, a rounded constant or a limit",
+        *error);
+  }
   return comparison.otherwise;
 }
 

@@ -86,7 +86,13 @@ Results variances_of(const std::vector<List>& lists, Measure measure, Floor floo
   for (const List& list : lists) {
     const auto got = measure(list.x);
     variances.add_digits(got.call + list.name, got.value, list.exact.variance, floor(list.exact),
-                         [&list] { return variance_suspects(list); });
+                         [&list, value = got.value] {
+                           std::vector<Suspect> suspects = variance_suspects(list);
+                           suspects.push_back({value == 0 ? 0 : list.exact.variance,
+                                               "small is not zero: use no threshold, not even a "
+                                               "relative one"});
+                           return suspects;
+                         });
   }
   return variances;
 }

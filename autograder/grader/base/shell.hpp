@@ -11,7 +11,7 @@ namespace mc::grader {
 /// `word` quoted as one word of a POSIX shell, whatever its content. Unprintable characters are
 /// dropped, so the command may fail but does nothing else.
 inline std::string shell_quoted_value(const std::string& word) {
-  const std::string shown = sandbox::printable_line(word);
+  std::string shown = sandbox::printable_line(word);
   constexpr const char* plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+=:,@%";
   if (!shown.empty() && shown.find_first_not_of(plain) == std::string::npos) return shown;
