@@ -49,8 +49,7 @@ void require_fresh(const SampleSets& sets) {
                   sets.call, twice->point, twice->set, (twice + 1)->point, (twice + 1)->set),
       "different neighborhoods", "every point of every set is random",
       "draw every point from the generator that is passed in: a copy of it, or a generator with "
-      "its own seed, starts again each time; copies of a pattern, even mirrored, are not new "
-      "points"});
+      "its own seed, starts again each time; copies of a pattern, even mirrored, are not new"});
 }
 
 /// No two points, of one set or two, are equal.
@@ -105,8 +104,7 @@ std::string too_close_hint(View x, View y, double radius, double least) {
     return "they are close only across an edge: measure distances on the torus";
   }
   if (pairs >= 3 && nearly_apart == pairs) {
-    return "distances are a little too short: compare with the radius in double, without a "
-           "tolerance";
+    return "distances are a little too short: compare with the radius, without a tolerance";
   }
   return "compare each new point with all points near it; a grid cell must not have room for two";
 }

@@ -103,8 +103,9 @@ Values tiled(const Points& pattern, int copies, int step) {
 
 /// Tilings of random patterns, with some points `at_the_edge`: at 0 or just below 1.
 void judge_tilings(Rng& rng, bool at_the_edge) {
-  const std::pair<std::size_t, int> cases[] = {{20, 2},  {20, 3}, {7, 7},  {65, 33}, {1, 100},
-                                               {129, 3}, {20, 1}, {3, 33}, {1, 1},   {2, 5}};
+  const std::pair<std::size_t, int> cases[] = {{20, 2},  {20, 3},  {7, 7},  {65, 33},
+                                               {1, 100}, {129, 3}, {20, 1}, {3, 33},
+                                               {1, 1},   {2, 5},   {1, 300}};
   for (const auto& [n, copies] : cases) {
     Points pattern = uniform_points(rng, n);
     if (at_the_edge) {
@@ -121,9 +122,10 @@ void judge_tilings(Rng& rng, bool at_the_edge) {
          .because = "a point of the copy (i, j) lies at ((i + x) / copies, (j + y) / copies)",
          .suspects = {{tiled(pattern, copies, 0),
                        "all copies are in one place: i / copies of two integers is 0"}},
-         .otherwise = at_the_edge ? "points just below 1 stay where they are: limit only what is "
-                                    "rounded up to 1"
-                                  : "the copies differ: do not rotate, mirror or move the pattern",
+         .otherwise = copies > 255 ? "fewer copies are right: do their numbers fit into their type?"
+                      : at_the_edge
+                          ? "limit only what is rounded up to 1"
+                          : "the copies differ: do not rotate, mirror or move the pattern",
          .name =
              [&call = measured.call](std::size_t i) {
                return fmt::format("{}: {} of point {}, row by row", call, i % 2 == 0 ? "y" : "x",

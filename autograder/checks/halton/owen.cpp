@@ -97,10 +97,7 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
                          : k == 0
                              ? "every bit is flipped in the same way for all strings before it: "
                                "that is a digital shift; draw a flip for each string of bits before"
-                             : fmt::format(
-                                   "the flips after bit {} do not depend on that bit: use "
-                                   "all bits before a bit",
-                                   k);
+                             : fmt::format("the flips after bit {} do not depend on that bit", k);
                 }});
   }
   // All flips that the first 32 points show.

@@ -28,7 +28,9 @@ void check_bijection(const std::string& call, View x) {
       fmt::format("one value in each of {} intervals, all at the same place in their interval",
                   parts),
       "the last digits have all combinations, and so do their permutations",
-      "a permutation is a bijection; use one for each position, not one for each digit before it");
+      x.size() > 65536
+          ? "smaller bases are right: does a digit, an index or a counter have only 16 bits?"
+          : "a permutation is a bijection; use one for each position, not for each digit before");
 }
 
 /// An index with one digit that is not 0.

@@ -102,6 +102,7 @@ CHECK_CASE("5.4 Hammersley points", "[5.4][points:4][needs:5.3][main]") {
 CHECK_CASE("5.4 any number of points and axes", "[5.4][points:2][needs:5.3]") {
   for (const std::uint64_t dims : {33u, 17u, 60u, 201u, 1u}) check_hammersley(30 + dims, dims);
   for (const std::uint64_t n : domain::sizes(5000, rng)) check_hammersley(n, 1 + n % 3);
+  check_hammersley(70001, 2);
 }
 
 constexpr std::uint64_t sobol_end = std::uint64_t{1} << 32;

@@ -7,7 +7,6 @@ namespace mc::checks {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
 using Estimates = std::vector<Estimate>;
 
 // Lights and their exact properties ---------------------------------------------------------------
@@ -18,9 +17,7 @@ struct PlacedLight {
 };
 
 PlacedLight above(Rng& rng) {
-  RectLight light;
-  light.radiance = uniform(rng, 0.5, 5);
-  return {light, "above the receiver"};
+  return {{.radiance = uniform(rng, 0.5, 5)}, "above the receiver"};
 }
 
 /// A light with a corner near the receiver's normal, but not so close that a few points dominate.
@@ -88,9 +85,8 @@ double disk_in_corner(double x, double y, double r) {
 /// The fraction of the light within this squared distance of the point above the receiver.
 double share_within(const RectLight& light, double square) {
   if (!(square > 0)) return 0;
-  const double r = std::sqrt(square);
-  return over_corners(light, [=](double x, double y) { return disk_in_corner(x, y, r); }) /
-         area(light);
+  const auto f = [r = std::sqrt(square)](double x, double y) { return disk_in_corner(x, y, r); };
+  return over_corners(light, f) / area(light);
 }
 
 double solid_angle(const RectLight& light) {
@@ -133,20 +129,17 @@ void judge_formula(Rng& rng) {
         got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
         [=]() -> std::vector<Suspect> {
           return {{exact * static_cast<double>(n), "this is the sum over the samples: divide by n"},
-                  {a * l * h / (d2 * d), "a cosine is missing: the light is also seen at an angle"},
-                  {a * l * h * h / (d2 * d), "the distance is not squared: 1 / distance^2"},
-                  {a * l / d2, "both cosines are missing: cos = height / distance"},
-                  {a * l * h * h / d2, "the distance is missing: 1 / distance^2"},
-                  {l * h * h / (d2 * d2), "the density of points is 1 / area: the area is missing"},
-                  {l * h * h / (d2 * d2) / a,
-                   "divide by the density 1 / area, that is, multiply by the area"},
-                  {a * h * h / (d2 * d2), "the radiance is missing"},
-                  {a * l / (d2 * d2), "cos = height / distance: the height is missing"},
-                  {a * l * h * h / (d2 * d2 * d2),
-                   "cos · cos = height^2 / distance^2: the exponent of the distance is too large"},
+                  {exact * d / h, "a cosine is missing: the light is also seen at an angle"},
+                  {exact * d, "the distance is not squared: 1 / distance^2"},
+                  {exact * d2 / (h * h), "both cosines are missing: cos = height / distance"},
+                  {exact * d2, "the distance is missing: 1 / distance^2"},
+                  {exact / d2, "cos · cos = height^2 / distance^2: one distance^2 is too many"},
+                  {exact / a, "the density of points is 1 / area: the area is missing"},
+                  {exact / (a * a), "divide by the density 1 / area: multiply by the area"},
+                  {exact / l, "the radiance is missing"},
+                  {exact / (h * h), "cos = height / distance: the height is missing"},
                   {exact / pi, "do not divide by pi"},
-                  {exact * pi,
-                   "do not multiply by pi: this is radiance, not its integral over directions"},
+                  {exact * pi, "do not multiply by pi: radiance is not integrated over directions"},
                   {a * l * h * h / (aside2 * aside2), "the squared distance must include height^2"},
                   {a * l / (h * h),
                    "this light is above the receiver: points lie in x0 … x1 and y0 … y1"}};
@@ -163,9 +156,7 @@ Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
   Values all;
   for (const double value : values_of(ones.call, ones.exactly(count, any_number))) {
     all.push_back(square_distance_of(light, value));
-    const bool is_on_it =
-        all.back() >= nearest(light) - 1e-9 && all.back() <= farthest(light) + 1e-9;
-    if (is_on_it) continue;
+    if (all.back() >= nearest(light) - 1e-9 && all.back() <= farthest(light) + 1e-9) continue;
     expect_that(false, fmt::format("{} gave {}", ones.call, value),
                 fmt::format("the value at a point of the light: from {:.8g} to {:.8g}",
                             at_square_distance(light, farthest(light)),
@@ -395,8 +386,8 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:1][needs:2.1]") 
 CHECK_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
   for (const auto& measure : {by_area, by_hemisphere}) {
     const auto one = measure({}, 1, rng(), 1);
-    expect_nan(one.call + ".standard_error", one.exactly(1, any_number)[0].standard_error,
-               "one value has no spread");
+    const double error = one.exactly(1, any_number)[0].standard_error;
+    expect_nan(one.call + ".standard_error", error, "one value has no spread");
     const auto some = measure({}, 77, rng(), 1);
     expect_equal(some.call + ": n", some.exactly(1, any_number)[0].n, 77,
                  "the n of an Estimate counts samples", "count every sample once");

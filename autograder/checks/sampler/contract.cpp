@@ -230,13 +230,24 @@ void check_columns(const std::string& kind, const SampleSets& got) {
     const bool is_blue = kind == "blue_noise" && (c == 1 || c == 2);  // next(), next2()
     if (!is_blue && kind != "halton" && kind != "sobol") all.insert(x.begin(), x.end());
   }
+  for (std::size_t c = 1; c < got.dims && got.n > 1; ++c) {
+    for (std::size_t before = 0; before < c; ++before) {
+      expect_that(
+          !std::ranges::equal(got.column(0, c), got.column(0, before)),
+          fmt::format("{}: coordinate {} has the numbers of coordinate {}", got.call, c, before),
+          "other numbers", "different columns are independent",
+          "make a new column for each sample dimension, however many there are");
+    }
+  }
   const std::size_t different = std::set(all.begin(), all.end()).size();
   expect_that(different == all.size(), fmt::format("{}: {} different numbers", got.call, different),
               fmt::format("{}, one for each sample dimension of each sample", all.size()),
               "equal numbers with 53 random bits occur here once in 1e10 runs",
               "advance() must move to the next sample, and next() to the next sample dimension");
   expect_one_in_each_cell(got, 0, line_of(got.n, 0),
-                          "make the whole column of a sample dimension at once, as in 6.2 and 6.3");
+                          kind == "blue_noise"
+                              ? "in blue_noise every next() is stratified, as in 6.2"
+                              : "make the whole column of a sample dimension at once (6.2, 6.3)");
 }
 
 CHECK_CASE("6.4 a sample may request less than the one before", "[6.4][main][points:4]") {
@@ -312,11 +323,33 @@ TEST_CASE("6.8 many samples are correct too",
           "[6.8][main][points:2][needs:6.2][needs:6.3][needs:3]") {
   Rng rng = check_rng();
   const std::size_t n = std::size_t{1} << 17;
-  for (const std::string kind : {"stratified", "sobol"}) {
-    const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, {1, 2, 1});
+  for (const std::string kind : {"stratified", "sobol", "halton"}) {
+    const bool is_sobol = kind == "sobol";
+    const SampleSets got =
+        columns_of(kind, n, {fresh_seed(rng)}, is_sobol ? Uses{2, 2, 2, 2, 1} : Uses{1, 2, 1});
+    for (std::size_t c = 0; c < got.dims; ++c) {
+      Values x(got.column(0, c).begin(), got.column(0, c).end());
+      std::ranges::sort(x);
+      expect_that(std::ranges::adjacent_find(x) == x.end(),
+                  fmt::format("{}: a number of coordinate {} occurs twice", got.call, c),
+                  "different numbers", "each number is in its own interval of length 1 / N or less",
+                  "a column is as long as there are samples: do indices fit into their type?");
+    }
+    if (kind == "halton") continue;
     expect_one_in_each_cell(got, lines_of(n, got.dims),
                             "every sample dimension must be stratified, for any number of samples");
-    if (kind == "sobol") continue;
+    if (is_sobol) {  // the first of the later block, whose first digit tells two neighbors apart
+      std::size_t ascending = 0;
+      for (std::size_t i = 0; i < n; i += 2) {
+        ascending += got.column(0, 8)[i] < got.column(0, 8)[i + 1] ? 1u : 0u;
+      }
+      expect_proportion(got.call + ", coordinate 8", "sample 2 k was below sample 2 k + 1",
+                        ascending, n / 2, 0.5,
+                        {"the last bit of an index is flipped at random", 1e-9},
+                        {{}, "flip every bit of an index of any length"});
+      continue;
+    }
+    expect_multi_jittered(got, 1);
     std::vector<std::size_t> order;
     for (const double x : got.column(0, 0)) order.push_back(*stratum_of(x, n));
     expect_independent_uniforms({got.call, 1, uniforms_of_permutation(order, rng)},

@@ -23,7 +23,9 @@ CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]"
     const auto n = static_cast<double>(size);
     const double low = size % 2 == 0 ? 1 : -2;
     const double scale = size < 10 ? 1e9 / n : 1;  // large values whose sum fits into an int
-    const Values values = uniform_values(rng, size, scale * low, scale * (low + 1));
+    Values values = uniform_values(rng, size, scale * low, scale * (low + 1));
+    const std::size_t zeros = size / 3;
+    std::fill_n(values.begin() + 1, zeros, 0.0);
     const auto got = MEASURE(integrate_recorded, values, size, fresh_seed(rng));
     const double sum = sum_of(values);
     const auto suspects = [=]() -> std::vector<Suspect> {
@@ -31,6 +33,7 @@ CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]"
               {values[0], "call advance() to move to the next sample"},
               {integer_sum(values) / n, "the values were added up in an int, which truncates"},
               {sum / (n - 1), "this divides by N - 1: divide by N"},
+              {sum / (n - static_cast<double>(zeros)), "samples of value 0 count, too"},
               {(sum - values[0]) / n, "the first sample is missing"},
               {(sum - values.back()) / n, "the last sample is missing"}};
     };
@@ -185,8 +188,7 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][ne
     check_seeds(
         {{width, height, seed}},
         {"the same noise in every pixel is visible as a pattern",
-         "compute each pixel's seed from the picture's seed and the pixel's index, with all "
-         "64 bits"});
+         "compute a pixel's seed from all 64 bits of the picture's seed, and the pixel's index"});
   }
   // Other pictures: the next seed, seeds as far apart as those of neighboring pixels, other bits.
   const std::string because = "another picture must not have the same noise, shifted by a pixel";

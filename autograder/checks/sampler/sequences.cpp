@@ -29,7 +29,8 @@ void check_first_block(const std::string& kind, std::size_t n, const Uses& uses,
   for (std::size_t c = 0; c < got.dims; ++c) {
     const View x = got.column(0, c);
     if (places[c].block > 0 || is_dimension(Dimension::at(kind, places[c].dimension), x)) continue;
-    std::string hint = "use the sequence from index 0, in its original order, one point per sample";
+    std::string hint =
+        "use the sequence from index 0: sample i has point i, with one scramble for all samples";
     for (unsigned other = 0; other < (kind == "sobol" ? 32u : 16u); ++other) {
       if (!is_dimension({kind, other}, x)) continue;
       hint = fmt::format(
@@ -160,12 +161,13 @@ std::string hint_for(const std::string& kind, const Block& block) {
          : is_uniform && !std::has_single_bit(block.columns[0].size())
              ? "this is correct for 64 samples: the order has 2^m >= N entries, and the samples "
                "take the first N, whatever indices these are; no table may end earlier"
-         : is_uniform ? "two consecutive samples must be two consecutive points, in different "
-                        "halves: a uniform shuffle spreads the first points of a block over all "
-                        "samples; scramble the samples' indices as in 5.8, from the highest bit on"
-                      : "all dimensions of a block share one order; a next2() after the last pair "
-                        "takes both dimensions from the next block; a half that is left over when "
-                        "a block begins is not used";
+         : is_uniform
+             ? "two consecutive samples must be two consecutive points, in different "
+               "halves: a uniform shuffle spreads the first points of a block over all "
+               "samples; scramble the samples' indices as in 5.8, from the highest bit on"
+             : "all dimensions of a block must share one order; a next2() after the last pair "
+               "takes both dimensions from the next block; a half that is left over when "
+               "a block begins is not used";
 }
 
 /// Later blocks have the same dimensions, all in one nested order per block.
@@ -281,7 +283,8 @@ void check_orders(const std::string& kind, std::size_t n, std::size_t blocks, Rn
   check_decisions(
       "the orders of blocks are independent random nested shuffles", orders,
       is_in_order && n > 4
-          ? "shuffle every block except the first, with one order for all its dimensions"
+          ? "shuffle every block except the first: flip each bit of an index at random, for each "
+            "string of bits before it, with one order for all dimensions"
           : "use a different random order for each block and seed; flip bits separately",
       n > 16);
   check_decisions(

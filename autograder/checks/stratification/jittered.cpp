@@ -128,8 +128,7 @@ CHECK_CASE("3.2 more cells than 32 bits can count", "[3.2][edge][points:1]") {
        {std::vector<std::uint64_t>{k * k, k * (k + 1), k * k - 1},
         {std::uint64_t{1} << 40, 1000000000000}}) {
     const Call call = MEASURE_OUTCOME(strata, n);
-    expect_that(!call.outcome.over_limit(), call.text + " did not end", "about sqrt(n) steps",
-                "n has 64 bits",
+    expect_that(!call.outcome.over_limit(), call.text + " did not end", "about sqrt(n) steps", "",
                 "k * k overflows 32 bits and never exceeds n: make k a std::size_t");
     compare_grids(n);
   }

@@ -5,21 +5,6 @@
 namespace mc::checks {
 namespace {
 
-/// Whether each permutation is a rotation, forwards or backwards, and at least one moves values.
-bool are_rotations(const Permutations& orders) {
-  bool moves = false;
-  for (std::size_t k = 0; k < orders.size(); ++k) {
-    const auto step = [&, order = orders[k]](std::size_t i) {
-      return (order[i] + orders.n - order[i - 1]) % orders.n;
-    };
-    for (std::size_t i = 1; i < orders.n; ++i) {
-      if (step(i) != step(1) || (step(i) != 1 && step(i) != orders.n - 1)) return false;
-    }
-    moves = moves || (orders[k][0] != 0 && orders[k][0] != orders.n - 1);
-  }
-  return moves;
-}
-
 /// Ends the check if one of R permutations repeats, which has the probability R^2 / 2n! < 1e-9.
 void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
   std::map<std::uint64_t, std::size_t> seen;  // by a 64-bit hash
@@ -33,10 +18,7 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
                  "different permutations",
                  fmt::format("two random permutations of {} are equal with probability 1 / {}!",
                              orders.n, orders.n),
-                 are_rotations(orders)
-                     ? fmt::format("these are rotations: only {} of the {}! permutations", orders.n,
-                                   orders.n)
-                 : seen.size() > 2
+                 seen.size() > 2
                      ? "only few of all permutations occur, as with rotations of one order or with "
                        "a short seed; " +
                            claim.repeated

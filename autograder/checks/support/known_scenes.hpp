@@ -27,9 +27,7 @@ inline void draw(scenes::HorizonLight& s, Rng& rng) {
   s.z1 = uniform(rng, 0.5, 1.5);
 }
 inline void draw(scenes::DiskLight& s, Rng& rng) {
-  s.radius = uniform(rng, 0.5, 1.2);
-  s.height = uniform(rng, 0.5, 1.2);
-  s.offset = uniform(rng, 0, 1);
+  s = {uniform(rng, 0.5, 1.2), uniform(rng, 0.5, 1.2), uniform(rng, 0, 1)};
 }
 /// The tilt of a sphere that stays above the horizon by a tenth of the available angle.
 inline double fresh_tilt(Rng& rng, double radius, double distance, double least) {
@@ -60,8 +58,7 @@ inline void draw(scenes::DiskPenumbra& s, Rng& rng) {
   s.height = scale * light.height;
 }
 inline void draw(scenes::WallOcclusion& s, Rng& rng) {
-  s.distance = uniform(rng, 0.2, 1);
-  s.height = uniform(rng, 0.6, 3);
+  s = {uniform(rng, 0.2, 1), uniform(rng, 0.6, 3)};
 }
 inline void draw(scenes::SphereOcclusion& s, Rng& rng) {
   s.radius = uniform(rng, 0.5, 1.5);
@@ -83,8 +80,7 @@ inline void draw(scenes::DefocusEdge& s, Rng& rng) {
   s.offset = s.aperture * std::abs(s.depth / s.focus - 1) * uniform(rng, -0.7, 0.7);
 }
 inline void draw(scenes::MotionEdge& s, Rng& rng) {
-  s.start = uniform(rng, -0.2, 0.4);
-  s.speed = uniform(rng, 0.6, 1.4);
+  s = {uniform(rng, -0.2, 0.4), uniform(rng, 0.6, 1.4)};
 }
 inline void draw(scenes::PixelTimeLens& s, Rng& rng) {
   s.a = uniform(rng, 0.3, 1);

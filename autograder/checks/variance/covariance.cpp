@@ -43,8 +43,7 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& otherwise) {
         got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
           return {
               {exact * (n - 1) / n,
-               "this divides by n; a sample covariance divides by n - 1 (and n/(n-1) of integers "
-               "is 1)"},
+               "this divides by n; a sample covariance divides by n - 1 (no integer division)"},
               {exact * n / (n - 1), "the factor n/(n-1) was applied twice"},
               {exact * (n - 1), "this is the sum of products: divide it by n - 1"},
               {-exact, "the sign is wrong: both deviations are value - mean"},
@@ -55,8 +54,7 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& otherwise) {
         });
   }
   covariances.expect(
-      "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; one digit of "
-      "slack",
+      "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; 1 digit of slack",
       otherwise);
 }
 

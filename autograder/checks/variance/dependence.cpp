@@ -73,13 +73,11 @@ void judge_tables(const std::vector<Table>& tables, bool first_is_independent = 
     dependences.add(got.call, got.value, is_independent ? 0 : largest_size(right),
                     (is_independent ? 4 : 32) * eps, [&] { return dependence_suspects(table); });
   }
-  dependences.expect(
-      first_is_independent
-          ? "p(x,y) = p(x) p(y) for every x and y here, or in all cells but one; small "
-            "is not zero"
-          : "rounding errors of a few sums and products of probabilities",
-      "p(x) is the sum of a row and p(y) that of a column, both of weights divided "
-      "by their total; return the largest |p(x,y) - p(x)p(y)|");
+  dependences.expect(first_is_independent
+                         ? "p(x,y) = p(x) p(y) here, perhaps but for one cell; small is not zero"
+                         : "rounding errors of a few sums and products of probabilities",
+                     "p(x) is the sum of a row and p(y) that of a column, both of weights divided "
+                     "by their total; return the largest |p(x,y) - p(x)p(y)|");
 }
 
 CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:3]") {

@@ -133,3 +133,22 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
   }
 }
 }  // namespace mc::string_without_its_length
+
+// mistake: from the 16th bit on, a flip is the parity of some of the bits before
+// hint: pairs of values are scrambled independently, but not triples
+namespace mc::linear_from_bit_16 {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  const std::uint64_t hashed = mix_bits(mix_bits(seed) + 1);
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53) << 11;
+    std::uint64_t flips = 0;
+    for (unsigned k = 0; k < 53; ++k) {
+      const std::uint64_t before = k == 0 ? 0 : word >> (64 - k), level = mix_bits(hashed + k);
+      const bool parity = (std::popcount(before & level) + (level >> 63)) % 2 != 0;
+      const bool flip = k < 16 ? mix_bits(level ^ before) >> 63 != 0 : parity;
+      flips |= std::uint64_t{flip} << (63 - k);
+    }
+    value = static_cast<double>((word ^ flips) >> 11) * 0x1p-53;
+  }
+}
+}  // namespace mc::linear_from_bit_16

@@ -168,3 +168,14 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
   });
 }
 }  // namespace mc::uniform_directions
+
+// mistake: uses the cosine toward the center of the light for all its points
+// hint: the distance and both cosines are those of this point
+namespace mc::cosine_of_the_center {
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  const double x = (light.x0 + light.x1) / 2, y = (light.y0 + light.y1) / 2, h = light.height;
+  return from_points(light, n, rng, [&](double distance2) {
+    return area(light) * light.radiance * h * h / (x * x + y * y + h * h) / distance2;
+  });
+}
+}  // namespace mc::cosine_of_the_center

@@ -161,3 +161,25 @@ void uniforms(Rng& rng, std::span<double> out) {
   for (double& u : out) u = uniform(own);
 }
 }  // namespace mc::small_generator_of_its_own
+
+// mistake: makes two numbers, 16 places apart, from the halves of one word in both orders
+// hint: lanes need unrelated states
+namespace mc::halves_exchanged {
+void uniforms(Rng& rng, std::span<double> out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (i % 32 >= 16) continue;
+    const std::uint64_t word = rng();
+    out[i] = to_unit(word);
+    if (i + 16 < out.size()) out[i + 16] = to_unit(word << 32 | word >> 32);
+  }
+}
+}  // namespace mc::halves_exchanged
+
+// mistake: a linear congruential generator, whose lowest bits have short periods
+// hint: the low bits of a linear congruential generator
+namespace mc::low_bits_of_a_congruential_generator {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::uint64_t state = rng();
+  for (double& u : out) u = to_unit(state = state * 6364136223846793005u + 1442695040888963407u);
+}
+}  // namespace mc::low_bits_of_a_congruential_generator

@@ -92,3 +92,14 @@ void two(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
 
 MAKE_SAMPLER(make_other_kind<stratified1, two>("stratified", kind))
 }  // namespace mc::two_lines_for_a_plane
+
+// mistake: shuffles by swapping each sample with any other
+// hint: swapped with any of the n values
+namespace mc::swaps_with_any {
+void one(const SampleDimension&, std::span<double> x, Rng& rng) {
+  stratified_1d(x, rng);
+  for (double& value : x) std::swap(value, x[rng() % x.size()]);
+}
+
+MAKE_SAMPLER(make_other_kind<one, stratified2>("stratified", kind))
+}  // namespace mc::swaps_with_any

@@ -265,6 +265,20 @@ struct Wrong : ColumnSampler {
 MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::seed_plus_counter
 
+// mistake: seeds a sample dimension by the sample that first requests it
+// hint: by the integration's seed and its own index only
+namespace mc::seeded_by_the_first_request {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    if (next_ == ready_) rng_ = Rng(rng_() ^ sample_);
+    return ColumnSampler::next();
+  }
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
+}  // namespace mc::seeded_by_the_first_request
+
 // mistake: seeds a sample dimension with the integration's seed plus its index
 // hint: the sum is the same for
 namespace mc::seed_plus_use {

@@ -67,7 +67,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, twins>("blue_noise", kind))
 }  // namespace mc::blue_with_a_twin
 
 // mistake: makes a Poisson-disk pattern of too many points, and keeps any N
-// hint: less than 0.13
+// hint: less than 0.11
 namespace mc::poisson_disk_cut {
 /// A fifth more points than there should be, in random order, of which the first N are kept.
 void cut(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -89,7 +89,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, cut>("blue_noise", kind))
 }  // namespace mc::poisson_disk_cut
 
 // mistake: makes a Poisson-disk pattern of too few points, and adds random ones
-// hint: there are too few candidates, or a fixed number
+// hint: there are too few candidates, or a fixed number, or none
 namespace mc::poisson_disk_filled {
 /// About 0.95 N points, then random ones.
 void filled(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {

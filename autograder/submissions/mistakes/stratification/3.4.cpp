@@ -109,7 +109,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::shuffle_of_16_bits
 
 // mistake: shuffles blocks of 128 values separately
-// hint: each value must be equally likely in each place
+// hint: not block by block
 namespace mc::shuffles_blocks {
 void shuffle(std::span<double> x, Rng& rng) {
   for (std::size_t first = 0; first < x.size(); first += 128) {
@@ -181,3 +181,15 @@ void stratified(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) shuffle(points.column(d), rng);
 }
 }  // namespace mc::x_and_y_shuffled_apart
+
+// mistake: stores the order of the points in 16 bits
+// hint: dimensions (0,1), (2,3), … are jittered grids
+namespace mc::order_in_16_bits {
+void stratified(PointSet& points, Rng& rng) {
+  right_stratified(points, rng);
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    const auto x = points.column(d);
+    for (std::size_t i = 65536; i < x.size(); ++i) x[i] = x[i % 65536];
+  }
+}
+}  // namespace mc::order_in_16_bits

@@ -140,3 +140,16 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
   }
 }
 }  // namespace mc::shuffles_x_only
+
+// mistake: the jitter of y is 1 - the jitter of x
+// hint: with its own u
+namespace mc::mirrored_jitter {
+void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  right_multi_jittered(x, y, grid, rng);
+  const auto n = static_cast<double>(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double jitter = x[k] * n - std::floor(x[k] * n);
+    y[k] = (std::floor(y[k] * n) + 0.5 + 0.999999 * (0.5 - jitter)) / n;
+  }
+}
+}  // namespace mc::mirrored_jitter

@@ -169,7 +169,6 @@ double variance_two_pass(std::span<const double> x) {
 
 // mistake: treats a variance below 1e-12 as zero, whatever the scale of the data
 // hint: small is not zero
-// hint: the result depends on the scale of the data
 namespace mc::two_pass_with_threshold {
 double variance_two_pass(std::span<const double> x) {
   const double variance = right_variance_two_pass(x);

@@ -120,3 +120,14 @@ Moments merge(const Moments& a, const Moments& b) {
   return last = right_merge(a, b);
 }
 }  // namespace mc::merge_remembers_counts
+
+// mistake: takes counts that differ by less than 1 % for equal
+// hint: weight the means by the counts
+namespace mc::nearly_equal_counts {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
+  if (std::abs(n_a - n_b) < 0.01 * n_a) all.mean = a.mean / 2 + b.mean / 2;
+  return all;
+}
+}  // namespace mc::nearly_equal_counts
