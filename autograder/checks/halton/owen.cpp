@@ -163,7 +163,7 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
 /// length 1, is a sum of N independent terms, hence Gaussian, with the variance (e^2 - 1)/(24 N^3),
 /// up to N^-2 of it. Then half of all errors are below the quartile, 0.6745 standard deviations. If
 /// only pairs are independent, most errors are small.
-void expect_gaussian_errors(int depth, Rng& rng) {
+void judge_errors_of_a_net(int depth, Rng& rng) {
   constexpr std::size_t n = 1024, sets = 250, replicates = 1000;
   const double deviation = std::sqrt((std::exp(2.) - 1) / 24 / (double{n} * n * n));
   const double quartile = 0.6744897501960817 * deviation;
@@ -205,7 +205,7 @@ void expect_gaussian_errors(int depth, Rng& rng) {
 }
 
 CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
-  for (const int depth : {0, 20}) expect_gaussian_errors(depth, rng);
+  for (const int depth : {0, 20}) judge_errors_of_a_net(depth, rng);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ inline void judge_calls_in_turn(const Numbers& numbers, std::uint64_t n, std::ui
 /// Estimates from n and from 2n samples, with the same seed, differ: they are equal if the numbers
 /// repeat after n samples. By chance they agree to 1e-11 once in 10^8 runs.
 template <class Estimates>
-void expect_no_period(std::uint64_t seed, Estimates estimates) {
+void judge_period(std::uint64_t seed, Estimates estimates) {
   double before = nan;
   for (const std::uint64_t n : {1u << 16, 1u << 17, 1u << 18, 1u << 19}) {
     const auto got = estimates(n, seed);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <system_error>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "grader/reports/report.hpp"
+#include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace {
@@ -77,8 +79,9 @@ void ProgressLine::print() {
     return;
   }
   const std::size_t columns = window_columns(STDERR_FILENO), width = columns > 0 ? columns : 80;
-  if (line.size() >= width) line.resize(width - 1);
-  fmt::print(stderr, "\r\x1b[K{}", line);
+  constexpr std::size_t ellipsis = 2;  // columns of " …"
+  const std::size_t most = width - std::min(width, ellipsis + 1);
+  fmt::print(stderr, "\r\x1b[K{}", line.size() < width ? line : sandbox::shortened(line, most));
   is_shown_ = true;
 }
 
