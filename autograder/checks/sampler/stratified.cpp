@@ -148,10 +148,10 @@ CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5]
     append(choices.values, uniforms_of_permutation(order, rng));
     append(orders, order);
   }
-  const std::string equally_likely = "every order must be equally likely: use the shuffle of 3.4";
-  expect_independent_uniforms(choices, {.words = "all orders of three samples are equally likely",
-                                        .otherwise = shuffle_hint(orders, 3, equally_likely),
-                                        .is_certain = true});
+  expect_independent_uniforms(choices,
+                              {.words = "all orders of three samples are equally likely",
+                               .otherwise = shuffle_hint(orders, 3, "use the shuffle of 3.4"),
+                               .is_certain = true});
 }
 
 CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]") {

@@ -123,8 +123,7 @@ bool are_of_float(std::span<const double> got, std::span<const double> exact,
   return 4 * wrong > 3 * got.size();
 }
 
-/// The largest relative error, if it is so small that the formula must be right. The other values
-/// are correct, so a mistake of the formula would have to be a coincidence.
+/// The largest relative error, if it is so small that the formula must be right.
 std::optional<double> small_error(std::span<const double> got, std::span<const double> exact,
                                   const Agreement& agreement) {
   double error = 0;
