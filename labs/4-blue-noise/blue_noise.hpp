@@ -22,9 +22,9 @@ namespace mc {
 /// requires: a and b in [0,1)^2.
 double toroidal_distance_squared(Point2 a, Point2 b);
 
-/// 4.2  Mitchell's best candidate. Point i, counted from 0, is the one of ceil(c i) + 1 uniform
-/// candidates whose nearest earlier point is farthest away on the torus. `x` and `y` receive the
-/// points in that order. All random numbers come from `rng`.
+/// 4.2  Mitchell's best candidate. Point i, counted from 0, is the one of ceil(c i) + 1 independent
+/// uniform candidates whose nearest earlier point is farthest away on the torus. `x` and `y` get
+/// the points in that order. All random numbers come from `rng`.
 /// throws: std::invalid_argument if the sizes of x and y differ or are 0; if c is not positive and
 ///   finite.
 /// cost: O(c N^3) by the definition; 4.7 requires O(c N^2).
