@@ -57,16 +57,9 @@ std::string order_hint(std::span<const std::size_t> order) {
   }
   const auto size = static_cast<double>(n);
   const double share = static_cast<double>(ascents) / size;
-  if (share > 0.6 && share <= 0.9) {
-    return "equal keys stay in order: 16-bit random numbers are too short for so many keys";
-  }
-  if (share > 0.9 && ascents + 1 < n) {
-    return "values with equal random keys stay in order: there must be more keys than values";
-  }
-  if (ascents + 1 < n && apart / size < size / 10) {
-    return "values that were near each other still are: shuffle all of them, not block by block";
-  }
-  return {};
+  if (ascents + 1 == n) return {};
+  if (share > 0.6) return "equal keys stay in order: even 16-bit random numbers are too short";
+  return apart / size > size / 10 ? "" : "neighbors stay near each other: do not shuffle in blocks";
 }
 
 }  // namespace

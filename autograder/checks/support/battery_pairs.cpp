@@ -201,10 +201,13 @@ std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness&
     const std::size_t equal = bits.equal(p, k, q, l, replicates);
     if (std::abs(static_cast<double>(equal) - n / 2) < bound)
       return family.add(1, false, [] { return std::string(); });
-    family.add(binomial_tails(equal, replicates, 0.5).two_sided(), false, [&] {
+    const auto describe = [&] {
       return fmt::format("bit {} of {} and bit {} of {} are equal in {} of {} replicates", k + 1,
                          name_of(numbers, p), l + 1, name_of(numbers, q), equal, replicates);
-    });
+    };
+    const bool is_shared = p != q && (equal == 0 || equal == replicates);
+    family.add(binomial_tails(equal, replicates, 0.5).two_sided(), false, describe,
+               is_shared ? "two numbers share bits of one word: make each from a new one" : "");
   };
   for (const auto& [p, q] : pairs) {
     for (std::size_t k = 0; k < first; ++k) compare(p, k, q, k);

@@ -35,9 +35,10 @@ class Family {
         size_(std::max<std::size_t>(size, 1)),
         chosen_(side_rng()() % size_) {}
 
-  /// `describe` returns what was measured; it is called only if the test fails.
+  /// `describe` returns what was measured, if the test fails. `hint` is for numbers without another
+  /// visible fault.
   template <class Describe>
-  void add(double p, bool is_continuous, Describe describe) {
+  void add(double p, bool is_continuous, Describe describe, const char* hint = "") {
     if (count_++ == chosen_ && is_continuous) {
       record(protocol::RecordKind::p_value,
              protocol::text_of({claim_.words + ": " + part_, p, claim_.alpha / parts}));
@@ -47,6 +48,7 @@ class Family {
     if (p < least_ || measured_.empty()) {
       least_ = p;
       measured_ = describe();
+      hint_ = hint;
     }
   }
 
@@ -58,8 +60,9 @@ class Family {
                               std::min(1.0, least_ * static_cast<double>(size_)),
                               claim_.alpha / parts}));
     std::string fault = claim_.explain ? claim_.explain() : "";
-    if (fault.empty() && claim_.expected.empty() && !claim_.is_certain)
-      fault = visible_fault(numbers_, claim_);
+    const bool is_open = claim_.expected.empty() && !claim_.is_certain;
+    if (fault.empty() && is_open) fault = visible_fault(numbers_, claim_);
+    if (fault.empty() && is_open) fault = hint_;
     return Failure{
         numbers_.call + ": " + measured_,
         claim_.expected.empty() ? "independent random numbers, uniform in [0, 1)" : claim_.expected,
@@ -74,7 +77,7 @@ class Family {
   const char* part_;
   std::size_t size_, chosen_, count_ = 0;
   double least_ = 1;
-  std::string measured_;
+  std::string measured_, hint_;
 };
 
 /// P(|sum of n independent random directions|^2 >= squared): Rayleigh's test, with the second-order

@@ -119,9 +119,8 @@ std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> po
   if (n >= 12 && each_axis([](const Axis& axis) {
         return axis.strata > 1 && is_even(axis.values, axis.strata);
       })) {
-    return dims == 2 ? "rows and columns are filled evenly, cells are not: cell k is in column "
-                       "k % nx and row k / nx, and x and y of a point must move together"
-                     : "each axis is evenly filled, but not each cell: " + elsewhere;
+    return "each axis is evenly filled, but not each cell: " + elsewhere +
+           "; the coordinates of a point must move together";
   }
   return elsewhere;
 }

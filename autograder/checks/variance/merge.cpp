@@ -70,7 +70,7 @@ void judge_merges(const std::vector<Parts>& all, const std::string& otherwise = 
     const Moments part_b{b.count, b.mean * scale, b.m2 * scale * scale};
     const auto got = MEASURE(merge, part_a, part_b);
     expect_equal(got.call + ".count", got.value.count, a.count + b.count, "",
-                 "add the counts as 64-bit integers");
+                 otherwise.empty() ? "add the counts as 64-bit integers" : otherwise);
     means.add(got.call + ".mean", got.value.mean, mean,
               16 * eps * scale * std::max(std::abs(a.mean), std::abs(b.mean)) + last_bits,
               [=] { return merged_mean_suspects(part_a, part_b); });

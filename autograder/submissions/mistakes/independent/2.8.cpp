@@ -163,7 +163,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::small_generator_of_its_own
 
 // mistake: makes two numbers, 16 places apart, from the halves of one word in both orders
-// hint: lanes need unrelated states
+// hint: two numbers share bits of one word
 namespace mc::halves_exchanged {
 void uniforms(Rng& rng, std::span<double> out) {
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -109,7 +109,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::shuffle_of_16_bits
 
 // mistake: shuffles blocks of 128 values separately
-// hint: not block by block
+// hint: do not shuffle in blocks
 namespace mc::shuffles_blocks {
 void shuffle(std::span<double> x, Rng& rng) {
   for (std::size_t first = 0; first < x.size(); first += 128) {
@@ -174,7 +174,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::unshuffled_padding
 
 // mistake: shuffles x and y of a pattern separately
-// hint: x and y of a point must move together
+// hint: the coordinates of a point must move together
 namespace mc::x_and_y_shuffled_apart {
 void stratified(PointSet& points, Rng& rng) {
   right_stratified(points, rng);
