@@ -70,9 +70,10 @@ void require_distinct(const SampleSets& sets) {
   fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
                            sets.call, index, set, other_index, other_set, x, y),
                "points that are all different", "random points are never equal",
-               index == 0 && other_index == 0 ? "the first point of a set must be random, too"
-               : x == 0 && y == 0             ? "a point at (0, 0) was never written"
-                                              : "draw every point anew, and keep it once"});
+               index == 0 && other_index == 0 && std::fmod(x * 128, 1) == 0
+                   ? "the first point of a set must be random, too"
+               : x == 0 && y == 0 ? "a point at (0, 0) was never written"
+                                  : "draw every point anew, and keep it once; use 53 random bits"});
 }
 
 SampleSets require_random(SampleSets sets) {
@@ -89,22 +90,23 @@ std::string too_close_hint(View x, View y, double radius, double least) {
   }
   // Of pairs that are close by chance, at most a fraction of 4/pi radius lies across an edge: if
   // all of them do, it is by chance once in 10,000 patterns.
-  std::size_t pairs = 0, across = 0, nearly_apart = 0;
+  std::size_t pairs = 0, across = 0;
   for (std::size_t i = 0; i < x.size() && n < 5000; ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       const double dx = x[i] - x[k], dy = y[i] - y[k];
       if (std::hypot(short_way(dx), short_way(dy)) >= radius - 4 * eps) continue;
       ++pairs;
       across += std::hypot(dx, dy) >= radius - 4 * eps;
-      nearly_apart += std::hypot(short_way(dx), short_way(dy)) >= 0.99 * radius;
     }
   }
   const double by_chance = 4 / std::numbers::pi * radius;
   if (across == pairs && static_cast<double>(pairs) * std::log(by_chance) < std::log(1e-4)) {
     return "they are close only across an edge: measure distances on the torus";
   }
-  if (pairs >= 3 && nearly_apart == pairs) {
-    return "distances are a little too short: compare with the radius, without a tolerance";
+  // A distance below the radius is above a part q of it with probability 1 - q^2.
+  const double part = least / radius;
+  if (static_cast<double>(pairs) * std::log(1 - part * part) < std::log(1e-4)) {
+    return fmt::format("all distances are at least {:.3g} of the radius: use all of it", part);
   }
   return "compare each new point with all points near it; a grid cell must not have room for two";
 }

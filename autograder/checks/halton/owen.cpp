@@ -158,11 +158,11 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
        .otherwise = "different seeds give the same state: do not truncate a hash to 32 bits"});
 }
 
-/// N scrambled points, equally spaced in an interval of length 2^-depth, lie one in each of N strata
-/// of an interval. If they are independent, the error of the integral of exp(x) over it, scaled to
-/// length 1, is a sum of N independent terms, hence Gaussian, with the variance (e^2 - 1)/(24 N^3),
-/// up to N^-2 of it. Then half of all errors are below the quartile, 0.6745 standard deviations. If
-/// only pairs are independent, most errors are small.
+/// N scrambled points, equally spaced in an interval of length 2^-depth, lie one in each of N
+/// strata of an interval. If they are independent, the error of the integral of exp(x) over it,
+/// scaled to length 1, is a sum of N independent terms, hence Gaussian, with the variance (e^2 -
+/// 1)/(24 N^3), up to N^-2 of it. Then half of all errors are below the quartile, 0.6745 standard
+/// deviations. If only pairs are independent, most errors are small.
 void judge_errors_of_a_net(int depth, Rng& rng) {
   constexpr std::size_t n = 1024, sets = 250, replicates = 1000;
   const double deviation = std::sqrt((std::exp(2.) - 1) / 24 / (double{n} * n * n));

@@ -181,6 +181,8 @@ CHECK_CASE("5.5 a column of Sobol' points may begin anywhere", "[5.5][points:5]"
     check_sobol(d, words[rng() % words.size()], 1 + rng() % 3000);
     check_sobol(d, sobol_end - 700, 700);
   }
+  // A column that begins where one in another dimension ended; replayed in one process.
+  for (const unsigned d : {7u, 2u, 7u}) check_sobol(d, d == 2 ? 1000 : 1300, 300);
 }
 
 CHECK_CASE("5.5 a column of Sobol' points has any size", "[5.5][points:2]") {

@@ -1,6 +1,6 @@
 #pragma once
-// The exact moments of the scenes of labs/common/scenes.hpp, for any valid parameters, derived from the
-// geometry and not from the scene's code. Means are in closed form; all moments of an indicator
+// The exact moments of the scenes of labs/common/scenes.hpp, for any valid parameters, derived from
+// the geometry and not from the scene's code. Means are in closed form; all moments of an indicator
 // equal its mean; those of lights are integrals (Gauss-Legendre), accurate to 12 digits.
 
 #include <algorithm>
