@@ -81,9 +81,8 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
                    [&] { return overflows(tiny.x, static_cast<double>(tiny.exact.mean)); });
   means.expect(
       "a mean lies between the smallest and the largest value, so it is finite",
-      "a sum can overflow although the mean does not, and so can value - mean in a running mean "
-      "(add "
-      "value / count - mean / count) or a float; means of parts of a list need their weights");
+      "a sum can overflow, and so can value - mean in a running mean: add value / count - mean / "
+      "count; a float overflows at 3.4e38 already; means of parts of a list need their weights");
 }
 
 CHECK_CASE("1.1 the mean of infinities and NaNs is not finite", "[1.1][edge][points:1]") {
