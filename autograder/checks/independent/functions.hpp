@@ -84,7 +84,7 @@ inline void judge_calls_in_turn(const Numbers& numbers, std::uint64_t n, std::ui
 }
 
 /// Estimates from n and from 2n samples, with the same seed, differ: they are equal if the numbers
-/// repeat after n samples. By chance they agree to 1e-11 once in 10^8 runs.
+/// repeat after n samples. By chance they agree to 1e-11 once in 10^7 runs.
 template <class Estimates>
 void judge_period(std::uint64_t seed, Estimates estimates) {
   double before = nan;
