@@ -106,7 +106,7 @@ std::string too_close_hint(View x, View y, double radius, double least) {
   // A distance below the radius is above a part q of it with probability 1 - q^2.
   const double part = least / radius;
   if (static_cast<double>(pairs) * std::log(1 - part * part) < std::log(1e-4)) {
-    return fmt::format("all distances are at least {:.3g} of the radius: use all of it", part);
+    return fmt::format("no two are closer than {:.3g} of the radius: keep the whole radius", part);
   }
   return "compare each new point with all points near it; a grid cell must not have room for two";
 }

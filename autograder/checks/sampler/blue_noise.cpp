@@ -29,7 +29,8 @@ CHECK_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]"
     }
     std::ranges::sort(radii);
     const std::string hint =
-        uses.size() == 2 ? "the first next2() must be blue noise even after a next()"  // not before
+        // Without a next() it passed.
+        uses.size() == 2 ? "the first next2() must be blue noise even after a next()"
         : mean_low > 0.25
             ? "the first next2() must be lab 4's best_candidate(); keep x and y together"
             : "there are too few candidates, or a fixed number, or none: point i needs i + 1";

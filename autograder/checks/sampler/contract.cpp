@@ -333,7 +333,7 @@ TEST_CASE("6.8 many samples are correct too",
       std::ranges::sort(x);
       expect_that(std::ranges::adjacent_find(x) == x.end(),
                   fmt::format("{}: a number of coordinate {} occurs twice", got.call, c),
-                  "different numbers", "each number is in its own interval of length 1 / N or less",
+                  "different numbers", "no two samples share a stratum or a point",
                   "a column is as long as there are samples: do indices fit into their type?");
     }
     if (kind == "halton") continue;
