@@ -81,8 +81,8 @@ TEST_CASE("a later failure of a task keeps its result and its diagnosis") {
 
 /// Of values that became `got`.
 checks::Failure failure_of(const Values& exact, const Values& got) {
-  const auto failure = checks::difference(
-      {"f()", got}, {.exact = exact, .tolerance = {1e-9}, .otherwise = "no idea"});
+  const auto failure =
+      checks::difference({"f()", got}, {.exact = exact, .tolerance = {1e-9}, .rule = "no idea"});
   REQUIRE(failure);
   return *failure;
 }
@@ -102,10 +102,10 @@ TEST_CASE("a comparison says what is true of the wrong values") {
   CHECK(raised.likely == "no value is below 9.75: something limits the values");
 
   // One wrong value is not a limit, and neither are values that jump over it.
-  CHECK(failure_of(exact, changed([](double& x, auto i) { x = i == 7 ? 3 : x; })).likely ==
+  CHECK(failure_of(exact, changed([](double& x, auto i) { x = i == 7 ? 3 : x; })).rule ==
         "no idea");
   const auto third = failure_of(exact, changed([](double& x, auto i) { x = i % 3 == 1 ? 5 : x; }));
-  CHECK(third.likely == "no idea");
+  CHECK(third.rule == "no idea");
   CHECK(contains(third.measured, "17 of 50 values are wrong: every 3rd, from value 1 on"));
 }
 

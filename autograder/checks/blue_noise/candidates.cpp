@@ -53,10 +53,9 @@ CHECK_CASE("4.2 each point is the best of its candidates", "[4.2][main][points:1
   judge_candidates(2, 69999, 20, rng, 300000);  // more candidates than 16 bits can count
   const auto got = MEASURE(best_candidate, 1, 1, 2000, fresh_seed(rng));
   const SampleSets first = random_sets(got, 1, 2000);
-  expect_independent_uniforms(
-      {got.call, 2, first.values()},
-      {.words = "the first point is uniform in the square",
-       .otherwise = "the first point has one candidate, uniform in the square"});
+  expect_independent_uniforms({got.call, 2, first.values()},
+                              {.words = "the first point is uniform in the square",
+                               .rule = "the first point has one candidate, uniform in the square"});
 }
 
 CHECK_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {

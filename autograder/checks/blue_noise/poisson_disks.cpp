@@ -121,7 +121,7 @@ CHECK_CASE("4.3 points fall anywhere on the torus", "[4.3][points:1][needs:4.1]"
   }
   expect_independent_uniforms(
       places, {.words = "a random point of each pattern is uniform in the square",
-               .otherwise = "points must fall anywhere on the torus with equal probability"});
+               .rule = "points must fall anywhere on the torus with equal probability"});
   require_everywhere(all);
   require_everywhere(patterns(uniform(rng, 0.05, 0.06), 40, rng));
 }

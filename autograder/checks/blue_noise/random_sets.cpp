@@ -150,12 +150,11 @@ SampleSets random_sets(const Measured<Patterns>& got, double radius, std::size_t
 void require_fine(const SampleSets& sets) {
   Uniforms rest{sets.call + ", bits of coordinates from the 17th on", 1, {}, 36};
   for (const double x : sets.values()) rest.values.push_back(x * 0x1p16 - std::floor(x * 0x1p16));
-  expect_independent_uniforms(
-      rest,
-      {.words = "the lower bits of coordinates are uniform",
-       .otherwise = "all 53 bits must be random: use no float, and do not clamp",
-       .expected = "independent random bits in each coordinate"},
-      true);
+  expect_independent_uniforms(rest,
+                              {.words = "the lower bits of coordinates are uniform",
+                               .rule = "all 53 bits must be random: use no float, and do not clamp",
+                               .expected = "independent random bits in each coordinate"},
+                              true);
 }
 
 void require_everywhere(const SampleSets& sets) {
@@ -280,9 +279,9 @@ Count promised(double c) {
   return [=](double i) { return std::ceil(c * i) + 1; };
 }
 
-Randomness best_of_candidates(const std::string& otherwise) {
+Randomness best_of_candidates(const std::string& rule) {
   return {.words = "the nearness of point i, to the power of ceil(c i) + 1, is uniform",
-          .otherwise = otherwise,
+          .rule = rule,
           .expected = "each point i is the best of ceil(c i) + 1 uniform candidates"};
 }
 

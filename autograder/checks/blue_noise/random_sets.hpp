@@ -122,7 +122,7 @@ Uniforms by_candidates(const std::string& call, const Nearness& all, const Count
 /// The number of candidates that 4.2 specifies: ceil(c i) + 1.
 Count promised(double c);
 
-Randomness best_of_candidates(const std::string& otherwise);
+Randomness best_of_candidates(const std::string& rule);
 
 /// The only well-known mistake that explains points 1, 2, … of these sets, if there is one. Needs
 /// thousands of sets, because some mistakes are similar.

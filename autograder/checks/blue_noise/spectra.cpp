@@ -103,7 +103,7 @@ void compare_power(const Points& points, int kmax) {
       .exact = values_of(kmax, exact),
       .tolerance = {},
       .because = "waves are accurate to 32 (kmax + 1) eps, sums to N eps",
-      .otherwise = "sum exp(-2 pi i (kx x + ky y)) in double, and divide its squared size by N",
+      .rule = "sum exp(-2 pi i (kx x + ky y)) in double, and divide its squared size by N",
       .name = [&](std::size_t i) {
         return fmt::format("{}: power at k = ({}, {})", measured.call,
                            static_cast<int>(i % side) - kmax, static_cast<int>(i / side) - kmax);
@@ -231,8 +231,8 @@ CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
         .exact = means_over(power, kmax, nearest),
         .tolerance = {},
         .because = "n positive terms lose at most n eps; the power at k = 0 is N, so ring 0 is NaN",
-        .otherwise = kmax < 182 ? "the mean over all (kx, ky) whose length rounds to r"
-                                : "smaller kmax are right: kx^2 + ky^2 needs more than 16 bits"};
+        .rule = kmax < 182 ? "the mean over all (kx, ky) whose length rounds to r"
+                           : "any kmax is valid: kx^2 + ky^2 may need more than 16 bits"};
     for (std::size_t r = 0; r < count.size(); ++r) {
       rings.tolerance.push_back((count[r] + 2) * eps * rings.exact[r]);
     }

@@ -49,7 +49,7 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
                    {{}, "x wraps around the torus, y does not"},
                    {{}, "y wraps around the torus, x does not"},
                    {{}, "this is |dx| + |dy|: add the squares"}},
-      .otherwise = "along each axis, take the shorter of |difference| and 1 - |difference|",
+      .rule = "along each axis, take the shorter of |difference| and 1 - |difference|",
       .name =
           [&, &a = a, &b = b](std::size_t i) {
             return fmt::format("from ({}, {}) to ({}, {})", a.x[i], a.y[i], b.x[i], b.y[i]);
@@ -122,10 +122,9 @@ void judge_tilings(Rng& rng, bool at_the_edge) {
          .because = "a point of the copy (i, j) lies at ((i + x) / copies, (j + y) / copies)",
          .suspects = {{tiled(pattern, copies, 0),
                        "all copies are in one place: i / copies of two integers is 0"}},
-         .otherwise = copies > 255 ? "fewer copies are right: do their numbers fit into their type?"
-                      : at_the_edge
-                          ? "limit only what is rounded up to 1"
-                          : "the copies differ: do not rotate, mirror or move the pattern",
+         .rule = copies > 255  ? "any number of copies is valid, also more than 255"
+                 : at_the_edge ? "limit only what is rounded up to 1"
+                               : "the copies differ: do not rotate, mirror or move the pattern",
          .name =
              [&call = measured.call](std::size_t i) {
                return fmt::format("{}: {} of point {}, row by row", call, i % 2 == 0 ? "y" : "x",

@@ -54,7 +54,7 @@ void check_discrepancy(const Measured<double>& got, Of of) {
   });
   results.expect("the largest of |volume - fraction of the points inside| over all boxes",
                  got.value < exact
-                     ? "D* is too small: some boxes are missing"
+                     ? "D* is the largest value of all boxes: leave none out"
                      : "the box may end at a point or at 1, with or without the points there");
 }
 

@@ -18,7 +18,7 @@ inline double wrapped(double x) {
 /// The claim that the shift of `what` is uniform and independent for each axis.
 inline Randomness uniform_shift(const std::string& what, const std::string& repeated) {
   return {.words = "the shift of " + what + " is uniform in the unit cube",
-          .otherwise = "draw a uniform number in [0, 1) for each axis",
+          .rule = "draw a uniform number in [0, 1) for each axis",
           .repeated = repeated,
           .same = "the same shift on every axis moves points along the diagonal"};
 }
@@ -75,7 +75,7 @@ inline const char* const never_written = "this value was never written, or only 
 struct Inverses {
   unsigned base = 2;
   std::vector<std::uint64_t> indices = {};
-  std::string otherwise = {};  ///< the hint if no mistake explains the values
+  std::string rule = {};  ///< the hint if no mistake explains the values
   double tolerance = inverse_tolerance;
   bool separate_calls = false;
 };
@@ -164,10 +164,9 @@ inline void expect_inverses(const MeasuredValues& measured, const Inverses& expe
                  std::abs(got[i] - comparison.exact[i]) < 1e-6;
   }
   comparison.suspects = inverse_suspects(got, expected);
-  comparison.otherwise = std::ranges::any_of(got, [](double x) { return std::isnan(x); })
-                             ? never_written
-                         : are_floats ? "this is a float: it has only 24 bits of 53"
-                                      : expected.otherwise;
+  comparison.rule = std::ranges::any_of(got, [](double x) { return std::isnan(x); }) ? never_written
+                    : are_floats ? "this is a float: it has only 24 bits of 53"
+                                 : expected.rule;
   expect_each(held, comparison);
 }
 

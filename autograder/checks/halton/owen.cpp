@@ -64,7 +64,7 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
   const Uniforms zeros{of_zero.call, 1, {of_zero.values().begin(), of_zero.values().end()}};
   expect_independent_uniforms(zeros,
                               {.words = "a scrambled value is uniform",
-                               .otherwise = "flip each of the 53 bits with probability 1/2",
+                               .rule = "flip each of the 53 bits with probability 1/2",
                                .explain = [&] { return flips_hint(zeros); }},
                               true);
 }
@@ -92,7 +92,7 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
       apart.values.push_back(value_of(both << (k + 1) | (rng() >> (63 - k))));
     }
     expect_independent_uniforms(
-        apart, {.words = independent, .alpha = 1e-8 / 52, .otherwise = "", .explain = [&] {
+        apart, {.words = independent, .alpha = 1e-8 / 52, .rule = "", .explain = [&] {
                   return !is_shift ? nested
                          : k == 0
                              ? "every bit is flipped in the same way for all strings before it: "
@@ -112,7 +112,7 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
   }
   expect_independent_uniforms(decided,
                               {.words = independent,
-                               .otherwise = nested,
+                               .rule = nested,
                                .repeated = "a flip is repeated for another seed, level or string: "
                                            "mix all three by a hash, do not add them"});
 }
@@ -133,7 +133,7 @@ CHECK_CASE("5.8 a value is scrambled the same way in any column", "[5.8][points:
         {there.call, {column.rbegin().base() - static_cast<std::ptrdiff_t>(n), column.end()}},
         {.exact = {all.rbegin(), all.rend()},
          .because = "a function of value and seed only: the same values in reverse, after others",
-         .otherwise = "the result must not depend on the place of a value in its column"});
+         .rule = "the result must not depend on the place of a value in its column"});
     const std::size_t skip = rng() % n, size = 1 + (rng() % (n - skip) >> rng() % 8);
     const View some = View(x).subspan(skip, size), exact = all.subspan(skip, size);
     const SampleSets part = scrambled({some.begin(), some.end()}, {seed});
@@ -141,7 +141,7 @@ CHECK_CASE("5.8 a value is scrambled the same way in any column", "[5.8][points:
         {part.call, part.values()},
         {.exact = {exact.begin(), exact.end()},
          .because = "a function of value and seed only: a part of the column of " + got.call,
-         .otherwise = "the result must not depend on the length of a column"});
+         .rule = "the result must not depend on the length of a column"});
   }
 }
 
@@ -153,9 +153,8 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
   // Numbers that depend on 32 bits of a hash have ten repeats among this many seeds.
   const Uniforms many = numbers_of(domain::seeds(rng, 300'000), 50'000, of_zero);
   expect_independent_uniforms(
-      many,
-      {.words = "different seeds give independent numbers",
-       .otherwise = "different seeds give the same state: do not truncate a hash to 32 bits"});
+      many, {.words = "different seeds give independent numbers",
+             .rule = "different seeds have different states of 64 bits: do not truncate a hash"});
 }
 
 /// N scrambled points, equally spaced in an interval of length 2^-depth, lie one in each of N

@@ -129,7 +129,7 @@ void check_large_base(Rng& rng, unsigned base) {
               "use the seed in large bases, too");
   expect_independent_uniforms(
       choices, {.words = fmt::format("a random permutation of {} digits", base),
-                .otherwise = "all permutations must be equally likely, in large bases too"});
+                .rule = "all permutations must be equally likely, in large bases too"});
 }
 
 CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3][main]") {
@@ -149,7 +149,7 @@ CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3]
     const bool stay = std::ranges::all_of(values, [](double x) { return x == 0; });
     const Randomness claim{
         .words = "the scrambled value of index 0 is uniform",
-        .otherwise = "use a random digit for each of the zeros of index 0, down to 2^-53",
+        .rule = "use a random digit for each of the zeros of index 0, down to 2^-53",
         .explain = [&]() -> std::string {
           const std::size_t different = std::set(values.begin(), values.end()).size();
           return stay ? zeros_too
@@ -203,15 +203,16 @@ void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& po
       before = order;
     }
   }
-  const auto each = "use a random permutation for each position, from a hash of seed and position";
   expect_independent_uniforms(
       numbers,
       {.words = fmt::format("the permutations of {} digits are random, for each position and seed",
                             base),
-       .otherwise = alike == seeds * (positions.size() - 1)
-                        ? "one permutation is used for all positions: use a different one for each"
-                    : base == 3 ? shuffle_hint(orders, 3, each)
-                                : each});
+       .rule = "use a random permutation for each position, from a hash of seed and position",
+       .explain = [&]() -> std::string {
+         if (alike == seeds * (positions.size() - 1))
+           return "one permutation is used for all positions";
+         return base == 3 ? shuffle_hint(orders, 3) : "";
+       }});
 }
 
 CHECK_CASE("5.9 permutations are random for every position and seed", "[5.9][points:4]") {
@@ -239,7 +240,7 @@ void check_part(unsigned base, std::uint64_t first, std::uint64_t count, std::ui
       {part.call, part.exactly(size, unit)},
       {.exact = {exact.begin(), exact.end()},
        .because = "a function of base, index and seed only: the same indices as in " + whole.call,
-       .otherwise =
+       .rule =
            "a value must not depend on where its column begins and ends, not even by rounding"});
 }
 

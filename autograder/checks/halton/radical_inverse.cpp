@@ -17,14 +17,14 @@ void check_indices(Inverses expected) {
 CHECK_CASE("5.1 the radical inverse mirrors the digits of the index", "[5.1][points:5][main]") {
   // Wider than the header's bound: 15 digits added in any order. Another check tests the order.
   constexpr double room = 15 * half_ulp;
-  const std::string otherwise =
+  const std::string rule =
       "multiply digit k of the index, from the last with k = 0, by base^-(k+1)";
-  check_indices({2, {74, 6, 1, 2, 3}, otherwise, room});  // the lecture's example: 74 gives 41/128
+  check_indices({2, {74, 6, 1, 2, 3}, rule, room});  // the lecture's example: 74 gives 41/128
   for (const unsigned base : {3u, 2u, 5u, 7u, 10u, 29u}) {
     Indices indices(80);
     for (auto& index : indices) index = rng() % (base * base * base);
     std::iota(indices.begin() + 40, indices.end(), 0);
-    check_indices({base, indices, otherwise, room});
+    check_indices({base, indices, rule, room});
   }
 }
 
@@ -95,10 +95,10 @@ CHECK_CASE("5.1 a base below 2 is refused", "[5.1][points:1][edge]") {
 const std::string as_single = "each value must equal that of 5.1: do not accumulate errors";
 
 void check_column(unsigned base, std::uint64_t first, std::uint64_t count,
-                  const std::string& otherwise) {
+                  const std::string& rule) {
   const auto got = MEASURE(radical_inverses, base, first, count);
   expect_inverses({got.call, got.exactly(count, any_number)},
-                  {base, domain::in_a_row(first, count), otherwise});
+                  {base, domain::in_a_row(first, count), rule});
 }
 
 CHECK_CASE("5.2 a column has the radical inverses of 0 1 2 and so on",
@@ -115,7 +115,7 @@ CHECK_CASE("5.2 a column has the radical inverses of 0 1 2 and so on",
 
 CHECK_CASE("5.2 a column may begin anywhere", "[5.2][points:4][needs:5.1]") {
   const std::string small = "a value depends on its index alone, not on its place in the column";
-  const std::string otherwise = "do all parts of the column keep 64 bits of an index?";
+  const std::string rule = "a value depends on all 64 bits of its index, not on its place";
   const auto words = domain::words(last_index - 3000, rng);
   for (const unsigned base : {3u, 2u, 5u, 7u, 31u, 257u, 7919u, 65537u, 4294967291u}) {
     // From the last index of a block on: the block's beginning, the previous index and 0 differ.
@@ -123,14 +123,14 @@ CHECK_CASE("5.2 a column may begin anywhere", "[5.2][points:4][needs:5.1]") {
     std::uint64_t power = base;
     while (power < 1000000000) power *= base;
     check_column(base, 2 * block - 1 + block * (rng() % 50), 300 + rng() % 1500,
-                 base < 65536 ? small : otherwise);
-    check_column(base, power - 1 - rng() % 300, 1000, otherwise);  // nine digits change at once
-    check_column(base, (rng() >> 20) | (std::uint64_t{1} << 43), 700, otherwise);
+                 base < 65536 ? small : rule);
+    check_column(base, power - 1 - rng() % 300, 1000, rule);  // nine digits change at once
+    check_column(base, (rng() >> 20) | (std::uint64_t{1} << 43), 700, rule);
     for (int i = 0; i < 5; ++i) {
-      check_column(base, words[rng() % words.size()], 1 + rng() % 2000, otherwise);
+      check_column(base, words[rng() % words.size()], 1 + rng() % 2000, rule);
     }
-    check_column(base, last_index - 599, 600, otherwise);
-    check_column(base, last_index, 1, otherwise);
+    check_column(base, last_index - 599, 600, rule);
+    check_column(base, last_index, 1, rule);
   }
   // A column that begins where one in another base ended; replayed in one process.
   for (const unsigned base : {3u, 2u, 3u}) check_column(base, base == 2 ? 1000 : 1300, 300, small);

@@ -37,7 +37,7 @@ CHECK_CASE("5.3 the first primes", "[5.3][points:2]") {
         {.exact = {primes.begin(), primes.begin() + static_cast<std::ptrdiff_t>(count)},
          .because = "the primes in order: 2, 3, 5, 7, 11, …",
          .suspects = {{from_1, "1 is not prime"}},
-         .otherwise = "the only divisors of a prime are 1 and itself; list each once, in order"});
+         .rule = "the only divisors of a prime are 1 and itself; list each once, in order"});
   }
 }
 
@@ -89,7 +89,7 @@ void check_hammersley(std::uint64_t n, std::uint64_t dims) {
                     {std::vector<double>(n),
                      "i / N of two integers is 0: convert to double before the division"},
                     {over(0, size - 1), "N points have N strata: i / N, not i / (N - 1)"}},
-       .otherwise = std::isnan(got[0]) ? never_written : "i / N in double division"});
+       .rule = std::isnan(got[0]) ? never_written : "i / N in double division"});
   check_axes(measured, n, dims, 0, 1);
 }
 
@@ -162,10 +162,9 @@ void check_sobol(unsigned dimension, std::uint64_t first, std::uint64_t count) {
   }
   const auto wrong =
       std::mismatch(got.begin(), got.end(), comparison.exact.begin()).first - got.begin();
-  comparison.otherwise = std::isnan(got[static_cast<std::size_t>(wrong)]) ? never_written
-                         : first == 0
-                             ? direction_hint(static_cast<std::uint64_t>(wrong), dimension)
-                             : "each of the 32 bits of an index selects a direction number";
+  comparison.rule = std::isnan(got[static_cast<std::size_t>(wrong)]) ? never_written
+                    : first == 0 ? direction_hint(static_cast<std::uint64_t>(wrong), dimension)
+                                 : "each of the 32 bits of an index selects a direction number";
   expect_each({measured.call, got}, comparison);
 }
 

@@ -208,7 +208,7 @@ CHECK_CASE("5.10 the tent transform folds the line", "[5.10][stretch]") {
                .because = "1 - |2x - 1| is 2x up to 1/2, and 2 - 2x above",
                .suspects = {{kept, "this is 2x modulo 1, which jumps at 1/2: fold instead"},
                             {x, "the values are unchanged"}},
-               .otherwise = "1 - |2x - 1|"});
+               .rule = "1 - |2x - 1|"});
   expect_that(measured.exactly(x.size(), unit)[23] < 1, "tent of 1/2 is 1",
               "the largest double below 1", "values are in [0, 1)", "keep it below 1");
 }

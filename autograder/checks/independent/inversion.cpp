@@ -16,7 +16,7 @@ struct FunctionCase {
   std::function<double(double)> exact, tolerance;
   std::string because;
   std::vector<Mistake> mistakes;
-  std::string otherwise;
+  std::string rule;
 };
 
 void judge_values(const std::string& call, const Values& got, const char* argument, const Values& x,
@@ -25,7 +25,7 @@ void judge_values(const std::string& call, const Values& got, const char* argume
   for (const auto& [value, hint] : of.mistakes) {
     comparison.suspects.push_back({each(x, value), hint});
   }
-  comparison.otherwise = of.otherwise;
+  comparison.rule = of.rule;
   comparison.separate_calls = true;
   comparison.name = [&](std::size_t i) {
     return fmt::format("{} at {} = {}", call, argument, x[i]);
@@ -176,10 +176,8 @@ CHECK_CASE("2.3 parameters without a density are refused", "[2.3][points:2][edge
   }
   const std::string because = "x^a has a finite integral over [0, 1] only for a > -1";
   for (const double a : {-2.0, -1.0, -1 - eps, nan, -infinity}) {
-    for (const double u : {0.5, 0.0}) {
-      calls.push_back({MEASURE_OUTCOME(sample_power, {u}, a), "a", because});
-    }
-    for (const double x : {0.5, -2.0, 2.0}) {
+    for (const double x : {0.5, 0.0, -2.0, 2.0}) {
+      if (x >= 0 && x < 1) calls.push_back({MEASURE_OUTCOME(sample_power, {x}, a), "a", because});
       calls.push_back({MEASURE_OUTCOME(pdf_power, {x}, a), "a", because});
     }
   }

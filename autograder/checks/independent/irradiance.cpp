@@ -221,10 +221,9 @@ CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1
     shares.values.push_back(std::clamp(share_within(light, square), 0.0, 1 - 0x1p-53));
   }
   expect_independent_uniforms(
-      shares,
-      {.words = "points are uniform on the light",
-       .otherwise = "x between x0 and x1, y between y0 and y1, with separate random numbers",
-       .expected = "independent uniform points on the light"});
+      shares, {.words = "points are uniform on the light",
+               .rule = "x between x0 and x1, y between y0 and y1, with separate random numbers",
+               .expected = "independent uniform points on the light"});
 }
 
 // The hemisphere ----------------------------------------------------------------------------------
@@ -337,7 +336,7 @@ CHECK_CASE("2.7 the size of the scene does not matter", "[2.7][points:1][needs:2
                    .because = fmt::format("irradiance does not depend on the unit of length: this "
                                           "is {} with all lengths times {}",
                                           usual.call, scale),
-                   .otherwise = "use no constant length: no minimal distance, no clamped value"});
+                   .rule = "use no constant length: no minimal distance, no clamped value"});
     }
   }
 }

@@ -58,7 +58,7 @@ std::vector<Suspect> error_suspects(const Values& values) {
           {std::sqrt(by.variance_two_pass / n), blame("variance_two_pass()", "1.3")},
           {std::sqrt(by.variance_of_moments / n), blame("variance() of moments()", "1.8")},
           {std::sqrt(by.variance_textbook / n),
-           "this comes from variance_textbook(), which loses digits: use another variance"},
+           "this is E{X^2} - E{X}^2, which loses digits: use another variance of lab 1"},
           {s * s / n, "this is the variance of the mean: take the square root"},
           {s, "this is s, the standard deviation of one value: that of the mean is s / sqrt(n)"},
           {s * s,

@@ -18,7 +18,7 @@ void judge_words(const Words& words) {
   exact.because =
       "a shift, a conversion of 53 bits and a multiplication by a power of two are exact; the "
       "largest result is (2^53 - 1) / 2^53, so that log(1 - u) is finite";
-  exact.otherwise = "floor(bits / 2^11) times 2^-53; both steps are exact";
+  exact.rule = "floor(bits / 2^11) times 2^-53; both steps are exact";
   exact.separate_calls = true;
   exact.name = [&](std::size_t i) { return fmt::format("to_unit({})", words[i]); };
   exact.suspects = {
@@ -60,8 +60,8 @@ using Sizes64 = std::vector<std::uint64_t>;
 
 const std::string same_place = "two calls or two lanes begin with the same state or numbers";
 const std::string in_step =
-    "lanes need unrelated states, not seed, seed + 1, seed + 2; the end of a call must use new "
-    "numbers, and leave the generator where the next call begins";
+    "all numbers are independent: in one call and between calls, in one lane and between lanes "
+    "(whose states must be unrelated, not seed, seed + 1, seed + 2)";
 
 /// Consecutive calls fill spans of these sizes, which contain NaN before, with numbers in [0, 1).
 Uniforms filled(std::uint64_t seed, const Sizes64& sizes) {
@@ -114,7 +114,7 @@ CHECK_CASE("2.8 a span of any size is filled with new numbers",
     return common_values(one.values, other.values) > 2 ? from_rng : std::string();
   };
   expect_independent_uniforms(one, {.words = "the numbers of 2.8",
-                                    .otherwise = in_step,
+                                    .rule = in_step,
                                     .repeated = same_place,
                                     .explain = of_any_seed});
   expect_independent_uniforms(side_by_side(one, other), {"the numbers of 2.8 from two seeds", alpha,

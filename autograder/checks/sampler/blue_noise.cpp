@@ -49,11 +49,9 @@ CHECK_CASE("6.7 each point is uniform over seeds", "[6.7][points:1][needs:4]") {
   const SampleSets got = columns_of("blue_noise", 16, domain::seeds(rng, 600), {2});
   for (const std::size_t i : {0u, 1u, 8u, 15u}) {
     expect_independent_uniforms(
-        sample_of(got, i),
-        {.words = "each point is uniform in the square over seeds", .otherwise = "", .explain = [] {
-           return "every pattern begins at the same place, but each point must be random; " +
-                  same_for_seeds;
-         }});
+        sample_of(got, i), {.words = "each point is uniform in the square over seeds",
+                            .rule = "each point, also the first, is random and depends on the seed",
+                            .repeated = same_for_seeds});
   }
   // The vectors from the first point to the second, modulo 1, to nine digits.
   std::set<std::array<long, 2>> vectors;
@@ -93,10 +91,10 @@ CHECK_CASE("6.7 the other dimensions of blue_noise are stratified",
   }
   const SampleSets got = columns_of("blue_noise", 12, domain::seeds(rng, 600), uses);
   for (const std::size_t i : {0u, 7u}) {
-    expect_independent_uniforms(
-        sample_of(got, i), {.words = "different columns are independent",
-                            .otherwise = "use a different permutation for each sample dimension",
-                            .repeated = same_for_seeds});
+    expect_independent_uniforms(sample_of(got, i),
+                                {.words = "different columns are independent",
+                                 .rule = "use a different permutation for each sample dimension",
+                                 .repeated = same_for_seeds});
   }
 }
 

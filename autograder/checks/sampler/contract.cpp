@@ -311,7 +311,7 @@ CHECK_CASE("6.4 neighboring seeds have nothing in common",
         expect_independent_uniforms(
             sample_of(got, i),
             {.words = "different seeds, even neighbors, give independent numbers",
-             .otherwise = "mix the bits of the seed before using them as a state or a counter",
+             .rule = "mix the bits of the seed before using them as a state or a counter",
              .repeated = same_for_seeds +
                          "; or a bit of the seed has no effect; or seed and sample dimension are "
                          "added: the sum is the same for (s, k + 1) and (s + 1, k)"});
@@ -355,8 +355,8 @@ TEST_CASE("6.8 many samples are correct too",
     for (const double x : got.column(0, 0)) order.push_back(*stratum_of(x, n));
     expect_independent_uniforms({got.call, 1, uniforms_of_permutation(order, rng)},
                                 {.words = "the strata of many samples are in random order",
-                                 .otherwise = "each permutation must be equally likely, for any "
-                                              "number of samples: the shuffle of 3.4",
+                                 .rule = "each permutation must be equally likely, for any "
+                                         "number of samples: the shuffle of 3.4",
                                  .is_certain = true});
   }
 }

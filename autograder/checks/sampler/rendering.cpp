@@ -139,7 +139,7 @@ CHECK_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3][ne
                    .suspects = {{{}, "rows and columns are swapped"},
                                 {{}, "the picture is upside down"},
                                 {{}, "only the first sample of each pixel was used"}},
-                   .otherwise = "pixel (column, row) has the index row * width + column"};
+                   .rule = "pixel (column, row) has the index row * width + column"};
     for (std::size_t k = 0; k < pixels; ++k) {
       const auto x = static_cast<double>(k % width), y = static_cast<double>(k / width);
       all.exact.push_back(x + 10 * y + within);
@@ -214,7 +214,7 @@ CHECK_CASE("6.6 the noise of a picture is white across pixels",
     expect_independent_uniforms(
         {got.call, 1, got.exactly(width * height, unit).pixels},
         {.words = "pixels are independent of each other",
-         .otherwise = "the numbers of neighboring pixels must be independent",
+         .rule = "the numbers of neighboring pixels must be independent",
          .repeated = "pixels have the same numbers: use a different seed for each pixel"});
   }
 }

@@ -12,7 +12,7 @@ const std::array<std::string, 2> sequences{"sobol", "halton"};
 /// The decisions are random and, unless `only_each`, independent. `likely` is always the hint.
 void check_decisions(const std::string& words, const Uniforms& decisions, const std::string& likely,
                      bool only_each = false) {
-  expect_independent_uniforms(decisions, {.words = words, .otherwise = likely, .is_certain = true},
+  expect_independent_uniforms(decisions, {.words = words, .rule = likely, .is_certain = true},
                               only_each);
 }
 
@@ -116,12 +116,11 @@ CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:
   for (const std::string& kind : sequences) {
     const SampleSets got = columns_of(kind, 8, domain::seeds(rng, 1000), repeated(12, {1, 2}));
     for (const std::size_t i : {0u, 5u}) {
-      const std::string of_its_own = "each block must be scrambled by new seeds; " + same_for_seeds;
       expect_independent_uniforms(
           sample_of(got, i),
           {.words = "each dimension of each block is randomized independently",
-           .otherwise = of_its_own,
-           .repeated = of_its_own,
+           .rule = "each dimension of each block is scrambled by its own seed",
+           .repeated = "each block must be scrambled by new seeds; " + same_for_seeds,
            .same = "one seed is used for several dimensions: use a different one for each",
            .explain = [&] {
              return got.column(0, 0)[0] > 0
@@ -218,7 +217,7 @@ CHECK_CASE("6.3 lattice has lattices in the same blocks", "[6.3][stretch][edge][
   const SampleSets got = columns_of("lattice", 4, domain::seeds(rng, 1000), repeated(9, {2}));
   expect_independent_uniforms(sample_of(got, 3),
                               {.words = "each dimension of each block has a random shift",
-                               .otherwise = "use a shift for each dimension; " + same_for_seeds,
+                               .rule = "each dimension of each block has its own random shift",
                                .repeated = "shifts must depend on the seed; " + same_for_seeds,
                                .same = "one shift for several dimensions: each needs its own"});
 }

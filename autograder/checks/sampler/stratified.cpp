@@ -10,7 +10,7 @@ namespace {
 const std::string one_per_stratum = "a column has one number in each stratum";
 const Randomness fresh{
     .words = "all numbers of all samples are uniform and independent",
-    .otherwise = "use new uniforms of lab 2 for every coordinate of every sample",
+    .rule = "use new uniforms of lab 2 for every coordinate of every sample",
     .repeated = "numbers are used again for another sample dimension or another sample",
     .same = "numbers are used again for another sample dimension"};
 
@@ -106,11 +106,10 @@ std::string hint_for_orders(const std::vector<Orders>& sets) {
       }
     }
   }
-  const std::string separately = "the pattern must be shuffled for each sample dimension and seed";
-  if (sets.size() < 10000) return separately;
+  if (sets.size() < 10000) return {};
   std::vector<std::size_t> orders;
   for (const Orders& all : sets) append(orders, all[0]);
-  return shuffle_hint(orders, sets[0][0].size(), separately);
+  return shuffle_hint(orders, sets[0][0].size());
 }
 
 // Swaps with any other of three values give a distribution that is 1/27 off: 20,000 sets show 1/40.
@@ -139,7 +138,7 @@ CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5]
     }
     expect_independent_uniforms(
         choices, {.words = "the orders of sample dimensions are independent random permutations",
-                  .otherwise = "",
+                  .rule = "each sample dimension and seed has its own random permutation",
                   .explain = [&] { return hint_for_orders(orders); }});
   }
 }
@@ -150,7 +149,7 @@ CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]"
     expect_independent_uniforms(
         jitters_of(got, lines_of(n, got.dims), one_per_stratum),
         {.words = "numbers are independent and uniform in their strata",
-         .otherwise = "use a separate random number for each place in a stratum",
+         .rule = "use a separate random number for each place in a stratum",
          .repeated = "one random number is used for several places, such as x and y; or " +
                      same_for_seeds});
   }
@@ -167,8 +166,8 @@ CHECK_CASE("6.2 points are uniform in their cells", "[6.2][points:1][needs:3]") 
           some_of(places, {cell, n + cell}),
           {.words = "each point of next2() is uniform in its cell",
            .alpha = alpha / 10,
-           .otherwise = "use independent random permutations to assign the strata of x to the "
-                        "cells of a column, and those of y to the cells of a row (3.7)",
+           .rule = "use independent random permutations to assign the strata of x to the "
+                   "cells of a column, and those of y to the cells of a row (3.7)",
            .repeated = same_for_seeds});
     }
   }

@@ -95,7 +95,7 @@ CHECK_CASE("3.6 the axes are independent", "[3.6][points:3][needs:3.1][needs:3.4
   Randomness meetings{
       .words = "the permutations of two axes of 3.6 are independent",
       .alpha = alpha,
-      .otherwise = "shuffle every column separately, with the shuffle of 3.4",
+      .rule = "shuffle every column separately, with the shuffle of 3.4",
       .repeated = "two axes are always combined in the same way: shuffle each one separately"};
   Randomness jitters = random_jitters("3.6");
   jitters.same = "one column is used for two axes: make a new one for each";

@@ -17,7 +17,7 @@ inline Randomness random_jitters(const std::string& task) {
   return {
       .words = "points are uniform in the cells of " + task + ", and independent",
       .alpha = alpha,
-      .otherwise = "each point is (i + u) / n with its own u, uniform in [0, 1)",
+      .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
       .repeated = "random numbers repeat: blocks or parallel streams may begin with the same state",
       .same = "draw one for every coordinate"};
 }

@@ -77,7 +77,7 @@ Comparison most_square(const std::vector<std::uint64_t>& n, const std::string& l
       .because = "nx * ny = n with nx >= ny, as close to each other as the factors of n allow",
       .suspects = {{{}, "nx must be the larger one"},
                    {{}, "nx * ny must be n: with fewer cells, points are left over"}},
-      .otherwise = likely};
+      .rule = likely};
   for (const std::uint64_t cells : n) {
     const Grid best = squarest(cells);
     const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(cells)));

@@ -58,13 +58,12 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
         .words =
             fmt::format("a point of {} x {} cells lies anywhere in its cell", grid.nx, grid.ny),
         .alpha = alpha,
-        .otherwise =
-            x_stays && y_stays ? "this is the canonical arrangement, which is biased: assign " +
-                                     of_x + ", and " + of_y + ", by random permutations"
-            : y_stays ? "x is shuffled and y is not: assign " + of_y + " by random permutations"
-            : x_stays
-                ? "y is shuffled and x is not: assign " + of_x + " by random permutations"
-                : "random permutations, all equally likely, must assign " + of_x + ", and " + of_y,
+        .rule = x_stays && y_stays ? "this is the canonical arrangement, which is biased: assign " +
+                                         of_x + ", and " + of_y + ", by random permutations"
+                : y_stays ? "x is shuffled and y is not: assign " + of_y + " by random permutations"
+                : x_stays ? "y is shuffled and x is not: assign " + of_x + " by random permutations"
+                          : "random permutations, all equally likely, must assign " + of_x +
+                                ", and " + of_y,
         .expected = "a uniform point of the cell"};
     // Points may share permutations: cells are judged separately; if many, so are coordinates.
     const std::size_t judged = n <= 12 ? std::min<std::size_t>(n, 9) : 5;

@@ -82,7 +82,7 @@ CHECK_CASE("3.8 the estimate is the mean of the replicates", "[3.8][main][points
                               {{exact * size}, "divide by n too"},
                               {{means.back()}, "this is the mean of the last replicate"},
                               {{means.front()}, "this is the mean of the first replicate"}},
-                 .otherwise = "every point of every replicate counts once",
+                 .rule = "every point of every replicate counts once",
                  .is_tame = true});
   }
   for (const double odd : {infinity, -infinity, nan}) {
@@ -118,9 +118,8 @@ CHECK_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:2]
                       "this divides by sqrt(n * replicates): divide by sqrt(replicates)"},
                      {{exact * exact},
                       "this is the variance of the estimate: take its square root"}},
-        .otherwise =
-            is_far ? "E{X^2} - E{X}^2 cancels: compute the variance with lab 1"
-                   : "the replicates' means are independent: compute their variance with lab 1",
+        .rule = is_far ? "E{X^2} - E{X}^2 cancels: compute the variance with lab 1"
+                       : "the replicates' means are independent: compute their variance with lab 1",
         .is_tame = !is_far};
     if (dims == 1) {
       comparison.suspects.push_back(

@@ -141,8 +141,12 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
     };
     family.add(pairs >= 50 * static_cast<double>(side * side) ? p_of_counts(counts) : 1, false,
                describe);
-    family.add(p_of_resultant(std::norm(difference), pairs), false, describe);
-    family.add(p_of_resultant(std::norm(sum), pairs), false, describe);
+    const double many = pairs * pairs / 4;
+    family.add(p_of_resultant(std::norm(difference), pairs), false, describe,
+               std::norm(difference) > many ? "two such numbers differ by a constant" : "");
+    family.add(
+        p_of_resultant(std::norm(sum), pairs), false, describe,
+        std::norm(sum) > many ? "one such number is a mirror image of the other: 1 - u" : "");
   }
   return family.failure();
 }
@@ -182,7 +186,7 @@ std::optional<Failure> dependence_in(const Uniforms& numbers, const Randomness& 
   for (const double u : numbers.values) {
     if (u >= 0 && u < 1) continue;
     return Failure{fmt::format("{}: a random number is {}", numbers.call, u), "numbers in [0, 1)",
-                   claim.words, claim.otherwise};
+                   claim.words, claim.rule};
   }
   const auto pairs = compared_pairs(numbers.positions);
   const bool has_replicates = numbers.replicates() >= 100;

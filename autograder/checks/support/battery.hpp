@@ -43,13 +43,13 @@ struct Uniforms {
 struct Randomness {
   std::string words;          ///< the null hypothesis: "the points of 3.1 are uniform"
   double alpha = 1e-8;        ///< of the whole battery; a lab has at most 80 such tests
-  std::string otherwise;      ///< the hint if the numbers do not show what is wrong
+  std::string rule;           ///< the hint if the numbers do not show what is wrong
   std::string repeated = {};  ///< the hint if numbers repeat
   std::string same = {};      ///< the hint if one position is a function of another
   /// What the program should have done, if the numbers are not its own but computed from its
   /// result: then patterns in the numbers give no hint.
   std::string expected = {};
-  /// `otherwise` is the hint, whatever the numbers show.
+  /// `rule` is the hint, whatever the numbers show.
   bool is_certain = false;
   /// Computes the hint if that takes long or needs more than the numbers; empty if there is none.
   std::function<std::string()> explain = {};

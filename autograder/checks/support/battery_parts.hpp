@@ -68,7 +68,7 @@ class Family {
         claim_.expected.empty() ? "independent random numbers, uniform in [0, 1)" : claim_.expected,
         fmt::format("{}: a correct answer fails this test once in {:.1g} runs", claim_.words,
                     parts / claim_.alpha),
-        fault.empty() ? claim_.otherwise : fault};
+        fault, claim_.rule};
   }
 
  private:

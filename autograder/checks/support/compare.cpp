@@ -149,15 +149,16 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
     std::optional<std::string> hint;
     for (const Curve& curve : curves) {
       if (!explains(curve)) continue;
-      if (hint && *hint != curve.hint) return comparison.otherwise;  // two explanations
+      if (hint && *hint != curve.hint) return "";  // two explanations
       hint = curve.hint;
     }
     return hint;
   };
   // The check's own suspects come first: they are more specific.
   if (const auto hint = only_one(comparison.suspects)) return *hint;
-  if (std::ranges::any_of(got, [](double x) { return std::isinf(x); })) {
-    return comparison.otherwise;  // an overflow hides what was computed
+  const bool is_undefined = std::isnan(comparison.exact[0]);
+  if (is_undefined || std::ranges::any_of(got, [](double x) { return std::isinf(x); })) {
+    return {};  // an overflow hides what was computed
   }
   if (const auto hint = only_one(generic_suspects(got, comparison))) return *hint;
   if (comparison.is_tame && are_of_float(got, comparison.exact, agreement)) {
@@ -171,7 +172,7 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
         "numbers, a float, a rounded constant or a limit",
         *error);
   }
-  return comparison.otherwise;
+  return {};
 }
 
 /// "3rd", "11th", "22nd".
@@ -202,6 +203,17 @@ std::string pattern_of(std::span<const std::size_t> wrong, std::size_t count) {
   return fmt::format("{}{} are wrong, the first is value {}", n, of_all, wrong[0]);
 }
 
+/// Which sizes of the inputs are wrong, if all large ones are and no small one is.
+std::string sizes_in_words(std::span<const std::size_t> wrong, std::span<const double> sizes) {
+  double least = infinity, most = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const bool is_wrong = std::ranges::binary_search(wrong, i);
+    (is_wrong ? least : most) = is_wrong ? std::min(least, sizes[i]) : std::max(most, sizes[i]);
+  }
+  if (most == 0 || least <= most) return {};
+  return fmt::format("; all lists of {} values or more, and none of up to {}", least, most);
+}
+
 }  // namespace
 
 double digits(double got, double exact) {
@@ -227,7 +239,8 @@ std::optional<Failure> difference(const MeasuredValues& measured, const Comparis
   const std::string name = comparison.name
                                ? comparison.name(first)
                                : measured.call + (got.size() > 1 ? fmt::format("[{}]", first) : "");
-  const std::string pattern = pattern_of(wrong, got.size());
+  const std::string pattern =
+      pattern_of(wrong, got.size()) + sizes_in_words(wrong, comparison.sizes);
   const double exact = comparison.exact[first], tolerance = agreement.tolerance(first);
   const double found = digits(got[first], exact);
   return Failure{fmt::format("{} = {}{}{}", name, got[first], pattern.empty() ? "" : "; ", pattern),
@@ -240,28 +253,30 @@ std::optional<Failure> difference(const MeasuredValues& measured, const Comparis
                                        ? fmt::format("{:.1f} found", std::max(0.0, found))
                                        : "no number found")
                      : fmt::format("{} ± {:.3g}", exact, tolerance),
-                 comparison.because, hint_for(got, comparison, agreement)};
+                 comparison.because, hint_for(got, comparison, agreement), comparison.rule};
 }
 
-void Results::add(std::string call, double got, double exact, double tolerance, FindSuspects find) {
+void Results::add(std::string call, double got, double exact, double tolerance, FindSuspects find,
+                  std::size_t size) {
   calls_.push_back(std::move(call));
   values_.push_back(got);
   comparison_.exact.push_back(exact);
   comparison_.tolerance.push_back(tolerance);
+  comparison_.sizes.push_back(static_cast<double>(size));
   suspects_.push_back(std::move(find));
 }
 
 void Results::add_digits(std::string call, double got, double exact, double floor,
-                         FindSuspects find) {
+                         FindSuspects find, std::size_t size) {
   constexpr double last_bits = 4 * std::numeric_limits<double>::denorm_min();
   add(std::move(call), got, exact, std::pow(10, -floor) * std::abs(exact) + last_bits,
-      std::move(find));
+      std::move(find), size);
   comparison_.in_digits = true;
 }
 
-void Results::expect(const std::string& because, const std::string& otherwise) {
+void Results::expect(const std::string& because, const std::string& rule) {
   comparison_.because = because;
-  comparison_.otherwise = otherwise;
+  comparison_.rule = rule;
   comparison_.is_tame = is_tame;
   comparison_.name = [this](std::size_t i) { return calls_[i]; };
   if (!difference({"", values_}, comparison_)) return pass();

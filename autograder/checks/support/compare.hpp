@@ -38,7 +38,8 @@ struct Comparison {
   std::vector<double> tolerance = {0};
   std::string because = {};  ///< the reason for the tolerance, or for exactness
   std::vector<Curve> suspects = {};
-  std::string otherwise = {};  ///< the hint if no suspect explains the values
+  std::string rule = {};           ///< the hint if no suspect explains the values
+  std::vector<double> sizes = {};  ///< of the inputs: are only large ones wrong?
   /// Names value i: "mean({1, 2})"; the default is the call and [i].
   std::function<std::string(std::size_t)> name = {};
   /// The values are results of separate calls: suspects about lists (a missing last value, values
@@ -66,12 +67,14 @@ class Results {
   /// Must return the same mistakes for each call, in the same order.
   using FindSuspects = std::function<std::vector<Suspect>()>;
 
-  void add(std::string call, double got, double exact, double tolerance, FindSuspects find = {});
+  void add(std::string call, double got, double exact, double tolerance, FindSuspects find = {},
+           std::size_t size = 0);
   /// The same with a tolerance in correct digits of `exact`, or in the last bits of a denormal.
-  void add_digits(std::string call, double got, double exact, double floor, FindSuspects find = {});
+  void add_digits(std::string call, double got, double exact, double floor, FindSuspects find = {},
+                  std::size_t size = 0);
 
   /// Every result is within its tolerance. `because` is the reason for the tolerances.
-  void expect(const std::string& because, const std::string& otherwise);
+  void expect(const std::string& because, const std::string& rule);
 
   bool is_tame = false;  ///< as in Comparison
 

@@ -35,9 +35,9 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
       "with the next seed, scrambled 0 has the same digits, shifted by one place: seed + {0} is "
       "the same for (seed, {0} + 1) and (seed + 1, {0}); hash the seed before adding the {0}",
       level);
-  const std::string otherwise = "similar seeds give dependent numbers: mix all 64 bits of the seed";
+  const std::string rule = "numbers of similar seeds are independent: mix all 64 bits of the seed";
   expect_independent_uniforms(row, {.words = "neighboring seeds give independent numbers",
-                                    .otherwise = is_next_digit ? next_digit : otherwise});
+                                    .rule = is_next_digit ? next_digit : rule});
   Uniforms numbers = numbers_of(domain::seeds_by_bit(rng, 120), 2000, measure);
   numbers.positions = 65;
   numbers.name = [](std::size_t k) {
@@ -46,7 +46,7 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
   };
   expect_independent_uniforms(
       numbers, {.words = "all 64 bits of the seed count",
-                .otherwise = otherwise,
+                .rule = rule,
                 .same = "a bit of the seed has no effect; do not truncate the seed to 32 bits"});
 }
 

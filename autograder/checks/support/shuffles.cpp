@@ -34,8 +34,7 @@ std::map<Order, double> chances_of_swaps_with_any(std::size_t n, bool backwards,
 
 }  // namespace
 
-std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
-                         const std::string& otherwise) {
+std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n) {
   const auto count = static_cast<double>(orders.size() / n);
   std::map<Order, double> found;
   Order stays(n);
@@ -79,7 +78,7 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
              "(j from i to n-1)";
     }
   }
-  return otherwise;
+  return {};
 }
 
 }  // namespace mc::checks

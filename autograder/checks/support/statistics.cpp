@@ -30,10 +30,10 @@ std::string hint_for(const Outcome& outcome, const Interval& accepted, const Hin
     const double at = ratio ? outcome.measured * outcome.expected / suspect.value
                             : outcome.measured - suspect.value + outcome.expected;
     if (!(accepted.low <= at && at <= accepted.high)) continue;
-    if (found != nullptr && found->hint != suspect.hint) return hints.otherwise;  // ambiguous
+    if (found != nullptr && found->hint != suspect.hint) return {};  // ambiguous
     found = &suspect;
   }
-  return found == nullptr ? hints.otherwise : found->hint;
+  return found == nullptr ? "" : found->hint;
 }
 
 /// Records the p-value and returns it; ends the check if it is below alpha.
@@ -42,12 +42,12 @@ double judge(const Outcome& outcome, const Null& null, const Hints& hints) {
          protocol::text_of({null.words, outcome.recorded, null.alpha}));
   if (!(outcome.p >= null.alpha)) {
     const Interval accepted = outcome.accepted();
-    expect_that(false, outcome.measured_words,
-                fmt::format("{} between {:.6g} and {:.6g}; {:.6g} on average", outcome.name,
-                            accepted.low, accepted.high, outcome.expected),
-                fmt::format("{}: a correct answer lies outside once in {:.1g} runs", null.words,
-                            1 / null.alpha),
-                hint_for(outcome, accepted, hints));
+    fail(Failure{outcome.measured_words,
+                 fmt::format("{} between {:.6g} and {:.6g}; {:.6g} on average", outcome.name,
+                             accepted.low, accepted.high, outcome.expected),
+                 fmt::format("{}: a correct answer lies outside once in {:.1g} runs", null.words,
+                             1 / null.alpha),
+                 hint_for(outcome, accepted, hints), hints.rule});
   }
   pass();
   return outcome.recorded;

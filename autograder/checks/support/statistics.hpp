@@ -26,10 +26,10 @@ struct Null {
   double alpha;       ///< the probability of failing a correct answer, such as 1e-8
 };
 
-/// The hint for a failure is that of the suspect that the measured value equals, or `otherwise`.
+/// The hint for a failure is that of the suspect that the measured value equals, or `rule`.
 struct Hints {
   std::vector<Suspect> suspects;
-  std::string otherwise;
+  std::string rule;
 };
 
 /// Independent replicates: results of the same estimator with different seeds.

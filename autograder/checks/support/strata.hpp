@@ -29,8 +29,7 @@ inline Grid squarest(std::size_t n) {
   return {n / std::max<std::size_t>(ny, 1), std::max<std::size_t>(ny, 1)};
 }
 
-/// The well-known wrong shuffle that explains these permutations of n <= 5 values, or `otherwise`.
-std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n,
-                         const std::string& otherwise);
+/// The well-known wrong shuffle that explains these permutations of n <= 5 values, if one does.
+std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n);
 
 }  // namespace mc::checks

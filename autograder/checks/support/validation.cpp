@@ -1,7 +1,7 @@
 #include "checks/support/validation.hpp"
 
-#include <cctype>
 #include <cmath>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@ void fail(const Failure& failure) {
   auto report = fmt::format("measured  {}\nexpected  {}", failure.measured, failure.expected);
   if (!failure.because.empty()) report += "\nbecause   " + failure.because;
   if (!failure.likely.empty()) report += "\nlikely    " + failure.likely;
+  if (failure.likely.empty() && !failure.rule.empty()) report += "\nrule      " + failure.rule;
   fail(report);
 }
 
@@ -63,24 +64,10 @@ std::vector<std::string> names_of(std::string_view fields) {
   return names;
 }
 
-std::string without_empty_signs(std::string report) {
-  const auto has = [&](auto of_kind, std::size_t at) {
-    return at < report.size() && of_kind(static_cast<unsigned char>(report[at])) != 0;
-  };
-  for (const std::string_view sign : {"-nan", "-0"}) {
-    for (auto at = report.find(sign); at != std::string::npos; at = report.find(sign, at)) {
-      const auto end = at + sign.size();
-      const bool is_part = (at > 0 && (has(isalnum, at - 1) || report[at - 1] == '^')) ||
-                           has(isalnum, end) ||
-                           (end < report.size() && report[end] == '.' && has(isdigit, end + 1));
-      if (is_part) {
-        ++at;  // "1e-05", "-0.5"
-      } else {
-        report.erase(at, 1);
-      }
-    }
-  }
-  return report;
+std::string without_empty_signs(const std::string& report) {
+  // Not in "1e-05", "-0.5" or "2^-0".
+  static const std::regex sign(R"((^|[^A-Za-z0-9^])-(nan|0)(?![A-Za-z0-9]|\.[0-9]))");
+  return std::regex_replace(report, sign, "$1$2");
 }
 
 }  // namespace mc::checks

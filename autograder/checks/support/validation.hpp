@@ -20,7 +20,8 @@ namespace mc::checks {
 struct Failure {
   std::string measured, expected;
   std::string because = {};  ///< the reason for the expected value or the bound
-  std::string likely = {};   ///< the hint: the likely mistake
+  std::string likely = {};   ///< the hint: the mistake that explains what was measured
+  std::string rule = {};     ///< the hint if none does: what the answer must do
 };
 
 [[noreturn]] void fail(const Failure& failure);
@@ -172,6 +173,6 @@ std::optional<Failure> failure_of(const T& value, std::span<const ListSpec> spec
 }
 
 /// A failure report with "-nan" and "-0" replaced by "nan" and "0".
-std::string without_empty_signs(std::string report);
+std::string without_empty_signs(const std::string& report);
 
 }  // namespace mc::checks

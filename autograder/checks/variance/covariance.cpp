@@ -27,7 +27,7 @@ Pairs far_pairs(Rng& rng, double offset, std::size_t n) {
 }
 
 /// The header's bound, for one pass or two.
-void judge_pairs(const std::vector<Pairs>& all, const std::string& otherwise) {
+void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
   Results covariances;
   for (const auto& [x, y] : all) {
     const auto n = static_cast<double>(x.size());
@@ -55,7 +55,7 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& otherwise) {
   }
   covariances.expect(
       "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; 1 digit of slack",
-      otherwise);
+      rule);
 }
 
 CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {

@@ -143,7 +143,7 @@ CHECK_CASE("1.7 the circle is uncorrelated and yet dependent", "[1.7][points:2][
               {.exact = {0},
                .tolerance = {8 * eps * b * b},
                .because = "for each point (x, y) of the circle there is one at (x, -y)",
-               .otherwise = "see 1.6"});
+               .rule = "see 1.6"});
   // The four points on the axes as a table over x, y in {-r, 0, r}, with one weight per axis. At
   // the center p(x,y) = 0, but p(x) p(y) > 0.
   const double v = uniform(rng, 1, 9), w = uniform(rng, 1, 9);

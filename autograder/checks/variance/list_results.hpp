@@ -85,13 +85,15 @@ Results variances_of(const std::vector<List>& lists, Measure measure, Floor floo
   Results variances;
   for (const List& list : lists) {
     const auto got = measure(list.x);
-    variances.add_digits(got.call + list.name, got.value, list.exact.variance, floor(list.exact),
-                         [&list, value = got.value] {
-                           std::vector<Suspect> suspects = variance_suspects(list);
-                           suspects.push_back({value == 0 ? 0 : list.exact.variance,
-                                               "small is not zero: use no (relative) threshold"});
-                           return suspects;
-                         });
+    variances.add_digits(
+        got.call + list.name, got.value, list.exact.variance, floor(list.exact),
+        [&list, value = got.value] {
+          std::vector<Suspect> suspects = variance_suspects(list);
+          suspects.push_back({value == 0 ? 0 : list.exact.variance,
+                              "small is not zero: use no (relative) threshold"});
+          return suspects;
+        },
+        list.x.size());
   }
   return variances;
 }
@@ -120,8 +122,9 @@ class MomentsResults {
     const auto mean = static_cast<double>(list.exact.mean), m2 = static_cast<double>(list.exact.m2);
     means_.add(call + ".mean" + list.name, got.mean, mean, mean_tolerance(list.exact),
                [&list] { return mean_suspects(list); });
-    m2s_.add_digits(call + ".m2" + list.name, got.m2, m2, m2_floor,
-                    [&list] { return m2_suspects(list); });
+    m2s_.add_digits(
+        call + ".m2" + list.name, got.m2, m2, m2_floor, [&list] { return m2_suspects(list); },
+        list.x.size());
   }
 
   void expect(const std::string& because, const std::string& of_mean, const std::string& of_m2) {

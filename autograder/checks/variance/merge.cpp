@@ -5,7 +5,8 @@
 namespace mc::checks {
 namespace {
 
-const std::string empty_part = "0/0 is NaN: handle an empty part first";
+const std::string empty_part =
+    "a part without values changes nothing; its share of the count may be 0/0";
 const std::string merged_mean =
     "weight the means by the counts, n_a / n mean_a + n_b / n mean_b, however small a part is";
 const std::string merged_m2 =
@@ -58,8 +59,7 @@ struct Parts {
 };
 
 /// Merges a with b and b with a; `scale` is that of the means, a power of two.
-void judge_merges(const std::vector<Parts>& all, const std::string& otherwise = {},
-                  double scale = 1) {
+void judge_merges(const std::vector<Parts>& all, const std::string& rule = {}, double scale = 1) {
   constexpr double last_bits = 4 * std::numeric_limits<double>::denorm_min();
   Results means, m2s;
   const auto add = [&](const Moments& a, const Moments& b) {
@@ -70,7 +70,7 @@ void judge_merges(const std::vector<Parts>& all, const std::string& otherwise = 
     const Moments part_b{b.count, b.mean * scale, b.m2 * scale * scale};
     const auto got = MEASURE(merge, part_a, part_b);
     expect_equal(got.call + ".count", got.value.count, a.count + b.count, "",
-                 otherwise.empty() ? "add the counts as 64-bit integers" : otherwise);
+                 rule.empty() ? "add the counts as 64-bit integers" : rule);
     means.add(got.call + ".mean", got.value.mean, mean,
               16 * eps * scale * std::max(std::abs(a.mean), std::abs(b.mean)) + last_bits,
               [=] { return merged_mean_suspects(part_a, part_b); });
@@ -81,9 +81,9 @@ void judge_merges(const std::vector<Parts>& all, const std::string& otherwise = 
   for (const auto& [a, b] : all) add(a, b);
   for (const auto& [a, b] : all) add(b, a);
   const std::string because = "a dozen operations, each rounded once";
-  means.is_tame = m2s.is_tame = otherwise.empty();
-  means.expect(because, otherwise.empty() ? merged_mean : otherwise);
-  m2s.expect(because, otherwise.empty() ? merged_m2 : otherwise);
+  means.is_tame = m2s.is_tame = rule.empty();
+  means.expect(because, rule.empty() ? merged_mean : rule);
+  m2s.expect(because, rule.empty() ? merged_m2 : rule);
 }
 
 Moments some_moments(Rng& rng, std::uint64_t count) {

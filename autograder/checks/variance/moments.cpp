@@ -177,14 +177,14 @@ CHECK_CASE("1.8 the moments of no values", "[1.8][edge][points:1]") {
 /// 15 digits, and to those that n random rounding errors leave, sqrt(n) eps, since more is luck. (n
 /// equal rounding errors lose n/4 eps: for the repeating values here, n < 5000, this is within
 /// that.)
-void judge_moments(const std::vector<List>& lists, const std::string& otherwise) {
+void judge_moments(const std::vector<List>& lists, const std::string& rule) {
   const auto floor = [](const List& list) {
     return std::min({digits(two_pass_here(list.x), list.exact.variance), 15.0,
                      -std::log10(std::sqrt(list.exact.count) * eps)}) -
            1.5;
   };
   moments_of(lists, of_moments, floor)
-      .expect("two corrected passes keep 1.5 digits more for these data", otherwise, otherwise);
+      .expect("two corrected passes keep 1.5 digits more for these data", rule, rule);
 }
 
 CHECK_CASE("1.8 the moments keep their digits on hard data", "[1.8][points:3]") {

@@ -165,14 +165,14 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
 
 /// The hints in the reports of failed checks, each once.
 std::set<std::string> hints_of(const Verdict& verdict) {
-  constexpr std::string_view label = "likely    ";
+  constexpr std::string_view likely = "likely    ", rule = "rule      ";
   std::set<std::string> hints;
   for (const LabVerdict& lab : verdict.labs) {
     for (const CheckResult& result : lab.checks) {
       if (result.status != Status::failed) continue;
       for (const std::string_view line : text::split(result.report, '\n')) {
-        if (line.starts_with(label)) {
-          hints.insert(sandbox::printable_line(line.substr(label.size())));
+        if (line.starts_with(likely) || line.starts_with(rule)) {
+          hints.insert(sandbox::printable_line(line.substr(likely.size())));
         }
       }
     }

@@ -121,13 +121,14 @@ std::string with_short_lists(std::string_view line) {
 /// that was shown already. The first hint is the one to follow.
 std::string short_report(const CheckResult& result, std::set<std::string>& hints,
                          const Terminal& terminal) {
-  constexpr std::string_view measured = "measured  ", likely = "likely    ";
+  constexpr std::string_view measured = "measured  ", likely = "likely    ", rule = "rule      ";
   std::string all;
   for (std::string_view line : text::split(result.report, '\n')) {
     if (all.empty()) {
       if (line.starts_with(measured)) line.remove_prefix(measured.size());
       all += report_line("also      " + sandbox::shortened(with_short_lists(line), 240), terminal);
-    } else if (line.starts_with(likely) && hints.insert(std::string(line)).second) {
+    } else if ((line.starts_with(likely) || line.starts_with(rule)) &&
+               hints.insert(std::string(line)).second) {
       all += report_line(line, terminal);
     }
   }

@@ -1,5 +1,6 @@
 #include "tests/self_test/proof.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -34,11 +35,13 @@ std::string times_of_sources(const Proof& proof) {
   return times;
 }
 
-/// The checks that call this function: those that fail if it aborts. Judged once, whichever mistake
-/// asks first, until one of their sources changes.
-std::set<std::string> checks_that_call(const std::string& function, Proof& proof,
-                                       const std::vector<Definition>& definitions) {
-  const fs::path kept = proof.layout.build / "affected" / proof.lab.name / function;
+/// The checks beyond a catalog's task that call this function: those that fail if it aborts. Judged
+/// once, whichever mistake asks first, until one of their sources changes.
+std::set<std::string> checks_that_call(const std::string& function, const std::string& task,
+                                       Proof& proof, const std::vector<Definition>& definitions) {
+  const auto beyond = checks_beyond(proof, {task});
+  if (beyond.empty()) return {};
+  const fs::path kept = proof.layout.build / "affected" / proof.lab.name / task / function;
   const std::string times = times_of_sources(proof);
   std::set<std::string> names;
   std::ifstream file(kept);
@@ -50,7 +53,7 @@ std::set<std::string> checks_that_call(const std::string& function, Proof& proof
   proof.submission.libraries = linker_flags_to_abort(function, definitions);
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
   if (!proof.built.program) throw MachineError(proof.built.failure);
-  for (const CheckResult& result : proof.judge(1).checks) {
+  for (const CheckResult& result : proof.judge(1, beyond).checks) {
     const bool is_right = result.status == Status::passed || result.status == Status::withheld;
     if (!is_right) names.insert(result.check.name);
   }
@@ -70,9 +73,11 @@ void build_mistake(Proof& proof, const Subject& subject) {
     return;
   }
   const auto definitions = definitions_of(proof.layout, proof.lab, catalog.path, subject);
+  proof.affected.emplace();
   for (const Definition& one : definitions) {
     if (!one.mistaken.empty()) {
-      proof.affected.merge(checks_that_call(one.function, proof, definitions));
+      proof.affected->merge(
+          checks_that_call(one.function, subject.file.stem().string(), proof, definitions));
     }
   }
   proof.submission.libraries = linker_flags(definitions);
@@ -80,6 +85,26 @@ void build_mistake(Proof& proof, const Subject& subject) {
 }
 
 }  // namespace
+
+std::set<std::string> checks_beyond(const Proof& proof, const std::set<std::string>& tasks) {
+  const auto checks = expected_checks(proof.layout, proof.lab);
+  const auto needs_one_of = [](const Check& check, const std::set<std::string>& some) {
+    return std::any_of(check.needs.begin(), check.needs.end(),
+                       [&](const std::string& need) { return some.contains(need); });
+  };
+  std::set<std::string> waited_for = tasks;
+  for (std::size_t size = 0; size != waited_for.size();) {
+    size = waited_for.size();
+    for (const Check& check : checks) {
+      if (needs_one_of(check, waited_for)) waited_for.insert(check.task);
+    }
+  }
+  std::set<std::string> names;
+  for (const Check& check : checks) {
+    if (!waited_for.contains(check.task)) names.insert(check.name);
+  }
+  return names;
+}
 
 void complain(const std::string& what) {
   fmt::print("{}\n", what);

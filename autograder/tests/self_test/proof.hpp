@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,8 +30,8 @@ struct Proof {
   grader::Lab lab;
   grader::Submission submission;
   grader::BuildResult built;
-  /// For a mistake of a catalog: the checks that it can affect.
-  std::set<std::string> affected{};
+  /// For a mistake of a catalog: the checks beyond its task that it can affect.
+  std::optional<std::set<std::string>> affected{};
 
   /// All checks, or those with these names. One worker: ctest runs one proof per core.
   grader::LabVerdict judge(std::uint64_t seed, const std::set<std::string>& checks = {},
@@ -38,6 +39,9 @@ struct Proof {
   std::string report(const grader::LabVerdict& verdict, std::uint64_t seed) const;
   void show(const grader::LabVerdict& verdict, std::uint64_t seed) const;
 };
+
+/// The checks that neither belong to one of these tasks nor wait for one, directly or not.
+std::set<std::string> checks_beyond(const Proof& proof, const std::set<std::string>& tasks);
 
 /// Full marks with every seed, and uniform p-values of its random checks.
 void prove_right(const Proof& proof);

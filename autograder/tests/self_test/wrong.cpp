@@ -66,24 +66,12 @@ std::string compare_failures(const LabVerdict& verdict, std::set<std::string> ta
 /// The checks that a mistake in these tasks can fail: those of the tasks, and those of others that
 /// do not wait for one of them.
 std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::string>& tasks) {
-  const auto checks = grader::expected_checks(proof.layout, proof.lab);
-  const auto need_one_of = [](const grader::Check& check, const std::set<std::string>& some) {
-    return std::any_of(check.needs.begin(), check.needs.end(),
-                       [&](const std::string& need) { return some.contains(need); });
-  };
-  std::set<std::string> waited_for = tasks;
-  for (std::size_t size = 0; size != waited_for.size();) {
-    size = waited_for.size();
-    for (const grader::Check& check : checks) {
-      if (need_one_of(check, waited_for)) waited_for.insert(check.task);
-    }
-  }
   std::set<std::string> names;
-  for (const grader::Check& check : checks) {
-    const bool is_affected = proof.affected.empty() || proof.affected.contains(check.name);
-    if (tasks.contains(check.task) || (is_affected && !waited_for.contains(check.task))) {
-      names.insert(check.name);
-    }
+  for (const std::string& name : checks_beyond(proof, tasks)) {
+    if (!proof.affected || proof.affected->contains(name)) names.insert(name);
+  }
+  for (const grader::Check& check : grader::expected_checks(proof.layout, proof.lab)) {
+    if (tasks.contains(check.task)) names.insert(check.name);
   }
   return names;
 }

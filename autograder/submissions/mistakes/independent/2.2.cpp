@@ -193,7 +193,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::sum_in_whole_numbers
 
 // mistake: computes the standard error from E{X^2} - E{X}^2, which cancels far from 0
-// hint: this comes from variance_textbook()
+// hint: this is E{X^2} - E{X}^2
 namespace mc::textbook_error {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   const std::vector<double> values = values_of(g, n, rng);

@@ -45,7 +45,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::adds_to_what_is_there
 
 // mistake: runs sixteen lanes of a linear generator in neighboring states, which stay in step
-// hint: lanes need unrelated states
+// hint: whose states must be unrelated
 namespace mc::lanes_in_step {
 void uniforms(Rng& rng, std::span<double> out) {
   std::array<std::uint64_t, lanes> state;
@@ -60,7 +60,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::lanes_in_step
 
 // mistake: seeds four lanes with similar states: each call starts with four similar numbers
-// hint: lanes need unrelated states
+// hint: whose states must be unrelated
 namespace mc::lanes_nearly_alike {
 void uniforms(Rng& rng, std::span<double> out) {
   four_lanes(rng, out, [](auto& state, std::size_t lane) { state[3] ^= lane << 20; });
@@ -101,7 +101,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 
 // mistake: seeds four lanes with s, s + 1, s + 2, s + 3: each call starts with four equal numbers
 // hint: not seed, seed + 1, seed + 2
-// hint: lanes need unrelated states
+// hint: whose states must be unrelated
 namespace mc::neighbouring_lanes {
 void uniforms(Rng& rng, std::span<double> out) {
   four_lanes(rng, out, [](auto& state, std::size_t lane) { state[0] += lane; });

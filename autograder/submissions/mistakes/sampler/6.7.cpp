@@ -131,7 +131,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, ten>("blue_noise", kind))
 
 // mistake: puts the first point of blue noise in the middle of the square
 // fails: 6.4
-// hint: every pattern begins at the same place
+// hint: in every set: draw it from the given generator
 namespace mc::first_point_in_the_middle {
 void centered(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);

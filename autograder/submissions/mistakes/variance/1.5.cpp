@@ -78,7 +78,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_multiplies_whole_counts
 
 // mistake: divides by n even if both parts are empty
-// hint: 0/0 is NaN: handle an empty part first
+// hint: a part without values changes nothing; its share of the count may be 0/0
 namespace mc::merge_nothing_is_nan {
 Moments merge(const Moments& a, const Moments& b) {
   const auto n_a = static_cast<double>(a.count);
