@@ -91,8 +91,9 @@ void random_shift(PointSet& points, Rng& rng);
 /// axis.
 ///
 /// How random the hash must be: any two values are scrambled independently after the first bit in
-/// which they differ (then the variance is Owen's), and larger groups of values nearly so: for
-/// 1,024 points in one dimension, the error of exp(x) is close to Gaussian, with a kurtosis near 3.
+/// which they differ (then the variance is Owen's), and three values up to what 1,500 seeds can
+/// show. Larger groups are nearly independent: for 1,024 points in one dimension, the error of
+/// exp(x) is close to Gaussian, with a kurtosis near 3.
 /// requires: values in [0,1), integer multiples of 2^-53.
 /// source: Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences".
 void owen_scramble(std::span<double> column, std::uint64_t seed);

@@ -51,7 +51,7 @@ CHECK_CASE("6.7 each point is uniform over seeds", "[6.7][points:1][needs:4]") {
     expect_independent_uniforms(
         sample_of(got, i), {.words = "each point is uniform in the square over seeds",
                             .rule = "each point, also the first, is random and depends on the seed",
-                            .repeated = same_for_seeds});
+                            .repeated = numbers_repeat});
   }
   // The vectors from the first point to the second, modulo 1, to nine digits.
   std::set<std::array<long, 2>> vectors;
@@ -94,7 +94,7 @@ CHECK_CASE("6.7 the other dimensions of blue_noise are stratified",
     expect_independent_uniforms(sample_of(got, i),
                                 {.words = "different columns are independent",
                                  .rule = "use a different permutation for each sample dimension",
-                                 .repeated = same_for_seeds});
+                                 .repeated = numbers_repeat});
   }
 }
 

@@ -187,7 +187,7 @@ CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
     expect_contract(
         kind, walk(9, seed, {{1, 2}, {1, 1}}),
         {"the value of a sample does not depend on which one first requests its dimension",
-         "seed a sample dimension by the integration's seed and its own index only"});
+         "make a sample dimension for all samples at once, from the seed and its own number only"});
     // Several integrations with one object; some stop within a sample.
     std::vector<Step> steps;
     for (auto walk :
@@ -312,9 +312,7 @@ CHECK_CASE("6.4 neighboring seeds have nothing in common",
             sample_of(got, i),
             {.words = "different seeds, even neighbors, give independent numbers",
              .rule = "mix the bits of the seed before using them as a state or a counter",
-             .repeated = same_for_seeds +
-                         "; or a bit of the seed has no effect; or seed and sample dimension are "
-                         "added: the sum is the same for (s, k + 1) and (s + 1, k)"});
+             .repeated = numbers_repeat});
       }
     }
   }

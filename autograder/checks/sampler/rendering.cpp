@@ -185,10 +185,9 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][ne
   const std::uint64_t seed = fresh_seed(rng);
   // A small, a wide and a high picture. Of 350,005 32-bit seeds, fourteen occur twice on average.
   for (const auto& [width, height] : {std::pair{16u, 12u}, {70001u, 5u}, {5u, 70001u}}) {
-    check_seeds(
-        {{width, height, seed}},
-        {"the same noise in every pixel is visible as a pattern",
-         "compute a pixel's seed from all 64 bits of the picture's seed, and the pixel's index"});
+    check_seeds({{width, height, seed}}, {"the same noise in every pixel is visible as a pattern",
+                                          "a pixel's seed has 64 bits, from all bits of the "
+                                          "picture's seed and of the pixel's index"});
   }
   // Other pictures: the next seed, seeds as far apart as those of neighboring pixels, other bits.
   const std::string because = "another picture must not have the same noise, shifted by a pixel";

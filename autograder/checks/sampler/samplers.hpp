@@ -54,13 +54,15 @@ struct Claim {
 inline void expect_multi_jittered(const SampleSets& sets, std::size_t c) {
   const Grid grid = squarest(sets.n);
   expect_one_in_each_cell(sets, {{plane_of(grid, c)}},
-                          "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)");
+                          "each cell (i, j) gets one point: a next2() is multi-jittered (3.7), in "
+                          "blue_noise from the second on");
   expect_one_in_each_cell(sets, {{line_of(sets.n, c), line_of(sets.n, c + 1)}},
                           "multi-jittered points (3.7) also have one in each stratum of both axes");
 }
 
-/// The hint if seeds have the same numbers: every seed got a new sampler.
-inline const std::string same_for_seeds =
-    "the number does not depend on the seed: keep no column or permutation in a static variable";
+/// The hint if numbers are equal; every seed got a new sampler.
+inline const std::string numbers_repeat =
+    "numbers repeat for another seed, dimension, coordinate or sample: make columns from a hash of "
+    "the whole seed and the number of a dimension, not their sum; keep none in a static variable";
 
 }  // namespace mc::checks

@@ -120,7 +120,7 @@ CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:
           sample_of(got, i),
           {.words = "each dimension of each block is randomized independently",
            .rule = "each dimension of each block is scrambled by its own seed",
-           .repeated = "each block must be scrambled by new seeds; " + same_for_seeds,
+           .repeated = numbers_repeat,
            .same = "one seed is used for several dimensions: use a different one for each",
            .explain = [&] {
              return got.column(0, 0)[0] > 0
@@ -181,7 +181,7 @@ void check_later_blocks(const std::string& kind, Rng& rng) {
         std::vector<std::size_t> order(n);
         if (has_nested_order(block, order)) continue;
         expect_that(false,
-                    fmt::format("{}: the dimensions of block {} do not belong to the same points",
+                    fmt::format("{}: block {} is not a sequence of points in nested order",
                                 got.call, number),
                     fmt::format("the first {} points of the sequence in eight dimensions, "
                                 "scrambled anew and in a nested order",
@@ -218,7 +218,7 @@ CHECK_CASE("6.3 lattice has lattices in the same blocks", "[6.3][stretch][edge][
   expect_independent_uniforms(sample_of(got, 3),
                               {.words = "each dimension of each block has a random shift",
                                .rule = "each dimension of each block has its own random shift",
-                               .repeated = "shifts must depend on the seed; " + same_for_seeds,
+                               .repeated = numbers_repeat,
                                .same = "one shift for several dimensions: each needs its own"});
 }
 

@@ -146,12 +146,10 @@ CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5]
 CHECK_CASE("6.2 numbers are uniform in their strata", "[6.2][points:3][needs:3]") {
   for (const auto& [n, uses, sets] : shapes) {
     const SampleSets got = columns_of("stratified", n, domain::seeds(rng, sets), uses);
-    expect_independent_uniforms(
-        jitters_of(got, lines_of(n, got.dims), one_per_stratum),
-        {.words = "numbers are independent and uniform in their strata",
-         .rule = "use a separate random number for each place in a stratum",
-         .repeated = "one random number is used for several places, such as x and y; or " +
-                     same_for_seeds});
+    expect_independent_uniforms(jitters_of(got, lines_of(n, got.dims), one_per_stratum),
+                                {.words = "numbers are independent and uniform in their strata",
+                                 .rule = "use a separate random number for each place in a stratum",
+                                 .repeated = numbers_repeat});
   }
 }
 
@@ -168,7 +166,7 @@ CHECK_CASE("6.2 points are uniform in their cells", "[6.2][points:1][needs:3]") 
            .alpha = alpha / 10,
            .rule = "use independent random permutations to assign the strata of x to the "
                    "cells of a column, and those of y to the cells of a row (3.7)",
-           .repeated = same_for_seeds});
+           .repeated = numbers_repeat});
     }
   }
 }

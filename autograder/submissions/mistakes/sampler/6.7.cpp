@@ -147,7 +147,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, centered>("blue_noise", kind))
 
 // mistake: keeps one blue-noise pattern for all seeds
 // fails: 6.4
-// hint: the number does not depend on the seed
+// hint: keep none in a static variable
 namespace mc::one_blue_pattern {
 void kept(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);
