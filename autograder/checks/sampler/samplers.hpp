@@ -60,7 +60,6 @@ inline void expect_multi_jittered(const SampleSets& sets, std::size_t c) {
                           "multi-jittered points (3.7) also have one in each stratum of both axes");
 }
 
-/// The hint if numbers are equal; every seed got a new sampler.
 inline const std::string numbers_repeat =
     "numbers repeat for another seed, dimension, coordinate or sample: make columns from a hash of "
     "the whole seed and the number of a dimension, not their sum; keep none in a static variable";

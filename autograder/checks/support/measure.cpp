@@ -113,8 +113,9 @@ std::string report_of_end(const Call& call) {
   switch (outcome.end) {
     case sandbox::End::over_limit:
       likely =
-          "an infinite loop (check its condition for these arguments), far too many steps, a list "
-          "that grows forever, or a negative size: as unsigned, -1 is 1.8e19";
+          "far more steps or memory than the header's cost allows, a loop that never ends for "
+          "these "
+          "arguments, or a negative size: as unsigned, -1 is 1.8e19";
       break;
     case sandbox::End::crashed:
       likely = because.empty()

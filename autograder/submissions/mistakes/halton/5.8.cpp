@@ -30,7 +30,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::digital_shift
 
 // mistake: uses the hash of Laine and Karras 2011, which only adds the seed: not Owen's variance
-// hint: nested uniform scrambling
+// hint: a separate flip for each string of bits
 namespace mc::laine_karras_2011 {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
@@ -96,7 +96,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::scrambles_32_bits
 
 // mistake: scrambles 20 bits by the bits before them, and the others by a digital shift
-// hint: nested uniform scrambling
+// hint: a separate flip for each string of bits
 namespace mc::scrambles_20_bits {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   const std::uint64_t last = (std::uint64_t{1} << 33) - 1, shift = Rng(~seed)() & last;

@@ -117,7 +117,7 @@ MAKE_SAMPLER(make_other_kind<one_of<plain>, two_of<plain>>("halton", kind))
 }  // namespace mc::halton_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// hint: scrambled by new seeds
+// hint: numbers repeat for another seed, dimension
 namespace mc::halton_blocks_scrambled_alike {
 MAKE_SAMPLER(make_other_kind<one_alike<fill_halton>, two_alike<fill_halton>>("halton", kind))
 }  // namespace mc::halton_blocks_scrambled_alike
@@ -269,7 +269,7 @@ MAKE_SAMPLER(make_other_kind<one_of<plain>, two_of<plain>>("sobol", kind))
 }  // namespace mc::sobol_as_it_is
 
 // mistake: reuses the scrambles of the first block in every block, with other permutations
-// hint: scrambled by new seeds
+// hint: numbers repeat for another seed, dimension
 namespace mc::sobol_blocks_scrambled_alike {
 MAKE_SAMPLER(make_other_kind<one_alike<fill_sobol>, two_alike<fill_sobol>>("sobol", kind))
 }  // namespace mc::sobol_blocks_scrambled_alike
