@@ -239,7 +239,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seed_of_32_bits
 
 // mistake: seeds with a hash of the seed plus a counter
-// hint: the sum is the same for
+// hint: the number of a dimension, not their sum
 namespace mc::seed_plus_counter {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -266,7 +266,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::seed_plus_counter
 
 // mistake: seeds a sample dimension by the sample that first requests it
-// hint: by the integration's seed and its own index only
+// hint: from the seed and its own number only
 namespace mc::seeded_by_the_first_request {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
@@ -280,7 +280,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seeded_by_the_first_request
 
 // mistake: seeds a sample dimension with the integration's seed plus its index
-// hint: the sum is the same for
+// hint: the number of a dimension, not their sum
 namespace mc::seed_plus_use {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;

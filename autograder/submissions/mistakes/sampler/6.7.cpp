@@ -38,7 +38,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, blue>("blue_noise", kind))
 }  // namespace mc::blue_where_it_is_first
 
 // mistake: shifts each pattern so that its last point is the middle of the square
-// hint: but each point must be random
+// hint: every number is 0.5
 namespace mc::blue_with_a_fixed_point {
 void anchored(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   blue_noise2(dim, x, y, rng);
