@@ -35,11 +35,10 @@ CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:
 CHECK_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:5][needs:2.1]") {
   for_all_sizes(
       1, {exponential, product, five, constant}, rng, [](std::uint64_t n, const Trace& seen) {
-        const std::size_t evaluations = seen.values.size();
-        expect_equal(seen.call + ": evaluations of g", evaluations, n,
+        expect_equal(seen.call + ": evaluations of g", seen.values.size(), n,
                      "the caller asked for n evaluations",
-                     evaluations < n ? "one is missing: the loop may begin at 1"
-                                     : "one too many: the loop may end at i <= n");
+                     seen.values.size() < n ? "too few: the loop may begin at 1"
+                                            : "too many: the loop may end at i <= n");
         expect_equal(seen.call + ": n", seen.estimate.n, n,
                      "the n of an Estimate counts evaluations", "count every sample once");
       });

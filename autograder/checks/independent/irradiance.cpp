@@ -142,7 +142,8 @@ void judge_formula(Rng& rng) {
                   {exact * pi, "do not multiply by pi: radiance is not integrated over directions"},
                   {a * l * h * h / (aside2 * aside2), "the squared distance must include height^2"},
                   {a * l / (h * h),
-                   "this light is above the receiver: points lie in x0 … x1 and y0 … y1"}};
+                   "this puts the light straight above the receiver: points lie in x0 … x1 and y0 "
+                   "… y1"}};
         });
   }
   values.expect("all points of such a small light give area · radiance · cos · cos / distance^2",

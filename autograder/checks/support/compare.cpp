@@ -210,8 +210,8 @@ std::string sizes_in_words(std::span<const std::size_t> wrong, std::span<const d
     const bool is_wrong = std::ranges::binary_search(wrong, i);
     (is_wrong ? least : most) = is_wrong ? std::min(least, sizes[i]) : std::max(most, sizes[i]);
   }
-  if (most == 0 || least <= most) return {};
-  return fmt::format("; all lists of {} values or more, and none of up to {}", least, most);
+  const bool is_clear = most > 0 && least > most;
+  return is_clear ? fmt::format("; all of {} values or more, none of up to {}", least, most) : "";
 }
 
 }  // namespace

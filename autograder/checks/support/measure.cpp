@@ -207,7 +207,7 @@ void require_value(const Call& call) {
                                outcome.bytes),
                    "a value: these arguments are valid", "",
                    "find the condition that refuses them; it may test a value that overflowed, or "
-                   "set a limit too low"});
+                   "set a limit too tight"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
   }

@@ -13,7 +13,7 @@ struct InvalidCall {
   std::string argument;  ///< its name, or alternatives: "x|y|size"
   std::string because;   ///< "six points do not fill nine cells"
   /// The hint if the call returns a value.
-  std::string hint = "check the arguments first, and throw std::invalid_argument";
+  std::string hint = "refuse this argument by std::invalid_argument, before computing anything";
 };
 
 /// Each call throws std::invalid_argument, with any message.

@@ -120,7 +120,7 @@ std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> po
         return axis.strata > 1 && is_even(axis.values, axis.strata);
       })) {
     return "each axis is evenly filled, but not each cell: " + elsewhere +
-           "; the coordinates of a point must move together";
+           "; are the coordinates of a point moved together?";
   }
   return elsewhere;
 }

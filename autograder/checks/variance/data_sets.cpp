@@ -26,13 +26,10 @@ ExactMoments exact_of_counts(std::span<const std::pair<double, double>> values_a
 
 Values numacc(int number, double scale) {
   if (number == 1) return {10000001 * scale, 10000003 * scale, 10000002 * scale};
-  const double first[] = {1.2, 1000000.2, 10000000.2};
-  const double low[] = {1.1, 1000000.1, 10000000.1};
-  const double high[] = {1.3, 1000000.3, 10000000.3};
-  Values x{first[number - 2] * scale};
+  const double whole = number == 2 ? 1 : number == 3 ? 1000000 : 10000000;
+  Values x{(whole + 0.2) * scale};
   for (int i = 0; i < 500; ++i) {
-    x.push_back(low[number - 2] * scale);
-    x.push_back(high[number - 2] * scale);
+    x.insert(x.end(), {(whole + 0.1) * scale, (whole + 0.3) * scale});
   }
   return x;
 }
@@ -144,16 +141,14 @@ std::vector<List> lists_of_any_scale(Rng& rng) {
 
 std::vector<Values> without_finite_variance(Rng& rng) {
   std::vector<Values> lists = with_a_value_that_is_not_finite(rng);
-  lists.push_back({1e300, 2e300, 3e300});
-  lists.push_back({1.7e308, -1.7e308, 1.7e308, -1.7e308});
+  lists.insert(lists.end(), {{1e300, 2e300, 3e300}, {1.7e308, -1.7e308, 1.7e308, -1.7e308}});
   return lists;
 }
 
 std::vector<Values> with_a_value_that_is_not_finite(Rng& rng) {
   std::vector<Values> lists;
   for (const double odd_one : {nan, infinity, -infinity}) {
-    for (const Values& x : {Values{5, odd_one, 5}, Values(64, odd_one), Values(2, odd_one)})
-      lists.push_back(x);
+    lists.insert(lists.end(), {Values{5, odd_one, 5}, Values(64, odd_one), Values(2, odd_one)});
     for (const std::size_t place : {1 + rng() % 98, std::uint64_t{0}, std::uint64_t{99}}) {
       Values x = uniform_values(rng, 100, 1, 2);
       x[place] = odd_one;

@@ -72,7 +72,7 @@ CHECK_CASE("1.3 the two-pass variance of tame data", "[1.3][main][points:5][need
   const std::vector<List> lists = tame_lists(rng, 2, 0.5, 2.5);
   Results variances = variances_of(lists, by_two_passes, two_pass_floor);
   variances.is_tame = true;
-  variances.expect(because_sum, "sum (x - mean)^2 and divide by n - 1");
+  variances.expect(because_sum, "sum (x - mean)^2 in double, and divide by n - 1");
 }
 
 CHECK_CASE("1.3 the variance is undefined or infinite where it has no value",

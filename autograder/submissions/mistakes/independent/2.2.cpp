@@ -137,7 +137,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_point
 
 // mistake: starts the loop at 1: n - 1 evaluations
-// hint: one is missing: the loop may begin at 1
+// hint: too few: the loop may begin at 1
 namespace mc::one_too_few {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -152,7 +152,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_few
 
 // mistake: runs the loop to n inclusive: n + 1 evaluations, divided by n
-// hint: one too many: the loop may end at i <= n
+// hint: too many: the loop may end at i <= n
 namespace mc::one_too_many {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);

@@ -126,7 +126,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::own_generator
 
 // mistake: accepts a y that is longer than x
-// hint: check the arguments first
+// hint: refuse this argument by std::invalid_argument
 namespace mc::y_may_be_longer {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   if (y.size() > x.size()) y = y.first(x.size());

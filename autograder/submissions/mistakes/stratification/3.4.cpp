@@ -174,7 +174,7 @@ void stratified(PointSet& points, Rng& rng) {
 }  // namespace mc::unshuffled_padding
 
 // mistake: shuffles x and y of a pattern separately
-// hint: the coordinates of a point must move together
+// hint: are the coordinates of a point moved together
 namespace mc::x_and_y_shuffled_apart {
 void stratified(PointSet& points, Rng& rng) {
   right_stratified(points, rng);

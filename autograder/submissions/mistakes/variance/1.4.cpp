@@ -8,7 +8,7 @@
 #undef add
 
 // mistake: converts the count to an int
-// hint: keep the count a 64-bit integer
+// hint: keep the count an unsigned 64-bit integer
 namespace mc::variance_counts_in_int {
 double variance(const Moments& moments) {
   const int count = static_cast<int>(moments.count);

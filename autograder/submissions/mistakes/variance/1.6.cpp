@@ -38,7 +38,7 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::covariance_is_textbook
 
 // mistake: uses the shorter size if the sizes differ
-// hint: check the arguments first, and throw std::invalid_argument
+// hint: refuse this argument by std::invalid_argument
 namespace mc::covariance_of_fewer_pairs {
 double covariance(std::span<const double> x, std::span<const double> y) {
   const std::size_t pairs = std::min(x.size(), y.size());

@@ -96,7 +96,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_swaps_marginals
 
 // mistake: accepts negative and NaN weights
-// hint: check the arguments first, and throw std::invalid_argument
+// hint: refuse this argument by std::invalid_argument
 namespace mc::dependence_takes_any_weights {
 double dependence(std::span<const double> joint, std::size_t columns) {
   std::vector<double> weights(joint.begin(), joint.end());
