@@ -29,8 +29,8 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
   if (n == 5) require_fine(all);
   const Nearness parts = nearness(all, later_points(n), rows, rng);
   Randomness claim = best_of_candidates(
-      "of ceil(c i) + 1 candidates, keep the one that is farthest from its nearest earlier point, "
-      "also where cells of a grid find that point");
+      "draw ceil(c i) + 1 new candidates for point i, and keep the one that is farthest from its "
+      "nearest earlier point, also where cells of a grid find that point");
   claim.explain = [&]() -> std::string {
     constexpr std::size_t more = 4000;
     if (n != 5) return {};

@@ -106,9 +106,11 @@ std::string too_close_hint(View x, View y, double radius, double least) {
   // A distance below the radius is above a part q of it with probability 1 - q^2.
   const double part = least / radius;
   if (static_cast<double>(pairs) * std::log(1 - part * part) < std::log(1e-4)) {
-    return fmt::format("no two are closer than {:.3g} of the radius: keep the whole radius", part);
+    return fmt::format(
+        "no two are closer than {:.3g} of the radius: keep all of it, and search all cells within",
+        part);
   }
-  return "compare each new point with all points near it; a grid cell must not have room for two";
+  return {};
 }
 
 /// No two points are closer than the radius, except for rounding. If the distance is too small by a
@@ -122,6 +124,7 @@ void require_apart(const SampleSets& sets, double radius) {
     expect_that(holds, fmt::format("{}: two points {} apart", sets.call, least),
                 fmt::format("{} or more", radius),
                 "no two points are closer than the radius, except for rounding (4 eps)",
+                "compare each new point with all points near it; a cell must not have room for two",
                 holds ? "" : too_close_hint(x, y, radius, least));
   }
 }
@@ -160,10 +163,7 @@ void require_fine(const SampleSets& sets) {
 void require_everywhere(const SampleSets& sets) {
   for (const std::size_t d : {0u, 1u}) {
     Values all;
-    for (std::size_t set = 0; set < sets.size(); ++set) {
-      const View column = sets.column(set, d);
-      all.insert(all.end(), column.begin(), column.end());
-    }
+    for (std::size_t set = 0; set < sets.size(); ++set) append(all, sets.column(set, d));
     std::ranges::sort(all);
     const double most = 40 / static_cast<double>(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -307,14 +307,13 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
        is_whole ? "there are only ceil(c i) candidates: one is missing"
                 : "there are floor(c i) + 1 candidates: round c i up, with c a double"},
       {all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
-      {all,
-       [=](double i) {
-         return c < 1.5 ? 0 : i + 1;
-       },  // just above 1 the first mistake gives the same
+      // Just above 1 the first mistake gives the same.
+      {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },
        "there are i + 1 candidates: c is unused, or rounded"},
       {all, [=](double) { return constant; },
-       constant == 1 ? "these are uniform points: keep the farthest of several candidates"
-                     : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
+       constant == 1
+           ? "distances are those of uniform points: keep the farthest of several candidates"
+           : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
       {opposite, promised(c),
        "this keeps the candidate that is nearest to earlier points: keep the farthest"},
       {measured({.on_torus = false}), promised(c),

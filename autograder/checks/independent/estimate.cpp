@@ -36,7 +36,7 @@ CHECK_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:5][ne
   for_all_sizes(
       1, {exponential, product, five, constant}, rng, [](std::uint64_t n, const Trace& seen) {
         expect_equal(seen.call + ": evaluations of g", seen.values.size(), n,
-                     "the caller asked for n evaluations",
+                     "the caller asked for n evaluations", "",
                      seen.values.size() < n ? "too few: the loop may begin at 1"
                                             : "too many: the loop may end at i <= n");
         expect_equal(seen.call + ": n", seen.estimate.n, n,

@@ -75,7 +75,7 @@ Uniforms filled(std::uint64_t seed, const Sizes64& sizes) {
     const double now = again.exactly(total, any_number)[at];
     expect_that(
         false, fmt::format("{}: number {} is NaN", got.call, at), "numbers in [0, 1), all of them",
-        "the function fills a span of any size",
+        "the function fills a span of any size", "",
         now == 5 ? "it was not filled: the NaN is from before the call; handle a shorter last block"
         : now > 5 && now < 6 ? "the number is added to the previous contents: write = instead of +="
                              : "some step computes 0/0");

@@ -82,7 +82,7 @@ inline void expect_answers(const Calls& calls, std::span<const Answer> answers,
                            const Claim& claim) {
   const std::vector<Step>& steps = calls.steps;
   const auto fail_at = [&](std::size_t i, const std::string& gave, const std::string& expected) {
-    expect_that(false, calls.until(i) + ' ' + gave, expected, claim.because, claim.likely);
+    expect_that(false, calls.until(i) + ' ' + gave, expected, claim.because, claim.rule);
   };
   for (std::size_t first = 0, end = 0; first < steps.size(); first = end) {
     for (++end; end < steps.size() && steps[end].call != generate_call;) ++end;
@@ -123,7 +123,7 @@ inline void expect_contract(const std::string& kind, const std::vector<Step>& st
   const Call call = MEASURE_OUTCOME(play, kind, steps);
   if (call.outcome.answered && call.outcome.status == wire::Status::other_exception) {
     fail(Failure{fmt::format("{} threw {}", call.text, call.outcome.bytes), "no exception",
-                 claim.because, claim.likely});
+                 claim.because, "", claim.rule});
   }
   expect_answers({kind, "", steps},
                  result_of<std::vector<Answer>>(call).exactly(steps.size(), any_number), claim);
@@ -137,7 +137,8 @@ CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:4]
                            next,    next2,          advance, next2,   next,
                            advance, next,           next2,   advance, advance,
                            next,    generate(1, 7), next,    advance, next},
-                    {"next() and next2() need a sample; advance() never throws", ""});
+                    {"next() and next2() need a sample; advance() never throws",
+                     "next() and next2() have a counter each; advance() resets both"});
   }
   const Call largest = MEASURE_OUTCOME(columns, "halton", most_samples, {1}, {});
   expect_that(largest.outcome.status != wire::Status::invalid_argument,

@@ -52,7 +52,7 @@ CHECK_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {
               fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
                           record.generates, record.samples[0]),
               fmt::format("one, with {} samples", n), "the samples are one point set",
-              "call generate() once before the loop, and advance() after each sample");
+              "generate(samples, seed) once before the loop, advance() after each sample");
   expect_that(record.evaluations == n && record.positions == domain::in_a_row(0, n),
               fmt::format("{}: the scene was evaluated {} times, the last time for sample {}",
                           got.call, record.evaluations, record.positions.back()),
@@ -178,7 +178,7 @@ void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
   expect_that(seeds.size() == pixels,
               fmt::format("{} x {} pixels with seed {}{}: {} different seeds for {} pixels", width,
                           height, seed, others, seeds.size(), pixels),
-              "all different", claim.because, claim.likely);
+              "all different", claim.because, claim.rule);
 }
 
 CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][needs:6.5]") {
@@ -195,8 +195,7 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][ne
   for (const std::uint64_t step : {std::uint64_t{1}, here[1] - here[0], here[16] - here[0]}) {
     check_seeds(
         {{16, 12, seed}, {16, 12, seed + step}},
-        {because,
-         "seed and pixel index are added: the sum is the same for (s, p + 1) and (s + 1, p)"});
+        {because, "hash both: sums and XORs of seed and pixel index occur again for other pairs"});
   }
   std::vector<Picture> by_bit;
   for (const std::uint64_t other : domain::seeds_by_bit(rng)) by_bit.push_back({4, 3, other});

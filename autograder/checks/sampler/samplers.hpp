@@ -45,9 +45,9 @@ inline Uniforms sample_of(const SampleSets& sets, std::size_t i) {
   return numbers;
 }
 
-/// The reason and the hint of a failure report.
+/// The reason and the rule of a failure report.
 struct Claim {
-  std::string because, likely;
+  std::string because, rule;
 };
 
 /// Coordinates c and c + 1 have one point in each cell of strata(N) and each stratum of both axes.

@@ -49,8 +49,7 @@ struct Randomness {
   /// What the program should have done, if the numbers are not its own but computed from its
   /// result: then patterns in the numbers give no hint.
   std::string expected = {};
-  /// `rule` is the hint, whatever the numbers show.
-  bool is_certain = false;
+  bool is_certain = false;  ///< print `rule`, whatever the numbers show
   /// Computes the hint if that takes long or needs more than the numbers; empty if there is none.
   std::function<std::string()> explain = {};
 };

@@ -44,7 +44,7 @@ void expect_refused(const std::vector<InvalidCall>& calls) {
                              : outcome.answered ? "threw " + threw + outcome.bytes
                                                 : outcome.failure),
                  "std::invalid_argument", because,
-                 is_value || !outcome.answered ? hint : "wrong type of exception: " + hint});
+                 is_value || !outcome.answered ? "" : "wrong type of exception: " + hint, hint});
   }
   pass();
 }

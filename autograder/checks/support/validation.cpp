@@ -18,15 +18,15 @@ void fail(const Failure& failure) {
 }
 
 void expect_that(bool holds, const std::string& measured, const std::string& expected,
-                 const std::string& because, const std::string& hint) {
-  if (!holds) fail(Failure{measured, expected, because, hint});
+                 const std::string& because, const std::string& rule, const std::string& likely) {
+  if (!holds) fail(Failure{measured, expected, because, likely, rule});
   pass();
 }
 
 void expect_equal(const std::string& what, std::uint64_t got, std::uint64_t expected,
-                  const std::string& because, const std::string& hint) {
+                  const std::string& because, const std::string& rule, const std::string& likely) {
   expect_that(got == expected, fmt::format("{} = {}", what, got), fmt::format("{}", expected),
-              because, hint);
+              because, rule, likely);
 }
 
 void expect_nan(const std::string& what, double got, const std::string& because) {

@@ -32,11 +32,13 @@ void pass();
 
 /// `holds` is true; `expected` describes it in words.
 void expect_that(bool holds, const std::string& measured, const std::string& expected,
-                 const std::string& because, const std::string& hint);
+                 const std::string& because, const std::string& rule,
+                 const std::string& likely = {});
 
 /// A count is exact; `what` names it.
 void expect_equal(const std::string& what, std::uint64_t got, std::uint64_t expected,
-                  const std::string& because, const std::string& hint);
+                  const std::string& because, const std::string& rule,
+                  const std::string& likely = {});
 
 /// `got` is NaN: the result is undefined.
 void expect_nan(const std::string& what, double got, const std::string& because);

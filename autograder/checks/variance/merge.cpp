@@ -70,9 +70,10 @@ void judge_merges(const std::vector<Parts>& all, const std::string& rule = {}, d
     const Moments part_b{b.count, b.mean * scale, b.m2 * scale * scale};
     const auto got = MEASURE(merge, part_a, part_b);
     expect_equal(got.call + ".count", got.value.count, a.count + b.count, "",
+                 "add the counts as 64-bit integers",
                  got.value.count == a.count || got.value.count == b.count
                      ? "one part was left out: a part is empty only if its count is 0"
-                     : "add the counts as 64-bit integers");
+                     : "");
     means.add(got.call + ".mean", got.value.mean, mean,
               16 * eps * scale * std::max(std::abs(a.mean), std::abs(b.mean)) + last_bits,
               [=] { return merged_mean_suspects(part_a, part_b); });

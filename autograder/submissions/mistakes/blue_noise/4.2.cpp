@@ -141,7 +141,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::rounds_candidates_down
 
 // mistake: tries 1,000 candidates at most
-// hint: of ceil(c i) + 1 candidates
+// hint: draw ceil(c i) + 1 new candidates
 namespace mc::thousand_candidates {
 double count(double c, std::size_t i) {
   return std::min(1000.0, right_count(c, i));

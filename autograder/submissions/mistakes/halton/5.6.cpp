@@ -43,7 +43,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::corners_are_points
 
 // mistake: looks only at every fourth corner if there are more than 260 points
-// hint: leave none out
+// hint: leave no box out
 namespace mc::every_fourth_box {
 double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   if (x.size() <= 260) return right_star_discrepancy(x, y);

@@ -40,7 +40,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::forgets_to_advance
 
 // mistake: generates a point set of one sample, N times
-// hint: generate() once before the loop
+// hint: once before the loop
 namespace mc::generates_for_each_sample {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   if (samples == 0) throw std::invalid_argument("samples: must be positive");

@@ -84,7 +84,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::rows_and_columns_swapped
 
 // mistake: seeds a pixel with the picture's seed plus the pixel's index
-// hint: the sum is the same for
+// hint: occur again for other pairs
 namespace mc::seed_plus_pixel {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp, [&](std::size_t column, std::size_t row) {
@@ -94,7 +94,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::seed_plus_pixel
 
 // mistake: seeds a pixel with the picture's seed plus multiples of column and row
-// hint: the sum is the same for
+// hint: occur again for other pairs
 namespace mc::seed_plus_primes {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp, [=](std::size_t column, std::size_t row) {
