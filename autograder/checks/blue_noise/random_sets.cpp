@@ -311,9 +311,9 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
       {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },
        "there are i + 1 candidates: c is unused, or rounded"},
       {all, [=](double) { return constant; },
-       constant == 1
-           ? "distances are those of uniform points: keep the farthest of several candidates"
-           : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
+       constant == 1 ? "like uniform points: keep the farthest of several candidates from the "
+                       "points of this set"
+                     : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
       {opposite, promised(c),
        "this keeps the candidate that is nearest to earlier points: keep the farthest"},
       {measured({.on_torus = false}), promised(c),

@@ -123,7 +123,7 @@ void add_error(Results& errors, const Trace& seen, Results::FindSuspects suspect
 void judge_errors(Results& errors) {
   errors.expect(
       "s / sqrt(n) of the values of g, with the digits that lab 1's variances keep",
-      "return sqrt(sample variance / n); E{X^2} - E{X}^2 loses digits and may be negative (lab 1)");
+      "return sqrt(sample variance / n), NaN for n = 1; E{X^2} - E{X}^2 loses digits (lab 1)");
 }
 
 }  // namespace mc::checks

@@ -139,14 +139,15 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
       return fmt::format("{} pairs of numbers that are {} {}{} apart are not independent", pairs,
                          apart, in_rows ? "replicate" : "number", apart == 1 ? "" : "s");
     };
-    family.add(pairs >= 50 * static_cast<double>(side * side) ? p_of_counts(counts) : 1, false,
-               describe);
-    const double many = pairs * pairs / 4;
-    family.add(p_of_resultant(std::norm(difference), pairs), false, describe,
-               std::norm(difference) > many ? "two such numbers differ by a constant" : "");
+    const double many = pairs * pairs / 16;
+    family.add(
+        p_of_resultant(std::norm(difference), pairs), false, describe,
+        std::norm(difference) > many ? "many such numbers differ by nearly the same amount" : "");
     family.add(
         p_of_resultant(std::norm(sum), pairs), false, describe,
-        std::norm(sum) > many ? "one such number is a mirror image of the other: 1 - u" : "");
+        std::norm(sum) > many ? "many such numbers are nearly mirror images, u and 1 - u" : "");
+    family.add(pairs >= 50 * static_cast<double>(side * side) ? p_of_counts(counts) : 1, false,
+               describe);
   }
   return family.failure();
 }

@@ -121,8 +121,7 @@ std::optional<Failure> test_waves(const Uniforms& numbers, const Randomness& cla
       const float *const ar = &a.re[i * padded], *const ai = &a.im[i * padded];
       const float *const br = &b.re[j * padded], *const bi = &b.im[j * padded];
       const float sign = wave.n < 0 ? -1.f : 1.f;
-      float res[lanes] = {},
-            ims[lanes] = {};  // separate sums: additions to one wait for each other
+      float res[lanes] = {}, ims[lanes] = {};  // additions to one sum wait for each other
       for (std::size_t r = 0; r < padded; r += lanes) {
         for (std::size_t l = 0; l < lanes; ++l) {
           res[l] += ar[r + l] * br[r + l] - sign * ai[r + l] * bi[r + l];

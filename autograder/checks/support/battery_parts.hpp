@@ -62,7 +62,7 @@ class Family {
     std::string fault = claim_.explain ? claim_.explain() : "";
     const bool is_open = claim_.expected.empty() && !claim_.is_certain;
     if (fault.empty() && is_open) fault = visible_fault(numbers_, claim_);
-    if (fault.empty() && is_open) fault = hint_;
+    if (fault.empty() && is_open && !hint_.empty()) fault = hint_ + "; " + claim_.rule;
     return Failure{
         numbers_.call + ": " + measured_,
         claim_.expected.empty() ? "independent random numbers, uniform in [0, 1)" : claim_.expected,
