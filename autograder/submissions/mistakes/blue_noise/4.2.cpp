@@ -152,7 +152,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::thousand_candidates
 
 // mistake: counts candidates in 16 bits
-// hint: ceil(c i) + 1 candidates
+// hint: ceil(c i) + 1 new candidates
 namespace mc::count_of_16_bits {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   const auto count = [](double c_, std::size_t i) { return std::fmod(right_count(c_, i), 65536); };
