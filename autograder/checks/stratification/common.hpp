@@ -14,12 +14,13 @@ using Sets = SampleSets;
 constexpr double alpha = 4.5e-9;
 
 inline Randomness random_jitters(const std::string& task) {
-  return {.words = "points are uniform in the cells of " + task + ", and independent",
-          .alpha = alpha,
-          .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
-          .repeated =
-              "random numbers repeat: their bits are too few, or blocks begin with the same state",
-          .same = "draw one for every coordinate"};
+  return {
+      .words = "points are uniform in the cells of " + task + ", and independent",
+      .alpha = alpha,
+      .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
+      .repeated =
+          "random numbers repeat: bits are missing, or blocks or streams begin in the same state",
+      .same = "draw one for every coordinate"};
 }
 
 using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
