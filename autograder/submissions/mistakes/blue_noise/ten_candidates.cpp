@@ -6,7 +6,8 @@
 namespace mc {
 
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  choose(x, y, c, rng, [](double, std::size_t) { return 10; }, distance_to_all);
+  choose(
+      x, y, c, rng, [](double, std::size_t) { return 10; }, distance_to_all);
 }
 
 }  // namespace mc
