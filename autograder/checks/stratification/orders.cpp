@@ -13,16 +13,13 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
     for (const std::size_t value : orders[k]) hash = mix_bits(hash ^ value);
     const auto [first, is_new] = seen.emplace(hash, k);
     if (is_new) continue;
-    fail(Failure{fmt::format("{}: permutations {} and {} of {} are equal, with {} values each",
-                             orders.call, first->second, k, orders.size(), orders.n),
-                 "different permutations",
-                 fmt::format("two random permutations of {} are equal with probability 1 / {}!",
-                             orders.n, orders.n),
-                 seen.size() > 2
-                     ? "only few of all permutations occur, as with rotations of one order or with "
-                       "a short seed; " +
-                           claim.repeated
-                     : claim.repeated});
+    fail(
+        Failure{fmt::format("{}: permutations {} and {} of {} are equal, with {} values each",
+                            orders.call, first->second, k, orders.size(), orders.n),
+                "different permutations",
+                fmt::format("two random permutations of {} are equal with probability 1 / {}!",
+                            orders.n, orders.n),
+                claim.repeated + "; or few permutations occur at all: rotations, or a short seed"});
   }
 }
 
