@@ -53,7 +53,7 @@ void check_discrepancy(const Measured<double>& got, Of of) {
          "only boxes that end at points were used: boxes that end at 1 count, too"}};
   });
   results.expect("the largest of |volume - fraction of the points inside| over all boxes",
-                 "leave no box out: each side ends at a point or at 1, with or without the points");
+                 "leave no box out: each side ends at 1 or at any point, with or without it");
 }
 
 void check_line(const Values& x) {  // boxes of height 1, points at 0

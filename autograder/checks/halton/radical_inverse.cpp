@@ -40,7 +40,7 @@ CHECK_CASE("5.1 every index of 64 bits in every base", "[5.1][points:4]") {
     }
     check_indices(
         {base, indices,
-         "an index has up to 64 digits: avoid powers that overflow, and use double everywhere",
+         "an index has up to 64 digits: keep it in 64-bit integers, and the value in double",
          room});
   }
 }
