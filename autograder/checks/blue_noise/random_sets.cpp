@@ -85,7 +85,7 @@ SampleSets require_random(SampleSets sets) {
 /// The hint if two points are closer than the radius.
 std::string too_close_hint(View x, View y, double radius, double least) {
   const auto n = static_cast<double>(x.size());
-  if (least >= radius / 2 - 4 * eps && n * radius * radius > 1.155) {
+  if (least >= radius / 2 - 4 * eps && least < 0.55 * radius && n * radius * radius > 1.155) {
     return "half the radius is kept: it is the distance of points, not a disk's radius";
   }
   // Of pairs that are close by chance, at most a fraction of 4/pi radius lies across an edge: if
@@ -311,8 +311,8 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
       {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },
        "there are i + 1 candidates: c is unused, or rounded"},
       {all, [=](double) { return constant; },
-       constant == 1 ? "like uniform points: keep the farthest of several candidates from the "
-                       "points of this set"
+       constant == 1 ? "as irregular as uniform points: keep the farthest of several candidates, "
+                       "which are new for each point"
                      : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
       {opposite, promised(c),
        "this keeps the candidate that is nearest to earlier points: keep the farthest"},

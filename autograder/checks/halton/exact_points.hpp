@@ -158,15 +158,15 @@ inline void expect_inverses(const MeasuredValues& measured, const Inverses& expe
   };
   const MeasuredValues held{measured.call, got};
   if (!difference(held, comparison)) return pass();
-  bool are_floats = true;
+  double error = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
-    are_floats = are_floats && static_cast<float>(got[i]) == got[i] &&
-                 std::abs(got[i] - comparison.exact[i]) < 1e-6;
+    error = std::max(error, std::abs(got[i] - comparison.exact[i]));
   }
   comparison.suspects = inverse_suspects(got, expected);
   comparison.rule = std::ranges::any_of(got, [](double x) { return std::isnan(x); }) ? never_written
-                    : are_floats ? "this is a float: it has only 24 bits of 53"
-                                 : expected.rule;
+                    : error > 1e-9 && error < 1e-6
+                        ? "use double everywhere: only the digits of a float are correct"
+                        : expected.rule;
   expect_each(held, comparison);
 }
 

@@ -38,10 +38,10 @@ CHECK_CASE("5.1 every index of 64 bits in every base", "[5.1][points:4]") {
     for (std::uint64_t power = base; power <= last_index / base; power *= base) {
       indices.insert(indices.end(), {power, power - 1, power + rng() % power});
     }
-    check_indices(
-        {base, indices,
-         "an index has up to 64 digits: keep it in 64-bit integers, and the value in double",
-         room});
+    check_indices({base, indices,
+                   "divide the 64-bit index until it is 0, without powers or logarithms; the value "
+                   "is a double",
+                   room});
   }
 }
 

@@ -13,9 +13,9 @@ void check_axes(const Points& got, std::uint64_t n, std::uint64_t dims, std::uin
   static const auto primes = sieved_primes(2000);
   const std::span<const double> columns = got.exactly(n * dims, any_number);
   for (std::size_t d = from_axis; d < dims; ++d) {
-    expect_inverses(
-        {fmt::format("{}, coordinate {}", got.call, d), columns.subspan(d * n, n)},
-        {primes[d - from_axis], domain::in_a_row(first, n), "use one prime per axis, in order"});
+    expect_inverses({fmt::format("{}, coordinate {}", got.call, d), columns.subspan(d * n, n)},
+                    {primes[d - from_axis], domain::in_a_row(first, n),
+                     "column d holds the radical inverses in prime d"});
   }
 }
 

@@ -75,7 +75,7 @@ CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:4][main]") {
              "this is the density at u: inversion solves P(x) = u for x"},
             {[=](double at) { return -std::expm1(-rate * at); },
              "this is P(u): the task asks for its inverse"}},
-           "solve 1 - exp(-rate x) = u for x, with log1p"});
+           "solve 1 - exp(-rate x) = u for x, with log1p, for every u in [0, 1): clamp none"});
     }
   }
 }

@@ -33,7 +33,7 @@ CHECK_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:4][needs:4]"
         uses.size() == 2 ? "the first next2() must be blue noise even after a next()"
         : mean_low > 0.25
             ? "the first next2() must be lab 4's best_candidate(); keep x and y together"
-            : "there are too few candidates, or a fixed number, or none: point i needs i + 1";
+            : "point i is the best of i + 1 candidates, all drawn anew for each point and seed";
     expect_that(mean_low < low,
                 fmt::format("{}: mean power {:.4f} over 0 < |k| <= sqrt(N)/2", got.call, mean_low),
                 fmt::format("less than {}; c = 1 has 0.11 for N = 64, 0.09 for 256", low),

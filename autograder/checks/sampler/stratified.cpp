@@ -138,7 +138,7 @@ CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:5]
     }
     expect_independent_uniforms(
         choices, {.words = "the orders of sample dimensions are independent random permutations",
-                  .rule = "the pattern must be shuffled anew for each sample dimension and seed",
+                  .rule = "the pattern must be shuffled for each dimension and seed (not rotated)",
                   .explain = [&] { return hint_for_orders(orders); }});
   }
 }

@@ -267,8 +267,8 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
     }
   }
   if (const auto bits = grid_of(numbers); bits && *bits > 0) {
-    return fmt::format("the random numbers have too few bits: only {} of 53; compute in double",
-                       *bits);
+    return fmt::format("the random numbers have too few bits: only {} of 53{}", *bits,
+                       *bits > 20 ? "; compute in double" : "");
   }
   if (const std::uint64_t m = multiples_in(numbers, width); m > 0) {
     return fmt::format("the random numbers are multiples of 1/{}: use 53 bits of a random word", m);

@@ -53,7 +53,7 @@ Failure wrong_value(const std::string& list, std::size_t index, double value, co
   const std::string likely =
       std::isnan(value) ? "this value was never written, or is 0/0"
       : value == range.high && range.below_high
-          ? "it was rounded up to the upper end, which the range does not include"
+          ? "the upper end is not in the range: return at most the largest double below it"
           : "";
   return {fmt::format("gave {}[{}] = {}", list, index, value), range.words, "", likely};
 }

@@ -47,6 +47,7 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
               {exact * n / (n - 1), "the factor n/(n-1) was applied twice"},
               {exact * (n - 1), "this is the sum of products: divide it by n - 1"},
               {-exact, "the sign is wrong: both deviations are value - mean"},
+              {std::max(0.0, exact), "a covariance may be negative: do not clamp it"},
               {mean_product, "this is E{XY}: subtract E{X}E{Y}"},
               {mean_product * n / (n - 1), "this is E{XY} n/(n-1): the means were not subtracted"},
               {exact / (sigma_x * sigma_y),

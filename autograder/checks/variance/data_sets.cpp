@@ -38,6 +38,63 @@ double either_sign(Rng& rng, double size) {
   return rng() % 2 == 0 ? size : -size;
 }
 
+/// Mean and m2 from sums relative to a shift.
+Moments shifted_sums(std::span<const double> x, double shift) {
+  double sum = 0, squares = 0;
+  for (const double value : x) {
+    sum += value - shift;
+    squares += (value - shift) * (value - shift);
+  }
+  const auto n = static_cast<double>(x.size());
+  return {x.size(), shift + sum / n, squares - sum * sum / n};
+}
+
+std::string relative_to(const char* which) {
+  return fmt::format("these are sums relative to the {} value, which may be far from all others",
+                     which);
+}
+const std::string large_numbers = "this has the rounding errors of E{X^2} - E{X}^2";
+const std::string in_integers = "the mean was added up in integers: start std::accumulate with 0.0";
+
+/// The sums of squared deviations by other algorithms, correct and wrong.
+std::vector<Suspect> ways_to_m2(std::span<const double> x) {
+  const auto n = static_cast<double>(x.size());
+  const double sum = sum_of(x), mean = sum / n;
+  double squares = 0, uncorrected = 0, about_first = 0;
+  for (const double value : x) {
+    squares += value * value;
+    uncorrected += (value - mean) * (value - mean);
+    about_first += (value - x[0]) * (value - x[0]);
+  }
+  double running = 0, count = 0, welford = 0, from_old_means = 0, from_new_means = 0;
+  for (const double value : x) {
+    const double before = value - running;
+    running += before / ++count;
+    const double after = value - running;
+    welford += before * after;
+    from_old_means += before * before;
+    from_new_means += after * after;
+  }
+  const double whole = integer_sum(x) / n;
+  return {
+      {(squares / n - mean * mean) * n, large_numbers},
+      {squares - sum * sum / n, large_numbers},
+      {uncorrected,
+       "the mean was rounded: subtract (sum of deviations)^2 / n from the sum of squares"},
+      {welford, "this has the rounding errors of a running mean, as in 1.4"},
+      {from_old_means, "m2 grows by (x - old mean)(x - new mean); here the old mean is used twice"},
+      {from_new_means, "m2 grows by (x - old mean)(x - new mean); here the new mean is used twice"},
+      {about_first,
+       "the mean stays at the first value: 1 / count is an integer division, which gives 0"},
+      {shifted_sums(x, x.front()).m2, relative_to("first")},
+      {shifted_sums(x, x.back()).m2, relative_to("last")},
+      {shifted_sums(x, x[x.size() / 2]).m2, relative_to("middle")},
+      {squares / n * (n - 1), "this is E{X^2}: subtract E{X}^2"},
+      {squares, "this is E{X^2} n/(n-1): the mean was not subtracted"},
+      {squares - n * whole * whole, in_integers},
+      {squares - 2 * whole * sum + n * whole * whole, in_integers}};
+}
+
 }  // namespace
 
 List::List(Values values, std::string words)
@@ -116,14 +173,15 @@ std::vector<List> lists_with_outliers(Rng& rng, int of_each) {
 }
 
 std::vector<List> short_hard_lists(Rng& rng) {
-  Values one_outlier(1000, 1.0), trend(1000), alternating{1.0};
+  Values one_outlier(1000, 1.0), trend(1000), alternating{1.0}, around_0{0, 0, -3, 3};
   one_outlier[rng() % 1000] = uniform(rng, 1e9, 1e10);
   Values sorted = uniform_values(rng, 1000, 0, 1);
   std::ranges::sort(sorted);
   std::iota(trend.begin(), trend.end(), uniform(rng, 1e5, 1e6));
   for (int i = 0; i < 500; ++i) alternating.insert(alternating.end(), {1e8, -1e8});
-  return {List(one_outlier, ", one outlier"), List(sorted, ", sorted"), List(trend, ", a trend"),
-          List(alternating, ", alternating")};
+  for (int i = 0; i < 9; ++i) around_0.push_back(uniform(rng, 1, 2));
+  return {List(around_0, ", running means of 0"), List(one_outlier, ", one outlier"),
+          List(sorted, ", sorted"), List(trend, ", a trend"), List(alternating, ", alternating")};
 }
 
 std::vector<List> lists_of_any_scale(Rng& rng) {
@@ -167,67 +225,6 @@ void expect_not_finite(const std::string& call, double got, const Values& x) {
                     "do not skip or replace such a value; note that std::max(0.0, NaN) is 0");
 }
 
-namespace {
-
-/// Mean and m2 from sums relative to a shift.
-Moments shifted_sums(std::span<const double> x, double shift) {
-  double sum = 0, squares = 0;
-  for (const double value : x) {
-    sum += value - shift;
-    squares += (value - shift) * (value - shift);
-  }
-  const auto n = static_cast<double>(x.size());
-  return {x.size(), shift + sum / n, squares - sum * sum / n};
-}
-
-std::string relative_to(const char* which) {
-  return fmt::format("these are sums relative to the {} value, which may be far from all others",
-                     which);
-}
-const std::string large_numbers = "this has the rounding errors of E{X^2} - E{X}^2";
-const std::string in_integers = "the mean was added up in integers: start std::accumulate with 0.0";
-
-/// The sums of squared deviations by other algorithms, correct and wrong.
-std::vector<Suspect> ways_to_m2(std::span<const double> x) {
-  const auto n = static_cast<double>(x.size());
-  const double sum = sum_of(x), mean = sum / n;
-  double squares = 0, uncorrected = 0, about_first = 0;
-  for (const double value : x) {
-    squares += value * value;
-    uncorrected += (value - mean) * (value - mean);
-    about_first += (value - x[0]) * (value - x[0]);
-  }
-  double running = 0, count = 0, welford = 0, from_old_means = 0, from_new_means = 0;
-  for (const double value : x) {
-    const double before = value - running;
-    running += before / ++count;
-    const double after = value - running;
-    welford += before * after;
-    from_old_means += before * before;
-    from_new_means += after * after;
-  }
-  const double whole = integer_sum(x) / n;
-  return {
-      {(squares / n - mean * mean) * n, large_numbers},
-      {squares - sum * sum / n, large_numbers},
-      {uncorrected,
-       "the mean was rounded: subtract (sum of deviations)^2 / n from the sum of squares"},
-      {welford, "this has the rounding errors of a running mean, as in 1.4"},
-      {from_old_means, "m2 grows by (x - old mean)(x - new mean); here the old mean is used twice"},
-      {from_new_means, "m2 grows by (x - old mean)(x - new mean); here the new mean is used twice"},
-      {about_first,
-       "the mean stays at the first value: 1 / count is an integer division, which gives 0"},
-      {shifted_sums(x, x.front()).m2, relative_to("first")},
-      {shifted_sums(x, x.back()).m2, relative_to("last")},
-      {shifted_sums(x, x[x.size() / 2]).m2, relative_to("middle")},
-      {squares / n * (n - 1), "this is E{X^2}: subtract E{X}^2"},
-      {squares, "this is E{X^2} n/(n-1): the mean was not subtracted"},
-      {squares - n * whole * whole, in_integers},
-      {squares - 2 * whole * sum + n * whole * whole, in_integers}};
-}
-
-}  // namespace
-
 double two_pass_here(const Values& x) {
   const auto n = static_cast<double>(x.size());
   return shifted_sums(x, sum_of(x) / n).m2 / (n - 1);
@@ -236,7 +233,13 @@ double two_pass_here(const Values& x) {
 std::vector<Suspect> mean_suspects(const List& list) {
   const auto mean = static_cast<double>(list.exact.mean);
   const double n = list.exact.count;
-  return {{integer_sum(list.x) / n,
+  double restarted = 0, count = 0;
+  for (const double x : list.x) {
+    ++count;
+    restarted += restarted == 0 ? x : (x - restarted) / count;
+  }
+  return {{restarted, "a mean of 0 was taken for no values yet: test the count"},
+          {integer_sum(list.x) / n,
            "the sum is truncated to an integer at each step: start std::accumulate with 0.0"},
           {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
           {mean * n, "this is the sum: divide it by the count"},
@@ -253,14 +256,14 @@ std::vector<Suspect> variance_suspects(const List& list) {
   std::vector<Suspect> all = ways_to_m2(list.x);
   const double n = list.exact.count, variance = list.exact.variance;
   for (Suspect& way : all) way.value /= n - 1;
-  all.push_back({variance * (n - 1) / n, "this divides by n; a sample variance divides by n - 1"});
-  all.push_back({variance * (n - 1) / n * std::floor(n / (n - 1)),
-                 "n/(n-1) was an integer division, which gives 1, or 2 for two values"});
-  all.push_back({variance * n / (n - 1), "the factor n/(n-1) was applied twice"});
-  all.push_back({variance * (n - 1), "this is the sum of squared deviations: divide it by n - 1"});
-  all.push_back(
-      {std::sqrt(variance), "this is the standard deviation: the variance is its square"});
-  all.push_back({-variance, "the sign is wrong: E{X^2} is larger than E{X}^2"});
+  all.insert(all.end(),
+             {{variance * (n - 1) / n, "this divides by n; a sample variance divides by n - 1"},
+              {variance * (n - 1) / n * std::floor(n / (n - 1)),
+               "n/(n-1) was an integer division, which gives 1, or 2 for two values"},
+              {variance * n / (n - 1), "the factor n/(n-1) was applied twice"},
+              {variance * (n - 1), "this is the sum of squared deviations: divide it by n - 1"},
+              {std::sqrt(variance), "this is the standard deviation: the variance is its square"},
+              {-variance, "the sign is wrong: E{X^2} is larger than E{X}^2"}});
   return all;
 }
 

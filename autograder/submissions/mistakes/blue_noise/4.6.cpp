@@ -37,7 +37,7 @@ PointSet tile(const PointSet& pattern, int copies) {
 }  // namespace mc::mirrored_copies
 
 // mistake: lets the last coordinate round up to 1
-// hint: it was rounded up to the upper end
+// hint: the upper end is not in the range
 namespace mc::rounded_up_to_one {
 PointSet tile(const PointSet& pattern, int copies) {
   PointSet tiled = right_tile(pattern, copies);

@@ -1,6 +1,6 @@
 // mistake: leaves the gaps that 30 tries around each point miss
 // fails: 4.3
-// hint: for a large radius one gap is a large part of the square
+// hint: gaps are left
 #include "autograder/submissions/mistakes/blue_noise/4.3.cpp"
 
 namespace mc {

@@ -6,7 +6,7 @@
 #undef radical_inverse
 
 // mistake: sums in a float
-// hint: this is a float
+// hint: only the digits of a float are correct
 namespace mc::in_floats {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);
@@ -59,7 +59,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }  // namespace mc::not_mirrored
 
 // mistake: rounds an index of more than 53 ones up to 1
-// hint: it was rounded up to the upper end
+// hint: the upper end is not in the range
 namespace mc::rounds_to_one {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);

@@ -37,6 +37,16 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }
 }  // namespace mc::a_seed_for_each_row
 
+// mistake: XORs the hashes of the picture's seed and the pixel's index
+// hint: occur again for other pairs
+namespace mc::xor_of_hashes {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  return render_with(scene, sampler, spp, [=, width = scene.width](auto column, auto row) {
+    return mix_bits(seed) ^ mix_bits(row * width + column);
+  });
+}
+}  // namespace mc::xor_of_hashes
+
 // mistake: uses the picture's seed for every pixel
 // hint: the same noise in every pixel is visible as a pattern
 namespace mc::one_pattern_for_all_pixels {

@@ -89,7 +89,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, cut>("blue_noise", kind))
 }  // namespace mc::poisson_disk_cut
 
 // mistake: makes a Poisson-disk pattern of too few points, and adds random ones
-// hint: there are too few candidates, or a fixed number, or none
+// hint: point i is the best of i + 1 candidates
 namespace mc::poisson_disk_filled {
 /// About 0.95 N points, then random ones.
 void filled(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
@@ -106,7 +106,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, filled>("blue_noise", kind))
 }  // namespace mc::poisson_disk_filled
 
 // mistake: uses ten candidates for each point, whatever their number
-// hint: there are too few candidates, or a fixed number
+// hint: point i is the best of i + 1 candidates
 namespace mc::ten_candidates {
 void ten(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.number > 0) return stratified2(dim, x, y, rng);

@@ -153,3 +153,14 @@ void add(Moments& moments, double x) {
   moments.m2 += before * (x - moments.mean);
 }
 }  // namespace mc::welford_whole_division
+
+// mistake: takes a mean of 0 for no values yet
+// hint: a mean of 0 was taken for no values yet
+namespace mc::mean_of_zero_is_empty {
+void add(Moments& moments, double x) {
+  ++moments.count;
+  const double before = x - moments.mean;
+  moments.mean += moments.mean == 0 ? x : before / static_cast<double>(moments.count);
+  moments.m2 += before * (x - moments.mean);
+}
+}  // namespace mc::mean_of_zero_is_empty
