@@ -40,55 +40,48 @@ class AtPoint final : public Sampler {
 };
 
 /// From `samples` pairs of independent points. Of a set u of dimensions, the part of the variance
-/// that u alone makes is the covariance of f(x) and f of the point that shares x's coordinates in u
-/// and has the other point's elsewhere; it is estimated as by Janon et al. (2014, "Asymptotic
-/// normality and efficiency of two Sobol index estimators"). What u makes beyond its subsets
-/// follows by inclusion and exclusion.
+/// that u and its subsets make is the covariance of f(x) and f of the point that shares x's
+/// coordinates in u and has the other point's elsewhere; it is estimated as by Janon et al. (2014,
+/// "Asymptotic normality and efficiency of two Sobol index estimators"). What u makes beyond its
+/// subsets follows by inclusion and exclusion.
 template <class S>
 Anova anova_of(const S& scene, std::size_t samples, Rng& rng) {
-  std::vector<std::uint32_t> uses;  // each a set of dimensions
+  std::vector<std::size_t> uses;  // each a set of dimensions
   std::size_t dims = 0;
   for (const std::string_view use : text::split(S::uses, ' ')) {
     const std::size_t count = use == "next2" ? 2 : 1;
-    uses.push_back(((1u << count) - 1) << dims);
+    uses.push_back(((std::size_t{1} << count) - 1) << dims);
     dims += count;
   }
   const std::size_t sets = std::size_t{1} << dims;
-  std::vector<double> sums(sets, 0.0), squares(sets, 0.0), products(sets, 0.0);
-  std::vector<double> x(dims), z(dims), point(dims);
-  AtPoint sampler(point);
+  std::vector<double> sums(sets), squares(sets), products(sets), x(dims), z(dims), point(dims);
   for (std::size_t i = 0; i < samples; ++i) {
     for (double& value : x) value = uniform(rng);
     for (double& value : z) value = uniform(rng);
-    double f = 0;
-    for (std::size_t u = sets; u-- > 0;) {  // the whole of x comes first
+    AtPoint whole(x);
+    const double f = scene(whole);
+    for (std::size_t u = 0; u < sets; ++u) {
       for (std::size_t d = 0; d < dims; ++d) point[d] = (u >> d & 1u) != 0 ? x[d] : z[d];
-      sampler.advance();
-      const double value = scene(sampler);
-      if (u + 1 == sets) f = value;
+      AtPoint shared(point);
+      const double value = scene(shared);
       sums[u] += (f + value) / 2;
       squares[u] += (f * f + value * value) / 2;
       products[u] += f * value;
     }
   }
   const auto n = static_cast<double>(samples);
-  std::vector<double> alone(sets);  // of u and all its subsets, as a fraction of the variance
-  for (std::size_t u = 0; u < sets; ++u) {
-    const double mean = sums[u] / n;
-    alone[u] = (products[u] / n - mean * mean) / (squares[u] / n - mean * mean);
-  }
-  Anova anova{std::vector<double>(dims, 0.0)};
+  std::vector<double> parts(sets);  // of the variance: of u and its subsets; the empty set has none
   for (std::size_t u = 1; u < sets; ++u) {
-    double beyond = 0;
-    for (std::size_t v = u;; v = (v - 1) & u) {  // all subsets of u, the empty one last
-      const bool is_added = std::popcount(u ^ v) % 2 == 0;
-      if (v == 0) break;  // it makes nothing
-      beyond += is_added ? alone[v] : -alone[v];
-    }
-    anova.by_order[static_cast<std::size_t>(std::popcount(u)) - 1] += beyond;
-    for (const std::uint32_t use : uses) {
-      if ((u & ~std::size_t{use}) == 0) anova.within_uses += beyond;
-    }
+    const double mean = sums[u] / n;
+    parts[u] = (products[u] / n - mean * mean) / (squares[u] / n - mean * mean);
+  }
+  Anova anova{std::vector<double>(dims)};
+  for (const std::size_t use : uses) anova.within_uses += parts[use];
+  for (std::size_t d = 1; d < sets; d *= 2) {  // takes away those of subsets without d
+    for (std::size_t u = 0; u < sets; ++u) parts[u] -= (u & d) != 0 ? parts[u ^ d] : 0;
+  }
+  for (std::size_t u = 1; u < sets; ++u) {
+    anova.by_order[static_cast<std::size_t>(std::popcount(u)) - 1] += parts[u];
   }
   return anova;
 }
