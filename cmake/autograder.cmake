@@ -16,7 +16,8 @@ add_library(protocol STATIC ${sources} labs/runner/text.cpp)
 own_target(protocol)
 
 # Two programs per lab: checks_LAB judges and times the speed tasks, measure_LAB measures for plots,
-# benchmark and demo. A lab without measurements has no measure_LAB.
+# benchmark and demo. A lab without measurements has no measure_LAB. If it has a table of methods, both
+# have what every lab measures of these.
 file(GLOB sources CONFIGURE_DEPENDS autograder/checks/support/*.cpp)
 add_library(checking STATIC ${sources} autograder/measurements/support/speed_data.cpp)
 own_target(checking)
@@ -33,21 +34,26 @@ target_link_libraries(measuring PUBLIC checking PRIVATE nlohmann_json::nlohmann_
 add_custom_target(judge_all)  # targets that ./lab grade needs
 foreach(lab ${LABS})
   set(programs checks_${lab})
-  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}/*.cpp
-    autograder/measurements/${lab}/speed.cpp)
-  add_executable(checks_${lab} ${sources})
+  set(table autograder/measurements/${lab})
+  set(speed)
+  set(cases)
+  if(EXISTS ${CMAKE_SOURCE_DIR}/${table}/methods.hpp)
+    set(speed autograder/measurements/every_lab/speed.cpp)
+    set(cases autograder/measurements/every_lab/cases.cpp)
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS autograder/checks/${lab}/*.cpp)
+  add_executable(checks_${lab} ${sources} ${speed})
   target_link_libraries(checks_${lab} PRIVATE checking)
-  file(GLOB sources CONFIGURE_DEPENDS autograder/measurements/${lab}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/speed[.]cpp$")
+  file(GLOB sources CONFIGURE_DEPENDS ${table}/*.cpp)
   if(sources)
     list(APPEND programs measure_${lab})
-    add_executable(measure_${lab} ${sources})
+    add_executable(measure_${lab} ${sources} ${cases})
     target_link_libraries(measure_${lab} PRIVATE measuring)
   endif()
   foreach(target ${programs})
     own_target(${target})
     target_compile_options(${target} PRIVATE ${HOT})
-    target_include_directories(${target} PRIVATE ${LAB_INCLUDES})
+    target_include_directories(${target} PRIVATE ${LAB_INCLUDES} ${table})
     add_dependencies(judge_all ${target})
     add_dependencies(${target} experiments_${lab} runner)  # it sends its requests to a program
   endforeach()

@@ -82,8 +82,9 @@ do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
   set label 1 rate[i] at graph 0.04, graph 0.08 left tc rgb ink
   file = data[s]."/convergence-".of[i].".tsv"
   if (i == 4 && s == count) { set key at screen 0.5,0.005 center bottom vertical maxrows 5 Left reverse samplen 3 width 1 } else { unset key }
-  plot file using "N":"by_chance" with lines ls theory title "N^{-1/2}", \
-       file using "N":"by_strata" with lines ls theory+1 title "theory of strata", \
+  known = data[s]."/within-".of[i].".tsv"
+  plot known using "N":"by_chance" with lines ls theory title "N^{-1/2}", \
+       known using "N":"by_strata" with lines ls theory+1 title "theory of strata", \
        for [m in "independent ".ways[i]] file using "N":m with points ls value(m) notitle, \
        for [m in all] keyentry with points ls value(m) title is(m)
 } } }

@@ -1,5 +1,5 @@
-// Lab 4 in the bench: best candidates and Poisson disks; and numbers that the handout quotes. Those
-// of other ways than the solutions' are of mistakes: ten_candidates, bridson_alone.
+// Lab 4 in the bench: growth, and numbers that the handout quotes. Those of other ways than the
+// solutions' are of mistakes: ten_candidates, bridson_alone.
 
 #include <cmath>
 #include <numbers>
@@ -14,15 +14,9 @@
 namespace mc::measurements {
 namespace {
 
-TEST_CASE("bench error", "[.bench-error]") {
-  bench_errors(methods);
-}
-TEST_CASE("bench time", "[.bench-time]") {
-  bench_times(methods);
-}
 TEST_CASE("bench growth", "[.bench-growth]") {
-  bench_growth(method(methods, "best_candidate"), 2, 4096, 256, 4);
-  bench_growth(method(methods, "poisson_disk"), 2, 65536, 256, 4);
+  bench_growth(methods["best_candidate"], 2, 4096, 256, 4);
+  bench_growth(methods["poisson_disk"], 2, 65536, 256, 4);
 }
 
 constexpr std::size_t low_n = 256, low_sets = 200;
@@ -60,51 +54,50 @@ Values halton_axis(unsigned base) {
 }
 
 TEST_CASE("bench table of low frequencies", "[.bench-table]") {
-  const BenchTable table("low frequencies, N = 256");
+  const BenchTable table{"low frequencies, N = 256"};
   table.add("independent, exact", "power", 1);
   table.add("jittered, exact", "power", power_of_jittered());
   table.add("Halton, exact", "power", power_of(halton_axis(2), halton_axis(3)));
-  for (const char* key : {"best_candidate", "poisson_disk"}) {
-    ErrorSums power, closest;
-    for (const PointSet& set : method(methods, key).points(low_n, 2, low_sets, 1)) {
+  for (const Method& one : methods.of({"best_candidate", "poisson_disk"})) {
+    ErrorSums power, closest;  // distances are parts of that in the densest pattern
+    for (const PointSet& set : one.points(low_n, 2, low_sets, 1)) {
       power.add(power_of(set.column(0), set.column(1)));
       closest.add(least_distance(set.column(0), set.column(1)) / lattice_distance(low_n));
     }
-    table.add(key, "power", power.mean(), power.mean_error());
-    if (key != std::string("best_candidate")) continue;
-    // In parts of the distance in the densest pattern.
-    BenchTable("closest two of 256").add(key, "distance", closest.mean(), closest.mean_error());
+    table.add_mean(one.key, "power", power);
+    if (one.key == "best_candidate") {
+      BenchTable{"closest two of 256"}.add_mean(one.key, "distance", closest);
+    }
   }
 }
 
 TEST_CASE("bench table of gaps", "[.bench-table]") {
-  const BenchTable table("gaps, % of the square");
+  const BenchTable table{"gaps, % of the square"};
   for (const double radius : {0.3, 0.63}) {
     constexpr std::size_t patterns = 4000;
     const auto got = TRY_MEASURE_WITH(large, poisson_disk, radius, patterns, 1);
     if (!got) return;
     ErrorSums uncovered;
-    double most = missing;
+    double worst = missing;
     const SampleSets all = patterns_if_any(*got, radius, patterns);
     for (std::size_t set = 0; set < all.size(); ++set) {
       const double percent =
           100 * uncovered_area(all.column(set, 0), all.column(set, 1), radius, 200);
       uncovered.add(percent);
-      most = std::fmax(most, percent);
+      worst = std::fmax(worst, percent);
     }
     const std::string row = fmt::format("radius {}", radius);
-    table.add(row, "mean", uncovered.mean(), uncovered.mean_error());
-    table.add(row, "the worst of 4000", most);
+    table.add_mean(row, "mean", uncovered);
+    table.add(row, "the worst of 4000", worst);
   }
 }
 
 /// How much less the RMSE is with 1,024 points.
 TEST_CASE("bench table of gains", "[.bench-table]") {
   const Integrand& smooth = integrand("bump");
-  const ErrorSums errors = errors_of(method(methods, "poisson_disk"), smooth, 1024, 1000, 1);
-  const double ratio = std::sqrt(smooth.variance / 1024) / errors.rmse();
-  BenchTable("gain over independent points")
-      .add("poisson_disk", "ratio", ratio, ratio * errors.standard_error() / errors.rmse());
+  BenchTable{"gain over independent points"}.add_ratio(
+      "poisson_disk", std::sqrt(smooth.variance / 1024),
+      errors_of(methods["poisson_disk"], smooth, 1024, 1000, 1));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "checks/support/catch.hpp"
 #include "measurements/blue_noise/methods.hpp"
-#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
@@ -14,50 +13,40 @@ namespace {
 
 const Names shown{"independent", "jittered", "few_candidates", "best_candidate", "poisson_disk"};
 
-TEST_CASE("plot names", "[.plot]") {
-  plot_names(methods);
-}
-
 constexpr int kmax = 48, spectrum_side = 2 * kmax + 1;
+constexpr std::size_t spectrum_size = spectrum_side * spectrum_side;
 
-/// The mean periodogram of sets, by the submission; empty where it has none. Sets of one size go
-/// together.
-Values mean_periodogram(Sets sets) {
+/// The mean periodogram of sets, by the submission; empty where it has none.
+Values mean_periodogram(const Sets& sets) {
   Values mean;
-  const auto values = static_cast<std::size_t>(spectrum_side * spectrum_side);
-  std::stable_sort(sets.begin(), sets.end(),
-                   [](const PointSet& a, const PointSet& b) { return a.size() < b.size(); });
-  for (std::size_t first = 0, end; first < sets.size(); first = end) {
-    Values x, y;
-    for (end = first; end < sets.size() && sets[end].size() == sets[first].size(); ++end) {
-      x.insert(x.end(), sets[end].column(0).begin(), sets[end].column(0).end());
-      y.insert(y.end(), sets[end].column(1).begin(), sets[end].column(1).end());
-    }
+  for (const PointSet& set : sets) {
+    const auto x = set.column(0), y = set.column(1);
     const Values power =
-        values_of(TRY_MEASURE(periodogram, x, y, end - first, kmax), (end - first) * values);
+        values_of(TRY_MEASURE(periodogram, {x.begin(), x.end()}, {y.begin(), y.end()}, 1, kmax),
+                  spectrum_size);
     if (power.empty()) return {};
-    mean.resize(values);
-    for (std::size_t i = 0; i < power.size(); ++i) {
-      mean[i % values] += power[i] / static_cast<double>(sets.size());
+    mean.resize(spectrum_size);
+    for (std::size_t i = 0; i < spectrum_size; ++i) {
+      mean[i] += power[i] / static_cast<double>(sets.size());
     }
   }
   return mean;
 }
 
 TEST_CASE("plot patterns", "[.plot]") {
-  plot_points("spectra-pattern", methods_of(methods, shown), 256, 256);
+  plot_points("spectra-pattern", methods.of(shown), 256, 256);
 }
 
 TEST_CASE("plot periodograms as pictures and over rings", "[.plot]") {
   std::vector<Values> rings;  // of each method, from ring 0
   for (const std::string& key : shown) {
-    Values mean = mean_periodogram(method(methods, key).points(256, 2, 40, 256));
+    Values mean = mean_periodogram(methods[key].points(256, 2, 40, 256));
     rings.emplace_back(kmax + 1, missing);
     if (!mean.empty()) {
       const auto got = TRY_MEASURE(radial_power, mean, kmax);
       rings.back() = lists_of(got, kmax + 1, any_number).value_or(rings.back());
     }
-    mean.resize(spectrum_side * spectrum_side, missing);
+    mean.resize(spectrum_size, missing);
     plot_image("spectra-power-" + key + ".tsv", mean, spectrum_side);
   }
   Values frequencies;
@@ -69,18 +58,14 @@ TEST_CASE("plot periodograms as pictures and over rings", "[.plot]") {
 }
 
 TEST_CASE("plot error against N", "[.plot]") {
-  plot_errors({.names = {"bump", "edge"},
-               .integrands = {integrand("bump"), integrand("edge")},
-               .methods = methods_of(methods,
-                                     {"independent", "jittered", "best_candidate", "poisson_disk"}),
-               .sizes = {4, 16, 64, 256, 1024},
-               .replicates = [](Count n) -> Count { return n == 1024 ? 40 : 100; }});
+  plot_errors({"bump", "edge"}, {integrand("bump"), integrand("edge")},
+              methods.of({"independent", "jittered", "best_candidate", "poisson_disk"}),
+              powers(4, 4, 1024), [](Count n) -> Count { return n == 1024 ? 40 : 100; });
 }
 
 TEST_CASE("plot time against N", "[.plot]") {
   plot_table("speed.tsv", {"N", powers(64, 4, 65536)},
-             methods_of(methods, {"best_candidate", "poisson_disk"}),
-             [&](Count n, const Method& method) {
+             methods.of({"best_candidate", "poisson_disk"}), [&](Count n, const Method& method) {
                if (method.key == "best_candidate" && n > 4096) return missing;  // n^2 candidates
                // Noise of a few per cent is nothing on four decades.
                return seconds_of(method.rounds_of(n, 2), 0.004) * 1e6 / static_cast<double>(n);
@@ -88,7 +73,7 @@ TEST_CASE("plot time against N", "[.plot]") {
 }
 
 TEST_CASE("demo", "[.demo]") {
-  demo_points(4, methods_of(methods, {"best_candidate", "poisson_disk"}));
+  demo_points(4, methods.of({"best_candidate", "poisson_disk"}));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Lab 5's methods of making points.
 
 #include "5-halton/experiments.hpp"
-#include "measurements/support/integrands.hpp"
 #include "measurements/support/methods.hpp"
 
 namespace mc::measurements {
@@ -52,6 +51,14 @@ inline Sets scrambled_halton_sets(Count n, const std::vector<unsigned>& bases, C
   });
 }
 
+inline Sets rotated(const Sets& one, Count count, Count seed) {
+  if (one.empty()) return {};
+  const Count n = one[0].size(), dims = one[0].dims();
+  Values all;
+  for (Count d = 0; d < dims; ++d) append(all, one[0].column(d));
+  return sets_of(TRY_MEASURE(random_shift, all, dims, count, seed), n, dims, count);
+}
+
 inline std::vector<unsigned> first_primes(Count dims) {
   constexpr unsigned primes[] = {2, 3, 5, 7, 11, 13, 17, 19};
   return {primes, primes + dims};
@@ -63,91 +70,83 @@ inline Values lattice_points(Count n, Count dims, Count count, Count seed) {
                    n * dims * count, unit);
 }
 
-inline const std::vector<Method> methods = [] {
+/// A method that fails, to compare with: base 2 scrambled by a hash of all bits at once that is
+/// right for pairs of points only, for its one multiplication by a random number is followed by one
+/// mixing step.
+inline Sets hashed_points(Count n, Count, Count count, Count seed) {
+  Sets sets(count, PointSet(n, 1));
+  for (PointSet& set : sets) {
+    Rng rng(seed++);
+    const Count shift = rng(), factor = rng() | 1;
+    for (Count i = 0; i < n; ++i) {
+      Count z = i;  // its radical inverse has these bits, the first one lowest
+      z ^= z << 5;
+      z = z * factor + shift;
+      z ^= z * 0xb82f1e52d1342544u;
+      Count reversed = 0;
+      for (int bit = 0; bit < 53; ++bit) reversed = reversed << 1 | (z >> bit & 1);
+      set.column(0)[i] = static_cast<double>(reversed) * 0x1p-53;
+    }
+  }
+  return sets;
+}
+
+inline const Methods methods = [] {
   const auto repeated = [](unsigned task) {
     return ROUNDS_BY(repeat_points, task, n, dims, rounds);
   };
-  const std::vector<Count> in_bench{1, 2, 4, 8};
-  return std::vector<Method>{
-      independent_points(),
-      jittered_points(),
-      {.key = "radical_inverse",
-       .task = "5.1",
-       .name = "Halton",  // the same, one by one
-       .points = POINTS_BY(halton, n, dims, 0),
-       .rounds = [](Count n, Count dims, Count rounds, const sandbox::Limits& limits) -> Cost {
-         double seconds = 0;
-         for (const unsigned base : first_primes(dims)) {
-           seconds += Cost(TRY_MEASURE_WITH(limits, repeat, 1, base, n, rounds, 1)).seconds;
-         }
-         return seconds;
-       },
-       .is_random = false},
-      {.key = "halton",
-       .task = "5.3",
-       .name = "Halton",
-       .points = POINTS_BY(halton, n, dims, 0),
-       .rounds = repeated(3),
-       .dims = in_bench,
-       .is_random = false},
-      {.key = "scrambled_halton",
-       .task = "5.9",
-       .name = "Halton, scrambled",
-       .points =
-           [](Count n, Count dims, Count count, Count seed) {
-             return scrambled_halton_sets(n, first_primes(dims), count, seed);
-           },
-       .rounds = repeated(9),
-       .dims = in_bench},
-      {.key = "hammersley",
-       .task = "5.4",
-       .name = "Hammersley",
-       .points = POINTS_BY(hammersley, n, dims),
-       .is_random = false},
-      {.key = "sobol",
-       .task = "5.5",
-       .name = "Sobol'",
-       .points = [](Count n, Count dims, Count, Count) { return sobol_sets(n, dims); },
-       .rounds = repeated(5),
-       .dims = in_bench,
-       .is_random = false},
-      {.key = "scrambled_sobol",
-       .task = "5.8",
-       .name = "Sobol', scrambled",
-       .points = [](Count n, Count dims, Count count,
-                    Count seed) { return scrambled(sobol_sets(n, dims), count, seed); },
-       .rounds = repeated(8),
-       .dims = in_bench},
-      // Any points of the line, rotated: those of base 2.
-      {.key = "rotated",
-       .task = "5.7",
-       .name = "Cranley-Patterson rotation",
-       .points =
-           [](Count n, Count, Count count, Count seed) {
-             const Values column = values_of(TRY_MEASURE(radical_inverses, 2, 0, n), n, unit);
-             if (column.empty()) return Sets{};
-             return sets_of(TRY_MEASURE(random_shift, column, 1, count, seed), n, 1, count);
-           }},
-      {.key = "lattice",
-       .task = "5.10",
-       .name = "lattice, folded",
-       .points =
-           [](Count n, Count dims, Count count, Count seed) {
-             const Values points = lattice_points(n, dims, count, seed);
-             if (points.empty()) return Sets{};
-             return sets_of(TRY_MEASURE(tent, points), n, dims, count);
-           },
-       .rounds = repeated(10),
-       .dims = in_bench}};
+  const std::vector<Count> all_dims{1, 2, 4, 8};
+  const Traits one_set{.is_random = false};
+  const MakePoints halton = POINTS_BY(halton, n, dims, 0);
+  const auto one_by_one = [](Count n, Count dims, Count rounds, const sandbox::Limits& limits) {
+    double seconds = 0;
+    for (const unsigned base : first_primes(dims)) {
+      seconds += Cost(TRY_MEASURE_WITH(limits, repeat, 1, base, n, rounds, 1)).seconds;
+    }
+    return Cost(seconds);
+  };
+  const auto scrambled_halton = [](Count n, Count dims, Count count, Count seed) {
+    return scrambled_halton_sets(n, first_primes(dims), count, seed);
+  };
+  const auto sobol = [](Count n, Count dims, Count, Count) { return sobol_sets(n, dims); };
+  const auto scrambled_sobol = [](Count n, Count dims, Count count, Count seed) {
+    return scrambled(sobol_sets(n, dims), count, seed);
+  };
+  const auto rotated_base_2 = [](Count n, Count, Count count, Count seed) {
+    return rotated(halton_sets(n, {2}), count, seed);
+  };
+  const auto folded = [](Count n, Count dims, Count count, Count seed) {
+    const Values points = lattice_points(n, dims, count, seed);
+    return points.empty() ? Sets{} : sets_of(TRY_MEASURE(tent, points), n, dims, count);
+  };
+  return Methods{independent_points,
+                 jittered_points,
+                 {"radical_inverse", "5.1", "Halton", halton, one_by_one, one_set},
+                 {"halton", "5.3", "Halton", halton, repeated(3), in_bench(all_dims, one_set)},
+                 {"scrambled_halton", "5.9", "Halton, scrambled", scrambled_halton, repeated(9),
+                  in_bench(all_dims)},
+                 {"hammersley", "5.4", "Hammersley", POINTS_BY(hammersley, n, dims), {}, one_set},
+                 {"sobol", "5.5", "Sobol'", sobol, repeated(5), in_bench(all_dims, one_set)},
+                 {"scrambled_sobol", "5.8", "Sobol', scrambled", scrambled_sobol, repeated(8),
+                  in_bench(all_dims)},
+                 {"rotated", "5.7", "Cranley-Patterson rotation", rotated_base_2},
+                 {"lattice", "5.10", "lattice, folded", folded, repeated(10), in_bench(all_dims)},
+                 {"hashed", "", "a hash that is right for pairs only", hashed_points}};
 }();
 
-/// A column of one axis, not cut into blocks, by task 5.`task` in that base or dimension.
-inline Method column_of(std::string name, unsigned task, unsigned base_or_dimension) {
-  return {.key = "",
-          .task = "",
-          .name = std::move(name),
-          .rounds = ROUNDS_BY(repeat, task, base_or_dimension, n, rounds, 1)};
+/// Columns of one axis, not cut into blocks, by task 5.`task` in that base or dimension.
+inline MakeRounds column_by(unsigned task, unsigned base_or_dimension) {
+  return ROUNDS_BY(repeat, task, base_or_dimension, n, rounds, 1);
 }
+inline Rounds block_by(unsigned task, unsigned base_or_dimension) {
+  return [=](Count rounds) { return column_by(task, base_or_dimension)(4096, 1, rounds, {}); };
+}
+
+inline const std::vector<SpeedTask> speed_tasks{
+    {"5.2", "radical inverses in base 3", 4096, block_by(2, 3)},
+    {"5.5", "Sobol' coordinates", 4096, block_by(5, 1)},
+    {"5.8", "scrambled Sobol' coordinates", 4096, block_by(8, 1), methods["scrambled_sobol"].points,
+     1024}};
 
 /// D* of the first set, by the submission.
 inline double star_discrepancy_of(const Sets& sets) {
@@ -155,11 +154,6 @@ inline double star_discrepancy_of(const Sets& sets) {
   const auto x = sets[0].column(0), y = sets[0].column(1);
   const auto got = TRY_MEASURE(star_discrepancy_2d, {x.begin(), x.end()}, {y.begin(), y.end()});
   return got && got->value >= 0 && got->value <= 1 ? got->value : missing;
-}
-
-/// Of the mean of exp(x) over the first n points of base 2, scrambled by 5.8 in so many ways.
-inline ErrorSums errors_of_exp(Count n, Count sets) {
-  return errors_of(method(methods, "scrambled_sobol"), integrand("smooth 1D"), n, sets, n << 20);
 }
 
 }  // namespace mc::measurements

@@ -8,22 +8,18 @@
 
 namespace mc::measurements {
 
-inline const Method uniform_points{
-    .key = "independent",
-    .task = "2.8",
-    .name = "independent",
-    .points =
-        [](Count n, Count dims, Count count, Count seed) {
-          const std::vector<Count> sizes(count, n * dims);
-          return sets_of(TRY_MEASURE(uniforms, seed, sizes, 0), n, dims, count);
-        },
-    .rounds =
-        [](Count n, Count dims, Count rounds, const sandbox::Limits& limits) {
-          return Cost(TRY_MEASURE_WITH(limits, repeat_source, 2, n, dims * rounds, 1));
-        },
-    .dims = {1, 2, 4, 8},
-    .same_for_all_n = true,
-    .is_sequence = true};
+inline const Methods methods = [] {
+  const auto points = [](Count n, Count dims, Count count, Count seed) {
+    const std::vector<Count> sizes(count, n * dims);
+    return sets_of(TRY_MEASURE(uniforms, seed, sizes, 0), n, dims, count);
+  };
+  return Methods{{"independent", "2.8", "independent", points,
+                  ROUNDS_BY(repeat_source, 2, n, (dims * rounds), 1),
+                  in_bench({1, 2, 4, 8}, {.same_for_all_n = true, .is_sequence = true})}};
+}();
+
+inline const std::vector<SpeedTask> speed_tasks{
+    {"2.8", "uniforms", 4096, methods["independent"].rounds_of(4096, 1)}};
 
 /// An integrand of 2.2, as the experiments know it, and its mean.
 struct LineIntegrand {
@@ -43,21 +39,28 @@ inline std::vector<experiments::CountedEstimate> estimates_of(const LineIntegran
   return values_of(TRY_MEASURE(estimates, integrand.g, n, 1, replicates), replicates);
 }
 
-/// The irradiance under a rectangular light, 2.7, by way of the area or of the hemisphere.
-inline const char* const light_ways[] = {"points on the light", "directions"};
-inline ErrorSums irradiance_errors(unsigned way, Count n, Count replicates, Count seed) {
-  const RectLight light;
-  const auto got = way == 0 ? TRY_MEASURE(irradiance_area, light, n, seed, replicates)
-                            : TRY_MEASURE(irradiance_hemisphere, light, n, seed, replicates);
-  ErrorSums errors;
-  for (const Estimate& one : values_of(got, replicates, any_number)) {
-    errors.add(one.value - irradiance(light));
+/// A way to the irradiance under a rectangular light, 2.7.
+struct LightWay {
+  unsigned number;
+  const char *key, *name;
+
+  ErrorSums errors(Count n, Count replicates, Count seed) const {
+    const RectLight light;
+    const auto got = number == 0 ? TRY_MEASURE(irradiance_area, light, n, seed, replicates)
+                                 : TRY_MEASURE(irradiance_hemisphere, light, n, seed, replicates);
+    ErrorSums errors;
+    for (const Estimate& one : values_of(got, replicates, any_number)) {
+      errors.add(one.value - irradiance(light));
+    }
+    return errors;
   }
-  return errors;
-}
-/// Of 4,096 samples.
-inline Rounds irradiance_rounds(unsigned way) {
-  return [=](Count rounds) { return TRY_MEASURE(repeat_irradiance, way, 4096, rounds); };
-}
+  /// Of 4,096 samples.
+  Rounds rounds() const {
+    return
+        [way = number](Count rounds) { return TRY_MEASURE(repeat_irradiance, way, 4096, rounds); };
+  }
+};
+inline constexpr LightWay light_ways[] = {{0, "area", "points on the light"},
+                                          {1, "hemisphere", "directions"}};
 
 }  // namespace mc::measurements

@@ -9,21 +9,15 @@
 #include "checks/support/distributions.hpp"
 #include "common/normal_quantile.hpp"
 #include "measurements/independent/methods.hpp"
-#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
 namespace {
 
-/// Columns of integrands of the table, counted from 1.
-Names columns_of(const std::vector<std::size_t>& which) {
-  Names all;
-  for (const std::size_t i : which) all.push_back("integrand_" + std::to_string(i));
-  return all;
-}
-
+/// Columns are integrands of the table, counted from 1.
 TEST_CASE("plot error against samples", "[.plot]") {
-  plot_table("error.tsv", {"N", powers(4, 4, 65536)}, columns_of({1, 2, 3, 4, 5}),
+  plot_table("error.tsv", {"N", powers(4, 4, 65536)},
+             {"integrand_1", "integrand_2", "integrand_3", "integrand_4", "integrand_5"},
              [](double n, std::size_t c) {
                // Two of three medians of 201 errors are off by 8 % at most, of 101 by 12 %: 4
                // pixels. Medians: where the variance is infinite, a mean square says how long one
@@ -39,22 +33,22 @@ TEST_CASE("plot error against samples", "[.plot]") {
 }
 
 TEST_CASE("plot coverage against samples", "[.plot]") {
-  const std::vector<std::size_t> which{6, 3, 4, 5};
-  Names columns = columns_of(which);
-  columns.push_back("exact");
+  constexpr std::size_t shown[] = {6, 3, 4, 5};
   const Count replicates = 500;  // a standard error of 1 % at 95 %
   const double level = 0.95, z = normal_quantile((1 + level) / 2);
-  plot_table("coverage.tsv", {"N", powers(2, 2, 8192)}, columns, [&](double n, std::size_t c) {
-    // Of normal values it is known: Student's t within z.
-    if (c == 4) return f_tails(z * z, 1, n - 1).lower;
-    const auto& [name, g, mean] = line_integrands[which[c] - 1];
-    const auto all =
-        values_of(TRY_MEASURE(confidence_intervals, g, static_cast<Count>(n), level, 1, replicates),
-                  replicates, any_number);
-    double covering = 0;
-    for (const Interval& one : all) covering += one.low <= mean && mean <= one.high;
-    return all.empty() ? missing : covering / static_cast<double>(replicates);
-  });
+  plot_table("coverage.tsv", {"N", powers(2, 2, 8192)},
+             {"integrand_6", "integrand_3", "integrand_4", "integrand_5", "exact"},
+             [&](double n, std::size_t c) {
+               // Of normal values it is known: Student's t within z.
+               if (c == 4) return f_tails(z * z, 1, n - 1).lower;
+               const auto& [name, g, mean] = line_integrands[shown[c] - 1];
+               const auto all = values_of(TRY_MEASURE(confidence_intervals, g,
+                                                      static_cast<Count>(n), level, 1, replicates),
+                                          replicates, any_number);
+               double covering = 0;
+               for (const Interval& one : all) covering += one.low <= mean && mean <= one.high;
+               return all.empty() ? missing : covering / static_cast<double>(replicates);
+             });
 }
 
 TEST_CASE("plot intervals of sixty estimates", "[.plot]") {
@@ -86,11 +80,10 @@ void plot_against_time(const std::string& name, Count least, const Rounds& round
 }
 
 TEST_CASE("plot irradiance two ways", "[.plot]") {
-  for (const unsigned way : {0u, 1u}) {
-    plot_against_time(way == 0 ? "irradiance-area.tsv" : "irradiance-hemisphere.tsv", 16,
-                      irradiance_rounds(way), [&](Count n) {  // 5 % of the RMSE, and 10 %
-                        return irradiance_errors(way, n, n < 16384 ? 200 : 50, 1);
-                      });
+  for (const LightWay& way : light_ways) {
+    plot_against_time(fmt::format("irradiance-{}.tsv", way.key), 16, way.rounds(), [&](Count n) {
+      return way.errors(n, n < 16384 ? 200 : 50, 1);  // 5 % of the RMSE, and 10 %
+    });
   }
 }
 
@@ -99,7 +92,7 @@ TEST_CASE("plot irradiance two ways", "[.plot]") {
 TEST_CASE("plot time against error of three sources", "[.plot]") {
   for (const unsigned source : {0u, 1u, 2u}) {
     plot_against_time(
-        "speed-" + std::to_string(source) + ".tsv", 256,
+        fmt::format("speed-{}.tsv", source), 256,
         [&](Count rounds) { return TRY_MEASURE(repeat_source, source, 4096, rounds, 1); },
         [&](Count n) {
           ErrorSums errors;
@@ -143,7 +136,7 @@ TEST_CASE("demo of intervals", "[.demo]") {
 }
 
 TEST_CASE("demo of points", "[.demo]") {
-  demo_points(2, {uniform_points});
+  demo_points(2, methods);
 }
 
 }  // namespace

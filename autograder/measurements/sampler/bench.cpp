@@ -11,86 +11,71 @@
 namespace mc::measurements {
 namespace {
 
-/// A scene, and how many coordinates a sample asks for: one next2() to next2(), next(), next2().
-struct Scene {
-  std::string name;
-  Count dims;
-};
-
-const std::vector<Scene> scenes_of_bench{{"pixel_edge", 2},    {"rect_light", 2},
-                                         {"penumbra_disk", 2}, {"ao_sphere", 2},
-                                         {"defocus_edge", 4},  {"pixel_time_lens", 5}};
+/// Scenes, and how many coordinates a sample asks for: one next2() to next2(), next(), next2().
+const std::vector<std::pair<std::string, Count>> scenes_of_bench{
+    {"pixel_edge", 2}, {"rect_light", 2},   {"penumbra_disk", 2},
+    {"ao_sphere", 2},  {"defocus_edge", 4}, {"pixel_time_lens", 5}};
 
 /// Calls run(method, scene, n) for each kind on each scene at sizes 16, 16 factor, …, for as long
 /// as it returns true; blue noise up to 256.
 template <class Run>
 void on_scenes(Count factor, Run run) {
-  for (const Scene& scene : scenes_of_bench) {
+  for (const auto& [scene, dims] : scenes_of_bench) {
     for (const Method& method : methods) {
-      const Count most = method.kind == "blue_noise" ? 256 : method.most;
-      for (Count n = 16; n <= most; n *= factor) {
-        if (!run(method, scene, n)) break;
+      const Count most = method.kind == "blue_noise" ? 256 : method.traits.most;
+      for (Count n = 16; n <= most && run(method, scene, dims, n); n *= factor) {
       }
     }
   }
 }
 
-TEST_CASE("bench error", "[.bench-error]") {
-  for (const Scene& scene : scenes_of_bench) {
-    const Known known = known_scene(scene.name, {});
-    bench_row(
-        {"variance", scene.name, "", scene.dims, 0, known.variance / (known.exact * known.exact)});
+TEST_CASE("bench error of scenes", "[.bench-error]") {
+  for (const auto& [scene, dims] : scenes_of_bench) {
+    const Known known = known_scene(scene, {});
+    bench_row({"variance", scene, "", dims, 0, known.variance / (known.exact * known.exact)});
   }
-  on_scenes(4, [](const Method& method, const Scene& scene, Count n) {
-    bench_error(method.name, scene.name, scene.dims, n,
-                scene_errors(method.kind, scene.name, n, 200, 1),
-                known_scene(scene.name, {}).exact);
+  on_scenes(4, [](const Method& method, const std::string& scene, Count dims, Count n) {
+    bench_error(method.name, scene, dims, n, scene_errors(method.kind, scene, n, 200, 1),
+                known_scene(scene, {}).exact);
     return true;
   });
 }
 
-TEST_CASE("bench time", "[.bench-time]") {
-  on_scenes(16, [](const Method& method, const Scene& scene, Count n) {
-    return bench_time(method.name, scene.name, scene.dims, n,
-                      scene_rounds(method.kind, scene.name, n));
+TEST_CASE("bench time of scenes", "[.bench-time]") {
+  on_scenes(16, [](const Method& method, const std::string& scene, Count dims, Count n) {
+    return bench_time(method.name, scene, dims, n, scene_rounds(method.kind, scene, n));
   });
 }
 
 TEST_CASE("bench growth", "[.bench-growth]") {
-  for (const Method& one : methods) {
-    if (one.most < 4096) continue;
-    Method by_next2 = one;
-    by_next2.name = "sampler: " + one.name;
-    Method by_next = by_next2;
-    by_next.rounds = ROUNDS_BY(repeat, by_next2.kind, 1, dims, n, rounds, 1);
-    bench_growth_of_dims(by_next);
-    bench_growth(by_next2, 2, 10'000'000);
+  for (Method one : methods) {
+    if (one.traits.most < 4096) continue;
+    one.name = "sampler: " + one.name;
+    bench_growth(one, 2, 10'000'000);
+    one.rounds = ROUNDS_BY(repeat, one.kind, 1, dims, n, rounds, 1);  // by next()
+    bench_growth_of_dims(one);
   }
 }
 
+/// Divided by its mean.
+Integrand relative(const Integrand& one) {
+  return {one.name, one.dims, 1, [=](View x) { return one.g(x) / one.mean; }};
+}
 /// The mean, or the product, of the values of an integrand of the plane for each of so many pairs
 /// of dimensions.
 Integrand mean_of_uses(const Integrand& one, std::size_t uses) {
-  return {.name = "mean", .dims = 2 * uses, .mean = one.mean, .g = [=](View x) {
+  return {"mean", 2 * uses, one.mean, [=](View x) {
             double sum = 0;
             for (std::size_t use = 0; use < uses; ++use) sum += one.g(x.subspan(2 * use, 2));
             return sum / static_cast<double>(uses);
           }};
 }
 Integrand product_of_uses(const Integrand& one, std::size_t uses) {
-  const double mean = std::pow(one.mean, static_cast<double>(uses));
-  return {.name = "product", .dims = 2 * uses, .mean = mean, .g = [=](View x) {
+  return {"product", 2 * uses, std::pow(one.mean, static_cast<double>(uses)), [=](View x) {
             double product = 1;
             for (std::size_t use = 0; use < uses; ++use) product *= one.g(x.subspan(2 * use, 2));
             return product;
           }};
-}
-/// Divided by its mean.
-Integrand relative(const Integrand& one) {
-  Integrand scaled = one;
-  scaled.mean = 1;
-  scaled.g = [=](View x) { return one.g(x) / one.mean; };
-  return scaled;
 }
 
 constexpr std::size_t table_n = 1024, table_uses = 17;
@@ -99,19 +84,19 @@ constexpr std::size_t table_n = 1024, table_uses = 17;
 void write_worth(const std::string& row, const Sets& sets) {
   const Integrand lamp = plane_integrand(scenes::RectangleLight{}),
                   edge = plane_integrand(scenes::PixelEdge{});
-  const BenchTable under_lamp("RMSE of the k-th next2() under a lamp, N = 1024"),
-      at_edge("RMSE of the k-th next2() at an edge, N = 1024"),
-      many("RMSE of many lamps, a next2() each, relative to the value, N = 1024");
+  const BenchTable under_lamp{"RMSE of the k-th next2() under a lamp, N = 1024", table_n};
+  const BenchTable at_edge{"RMSE of the k-th next2() at an edge, N = 1024", table_n};
+  const BenchTable many{"RMSE of many lamps, a next2() each, relative to the value, N = 1024",
+                        table_n};
   for (const std::size_t k : {1u, 8u, 13u, 17u}) {
     if (sets.empty() || 2 * k > sets[0].dims()) continue;
     const std::string column = fmt::format("{}{}", k, k == 1 ? "st" : "th");
-    under_lamp.add_rmse(row, column, errors_of(sets, lamp, table_n, 2 * k - 2), table_n);
-    at_edge.add_rmse(row, column, errors_of(sets, edge, table_n, 2 * k - 2), table_n);
+    under_lamp.add_rmse(row, column, errors_of(sets, lamp, table_n, 2 * k - 2));
+    at_edge.add_rmse(row, column, errors_of(sets, edge, table_n, 2 * k - 2));
   }
-  many.add_rmse(row, "mean of twelve", errors_of(sets, mean_of_uses(relative(lamp), 12), table_n),
-                table_n);
-  many.add_rmse(row, "product of six", errors_of(sets, product_of_uses(relative(lamp), 6), table_n),
-                table_n);
+  const Integrand one = relative(lamp);
+  many.add_rmse(row, "mean of twelve", errors_of(sets, mean_of_uses(one, 12), table_n));
+  many.add_rmse(row, "product of six", errors_of(sets, product_of_uses(one, 6), table_n));
 }
 
 /// Dimensions 0 and 1, 2 and 3, … of one Sobol' sequence; there are 16 pairs in all, and what is
@@ -144,51 +129,46 @@ TEST_CASE("bench table", "[.bench-table]") {
 /// Sixteen dimensions: two blocks, or the first sixteen of one sequence.
 TEST_CASE("bench table of sixteen dimensions", "[.bench-table]") {
   constexpr std::size_t n = 4096, dims = 16;
-  std::vector<unsigned> first(dims);
-  std::iota(first.begin(), first.end(), 0u);
-  const Integrand smooth{
-      .name = "smooth",
-      .dims = dims,
-      .mean = std::pow(4 * (std::exp(0.25) - 1), dims),
-      .g = [](View x) { return std::exp(std::accumulate(x.begin(), x.end(), 0.0) / 4); }};
-  const Integrand product{.name = "product", .dims = dims, .mean = 1, .g = [](View x) {
+  const double mean = std::pow(4 * std::expm1(0.25), dims);
+  const Integrand smooth{"smooth", dims, 1, [=](View x) { return std::exp(sum_of(x) / 4) / mean; }};
+  const Integrand product{"product", dims, 1, [](View x) {
                             return std::accumulate(
                                 x.begin(), x.end(), 1.0,
                                 [](double all, double one) { return all * (0.5 + one); });
                           }};
   const Integrand edges = mean_of_uses(plane_integrand(scenes::PixelEdge{}), dims / 2);
-  const BenchTable table("RMSE in 16 dimensions, N = 4096");
-  for (const auto& [row, method] :
-       {std::pair{"two blocks of eight", method(methods, "scrambled_sobol")},
-        {"one sequence", sobol_dimensions(first)}}) {
+  const BenchTable table{"RMSE in 16 dimensions, N = 4096", n};
+  for (const auto& [row, method] : {std::pair{"two blocks of eight", methods["scrambled_sobol"]},
+                                    {"one sequence", sobol_dimensions({0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
+                                                                       10, 11, 12, 13, 14, 15})}}) {
     const Sets sets = sets_in_parts(method, n, dims, 240, 1);
-    table.add_rmse(row, "exp((x_1 + … + x_16) / 4), relative", errors_of(sets, relative(smooth), n),
-                   n);
-    table.add_rmse(row, "product of 1/2 + x_j", errors_of(sets, product, n), n);
-    table.add_rmse(row, "mean of eight edges, a next2() each", errors_of(sets, edges, n), n);
+    table.add_rmse(row, "exp((x_1 + … + x_16) / 4), relative", errors_of(sets, smooth, n));
+    table.add_rmse(row, "product of 1/2 + x_j", errors_of(sets, product, n));
+    table.add_rmse(row, "mean of eight edges, a next2() each", errors_of(sets, edges, n));
   }
 }
 
 /// Costs and gains of the choice of a block (6.3).
 TEST_CASE("bench table of blocks", "[.bench-table]") {
-  const BenchTable table("mean squared error of exp(x + y + ...) by that of independent samples");
+  BenchTable table{"mean squared error of exp(x + y + ...) by that of independent samples"};
   for (const auto& [name, dimensions] : {std::pair<std::string, std::vector<unsigned>>{
                                              "dimensions 0 to 7", {0, 1, 2, 3, 4, 5, 6, 7}},
                                          {"the block", {0, 1, 4, 6, 16, 20, 15, 21}}}) {
     for (const std::size_t n : {16u, 64u, 256u, 1024u}) {
+      table.n = n;
       const Sets sets = sets_in_parts(sobol_dimensions(dimensions), n, 8, 1000, 1);
       const auto add = [&, row = name](const char* what, const Integrand& smooth,
                                        const ErrorSums& errors) {
-        const double scale = static_cast<double>(n) / smooth.variance, rmse = errors.rmse();
-        table.add(fmt::format("{}, {}", row, what), fmt::format("N = {}", n), rmse * rmse * scale,
-                  2 * rmse * errors.standard_error() * scale, n);
+        const double scale = static_cast<double>(n) / smooth.variance;
+        table.add(fmt::format("{}, {}", row, what), table.column_of_n(), errors.moment(2) * scale,
+                  errors.moment_error(2) * scale);
       };
       const Integrand &plane = integrand("smooth 2D"), &four = integrand("smooth 4D"),
                       &eight = integrand("smooth 8D");
-      ErrorSums worst;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const ErrorSums pair = errors_of(sets, plane, n, 2 * k);
-        if (pair.squares > worst.squares) worst = pair;
+      ErrorSums worst = errors_of(sets, plane, n);
+      for (const std::size_t d : {2u, 4u, 6u}) {
+        const ErrorSums pair = errors_of(sets, plane, n, d);
+        if (pair.rmse() > worst.rmse()) worst = pair;
       }
       add("worst pair", plane, worst);
       add("first four", four, errors_of(sets, four, n));
@@ -199,28 +179,26 @@ TEST_CASE("bench table of blocks", "[.bench-table]") {
 
 /// How early an integration may be stopped (6.3): the first and the second block.
 TEST_CASE("bench table of early stops", "[.bench-table]") {
-  const BenchTable table("first 256 of 1024 samples: RMSE of exp(x + y) by the k-th next2()");
-  for (const Method& one :
-       methods_of(methods, {"multi_jittered", "scrambled_halton", "scrambled_sobol"})) {
+  const BenchTable table{"first 256 of 1024 samples: RMSE of exp(x + y) by the k-th next2()", 256};
+  for (const Method& one : methods.of({"multi_jittered", "scrambled_halton", "scrambled_sobol"})) {
     const Sets sets = sets_in_parts(one, table_n, 12, 288, 1);
     for (const auto& [use, name] : {std::pair{0u, "1st"}, {1u, "2nd"}, {4u, "5th"}, {5u, "6th"}}) {
-      table.add_rmse(one.kind, name, errors_of(sets, integrand("smooth 2D"), 256, 2 * use), 256);
+      table.add_rmse(one.kind, name, errors_of(sets, integrand("smooth 2D"), 256, 2 * use));
     }
   }
 }
 
 /// Cells of a square grid of N cells that a next2() leaves empty (6.3), on average.
 TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
-  const BenchTable table("empty cells of a grid of N, by call of next2()");
-  for (const Method& one : methods_of(methods, {"scrambled_halton", "scrambled_sobol"})) {
+  BenchTable table{"empty cells of a grid of N, by call of next2()"};
+  for (const Method& one : methods.of({"scrambled_halton", "scrambled_sobol"})) {
     for (const std::size_t side : {4u, 8u, 16u, 32u}) {
-      const std::size_t n = side * side;
-      const Sets sets = sets_in_parts(one, n, 8, 50, 1);
+      table.n = side * side;
+      const Sets sets = sets_in_parts(one, table.n, 8, 50, 1);
       for (std::size_t use = 0; use < 4; ++use) {
-        double empty = 0;
-        for (const PointSet& set : sets) empty += empty_cells(set, side, 2 * use);
-        table.add(fmt::format("{}, {}", one.kind, use + 1), fmt::format("N = {}", n),
-                  empty / static_cast<double>(sets.size()), missing, n);
+        ErrorSums empty;
+        for (const PointSet& set : sets) empty.add(empty_cells(set, side, 2 * use));
+        table.add(fmt::format("{}, {}", one.kind, use + 1), table.column_of_n(), empty.moment(1));
       }
     }
   }
@@ -228,11 +206,12 @@ TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
 
 /// Four dimensions by next2(), what generate() does included.
 TEST_CASE("bench table of times", "[.bench-table-time]") {
-  const BenchTable table("ns per number, four dimensions by next2(), generate() included");
+  BenchTable table{"ns per number, four dimensions by next2(), generate() included"};
   for (const Method& one : methods) {
     for (const Count n : {1u, 4u, 16u, 64u, 256u, 1024u}) {
-      table.add(one.kind, fmt::format("N = {}", n),
-                seconds_of(one.rounds_of(n, 4)) * 1e9 / static_cast<double>(4 * n), missing, n);
+      table.n = n;
+      table.add(one.kind, table.column_of_n(),
+                seconds_of(one.rounds_of(n, 4)) * 1e9 / static_cast<double>(4 * n));
     }
   }
 }

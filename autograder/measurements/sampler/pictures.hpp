@@ -20,26 +20,24 @@ struct KnownPicture {
   double (*pixel)(double width, double height, double column, double row);
 };
 template <auto at>
-constexpr KnownPicture picture_as(std::string_view name) {
-  return {name, [](double width, double height, double column, double row) {
-            return exact(at(width, height, column, row));
-          }};
+double exact_pixel(double width, double height, double column, double row) {
+  return exact(at(width, height, column, row));
 }
-inline constexpr std::array known_pictures{
-    picture_as<scenes::edge_picture>("edge"),
-    picture_as<scenes::penumbra_picture>("penumbra"),
-    picture_as<scenes::defocus_picture>("defocus"),
-    picture_as<scenes::motion_picture>("motion"),
-    picture_as<scenes::stripes_picture>("stripes"),
+inline constexpr KnownPicture known_pictures[] = {
+    {"edge", exact_pixel<scenes::edge_picture>},
+    {"penumbra", exact_pixel<scenes::penumbra_picture>},
+    {"defocus", exact_pixel<scenes::defocus_picture>},
+    {"motion", exact_pixel<scenes::motion_picture>},
+    {"stripes", exact_pixel<scenes::stripes_picture>},
 };
 
-inline std::vector<double> exact_image(std::string_view picture, std::size_t width,
-                                       std::size_t height) {
+inline std::vector<double> exact_image(std::string_view picture, unsigned width, unsigned height) {
   const KnownPicture& known = named(known_pictures, picture);
   std::vector<double> pixels;
-  for (std::size_t i = 0; i < width * height; ++i) {
-    pixels.push_back(known.pixel(static_cast<double>(width), static_cast<double>(height),
-                                 static_cast<double>(i % width), static_cast<double>(i / width)));
+  for (unsigned row = 0; row < height; ++row) {
+    for (unsigned column = 0; column < width; ++column) {
+      pixels.push_back(known.pixel(width, height, column, row));
+    }
   }
   return pixels;
 }
@@ -49,27 +47,22 @@ inline std::vector<double> exact_image(std::string_view picture, std::size_t wid
 namespace mc::measurements {
 
 // Two pixels of a sheet each are one of these (labs/6-sampler/render.gp).
-inline constexpr std::size_t image_width = 128, image_height = 96;
+inline constexpr unsigned image_width = 128, image_height = 96;
 
 /// Writes a picture of the size of `exact` as `name`.tsv, and its error as `name`-error.tsv.
-inline protocol::RenderErrors write_with_error(const std::string& name, const Image& image,
+inline protocol::RenderErrors write_with_error(const std::string& name, const Values& pixels,
                                                const Values& exact) {
-  Values error, distances;
+  Values error, sizes;
   ErrorSums errors;
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    error.push_back(image.pixels[i] - exact[i]);
+    error.push_back(pixels[i] - exact[i]);
     errors.add(error[i]);
-    if (std::abs(error[i]) > 1e-9) distances.push_back(std::abs(error[i]));
+    if (std::abs(error[i]) > 1e-9) sizes.push_back(std::abs(error[i]));
   }
-  plot_image(name + ".tsv", image.pixels, image_width);
+  plot_image(name + ".tsv", pixels, image_width);
   plot_image(name + "-error.tsv", error, image_width);
-  protocol::RenderErrors result{.rmse = errors.rmse()};
-  if (!distances.empty()) {
-    const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 19 / 20);
-    std::nth_element(distances.begin(), at, distances.end());
-    result.large_error = *at;
-  }
-  return result;
+  std::sort(sizes.begin(), sizes.end());
+  return {.rmse = errors.rmse(), .large_error = sizes.empty() ? 0 : sizes[sizes.size() * 19 / 20]};
 }
 
 }  // namespace mc::measurements

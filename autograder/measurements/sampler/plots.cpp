@@ -7,7 +7,6 @@
 #include "checks/support/catch.hpp"
 #include "measurements/sampler/methods.hpp"
 #include "measurements/sampler/pictures.hpp"
-#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
@@ -20,16 +19,12 @@ Names two_columns_each(const std::string& first, const std::string& second) {
   return all;
 }
 
-TEST_CASE("plot names", "[.plot]") {
-  plot_names(methods);
-}
-
 /// Of each kind the error, and the CPU time of an estimate in microseconds.
 void plot_scene(const std::string& scene) {
   plot_table("error-" + scene + ".tsv", {"N", powers(16, 4, 4096)}, two_columns_each("", "_us"),
              [&](double size, std::size_t c) {
                const auto n = static_cast<Count>(size);
-               const std::string& kind = methods[c / 2].kind;
+               const std::string& kind = methods.at(c / 2).kind;
                const bool is_blue = kind == "blue_noise";
                // Without a next2() blue noise is stratified; with 4096 points it takes a second.
                if (is_blue && (scene == "motion_edge" || n > 1024)) return missing;
@@ -63,18 +58,17 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
   constexpr std::size_t n = 1024, count = 32, uses = 20;
   const Integrand scenes[] = {plane_integrand(scenes::RectangleLight{}),
                               plane_integrand(scenes::PixelEdge{})};
-  const char* const names[] = {"rect_light", "pixel_edge"};
   auto file = plot_file("next2.tsv", {"k", "scrambled_sobol_1", "scrambled_sobol_2", "sobol_1",
                                       "sobol_2", "independent_1", "independent_2"});
-  const Sets all = sets_in_parts(method(methods, "scrambled_sobol"), n, 2 * uses, count, 1);
+  const Sets all = sets_in_parts(methods["scrambled_sobol"], n, 2 * uses, count, 1);
   for (unsigned k = 0; k < uses; ++k) {
     // One sequence has 32 dimensions: after the sixteenth pair there are none.
     const Sets pair = k < 16 ? sobol_dimensions({2 * k, 2 * k + 1}).points(n, 2, count, 1) : Sets{};
     Values row{static_cast<double>(k + 1)};
     for (const Integrand& scene : scenes) row.push_back(errors_of(all, scene, n, 2 * k).rmse());
     for (const Integrand& scene : scenes) row.push_back(errors_of(pair, scene, n).rmse());
-    for (const char* name : names) {
-      row.push_back(std::sqrt(known_scene(name, {}, static_cast<double>(n)).variance));
+    for (const char* name : {"rect_light", "pixel_edge"}) {
+      row.push_back(std::sqrt(known_scene(name, {}, n).variance));
     }
     plot_row(file, row);
     if (k == 7) plot_points("next2-pair.tsv", pair);  // dimensions 14 and 15
@@ -86,20 +80,16 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
 TEST_CASE("plot the variance by order", "[.plot]") {
   auto file = plot_file("anova.tsv");
   Rng rng(7);
-  const auto write = [&](const auto& scene) {
+  const auto write = [&](const auto&... scene) {
     // From 2^17 points: fractions within 1 %, less than a bar's edge.
-    Anova anova = anova_of(scene, 1 << 17, rng);
-    anova.by_order.resize(5, 0.0);
-    Values row(anova.by_order.begin(), anova.by_order.end());
-    row.push_back(anova.within_uses);
-    plot_row(file, row);
+    for (Anova one : {anova_of(scene, 1 << 17, rng)...}) {
+      one.by_order.resize(5);
+      one.by_order.push_back(one.within_uses);
+      plot_row(file, one.by_order);
+    }
   };
-  write(scenes::RectangleLight{});
-  write(scenes::SphereLight{});
-  write(scenes::DiskPenumbra{});
-  write(scenes::PixelEdge{});
-  write(scenes::MotionEdge{});
-  write(scenes::PixelTimeLens{});
+  write(scenes::RectangleLight{}, scenes::SphereLight{}, scenes::DiskPenumbra{},
+        scenes::PixelEdge{}, scenes::MotionEdge{}, scenes::PixelTimeLens{});
 }
 
 /// Nanoseconds for one of the `dims` coordinates of one of n samples; half a million of them at
@@ -129,7 +119,7 @@ TEST_CASE("plot what a coordinate costs", "[.plot]") {
 TEST_CASE("plot what a coordinate costs against dimensions", "[.plot]") {
   plot_table("speed-dims.tsv", {"dims", {2, 4, 8}}, two_columns_each("_1", "_2"),
              [](double dims, std::size_t c) {
-               const std::string& kind = methods[c / 2].kind;
+               const std::string& kind = methods.at(c / 2).kind;
                if (kind == "blue_noise") return missing;
                return nanoseconds(kind, c % 2 + 1, static_cast<Count>(dims), 256);
              });
@@ -141,28 +131,28 @@ TEST_CASE("plot a picture", "[.plot]") {
   const auto exact = exact_image("penumbra", image_width, image_height);
   plot_image("exact.tsv", exact, image_width);
   auto script = plot_file("samplers.gp");
-  script << "white = " << *std::max_element(exact.begin(), exact.end()) << "\narray drawn[5]\n";
+  script << fmt::format("white = {:g}\narray drawn[5]\n",
+                        *std::max_element(exact.begin(), exact.end()));
   double range = 0;
   for (std::size_t k = 0; k < sampler_kinds.size(); ++k) {
     const std::string& kind = sampler_kinds[k];
     const auto image = lists_of(
         TRY_MEASURE(render, kind, "penumbra", image_width, image_height, spp, 1), exact.size());
-    script << "drawn[" << k + 1 << "] = \"";
+    std::string title;
     if (image) {
-      const auto errors = write_with_error(kind + "-samplers", *image, exact);
+      const auto errors = write_with_error(kind + "-samplers", image->pixels, exact);
       range = std::max(range, errors.large_error);
-      script.precision(3);
-      script << kind << "\\nRMSE " << errors.rmse;
+      title = fmt::format("{}\\nRMSE {:.3g}", kind, errors.rmse);
     }
-    script << "\"\n";
+    script << fmt::format("drawn[{}] = \"{}\"\n", k + 1, title);
   }
-  script << "range = " << range << '\n';
+  script << fmt::format("range = {:.3g}\n", range);
 }
 
 /// The same picture by each kind, with more and more samples.
 TEST_CASE("demo", "[.demo]") {
   begin_demo();
-  constexpr std::size_t width = 96, height = 72;
+  constexpr unsigned width = 96, height = 72;
   const Values exact = exact_image("penumbra", width, height);
   // White is a third above the brightest pixel; what noise makes brighter than that is cut off.
   const double white = 4. / 3 * *std::max_element(exact.begin(), exact.end());
@@ -171,20 +161,21 @@ TEST_CASE("demo", "[.demo]") {
     return encoded(pixels, 2);
   };
   for (std::size_t k = 0; k < methods.size(); ++k) {
+    const Method& one = methods.at(k);
     Values sizes;
     std::vector<std::string> images;
-    for (Count spp = 1; spp <= 64; spp *= 4) {
-      const auto image = lists_of(
-          TRY_MEASURE_WITH(large, render, methods[k].kind, "penumbra", width, height, spp, 1),
-          exact.size());
+    for (const double spp : powers(1, 4, 64)) {
+      const auto image = lists_of(TRY_MEASURE_WITH(large, render, one.kind, "penumbra", width,
+                                                   height, static_cast<Count>(spp), 1),
+                                  exact.size());
       if (!image) break;
-      sizes.push_back(static_cast<double>(spp));
+      sizes.push_back(spp);
       images.push_back(text_of(image->pixels));
     }
     if (images.empty()) continue;
     write_demo(6, std::to_string(k),
-               {{"name", methods[k].name},
-                {"width", static_cast<double>(width)},
+               {{"name", one.name},
+                {"width", double{width}},
                 {"sizes", sizes},
                 {"images", images},
                 {"exact", text_of(exact)}});

@@ -38,42 +38,35 @@ double seconds_of(const Wanted& what, Count spp) {
   const auto cpu = [&](std::size_t w, std::size_t h) {
     return MEASURE_WITH(patient, render, what.kind, what.picture, w, h, spp, 1).cpu_seconds;
   };
-  double start = cpu(1, 1);
+  const auto scaled = [&](std::size_t scale) {
+    return cpu(scale * image_width, scale * image_height);
+  };
   std::size_t scale = 1;
-  double least = cpu(image_width, image_height);
-  while (least < 0.02 && scale < 8) {
-    scale *= 2;
-    least = cpu(scale * image_width, scale * image_height);
-  }
+  double start = cpu(1, 1), least = scaled(scale);
+  while (least < 0.02 && scale < 8) least = scaled(scale *= 2);
   for (int i = 0; i < 4; ++i) {
     start = std::min(start, cpu(1, 1));
-    least = std::min(least, cpu(scale * image_width, scale * image_height));
+    least = std::min(least, scaled(scale));
   }
   return std::max(least - start, 1e-6) / static_cast<double>(scale * scale);
 }
 
-/// The most samples a pixel that take no longer than `seconds` (2% are noise): from one timing, by
-/// proportion; then by the slope between the last two, in a plot with logarithmic axes. One sample
-/// is made however long it takes.
+/// The most samples a pixel that take no longer than `seconds` (2% are noise). Times grow as
+/// spp to spp^2, so a guess by the power 2/3 of the time is three times closer in a logarithm than
+/// the last one. One sample is made however long it takes.
 RenderErrors samples_in(const Wanted& what, double seconds, RenderErrors one) {
-  const auto fits = [&](const RenderErrors& timed) { return timed.seconds <= 1.02 * seconds; };
   Count low = 1, high = 16 * what.spp + 1;  // the answer is low, or between them
-  double slope = 1;
   RenderErrors best;
   for (int timings = 0;; ++timings) {
-    (fits(one) ? low : high) = one.spp;
-    if (fits(one)) best = one;
-    if (high <= low + 1 + high / 64 || timings == 6) break;
-    const double guess =
-        static_cast<double>(one.spp) * std::pow(seconds / one.seconds, 1 / slope) + 0.1;
-    const auto least = static_cast<double>(best.spp == low ? low + 1 : low);
-    const auto inside = std::clamp(guess, least, static_cast<double>(high - 1));
-    const auto spp = static_cast<Count>(inside);
-    const RenderErrors next{spp, seconds_of(what, spp)};
-    const double ratio = static_cast<double>(spp) / static_cast<double>(one.spp);
-    if (ratio != 1)
-      slope = std::clamp(std::log(next.seconds / one.seconds) / std::log(ratio), 0.5, 2.);
-    one = next;
+    const bool fits = one.seconds <= 1.02 * seconds;
+    (fits ? low : high) = one.spp;
+    if (fits) best = one;
+    const bool is_close = fits && one.seconds >= 0.98 * seconds;
+    if (is_close || high <= low + 1 + high / 64 || timings == 6) break;
+    const double guess = static_cast<double>(one.spp) * std::pow(seconds / one.seconds, 2. / 3);
+    one.spp =
+        std::clamp(static_cast<Count>(guess + 0.1), best.spp == low ? low + 1 : low, high - 1);
+    one.seconds = seconds_of(what, one.spp);
   }
   if (best.spp == 0) best = {1, seconds_of(what, 1)};
   return best;
@@ -84,9 +77,8 @@ void draw(const Wanted& what, RenderErrors& one, const Values& exact, const std:
   const auto got =
       MEASURE_WITH(patient, render, what.kind, what.picture, image_width, image_height, one.spp, 1);
   const RenderErrors errors =
-      write_with_error(what.kind + '-' + sheet, got.exactly(exact.size()), exact);
-  one.rmse = errors.rmse;
-  one.large_error = errors.large_error;
+      write_with_error(what.kind + '-' + sheet, got.exactly(exact.size()).pixels, exact);
+  one = {one.spp, one.seconds, errors.rmse, errors.large_error};
 }
 
 TEST_CASE("list what can be rendered", "[.render-list]") {

@@ -6,122 +6,78 @@
 #include "checks/support/catch.hpp"
 #include "checks/support/exact_stratified.hpp"
 #include "measurements/stratification/methods.hpp"
-#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 
 namespace mc::measurements {
 namespace {
-
-TEST_CASE("plot names", "[.plot]") {
-  plot_names(methods);
-}
-
-/// An integrand of the plots, and what is exact of one point in each of n strata.
-struct Case {
-  std::string name;
-  Integrand integrand;
-  Names methods;             ///< the first has the strata
-  std::vector<Count> sizes;  ///< N
-  std::function<WithinStrata(Count)> over;
-  double rate;  ///< the error falls as N^-rate
-};
-
-WithinStrata square(double (*h)(double), std::size_t side) {
-  const auto axis = strata_of(h, side);
-  return product_of(axis, axis);
-}
-
-/// The edge of lab 3's experiments (exact_stratified.hpp).
-Integrand slanted_edge() {
-  return {.name = "edge", .dims = 2, .mean = mean_of(edge_strata(0.1, 1)), .g = [](View x) {
-            return std::cos(1.0) * (x[0] - 0.5) + std::sin(1.0) * (x[1] - 0.5) < 0.1 ? 1.0 : 0.0;
-          }};
-}
-
-const std::vector<Case>& cases() {
-  static const std::vector<Count> squares{1, 4, 16, 64, 256, 1024, 4096};
-  static const Names plane{"jittered", "latin_hypercube", "multi_jittered"};
-  static const std::vector<Case> all_cases{
-      {"line",
-       integrand("smooth 1D"),
-       {"stratified"},
-       {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024},
-       [](Count n) { return strata_of([](double x) { return std::exp(x); }, n); },
-       1.5},
-      {"plane", integrand("bump"), plane, squares,
-       [](Count n) { return square([](double x) { return std::exp(-x * x); }, root(n, 2)); }, 1},
-      {"edge", slanted_edge(), plane, squares, [](Count n) { return edge_strata(0.1, root(n, 2)); },
-       0.75},
-      {"four",
-       integrand("smooth 4D"),
-       {"jittered_nd", "padded", "latin_hypercube"},
-       {1, 16, 81, 256, 625, 1296, 2401, 4096},
-       [](Count n) {
-         const auto pair = square([](double x) { return std::exp(x); }, root(n, 4));
-         return product_of(pair, pair);
-       },
-       0.75}};
-  return all_cases;
-}
 
 /// The RMSE's own standard error is 3.5 to 7 % of it, and a mark is as wide.
 Count replicates(Count n) {
   return std::clamp<Count>((1u << 17) / n, 100, 400);
 }
 
-/// Errors against N with the two lines of theory; and the fraction of the variance that the first
-/// method leaves within the strata.
-void plot_case(const Case& one) {
-  const double whole = one.over(1).variance[0], largest = static_cast<double>(one.sizes.back());
-  const double last = std::sqrt(stratified_variance(one.over(one.sizes.back())));
-  Names keys = one.methods;
+/// Errors against N. For the same N, the two lines of theory: by chance, and by strata, where the
+/// error falls as N^-rate; and the fraction of the variance that the first method leaves within the
+/// strata. What is exact of one point in each of n strata comes from `over`.
+void plot_case(const std::string& name, const Integrand& integrand, Names keys, const Values& sizes,
+               double rate, const std::function<WithinStrata(Count n)>& over) {
+  const Method& stratified = methods[keys[0]];
   keys.push_back("independent");
-  plot_errors({.names = {one.name},
-               .integrands = {one.integrand},
-               .methods = methods_of(methods, keys),
-               .sizes = one.sizes,
-               .replicates = replicates,
-               .more = {"by_chance", "by_strata"},
-               .theory = [&](Count n) {
-                 const auto size = static_cast<double>(n);
-                 return Values{std::sqrt(whole / size), last * std::pow(size / largest, -one.rate)};
-               }});
-  auto file = plot_file("within-" + one.name + ".tsv", {"N", "exact", "measured"});
-  for (const Count n : one.sizes) {
-    const auto size = static_cast<double>(n);
-    const double rmse =
-        errors_of(method(methods, one.methods[0]), one.integrand, n, replicates(n), n).rmse();
-    plot_row(file,
-             {size, stratified_variance(one.over(n)) * size / whole, rmse * rmse * size / whole});
+  plot_errors({name}, {integrand}, methods.of(keys), sizes, replicates);
+  const double whole = over(1).variance[0], largest = sizes.back();
+  const double last = std::sqrt(stratified_variance(over(static_cast<Count>(largest))));
+  auto file =
+      plot_file("within-" + name + ".tsv", {"N", "exact", "measured", "by_chance", "by_strata"});
+  for (const double size : sizes) {
+    const auto n = static_cast<Count>(size);
+    const double square = errors_of(stratified, integrand, n, replicates(n), n).moment(2);
+    plot_row(file, {size, stratified_variance(over(n)) * size / whole, square * size / whole,
+                    std::sqrt(whole / size), last * std::pow(size / largest, -rate)});
   }
 }
 
+WithinStrata line_strata(Count n) {
+  return strata_of([](double x) { return std::exp(x); }, n);
+}
+WithinStrata square(const WithinStrata& axis) {
+  return product_of(axis, axis);
+}
+const Names plane{"jittered", "latin_hypercube", "multi_jittered"};
+
 TEST_CASE("plot the error against N on the line", "[.plot]") {
-  plot_case(cases()[0]);
+  plot_case("line", integrand("smooth 1D"), {"stratified"}, powers(1, 2, 1024), 1.5, line_strata);
 }
 TEST_CASE("plot the error against N in the plane", "[.plot]") {
-  plot_case(cases()[1]);
+  plot_case("plane", integrand("bump"), plane, powers(1, 4, 4096), 1, [](Count n) {
+    return square(strata_of([](double x) { return std::exp(-x * x); }, root(n, 2)));
+  });
 }
 TEST_CASE("plot the error against N across an edge", "[.plot]") {
-  plot_case(cases()[2]);
+  const double where = 0.1;  // that of lab 3's experiments (exact_stratified.hpp)
+  const Integrand edge{
+      "edge", 2, mean_of(edge_strata(where, 1)), [=](View x) {
+        return std::cos(1.0) * (x[0] - 0.5) + std::sin(1.0) * (x[1] - 0.5) < where ? 1.0 : 0.0;
+      }};
+  plot_case("edge", edge, plane, powers(1, 4, 4096), 0.75,
+            [=](Count n) { return edge_strata(where, root(n, 2)); });
 }
 TEST_CASE("plot the error against N in four dimensions", "[.plot]") {
-  plot_case(cases()[3]);
+  plot_case("four", integrand("smooth 4D"), {"jittered_nd", "padded", "latin_hypercube"},
+            {1, 16, 81, 256, 625, 1296, 2401, 4096}, 0.75,
+            [](Count n) { return square(square(line_strata(root(n, 4)))); });
 }
 
 TEST_CASE("plot what stopping early costs", "[.plot]") {
   plot_table("early.tsv", {"N", {1,   2,   4,   8,   16,  32,  64,   128,  256,  384,
                                  512, 640, 768, 896, 960, 992, 1008, 1016, 1020, 1024}},
-             methods_of(methods, {"independent", "jittered", "padded"}),
-             [&](Count n, const Method& method) {
+             methods.of({"independent", "jittered", "padded"}), [&](Count n, const Method& method) {
                return errors_of(method, integrand("bump"), 1024, 128, n, n).rmse();
              });
 }
 
 TEST_CASE("plot patterns of 64 points", "[.plot]") {
   plot_points("patterns",
-              methods_of(methods, {"independent", "jittered", "latin_hypercube", "multi_jittered"}),
-              64, 1);
+              methods.of({"independent", "jittered", "latin_hypercube", "multi_jittered"}), 64, 1);
 }
 
 TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
@@ -145,13 +101,13 @@ TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
 }
 
 TEST_CASE("plot time against error", "[.plot]") {
-  plot_speed(methods_of(methods, {"textbook", "independent", "jittered", "padded", "jittered_nd",
-                                  "latin_hypercube", "multi_jittered"}),
+  plot_speed(methods.of({"textbook", "independent", "jittered", "padded", "jittered_nd",
+                         "latin_hypercube", "multi_jittered"}),
              integrand("bump"), 1024, 128);  // 16 KB: in the first-level cache
 }
 
 TEST_CASE("demo", "[.demo]") {
-  demo_points(3, methods_of(methods, {"jittered", "latin_hypercube", "multi_jittered"}));
+  demo_points(3, methods.of({"jittered", "latin_hypercube", "multi_jittered"}));
 }
 
 }  // namespace

@@ -12,20 +12,12 @@
 // has no row.
 
 #include <string>
-#include <utility>
 
 #include "measurements/support/integrands.hpp"
 #include "measurements/support/methods.hpp"
 #include "measurements/support/speed_data.hpp"
 
 namespace mc::measurements {
-
-/// Rows of kind error: each method that the bench has, on each integrand of its dimensions, at
-/// sizes 16, 64, …. Deterministic points are shifted.
-void bench_errors(const std::vector<Method>& methods);
-
-/// Rows of kind time and integrand.
-void bench_times(const std::vector<Method>& methods);
 
 /// A row of kind error, relative to `exact`; and of kind time, of n values or points: false where
 /// it is missing.
@@ -44,24 +36,29 @@ void bench_growth_of_dims(const Method& method);
 
 /// A table that ./lab bench prints as soon as it has a cell. Columns are in the order of n, then in
 /// that of their first row.
-class BenchTable {
- public:
-  explicit BenchTable(std::string title) : title_(std::move(title)) {}
-  void add(const std::string& row, const std::string& column, double value, double error = missing,
-           Count n = 0) const {
-    bench_row({"table " + title_, row, column, 0, n, value, error});
-  }
-  void add_rmse(const std::string& row, const std::string& column, const ErrorSums& errors,
-                Count n = 0) const {
-    add(row, column, errors.rmse(), errors.standard_error(), n);
-  }
-  void add_kurtosis(const std::string& row, const std::string& column, const ErrorSums& errors,
-                    Count n) const {
-    add(row, column, errors.kurtosis(), errors.kurtosis_error(), n);
-  }
+struct BenchTable {
+  std::string title;
+  Count n = 0;  ///< of the next cells
 
- private:
-  std::string title_;
+  void add(const std::string& row, const std::string& column, double value,
+           double error = missing) const {
+    bench_row({"table " + title, row, column, 0, n, value, error});
+  }
+  void add_mean(const std::string& row, const std::string& column, const ErrorSums& values) const {
+    add(row, column, values.moment(1), values.moment_error(1));
+  }
+  void add_rmse(const std::string& row, const std::string& column, const ErrorSums& errors) const {
+    add(row, column, errors.rmse(), errors.standard_error());
+  }
+  void add_kurtosis(const std::string& row, const ErrorSums& errors) const {
+    add(row, column_of_n(), errors.kurtosis(), errors.kurtosis_error());
+  }
+  /// An RMSE relative to that of these errors.
+  void add_ratio(const std::string& row, double rmse, const ErrorSums& errors) const {
+    const double ratio = rmse / errors.rmse();
+    add(row, "ratio", ratio, ratio * errors.standard_error() / errors.rmse());
+  }
+  std::string column_of_n() const { return "N = " + std::to_string(n); }
 };
 
 }  // namespace mc::measurements

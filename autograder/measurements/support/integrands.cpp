@@ -8,21 +8,16 @@
 namespace mc::measurements {
 namespace {
 
-const double e = std::exp(1.0);
-
-double exp_of_sum(View x) {
-  return std::exp(std::accumulate(x.begin(), x.end(), 0.0));
-}
 /// exp(x + y + …): its mean and its mean square are products of those of exp(x).
 Integrand smooth(std::size_t dims) {
   const auto d = static_cast<double>(dims);
-  const double mean = std::pow(e - 1, d), square = std::pow((e * e - 1) / 2, d);
-  return {.name = "smooth " + std::to_string(dims) + 'D',
-          .dims = dims,
-          .mean = mean,
-          .g = exp_of_sum,
-          .variance = square - mean * mean,
-          .in_bench = true};
+  const double mean = std::pow(std::expm1(1.0), d), square = std::pow(std::expm1(2.0) / 2, d);
+  return {"smooth " + std::to_string(dims) + 'D',
+          dims,
+          mean,
+          [](View x) { return std::exp(std::accumulate(x.begin(), x.end(), 0.0)); },
+          square - mean * mean,
+          true};
 }
 
 /// |x - 0.4| + |x + y - 1|: means (0.4^2 + 0.6^2)/2 and 1/3, squares (0.4^3 + 0.6^3)/3 and 1/6, and
@@ -45,29 +40,18 @@ const std::vector<Integrand>& integrands() {
   static const std::vector<Integrand> all{
       smooth(1),
       smooth(2),
-      {.name = "kinks 2D",
-       .dims = 2,
-       .mean = kinks_mean,
-       .g = [](View x) { return std::abs(x[0] - 0.4) + std::abs(x[0] + x[1] - 1); },
-       .variance = kinks_variance,
-       .in_bench = true},
-      {.name = "edge 2D",
-       .dims = 2,
-       .mean = disk,
-       .g = [](View x) { return x[0] * x[0] + x[1] * x[1] < 0.7 ? 1.0 : 0.0; },
-       .variance = disk - disk * disk,
-       .in_bench = true},
+      {"kinks 2D", 2, kinks_mean,
+       [](View x) { return std::abs(x[0] - 0.4) + std::abs(x[0] + x[1] - 1); }, kinks_variance,
+       true},
+      {"edge 2D", 2, disk, [](View x) { return x[0] * x[0] + x[1] * x[1] < 0.7 ? 1.0 : 0.0; },
+       disk - disk * disk, true},
       smooth(4),
       smooth(8),
-      {.name = "bump",
-       .dims = 2,
-       .mean = std::pow(mean_of_bump(1), 2),
-       .g = [](View x) { return std::exp(-x[0] * x[0] - x[1] * x[1]); },
-       .variance = std::pow(mean_of_bump(2), 2) - std::pow(mean_of_bump(1), 4)},
+      {"bump", 2, std::pow(mean_of_bump(1), 2),
+       [](View x) { return std::exp(-x[0] * x[0] - x[1] * x[1]); },
+       std::pow(mean_of_bump(2), 2) - std::pow(mean_of_bump(1), 4)},
       // Where y < 0.65 - x/2: from 0.65 on the left to 0.15 on the right.
-      {.name = "edge", .dims = 2, .mean = 0.4, .g = [](View x) {
-         return x[0] + 2 * x[1] < 1.3 ? 1.0 : 0.0;
-       }}};
+      {"edge", 2, 0.4, [](View x) { return x[0] + 2 * x[1] < 1.3 ? 1.0 : 0.0; }}};
   return all;
 }
 
@@ -124,7 +108,7 @@ std::vector<ErrorSums> errors_of(const Method& method, const std::vector<Integra
       errors[i].add(error_of(integrands[i], set, size), static_cast<double>(size));
     }
   };
-  const Count count = method.is_random ? replicates : 1;
+  const Count count = method.traits.is_random ? replicates : 1;
   if (for_each_set(method, n, integrands.at(0).dims, count, seed, add)) return errors;
   return std::vector<ErrorSums>(integrands.size());
 }

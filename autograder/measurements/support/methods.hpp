@@ -1,6 +1,7 @@
 #pragma once
-// Methods of making points. Each lab has one table of them (measurements/LAB/methods.hpp), which
-// its plots, benchmark, tables, speed lines and demo read.
+// Methods of making points. Each lab has one table of them, `methods`, and one of its speed tasks,
+// `speed_tasks` (measurements/LAB/methods.hpp), which its plots, benchmark, tables, speed lines and
+// demo read.
 
 #include <algorithm>
 #include <cmath>
@@ -54,25 +55,72 @@ struct Cost {
 /// Runs the program once, for so many rounds.
 using Rounds = std::function<Cost(Count rounds)>;
 
-struct Method {
-  std::string key;   ///< its color and mark in every plot (labs/common/draw.gp)
-  std::string task;  ///< "3.3"; empty: made here, to compare with
-  std::string name;  ///< "jittered"
-  /// `count` sets of n points, by that seed: POINTS_BY.
-  std::function<Sets(Count n, Count dims, Count count, Count seed)> points = {};
-  /// Makes n points so many times: ROUNDS_BY.
-  std::function<Cost(Count n, Count dims, Count rounds, const sandbox::Limits& limits)> rounds = {};
+/// `count` sets of n points, by that seed: POINTS_BY.
+using MakePoints = std::function<Sets(Count n, Count dims, Count count, Count seed)>;
+
+/// Makes n points so many times: ROUNDS_BY.
+using MakeRounds =
+    std::function<Cost(Count n, Count dims, Count rounds, const sandbox::Limits& limits)>;
+
+/// What the bench and the demo need to know of a method.
+struct Traits {
   std::vector<Count> dims = {};  ///< that the bench measures; none: it does not have the method
   Count most = 65536;            ///< points
   bool power_of_root = false;    ///< only where n is the dims-th power of a whole number
   bool same_for_all_n = false;   ///< what a point costs: timed at one n only
   bool is_sequence = false;      ///< the first n of more points are the n points
   bool is_random = true;         ///< else there is one set only
-  std::string kind = {};         ///< of a sampler: what lab 6 calls it
+};
+inline Traits in_bench(std::vector<Count> dims, Traits others = {}) {
+  others.dims = std::move(dims);
+  return others;
+}
 
+struct Method {
+  std::string key;   ///< its color and mark in every plot (labs/common/draw.gp)
+  std::string task;  ///< "3.3"; empty: made here, to compare with
+  std::string name;  ///< "jittered"
+  MakePoints points = {};
+  MakeRounds rounds = {};
+  Traits traits = {};
+  std::string kind = {};  ///< of a sampler: what lab 6 calls it
+
+  std::string name_with_task() const { return task.empty() ? name : task + ' ' + name; }
   Rounds rounds_of(Count n, Count dimensions, const sandbox::Limits& limits = {}) const {
     return [=, run = rounds](Count count) { return run(n, dimensions, count, limits); };
   }
+};
+
+/// A table of methods.
+class Methods : public std::vector<Method> {
+ public:
+  using vector::vector;
+  const Method& operator[](const std::string& key) const {
+    const auto found =
+        std::find_if(begin(), end(), [&](const Method& one) { return one.key == key; });
+    if (found == end()) throw std::out_of_range("no method " + key);
+    return *found;
+  }
+  Methods of(const Names& keys) const {
+    Methods some;
+    for (const std::string& key : keys) some.push_back((*this)[key]);
+    return some;
+  }
+  Names keys() const {
+    Names all;
+    for (const Method& one : *this) all.push_back(one.key);
+    return all;
+  }
+};
+
+/// A speed task: `rounds` makes `values` numbers or points each time. If `points` is given, the
+/// error of `n` points in the plane is reported next to their time.
+struct SpeedTask {
+  std::string task, name;
+  Count values;
+  Rounds rounds;
+  MakePoints points = {};
+  Count n = 0;
 };
 
 /// The points and the rounds of a method by an experiment, whose arguments may be n, dims, count
@@ -88,25 +136,6 @@ struct Method {
       const sandbox::Limits& limits) {                                                      \
     return Cost(TRY_MEASURE_WITH(limits, experiment, __VA_ARGS__));                         \
   }
-
-inline const Method& method(const std::vector<Method>& all, const std::string& key) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Method& one) { return one.key == key; });
-  if (found == all.end()) throw std::out_of_range("no method " + key);
-  return *found;
-}
-
-inline std::vector<Method> methods_of(const std::vector<Method>& all, const Names& keys) {
-  std::vector<Method> some;
-  for (const std::string& key : keys) some.push_back(method(all, key));
-  return some;
-}
-
-inline Names keys_of(const std::vector<Method>& all) {
-  Names keys;
-  for (const Method& one : all) keys.push_back(one.key);
-  return keys;
-}
 
 /// The lists of a result, with `count` values each, all in `range`; nothing where they are not so.
 template <class T>
@@ -192,39 +221,31 @@ inline Count root(Count n, Count d) {
 /// Made here, to compare with: independent points; and one in each stratum of the line, in each
 /// cell of the plane, in more dimensions such patterns padded side by side, each in an order of its
 /// own.
-inline Method independent_points() {
-  return {.key = "independent",
-          .task = "",
-          .name = "independent",
-          .points = [](Count n, Count dims, Count count, Count seed) {
-            Rng rng(seed);
-            return sets_of(uniform_values(rng, n * dims * count, 0, 1), n, dims);
-          }};
-}
-inline Method jittered_points() {
-  return {.key = "jittered",
-          .task = "",
-          .name = "jittered",
-          .points = [](Count n, Count dims, Count count, Count seed) {
-            Rng rng(seed);
-            Sets sets(count, PointSet(n, dims));
-            std::vector<std::size_t> order(n);
-            std::iota(order.begin(), order.end(), std::size_t{0});
-            for (PointSet& set : sets) {
-              for (std::size_t d = 0; d < dims; d += 2) {
-                const Grid grid = d + 1 < dims ? squarest(n) : Grid{n, 1};
-                if (dims > 2) std::shuffle(order.begin(), order.end(), rng);
-                const auto along = [&](std::size_t cell, std::size_t cells) {
-                  return (static_cast<double>(cell) + uniform(rng)) / static_cast<double>(cells);
-                };
-                for (std::size_t i = 0; i < n; ++i) {
-                  set.column(d)[i] = along(order[i] % grid.nx, grid.nx);
-                  if (d + 1 < dims) set.column(d + 1)[i] = along(order[i] / grid.nx, grid.ny);
-                }
-              }
-            }
-            return sets;
-          }};
-}
+inline const Method independent_points{
+    "independent", "", "independent", [](Count n, Count dims, Count count, Count seed) {
+      Rng rng(seed);
+      return sets_of(uniform_values(rng, n * dims * count, 0, 1), n, dims);
+    }};
+inline const Method jittered_points{
+    "jittered", "", "jittered", [](Count n, Count dims, Count count, Count seed) {
+      Rng rng(seed);
+      Sets sets(count, PointSet(n, dims));
+      std::vector<std::size_t> order(n);
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      const auto along = [&](std::size_t cell, std::size_t cells) {
+        return (static_cast<double>(cell) + uniform(rng)) / static_cast<double>(cells);
+      };
+      for (PointSet& set : sets) {
+        for (std::size_t d = 0; d < dims; d += 2) {
+          const Grid grid = d + 1 < dims ? squarest(n) : Grid{n, 1};
+          if (dims > 2) std::shuffle(order.begin(), order.end(), rng);
+          for (std::size_t i = 0; i < n; ++i) {
+            set.column(d)[i] = along(order[i] % grid.nx, grid.nx);
+            if (d + 1 < dims) set.column(d + 1)[i] = along(order[i] / grid.nx, grid.ny);
+          }
+        }
+      }
+      return sets;
+    }};
 
 }  // namespace mc::measurements

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "protocol/environment.hpp"
 
@@ -86,10 +88,10 @@ void plot_table(const std::string& name, const Axis& x, const Names& columns,
   }
 }
 
-void plot_table(const std::string& name, const Axis& x, const std::vector<Method>& methods,
+void plot_table(const std::string& name, const Axis& x, const Methods& methods,
                 const std::function<double(Count n, const Method& method)>& cell) {
-  plot_table(name, x, keys_of(methods),
-             [&](double n, std::size_t c) { return cell(static_cast<Count>(n), methods[c]); });
+  plot_table(name, x, methods.keys(),
+             [&](double n, std::size_t c) { return cell(static_cast<Count>(n), methods.at(c)); });
 }
 
 Values powers(double from, double factor, double most) {
@@ -98,70 +100,103 @@ Values powers(double from, double factor, double most) {
   return all;
 }
 
-void plot_names(const std::vector<Method>& methods) {
-  std::ofstream file = open_data("names.gp");
-  for (const Method& one : methods) {
-    const std::string space = one.task.empty() ? "" : " ";
-    file << fmt::format("{}_is = \"{}{}{}\"\n", one.key, one.task, space, one.name);
-  }
-}
-
 void plot_points(const std::string& name, const Sets& sets) {
   auto file = plot_file(name, {"x", "y"});
-  if (sets.empty())
-    plot_row(file, {missing, missing});  // so that there is a row to draw in any case
-  for (std::size_t i = 0; !sets.empty() && i < sets[0].size(); ++i) {
+  if (sets.empty()) return plot_row(file, {missing, missing});  // a row to draw in any case
+  for (std::size_t i = 0; i < sets[0].size(); ++i) {
     plot_row(file, {sets[0].column(0)[i], sets[0].column(1)[i]});
   }
 }
 
-void plot_points(const std::string& picture, const std::vector<Method>& methods, Count n,
-                 Count seed) {
+void plot_points(const std::string& picture, const Methods& methods, Count n, Count seed) {
   for (const Method& one : methods) {
     plot_points(fmt::format("{}-{}.tsv", picture, one.key), one.points(n, 2, 1, seed));
   }
 }
 
-void plot_errors(const ErrorPlot& plot) {
-  Names columns = keys_of(plot.methods);
+void plot_errors(const Names& names, const std::vector<Integrand>& integrands,
+                 const Methods& methods, const Values& sizes,
+                 const std::function<Count(Count n)>& replicates) {
+  Names columns = methods.keys();
   columns.insert(columns.begin(), "N");
-  columns.insert(columns.end(), plot.more.begin(), plot.more.end());
   std::vector<std::ofstream> files;
-  for (const std::string& name : plot.names) {
+  for (const std::string& name : names) {
     files.push_back(plot_file("convergence-" + name + ".tsv", columns));
   }
   std::set<std::string> endless;  // what once ran out of time would do so again
-  for (const Count n : plot.sizes) {
-    std::vector<Values> rows(files.size(), {static_cast<double>(n)});
-    for (const Method& one : plot.methods) {
+  for (const double size : sizes) {
+    const auto n = static_cast<Count>(size);
+    std::vector<Values> rows(files.size(), {size});
+    for (const Method& one : methods) {
       std::vector<ErrorSums> errors(files.size());
-      if (n <= one.most && !endless.contains(one.key)) {
+      if (n <= one.traits.most && !endless.contains(one.key)) {
         using Clock = std::chrono::steady_clock;
         const auto start = Clock::now();
-        errors = errors_of(one, plot.integrands, n, plot.replicates(n), n);
+        errors = errors_of(one, integrands, n, replicates(n), n);
         const bool was_long = Clock::now() - start > std::chrono::seconds(1);
-        if (errors[0].count == 0 && was_long) endless.insert(one.key);
+        if (errors[0].count() == 0 && was_long) endless.insert(one.key);
       }
       for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(errors[i].rmse());
     }
-    const Values theory = plot.theory(n);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i].insert(rows[i].end(), theory.begin(), theory.end());
-      plot_row(files[i], rows[i]);
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i) plot_row(files[i], rows[i]);
   }
 }
 
-void plot_speed(const Method& method, Count values, const Rounds& rounds, double error) {
-  auto file = plot_file("speed-" + method.key + ".tsv", {"ns", "error"});
+void plot_speed(const std::string& key, Count values, const Rounds& rounds, double error) {
+  auto file = plot_file("speed-" + key + ".tsv", {"ns", "error"});
   plot_row(file, {seconds_of(rounds, 0.01, 3) * 1e9 / static_cast<double>(values), error});
 }
 
-void plot_speed(const std::vector<Method>& methods, const Integrand& integrand, Count n,
-                Count replicates) {
+void plot_speed(const Methods& methods, const Integrand& integrand, Count n, Count replicates) {
   for (const Method& one : methods) {
-    plot_speed(one, n, one.rounds_of(n, integrand.dims),
+    plot_speed(one.key, n, one.rounds_of(n, integrand.dims),
                errors_of(one, integrand, n, replicates, n).rmse());
+  }
+}
+
+std::string encoded(std::span<const double> values, std::size_t characters) {
+  std::string text;
+  for (double value : values) {
+    for (std::size_t i = 0; i < characters; ++i) {
+      value = 64 * std::clamp(value, 0.0, 1.0);
+      const double digit = std::min(63.0, std::floor(value));
+      value -= digit;
+      const auto character = static_cast<char>('?' + static_cast<int>(digit));
+      text += character == '\\' ? '!' : character;  // JSON would double it
+    }
+  }
+  return text;
+}
+
+void begin_demo() {
+  plot_file("demo-empty.txt");
+}
+
+void write_demo(int lab, const std::string& key,
+                const std::vector<std::pair<std::string, DemoField>>& fields) {
+  nlohmann::ordered_json record{{"lab", lab}};
+  for (const auto& [name, field] : fields) {
+    std::visit([&, to = &record[name]](const auto& value) { *to = value; }, field);
+  }
+  plot_file(fmt::format("demo-{}-{}.json", lab, key)) << record << '\n';
+}
+
+void demo_points(int lab, const Methods& methods) {
+  constexpr Count sets_in_all = 16, most = 1024;
+  begin_demo();
+  for (const Method& method : methods) {
+    std::vector<std::string> points;
+    for (Count n = method.traits.is_sequence ? most : 1; n <= most; n *= 4) {
+      for (const PointSet& set : method.points(n, 2, sets_in_all, n)) {
+        points.push_back(encoded(set.column(0), 3) + encoded(set.column(1), 3));
+      }
+    }
+    if (points.empty()) continue;
+    write_demo(lab, method.key,
+               {{"name", method.name},
+                {"sequence", method.traits.is_sequence ? 1.0 : 0.0},
+                {"sets", static_cast<double>(sets_in_all)},
+                {"points", points}});
   }
 }
 

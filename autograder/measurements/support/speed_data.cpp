@@ -5,23 +5,15 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "measurements/support/error_sums.hpp"
 #include "protocol/environment.hpp"
+#include "runner/text.hpp"
 
 namespace mc::measurements {
 namespace {
-
-bool is_asked_for(const std::string& task) {
-  const char* tasks = std::getenv(protocol::speed_tasks_variable);
-  return tasks != nullptr && fmt::format(" {} ", tasks).find(' ' + task + ' ') != std::string::npos;
-}
 
 /// Nanoseconds per number of a running sum: what every machine does about as fast as its clock
 /// says. Divided by it, a time means the same on every machine, so the reference's time can be
@@ -29,7 +21,7 @@ bool is_asked_for(const std::string& task) {
 double nanoseconds_of_addition() {
   static const std::vector<double> x(4096, 1 + 1e-9);  // 32 KB: in the first-level cache
   constexpr int rounds = 64, attempts = 7;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   volatile double sink = 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const std::clock_t start = std::clock();
@@ -86,28 +78,25 @@ double seconds_of(const Rounds& run, double wanted, int differences, Count first
   return median(seconds);
 }
 
-void bench_speed(const std::string& task, const std::string& name, Count values,
-                 const Rounds& rounds) {
-  if (!is_asked_for(task)) return;
-  const double round = seconds_of(rounds, 0.025, 3);
-  if (std::isnan(round)) return;
-  const std::string what = task + ' ' + name;
-  bench_row({"speed unit", what, "", 0, 1, nanoseconds_of_addition()});
-  bench_row({"speed", what, "", 0, values, round * 1e9 / static_cast<double>(values)});
-}
-
-void bench_speed_error(const std::string& task, const std::string& name, Count n,
-                       const Method& method) {
-  if (!is_asked_for(task)) return;
-  constexpr double integral = (std::numbers::e - 1) * (std::numbers::e - 1);
-  ErrorSums errors;
-  for (const PointSet& set : method.points(n, 2, 64, 1)) {
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += std::exp(set.column(0)[i] + set.column(1)[i]);
-    errors.add(sum / static_cast<double>(n) / integral - 1);
+void bench_speed(const SpeedTask& task) {
+  const char* const wanted = std::getenv(protocol::speed_tasks_variable);
+  const auto words = text::words_of(wanted == nullptr ? "" : wanted);
+  if (std::find(words.begin(), words.end(), task.task) == words.end()) return;
+  const std::string what = task.task + ' ' + task.name;
+  const double round = seconds_of(task.rounds, 0.025, 3);
+  if (!std::isnan(round)) {
+    bench_row({"speed unit", what, "", 0, 1, nanoseconds_of_addition()});
+    bench_row({"speed", what, "", 0, task.values, round * 1e9 / static_cast<double>(task.values)});
   }
-  bench_row({"speed error", task + ' ' + name, "exp(x + y)", 2, n, errors.rmse(),
-             errors.standard_error()});
+  if (!task.points) return;
+  const double integral = std::expm1(1.0) * std::expm1(1.0);
+  ErrorSums errors;
+  for (const PointSet& set : task.points(task.n, 2, 64, 1)) {
+    double sum = 0;
+    for (std::size_t i = 0; i < task.n; ++i) sum += std::exp(set.column(0)[i] + set.column(1)[i]);
+    errors.add(sum / static_cast<double>(task.n) / integral - 1);
+  }
+  bench_row({"speed error", what, "exp(x + y)", 2, task.n, errors.rmse(), errors.standard_error()});
 }
 
 }  // namespace mc::measurements

@@ -27,14 +27,8 @@ double seconds_by_difference(const Rounds& run, Count& rounds);
 /// next. (./lab bench comes back for more of them.) Missing where what came back was wrong.
 double seconds_of(const Rounds& run, double wanted = 0.025, int differences = 1, Count first = 1);
 
-/// Rows of kind speed, if `task` is one that MC_SPEED_TASKS names (the grader does: those that
-/// passed): `rounds` makes `values` numbers or points each time. A seventh of a second.
-void bench_speed(const std::string& task, const std::string& name, Count values,
-                 const Rounds& rounds);
-
-/// A row of kind speed error: the RMSE of the mean of exp(x + y) over n points by a method,
-/// relative to its integral.
-void bench_speed_error(const std::string& task, const std::string& name, Count n,
-                       const Method& method);
+/// Rows of kind speed, if the task is one that MC_SPEED_TASKS names (the grader does: those that
+/// passed), in a seventh of a second; and speed error, relative to the integral of exp(x + y).
+void bench_speed(const SpeedTask& task);
 
 }  // namespace mc::measurements

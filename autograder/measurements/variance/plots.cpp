@@ -4,35 +4,26 @@
 #include <cmath>
 
 #include "checks/support/catch.hpp"
-#include "measurements/support/demo.hpp"
 #include "measurements/support/plot_data.hpp"
 #include "measurements/variance/methods.hpp"
 
 namespace mc::measurements {
 namespace {
 
-TEST_CASE("plot names", "[.plot]") {
-  plot_names(methods);
-}
-
 TEST_CASE("plot digits kept against the offset", "[.plot]") {
   constexpr std::size_t sets = 5, n = 1000;
   Rng rng(1);  // the same data for every submission, so that their lines can be compared
   const Values offsets = powers(1, std::sqrt(10), 1.1e15);
   Values all;
-  for (std::size_t i = 0; i < sets * offsets.size(); ++i) {
-    // offset + values uniform in [0,1), rounded as doubles are
-    const double offset = offsets[i / sets];
-    const auto x = uniform_values(rng, n, offset, offset + 1);
-    all.insert(all.end(), x.begin(), x.end());
+  for (const double offset : offsets) {
+    append(all, uniform_values(rng, sets * n, offset, offset + 1));
   }
   std::vector<Values> kept;
   for (const Method& way : methods) kept.push_back(digits_kept(way, all, n));
-  plot_table("digits.tsv", {"offset", offsets}, keys_of(methods), [&](double x, std::size_t c) {
+  plot_table("digits.tsv", {"offset", offsets}, methods.keys(), [&](double x, std::size_t c) {
     if (kept[c].empty()) return missing;
-    const auto from = std::find(offsets.begin(), offsets.end(), x) - offsets.begin();
-    const auto first = kept[c].begin() + from * static_cast<std::ptrdiff_t>(sets);
-    return std::accumulate(first, first + sets, 0.0) / sets;
+    const auto at = std::find(offsets.begin(), offsets.end(), x) - offsets.begin();
+    return sum_of(std::span(kept[c]).subspan(static_cast<std::size_t>(at) * sets, sets)) / sets;
   });
 }
 
@@ -42,7 +33,7 @@ TEST_CASE("plot time against digits", "[.plot]") {
   const auto x = uniform_values(rng, 4096, 1e9, 1e9 + 1);
   for (const Method& way : methods) {
     const Values kept = digits_kept(way, x, x.size());
-    plot_speed(way, x.size(), rounds_over(x, task_of(way)),
+    plot_speed(way.key, x.size(), way.rounds_of(x.size(), 1),
                kept.empty() ? missing : std::pow(10, -kept[0]));
   }
 }
@@ -50,9 +41,7 @@ TEST_CASE("plot time against digits", "[.plot]") {
 TEST_CASE("demo", "[.demo]") {
   begin_demo();
   Values offsets;
-  for (double power = 1; power < 1e16; power *= 10) {
-    offsets.insert(offsets.end(), {power, 3 * power});
-  }
+  for (const double power : powers(1, 10, 1e15)) append(offsets, Values{power, 3 * power});
   Rng rng(1);
   for (const auto& [key, name, base] :
        {std::tuple{1, "1,000 values in [0, 1)", uniform_values(rng, 1000, 0, 1)},
@@ -60,12 +49,10 @@ TEST_CASE("demo", "[.demo]") {
     Values all, exact;
     for (const double offset : offsets) {
       for (const double x : base) all.push_back(offset + x);
-      const std::span data(all);
-      exact.push_back(exact_moments(data.last(base.size())).variance);
+      exact.push_back(exact_variance(all, all.size() - base.size(), base.size()));
     }
     for (const Method& way : methods) {
-      const Values found = values_of(TRY_MEASURE(variances, task_of(way), all, base.size()),
-                                     offsets.size(), any_number);
+      const Values found = variances_by(way, all, base.size());
       if (found.empty()) continue;
       write_demo(1, fmt::format("{}-{}", key, way.task),
                  {{"name", way.name},
