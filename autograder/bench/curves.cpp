@@ -28,29 +28,21 @@ double between(const std::vector<std::pair<double, double>>& points, double n) {
   return points.back().second;
 }
 
-/// Nanoseconds per sample of each curve, if measured: on its own integrand if evaluating that is
-/// not separable from drawing the sample; else on any.
-class Times {
- public:
-  explicit Times(const Bench& bench) {
-    for (const BenchRow& row : bench.of("time")) {
-      all_[{row.lab, row.submission, row.what, row.on, row.dims}].emplace_back(
-          static_cast<double>(row.n), row.value);
+/// Nanoseconds per sample of a curve, if measured: on its own integrand if evaluating that is not
+/// separable from drawing the sample; else on any.
+double sample_time(const std::vector<BenchRow>& times, const Curve& curve, double n) {
+  for (const std::string& on : {curve.on, std::string()}) {
+    std::vector<std::pair<double, double>> points;
+    for (const BenchRow& row : times) {
+      if (row.lab == curve.lab && row.submission == curve.submission && row.what == curve.what &&
+          row.on == on && row.dims == curve.dims) {
+        points.emplace_back(static_cast<double>(row.n), row.value);
+      }
     }
+    if (!points.empty()) return between(points, n);
   }
-  double of(const Curve& curve, double n) const {
-    for (const std::string& on : {curve.on, std::string()}) {
-      const auto found = all_.find({curve.lab, curve.submission, curve.what, on, curve.dims});
-      if (found != all_.end()) return between(found->second, n);
-    }
-    return nan;
-  }
-
- private:
-  std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t>,
-           std::vector<std::pair<double, double>>>
-      all_;
-};
+  return nan;
+}
 
 /// Independent points on the same integrand: the solution's, or else the first available ones.
 const Curve* independent_of(const std::vector<Curve>& curves, const Curve& curve) {
@@ -60,12 +52,6 @@ const Curve* independent_of(const std::vector<Curve>& curves, const Curve& curve
     if (best == nullptr || other.submission == "solutions") best = &other;
   }
   return best;
-}
-
-std::vector<std::string> said(const std::string& line, const char* key) {
-  const std::string start = std::string("// ") + key + ": ";
-  if (!line.starts_with(start)) return {};
-  return {line.substr(start.size())};
 }
 
 }  // namespace
@@ -151,9 +137,9 @@ std::vector<Curve> curves_of(const Bench& bench) {
     found->points.push_back({static_cast<double>(row.n), row.value, row.error, nan,
                              cost.contains(row.on) ? median(cost[row.on]) : 0, nan});
   }
-  const Times times(bench);
+  const auto times = bench.of("time");
   for (Curve& curve : curves) {
-    for (Curve::Point& point : curve.points) point.sample = times.of(curve, point.n);
+    for (Curve::Point& point : curve.points) point.sample = sample_time(times, curve, point.n);
   }
   for (Curve& curve : curves) {
     const Curve* const chance = independent_of(curves, curve);
@@ -163,7 +149,7 @@ std::vector<Curve> curves_of(const Bench& bench) {
       for (const Curve::Point& other : chance->points) {
         if (std::isnan(curve.variance) && other.n == point.n) square = other.rmse * other.rmse;
       }
-      const double time = times.of(*chance, point.n) + point.integrand;
+      const double time = sample_time(times, *chance, point.n) + point.integrand;
       point.efficiency =
           square * time / (point.rmse * point.rmse * (point.sample + point.integrand));
     }
@@ -215,13 +201,14 @@ std::vector<Peer> peers_of(const Layout& layout, const std::vector<Lab>& labs) {
       if (!file) continue;
       Peer peer{library, lab.name, {}, {}, layout.peers.contains(library)};
       std::vector<std::string> checks;
+      // "// key: text"
       for (std::string line; std::getline(file, line) && line.starts_with("//");) {
-        for (const std::string& what : said(line, "peer")) peer.what = what;
-        for (const std::string& check : said(line, "fails")) checks.push_back(check);
-        for (const std::string& because : said(line, "because")) {
-          peer.failures.push_back({checks, because});
-          checks.clear();
-        }
+        const auto colon = line.find(": ");
+        if (colon == std::string::npos) continue;
+        const std::string key = line.substr(0, colon), text = line.substr(colon + 2);
+        if (key == "// peer") peer.what = text;
+        if (key == "// fails") checks.push_back(text);
+        if (key == "// because") peer.failures.push_back({std::exchange(checks, {}), text});
       }
       all.push_back(std::move(peer));
     }

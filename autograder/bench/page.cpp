@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -160,25 +158,17 @@ std::string tables_of_times(const Bench& bench) {
 
 std::string variances(const Bench& bench) {
   Markdown table{{"way", "by", "ns, in cache", "ns, out of it"}, 2};
-  std::vector<std::string> cases;
-  std::map<std::pair<std::string, std::string>, std::size_t> rows;  // of what, by
-  const auto digits = bench.of("digits");
-  for (const BenchRow& row : digits) enlist(cases, row.on);
-  table.headers.insert(table.headers.end(), cases.begin(), cases.end());
-  for (const BenchRow& row : digits) {
-    const auto [at, is_new] = rows.try_emplace({row.what, row.submission}, table.rows.size());
-    if (is_new) {
-      table.rows.push_back({row.what, whose(row.submission)});
-      for (const auto& [where, n] :
-           {std::pair{"in cache", std::uint64_t{4096}}, {"out of cache", std::uint64_t{1} << 23}}) {
-        table.rows.back().push_back(
-            shown_number(time_of(bench, row.submission, row.what, where, n)));
-      }
-      table.rows.back().resize(table.headers.size());
+  std::vector<std::string> names;
+  for (const BenchRow& row : bench.of("digits")) {
+    const std::size_t y = enlist(names, row.what + '\n' + row.submission);
+    if (y == table.rows.size()) {
+      const auto time = [&](const char* where, std::uint64_t n) {
+        return shown_number(time_of(bench, row.submission, row.what, where, n));
+      };
+      table.rows.push_back({row.what, whose(row.submission), time("in cache", 4096),
+                            time("out of cache", std::uint64_t{1} << 23)});
     }
-    const auto column = std::find(table.headers.begin(), table.headers.end(), row.on);
-    table.rows[at->second][static_cast<std::size_t>(column - table.headers.begin())] =
-        fmt::format("{:.1f}", row.value);
+    table.cell(y, row.on) = fmt::format("{:.1f}", row.value);
   }
   return table.text();
 }
@@ -201,34 +191,35 @@ std::string libraries(const Bench& bench) {
 }
 
 std::string growth(const Bench& bench) {
-  const auto rows = bench.of("growth"), memory = bench.of("memory");
-  std::set<std::tuple<std::string, std::string, std::string, std::uint64_t>> done;
+  struct Series {
+    BenchRow first;
+    std::vector<std::pair<double, double>> times{}, bytes{};  // over n, or over dims
+  };
+  std::vector<std::string> names;
+  std::vector<Series> all;
+  for (const BenchRow& row : bench.rows) {
+    if (row.kind != "growth" && row.kind != "memory") continue;
+    const bool over_n = row.on == "n";
+    const std::size_t place = enlist(
+        names, fmt::format("{}|{}|{}|{}", row.submission, row.what, row.on, over_n ? row.dims : 0));
+    if (place == all.size()) all.push_back({row});
+    (row.kind == "growth" ? all[place].times : all[place].bytes)
+        .emplace_back(static_cast<double>(over_n ? row.n : row.dims), row.value);
+  }
   Markdown table{
       {"what", "over", "from", "to", "time grows as", "memory as", "ns at the largest", "bytes"},
       2};
-  for (const BenchRow& row : rows) {
+  const auto shown = [](const std::optional<Exponent>& exponent, const char* of) {
+    return exponent ? fmt::format("{}^({:.2f} ± {:.2f})", of, exponent->slope, exponent->error)
+                    : std::string();
+  };
+  for (auto& [row, times, bytes] : all) {
     const bool over_n = row.on == "n";
-    if (!done.insert({row.submission, row.what, row.on, over_n ? row.dims : 0}).second) continue;
-    const auto points_of = [&](const std::vector<BenchRow>& from) {
-      std::vector<std::pair<double, double>> points;
-      for (const BenchRow& other : from) {
-        if (other.submission == row.submission && other.what == row.what && other.on == row.on &&
-            (!over_n || other.dims == row.dims)) {
-          points.emplace_back(static_cast<double>(over_n ? other.n : other.dims), other.value);
-        }
-      }
-      std::sort(points.begin(), points.end());
-      return points;
-    };
-    const auto times = points_of(rows);
-    auto bytes = points_of(memory);
+    std::sort(times.begin(), times.end());
+    std::sort(bytes.begin(), bytes.end());
     // Without the program's own memory; the remainder is noise.
     for (std::size_t i = bytes.size(); i-- > 0;) bytes[i].second -= bytes[0].second;
     std::erase_if(bytes, [](const auto& point) { return point.second < 5e5; });
-    const auto shown = [](const std::optional<Exponent>& exponent, const char* of) {
-      return exponent ? fmt::format("{}^({:.2f} ± {:.2f})", of, exponent->slope, exponent->error)
-                      : std::string();
-    };
     const auto [largest, seconds] = times.back();
     const double items = largest * static_cast<double>(over_n ? row.dims : row.n);
     table.rows.push_back(

@@ -216,11 +216,6 @@ void describe_machine(const Layout& layout, Bench& bench) {
   bench.version = layout.version;
 }
 
-std::string as_label(std::string name) {
-  while (name.size() > 1 && name.back() == '/') name.pop_back();
-  return name;
-}
-
 /// The lab of a file of the repository: autograder/submissions/<kind>/<lab>/<name>.cpp.
 Lab lab_of_file(const Context& context, const fs::path& file) {
   if (!fs::is_regular_file(file)) throw UsageError("there is no file " + file.string());
@@ -250,7 +245,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
       named.push_back(lab);
     } else if (fs::is_directory(word)) {
       submissions.push_back(open_submission(context.labs, word));
-      submissions.back().label = as_label(word);
+      submissions.back().label = fs::path(word + "/").parent_path().string();
       if (is_reference(context.layout, submissions.back()) && submissions.size() > 1)
         submissions.pop_back();
     } else {

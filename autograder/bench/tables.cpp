@@ -30,8 +30,8 @@ std::string digits_of(double value) {
 
 struct Table {
   std::string title;
-  std::vector<std::string> rows{}, columns{""};
-  Markdown cells{};
+  std::vector<std::string> rows{};
+  Markdown cells{{""}};
   double largest = 0;  ///< relative error of the cells that do not show their own
 };
 
@@ -49,11 +49,9 @@ std::string bench_tables(const Bench& bench) {
     const bool without_name = cell.submission == "solutions" || cell.what.ends_with(", exact");
     const std::string row =
         without_name ? cell.what : fmt::format("{}, {}", cell.what, cell.submission);
-    const std::size_t y = enlist(table->rows, row), x = enlist(table->columns, cell.on);
-    auto& lines = table->cells.rows;
-    if (y == lines.size()) lines.push_back({row});
-    for (auto& line : lines) line.resize(table->columns.size());
-    std::string& shown = lines[y][x];
+    const std::size_t y = enlist(table->rows, row);
+    if (y == table->cells.rows.size()) table->cells.rows.push_back({row});
+    std::string& shown = table->cells.cell(y, cell.on);
     shown = digits_of(cell.value);
     if (cell.error > uncertain * cell.value) {
       shown += " ± " + digits_of(cell.error);
@@ -62,8 +60,7 @@ std::string bench_tables(const Bench& bench) {
     }
   }
   std::string all;
-  for (Table& table : tables) {
-    table.cells.headers = table.columns;
+  for (const Table& table : tables) {
     all += (all.empty() ? "" : "\n") + table.title;
     if (table.largest > 0) all += fmt::format(" (± {:.0f} % at most)", 100 * table.largest);
     all += "\n\n" + table.cells.text();

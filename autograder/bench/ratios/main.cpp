@@ -1,12 +1,23 @@
-// The table of ratios. Libraries besides the standard one are opponents where they are installed.
+// The project's ratios, measured in one process: the reference solutions against the strongest code
+// that a good engineer writes in ten lines, and against the library that one would call instead,
+// where it is installed. Nothing else may run between the two sides, because the differences are
+// tenths of a nanosecond.
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <random>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "bench/ratios/compare.hpp"
 #include "common/rng.hpp"
 #include "halton.hpp"
 #include "independent.hpp"
@@ -26,6 +37,56 @@
 
 namespace mc::ratios {
 namespace {
+
+/// All output goes to the same 32 KB (except for «out of cache»), as a library writes every point
+/// to the same few bytes: this times the generation of numbers, not their storage.
+constexpr std::size_t block = 4096;
+
+/// Every measured function stores a result here, so that the compiler cannot remove it.
+volatile double sink = 0;
+
+using Work = std::function<void()>;
+
+struct Opponent {
+  std::string name;
+  Work work;
+  double wanted = 0;  ///< the ratio that the project aims for; 0: none
+};
+
+/// Nanoseconds per call, over as many calls as take 0.2 ms.
+double nanoseconds(const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double least = 2e-4;
+  for (int calls = 1;; calls *= 2) {
+    const auto start = Clock::now();
+    for (int i = 0; i < calls; ++i) work();
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (seconds >= least) return seconds * 1e9 / calls;
+  }
+}
+
+/// Interleaved rounds against each opponent, the best of fifteen on either side; the median of five
+/// such ratios. Prints a row for each: name, against, wanted, ratio, nanoseconds per value of ours,
+/// of the other; tab-separated. One call of any side makes `values` numbers.
+void compare(const std::string& name, double values, const Work& ours,
+             const std::vector<Opponent>& opponents) {
+  for (const Opponent& opponent : opponents) {
+    std::array<std::array<double, 3>, 5> ratios{};  // ratio, ours, the other's
+    for (auto& [ratio, best, other] : ratios) {
+      best = other = std::numeric_limits<double>::infinity();
+      for (int round = 0; round < 15; ++round) {
+        best = std::min(best, nanoseconds(ours));
+        other = std::min(other, nanoseconds(opponent.work));
+      }
+      ratio = other / best;
+    }
+    std::sort(ratios.begin(), ratios.end());
+    const auto& [ratio, best, other] = ratios[2];
+    std::printf("%s\t%s\t%.4g\t%.4g\t%.4g\t%.4g\n", name.c_str(), opponent.name.c_str(),
+                opponent.wanted, ratio, best / values, other / values);
+    std::fflush(stdout);
+  }
+}
 
 // Lab 1. The loop returns one number: GCC keeps the sums in memory where they are returned.
 [[gnu::noinline]] double variance_by_two_sums(std::span<const double> x) {
