@@ -26,12 +26,9 @@ struct Anova {
 class AtPoint final : public Sampler {
  public:
   explicit AtPoint(std::span<const double> x) : x_(x) {}
-  void generate(std::size_t, std::uint64_t) override { next_ = 0; }
+  void generate(std::size_t, std::uint64_t) override {}
   double next() override { return x_[next_++]; }
-  Point2 next2() override {
-    next_ += 2;
-    return {x_[next_ - 2], x_[next_ - 1]};
-  }
+  Point2 next2() override { return {next(), next()}; }  // braces: x comes first
   void advance() override { next_ = 0; }
 
  private:

@@ -51,21 +51,17 @@ double seconds_of(const Wanted& what, Count spp) {
   return std::max(least - start, 1e-6) / static_cast<double>(scale * scale);
 }
 
-/// The most samples a pixel that take no longer than `seconds` (2% are noise). Times grow as
-/// spp to spp^2, so a guess by the power 2/3 of the time is three times closer in a logarithm than
-/// the last one. One sample is made however long it takes.
+/// The most samples a pixel that take no longer than `seconds` (2% are noise), by bisection to
+/// within 1/64. One sample is made however long it takes.
 RenderErrors samples_in(const Wanted& what, double seconds, RenderErrors one) {
   Count low = 1, high = 16 * what.spp + 1;  // the answer is low, or between them
   RenderErrors best;
-  for (int timings = 0;; ++timings) {
+  while (true) {
     const bool fits = one.seconds <= 1.02 * seconds;
     (fits ? low : high) = one.spp;
     if (fits) best = one;
-    const bool is_close = fits && one.seconds >= 0.98 * seconds;
-    if (is_close || high <= low + 1 + high / 64 || timings == 6) break;
-    const double guess = static_cast<double>(one.spp) * std::pow(seconds / one.seconds, 2. / 3);
-    one.spp =
-        std::clamp(static_cast<Count>(guess + 0.1), best.spp == low ? low + 1 : low, high - 1);
+    if (high <= low + 1 + high / 64) break;
+    one.spp = std::max(low + 1, static_cast<Count>(std::sqrt(static_cast<double>(low * high))));
     one.seconds = seconds_of(what, one.spp);
   }
   if (best.spp == 0) best = {1, seconds_of(what, 1)};
