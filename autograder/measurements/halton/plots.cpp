@@ -128,13 +128,13 @@ Values covered(const Sets& sets, std::size_t count, const Integrand& integrand) 
   const double z = normal_quantile(0.975);
   Values result(4);
   for (std::size_t first = 0; first < sets.size(); first += count) {
+    const std::size_t n = sets[first].size();
     Values errors;
     for (std::size_t i = 0; i < count; ++i) {
-      errors.push_back(error_of(integrand, sets[first + i]));
+      errors.push_back(error_of(integrand, sets[first + i], n));
     }
-    const double mean = sum_of(errors) / r;
+    const double mean = sum_of(errors) / r, points = r * static_cast<double>(n);
     const double bar = std::sqrt(squared_deviations(errors) / (r * (r - 1)));
-    const double points = r * static_cast<double>(sets[first].size());
     result[0] += (std::abs(mean) <= t * bar) / all;
     result[1] += (std::abs(mean) <= z * bar) / all;
     result[2] += t * bar / all;
@@ -166,36 +166,27 @@ TEST_CASE("plot intervals from replicates", "[.plot]") {
   }
 }
 
-/// A column, and 16 scrambled ones; to 30 bits, of which no elementary interval needs more.
-template <class Scramble>
+/// A column, and scrambled ones; to 30 bits, of which no elementary interval needs more.
 void write_columns(const std::string& key, const std::string& name, const Sets& plain,
-                   unsigned number, Scramble scramble) {
-  constexpr Count n = 1024, count = 16;
+                   const Sets& scrambled) {
   if (plain.empty()) return;
-  const auto first = plain[0].column(0);
-  std::vector<std::string> columns{encoded(first, 5)};
-  const Seeds seeds = domain::in_a_row(Count{number} << 20, count);
-  for (const PointSet& one : sets_of(scramble({first.begin(), first.end()}, seeds), n, 1, count)) {
-    columns.push_back(encoded(one.column(0), 5));
-  }
+  std::vector<std::string> columns{encoded(plain[0].column(0), 5)};
+  for (const PointSet& one : scrambled) columns.push_back(encoded(one.column(0), 5));
   write_demo(5, key, {{"name", name}, {"columns", columns}});
 }
 
 /// As in lab 6: base 2 by 5.8, whose errors fall faster than those of 5.9, other bases by 5.9.
 TEST_CASE("demo", "[.demo]") {
   begin_demo();
-  constexpr Count n = 1024;
+  constexpr Count n = 1024, count = 16;
   for (const unsigned base : {2u, 3u, 5u, 7u, 29u, 31u}) {
-    write_columns(fmt::format("base-{}", base), fmt::format("base {}", base),
-                  halton_sets(n, {base}), base, [&](const Values& column, const Seeds& seeds) {
-                    return base == 2 ? TRY_MEASURE(owen_scramble, column, seeds)
-                                     : TRY_MEASURE(radical_inverses_scrambled, base, 0, n, seeds);
-                  });
+    const Sets plain = halton_sets(n, {base});
+    write_columns(
+        fmt::format("base-{}", base), fmt::format("base {}", base), plain,
+        base == 2 ? scrambled(plain, count, base) : scrambled_halton_sets(n, {base}, count, base));
   }
-  write_columns("sobol", "Sobol' 1", sobol_sets(n, 1, 1), 1,
-                [](const Values& column, const Seeds& seeds) {
-                  return TRY_MEASURE(owen_scramble, column, seeds);
-                });
+  const Sets sobol = sobol_sets(n, 1, 1);
+  write_columns("sobol", "Sobol' 1", sobol, scrambled(sobol, count, 1));
 }
 
 }  // namespace

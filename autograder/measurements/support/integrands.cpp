@@ -84,7 +84,7 @@ double nanoseconds_of(const Integrand& integrand) {
   Values nanoseconds;
   for (int i = 0; i < 5; ++i) {
     const std::clock_t start = std::clock();
-    for (std::size_t round = 0; round < rounds; ++round) sink = error_of(integrand, points);
+    for (std::size_t round = 0; round < rounds; ++round) sink = error_of(integrand, points, n);
     nanoseconds.push_back(static_cast<double>(std::clock() - start) * 1e9 /
                           (CLOCKS_PER_SEC * rounds * n));
   }

@@ -27,9 +27,6 @@ const Integrand& integrand(const std::string& name);
 /// The mean of the values at the first n points, less the exact one; of dimensions `first`, ….
 double error_of(const Integrand& integrand, const PointSet& points, std::size_t n,
                 std::size_t first = 0);
-inline double error_of(const Integrand& integrand, const PointSet& points) {
-  return error_of(integrand, points, points.size());
-}
 
 /// What a value costs, in nanoseconds of this process: the integrand is ours, so it is timed here.
 double nanoseconds_of(const Integrand& integrand);
