@@ -110,6 +110,8 @@ class BenchRun {
       fmt::print("There is nothing to measure: no submission, or a lab without a bench.\n");
       return;
     }
+    jobs_ = errors;
+    jobs_.insert(jobs_.end(), in_turn.begin(), in_turn.end());
     constexpr unsigned workers = 2;
     for (const Job& one : errors) progress_.expect(name_of(one), workers);
     for (const Job& one : in_turn) progress_.expect(name_of(one));
@@ -135,15 +137,12 @@ class BenchRun {
   }
 
   std::vector<BenchRow> rows() const {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(place_ / "rows")) files.push_back(entry);
-    std::sort(files.begin(), files.end());
     std::vector<BenchRow> all;
     for (const Contender& entrant : entrants_) {
       std::vector<BenchRow> mine;
-      for (const fs::path& file : files) {
-        if (!file.filename().string().starts_with(stem(entrant) + ".")) continue;
-        const auto some = read_bench_rows(file, entrant.lab.name, entrant.label);
+      for (const Job& one : jobs_) {
+        if (one.entrant != &entrant) continue;
+        const auto some = read_bench_rows(one.rows, entrant.lab.name, entrant.label);
         mine.insert(mine.end(), some.begin(), some.end());
       }
       std::stable_sort(mine.begin(), mine.end(),
@@ -154,14 +153,11 @@ class BenchRun {
   }
 
  private:
-  std::string stem(const Contender& entrant) const {
+  Job job(const Contender& entrant, const std::string& kind, unsigned round) const {
     std::string label = entrant.label;
     std::replace(label.begin(), label.end(), '/', '_');
-    return fmt::format("{}-{}", entrant.lab.name, label);
-  }
-  Job job(const Contender& entrant, const std::string& kind, unsigned round) const {
     return {&entrant, kind,
-            place_ / "rows" / fmt::format("{}.{}-{}.tsv", stem(entrant), kind, round)};
+            place_ / "rows" / fmt::format("{}-{}.{}-{}.tsv", entrant.lab.name, label, kind, round)};
   }
 
   bool has_cases(const Lab& lab, const std::string& kind) {
@@ -192,6 +188,7 @@ class BenchRun {
   const Context& context_;
   fs::path place_;
   std::vector<Contender> entrants_;
+  std::vector<Job> jobs_;
   std::map<std::pair<std::string, std::string>, bool> has_cases_;  // of a lab, of a kind
   BenchProgress progress_;
 };
