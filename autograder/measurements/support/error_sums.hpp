@@ -17,7 +17,7 @@ inline double median(std::vector<double> values) {
 
 /// Errors of independent replicates. Of no errors, everything is NaN.
 struct ErrorSums {
-  std::array<double, 9> powers{};  ///< sums of their powers, of their number on
+  std::array<double, 9> powers{};  ///< [k]: the sum of the k-th powers of the errors
   double points = 0;               ///< in all sets
   void add(double error, double of_points = 0) {
     points += of_points;
