@@ -9,9 +9,6 @@
 
 namespace mc::self_test {
 
-namespace fs = std::filesystem;
-using grader::CheckResult;
-
 namespace {
 
 /// A tenth of the limit of a measurement: a slower machine, or a plainer answer, still passes.
@@ -42,7 +39,7 @@ double seconds_at_least(const Proof& proof, const CheckResult& first) {
 
 void prove_cost(const std::string& lab) {
   setenv("MC_BASELINE", "1", 1);  // as on any x86-64
-  const grader::Layout layout = grader::read_layout();
+  const Layout layout = read_layout();
   std::vector<fs::path> files{layout.solutions() / (lab + ".cpp")};
   const fs::path alternatives = layout.submissions() / "alternatives" / lab;
   if (fs::exists(alternatives)) {

@@ -13,10 +13,6 @@
 
 namespace mc::self_test {
 
-namespace fs = std::filesystem;
-using grader::CheckResult;
-using grader::LabVerdict;
-
 namespace {
 
 /// This many processes in a busy loop, for the lifetime of the object.
@@ -58,7 +54,7 @@ std::string fate_of(const LabVerdict& verdict) {
 bool meets_a_limit(const LabVerdict& verdict) {
   if (!verdict.no_program.empty()) return false;  // the compiler's limits do not count
   for (const CheckResult& result : verdict.checks) {
-    if (result.status != grader::Status::failed) continue;  // waiting does not depend on limits
+    if (result.status != Status::failed) continue;  // waiting does not depend on limits
     if (result.report.find("did not end within") != std::string::npos) return true;
   }
   return false;
@@ -75,8 +71,7 @@ void compare_limits(const Subject& subject, const LabVerdict& verdict) {
 void prove_under_load(std::vector<fs::path> files, unsigned runs) {
   const bool all = files.empty();
   if (all) {
-    for (const auto& entry :
-         fs::recursive_directory_iterator(grader::read_layout().submissions())) {
+    for (const auto& entry : fs::recursive_directory_iterator(read_layout().submissions())) {
       if (entry.path().extension() == ".cpp") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());

@@ -16,10 +16,7 @@
 #include <fmt/format.h>
 
 #include "tests/self_test/proof.hpp"
-#include "tests/self_test/seed_log.hpp"
 
-namespace fs = std::filesystem;
-using namespace mc::grader;
 using namespace mc::self_test;
 
 namespace {

@@ -1,8 +1,14 @@
 #include "tests/self_test/proof.hpp"
 
+#include <cxxabi.h>
+#include <fcntl.h>
+#include <sys/file.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <map>
+#include <memory>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,15 +18,72 @@
 #include "grader/judging/judge.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/compile.hpp"
+#include "runner/text.hpp"
+#include "sandbox/descriptor.hpp"
+#include "sandbox/process.hpp"
 
 namespace mc::self_test {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
 int complaint_count = 0;
+
+/// The functions of namespace mc that objects define or need: mangled names by readable ones.
+std::map<std::string, std::string> functions(const std::vector<fs::path>& objects,
+                                             const std::string& which) {
+  std::vector<std::string> command{"nm", "-P", which};
+  for (const fs::path& object : objects) command.push_back(object.string());
+  const sandbox::ProcessResult run = sandbox::run_process(command);
+  if (!run.succeeded()) throw MachineError("nm: " + run.errors);
+  std::map<std::string, std::string> mangled;
+  for (const std::string_view line : text::split(run.output, '\n')) {
+    const std::string name(line.substr(0, line.find(' ')));
+    const std::unique_ptr<char, decltype(&std::free)> readable(
+        abi::__cxa_demangle(name.c_str(), nullptr, nullptr, nullptr), &std::free);
+    if (readable && std::string_view(readable.get()).starts_with("mc::")) {
+      mangled[readable.get()] = name;
+    }
+  }
+  return mangled;
+}
+
+/// A public function of the lab that a catalog has renamed. All names are mangled.
+struct Definition {
+  std::string function, right;  ///< the solution's is renamed right_function
+  std::string mistaken;         ///< the mistake's; empty if it keeps the right one
+};
+
+/// All of them for one mistake. Throws UsageError if it replaces none, or one that is not renamed.
+std::vector<Definition> definitions_of(const Layout& layout, const Lab& lab, const fs::path& object,
+                                       const Subject& subject) {
+  std::vector<fs::path> callers = layout.objects.at(lab.name);
+  callers.push_back(object);
+  const auto defined = functions({object}, "--defined-only");
+  std::vector<Definition> definitions;
+  bool differs = false;
+  for (const auto& [name, symbol] : functions(callers, "--undefined-only")) {
+    const std::string function = name.substr(std::string_view("mc::").size());
+    const auto mistaken = defined.find("mc::" + subject.section + "::" + function);
+    const auto right = defined.find("mc::right_" + function);
+    const bool is_mistaken = mistaken != defined.end();
+    if (!is_mistaken && right == defined.end()) continue;
+    if (right == defined.end()) throw UsageError(function + " is not renamed");
+    differs = differs || is_mistaken;
+    definitions.push_back({symbol, right->second, is_mistaken ? mistaken->second : ""});
+  }
+  if (!differs) throw UsageError(subject.section + " replaces no function of the lab");
+  return definitions;
+}
+
+/// The linker's flags that put in place of each function what `chosen` names.
+template <class Choose>
+std::vector<std::string> linker_flags(const std::vector<Definition>& definitions, Choose chosen) {
+  std::vector<std::string> flags;
+  for (const Definition& one : definitions) {
+    flags.push_back(fmt::format("-Wl,--defsym={}={}", one.function, chosen(one)));
+  }
+  return flags;
+}
 
 /// When the files were written that decide which checks call a function.
 std::string times_of_sources(const Proof& proof) {
@@ -50,7 +113,9 @@ std::set<std::string> checks_that_call(const std::string& function, const std::s
     while (std::getline(file, line)) names.insert(line);
     return names;
   }
-  proof.submission.libraries = linker_flags_to_abort(function, definitions);
+  proof.submission.libraries = linker_flags(definitions, [&](const Definition& one) {
+    return one.function == function ? "abort" : one.right;
+  });
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
   if (!proof.built.program) throw MachineError(proof.built.failure);
   for (const CheckResult& result : proof.judge(1, beyond).checks) {
@@ -66,7 +131,12 @@ std::set<std::string> checks_that_call(const std::string& function, const std::s
 void build_mistake(Proof& proof, const Subject& subject) {
   proof.submission.label = "mistakes/" + proof.lab.name + '/' + subject.section;
   const Unit unit{proof.layout, proof.lab, subject.file, true};
-  const CatalogLock lock(slot_of(unit));
+  // One process at a time: the first compiles the catalog, the others wait for it.
+  fs::create_directories(slot_of(unit));
+  const sandbox::Descriptor lock(
+      open((slot_of(unit) / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644),
+      "opening the lock");
+  flock(lock.get(), LOCK_EX);
   const Object catalog = compile(unit);
   if (!catalog.failure.empty()) {
     proof.built.failure = catalog.failure;
@@ -80,7 +150,9 @@ void build_mistake(Proof& proof, const Subject& subject) {
           checks_that_call(one.function, subject.file.stem().string(), proof, definitions));
     }
   }
-  proof.submission.libraries = linker_flags(definitions);
+  proof.submission.libraries = linker_flags(definitions, [](const Definition& one) {
+    return one.mistaken.empty() ? one.right : one.mistaken;
+  });
   proof.built = build_program(proof.layout, proof.lab, proof.submission);
 }
 
@@ -165,24 +237,24 @@ Proof proof_of(const Subject& subject) {
   return proof;
 }
 
-grader::LabVerdict Proof::judge(std::uint64_t seed, const std::set<std::string>& checks,
-                                unsigned workers) const {
-  grader::JudgeOptions options;
+LabVerdict Proof::judge(std::uint64_t seed, const std::set<std::string>& checks,
+                        unsigned workers) const {
+  JudgeOptions options;
   options.seed = seed;
   options.checks = checks;
   options.workers = workers;
   options.submission = submission.label;
-  return grader::judge_lab(layout, lab, built, options);
+  return judge_lab(layout, lab, built, options);
 }
 
-std::string Proof::report(const grader::LabVerdict& verdict, std::uint64_t seed) const {
-  grader::Verdict whole;
+std::string Proof::report(const LabVerdict& verdict, std::uint64_t seed) const {
+  Verdict whole;
   whole.submission = submission.label;
   whole.seed = seed;
-  return grader::report_lab(verdict, whole, grader::Terminal{});
+  return report_lab(verdict, whole, Terminal{});
 }
 
-void Proof::show(const grader::LabVerdict& verdict, std::uint64_t seed) const {
+void Proof::show(const LabVerdict& verdict, std::uint64_t seed) const {
   fmt::print("{}", report(verdict, seed));
 }
 

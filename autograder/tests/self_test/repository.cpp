@@ -14,9 +14,6 @@
 
 namespace mc::self_test {
 
-namespace fs = std::filesystem;
-using namespace grader;
-
 namespace {
 
 /// The task numbers "N.k" that follow `before` in a text.

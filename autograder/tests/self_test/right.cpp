@@ -9,12 +9,9 @@
 #include "checks/support/distributions.hpp"
 #include "grader/judging/speed.hpp"
 #include "tests/self_test/proof.hpp"
-#include "tests/self_test/seed_log.hpp"
 
 namespace mc::self_test {
 
-using grader::CheckResult;
-using grader::LabVerdict;
 using protocol::PValue;
 
 namespace {
@@ -65,21 +62,6 @@ class PValues {
   std::vector<double> all_;
 };
 
-/// Prints the cost of the most expensive measurement. The goal is 0.2 s, a tenth of the limit: then
-/// a slower machine or a plainer answer passes, too. It depends on the machine, so no test asserts
-/// it.
-void print_cost(const LabVerdict& verdict) {
-  double worst = 0;
-  std::string which = "nothing above 0.02";
-  for (const CheckResult& result : verdict.checks) {
-    const double seconds = std::strtod(result.costliest.c_str(), nullptr);
-    if (seconds <= worst) continue;
-    worst = seconds;
-    which = fmt::format("{} in '{}'", result.costliest, result.check.name);
-  }
-  fmt::print("most expensive measurement, in seconds of CPU time: {}\n", which);
-}
-
 }  // namespace
 
 void prove_right(const Proof& proof) {
@@ -95,7 +77,9 @@ void prove_right(const Proof& proof) {
   const SeedLog log(proof);
   std::uint64_t seed = 1;
   if (is_full) {
-    seed = log.resume([&](const std::vector<PValue>& run) { p_values.add(run); });
+    const auto runs = log.seeds();
+    for (const std::vector<PValue>& run : runs) p_values.add(run);
+    seed = runs.size() + 1;
   }
   std::set<std::string> checks, random, fresh;  // empty: all
   const auto choose = [&] {
@@ -108,14 +92,12 @@ void prove_right(const Proof& proof) {
   for (const CheckResult& result : first.checks) {
     (result.p_values.empty() ? fresh : random).insert(result.check.name);
   }
-  print_cost(first);
   for (; seed == 1 || choose(); ++seed) {
     const LabVerdict verdict = seed == 1 ? first : proof.judge(seed, checks);
     const bool is_right =
         std::all_of(verdict.checks.begin(), verdict.checks.end(), [&](const CheckResult& result) {
-          return result.status == grader::Status::passed ||
-                 (!is_reference && result.check.is_stretch() &&
-                  result.status == grader::Status::not_written);
+          return result.status == Status::passed || (!is_reference && result.check.is_stretch() &&
+                                                     result.status == Status::not_written);
         });
     if (!is_right) {
       proof.show(verdict, seed);

@@ -1,4 +1,4 @@
-#include "tests/self_test/seed_log.hpp"
+#include "tests/self_test/proof.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -10,38 +10,40 @@
 #include "protocol/records.hpp"
 
 namespace mc::self_test {
-namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* seed_done = "seed done";
 
-fs::path folder(const grader::Layout& layout) {
+fs::path folder(const Layout& layout) {
   return layout.build / "proved";
+}
+
+std::vector<std::vector<protocol::PValue>> seeds_in(const fs::path& log) {
+  std::vector<std::vector<protocol::PValue>> seeds;
+  std::vector<protocol::PValue> p_values;
+  std::ifstream file(log);
+  for (std::string line; std::getline(file, line);) {
+    if (line == seed_done) {
+      seeds.push_back(std::move(p_values));
+      p_values.clear();
+    } else if (!line.starts_with('#')) {
+      p_values.push_back(protocol::p_value_in(line));
+    }
+  }
+  return seeds;
 }
 
 }  // namespace
 
 SeedLog::SeedLog(const Proof& proof) : submission_(proof.submission.label) {
-  const std::string checks = grader::read_text(proof.layout.checks(proof.lab.name));
+  const std::string checks = read_text(proof.layout.checks(proof.lab.name));
   const std::string program = fs::path(proof.built.program->path).stem().string();
-  file_ = folder(proof.layout) / fmt::format("{}-{:016x}", program, grader::hash_text(checks));
+  file_ = folder(proof.layout) / fmt::format("{}-{:016x}", program, hash_text(checks));
   fs::create_directories(file_.parent_path());
 }
 
-std::uint64_t SeedLog::resume(const Add& add) const {
-  std::uint64_t next = 1;
-  std::vector<protocol::PValue> p_values;
-  std::ifstream file(file_);
-  for (std::string line; std::getline(file, line);) {
-    if (line == seed_done) {
-      add(p_values);
-      p_values.clear();
-      ++next;
-    } else if (!line.starts_with('#')) {
-      p_values.push_back(protocol::p_value_in(line));
-    }
-  }
-  return next;
+std::vector<std::vector<protocol::PValue>> SeedLog::seeds() const {
+  return seeds_in(file_);
 }
 
 void SeedLog::keep(const std::vector<protocol::PValue>& p_values) const {
@@ -55,9 +57,9 @@ ProofCache::ProofCache(const Proof& proof, const Subject& subject) {
   for (const fs::path& path :
        {fs::path(proof.built.program->path), proof.layout.checks(proof.lab.name), subject.file,
         proof.layout.build / "bin" / "self_test"}) {
-    all += grader::read_text(path);
+    all += read_text(path);
   }
-  file_ = folder(proof.layout) / "passed" / fmt::format("{:016x}", grader::hash_text(all));
+  file_ = folder(proof.layout) / "passed" / fmt::format("{:016x}", hash_text(all));
 }
 
 void ProofCache::keep() const {
@@ -66,7 +68,7 @@ void ProofCache::keep() const {
 }
 
 void print_power() {
-  const grader::Layout layout = grader::read_layout();
+  const Layout layout = read_layout();
   struct Line {
     std::size_t seeds = 0, tests = 0;
     double alpha = 0, least = 1;
@@ -75,22 +77,16 @@ void print_power() {
   std::map<std::string, Line> lines;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder(layout), none)) {
-    std::ifstream file(entry.path());
+    if (!entry.is_regular_file()) continue;
     std::string name;
+    std::ifstream log(entry.path());
+    std::getline(log, name);  // "# submission"
+    name.erase(0, 2);
     Line kept;
-    double alpha = 0;
-    std::size_t tests = 0;
-    for (std::string line; std::getline(file, line);) {
-      if (line.starts_with("# ")) {
-        name = line.substr(2);
-      } else if (line == seed_done) {
-        ++kept.seeds;
-        kept.alpha = std::max(kept.alpha, alpha);
-        kept.tests = std::max(kept.tests, tests);
-        alpha = 0;
-        tests = 0;
-      } else {
-        const auto value = protocol::p_value_in(line);
+    for (const auto& seed : seeds_in(entry.path())) {
+      double alpha = 0;
+      std::size_t tests = 0;
+      for (const protocol::PValue& value : seed) {
         if (value.p <= value.alpha) {
           if (value.p * kept.nearest.alpha > kept.nearest.p * value.alpha) kept.nearest = value;
           continue;
@@ -99,6 +95,9 @@ void print_power() {
         ++tests;
         kept.least = std::min(kept.least, value.p);
       }
+      ++kept.seeds;
+      kept.alpha = std::max(kept.alpha, alpha);
+      kept.tests = std::max(kept.tests, tests);
     }
     if (Line& old = lines[name]; kept.seeds >= old.seeds) old = kept;
   }

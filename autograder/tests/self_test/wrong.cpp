@@ -14,13 +14,8 @@
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 #include "tests/self_test/proof.hpp"
-#include "tests/self_test/seed_log.hpp"
 
 namespace mc::self_test {
-
-using grader::CheckResult;
-using grader::LabVerdict;
-using grader::Status;
 
 namespace {
 
@@ -28,8 +23,8 @@ namespace {
 /// catalog is named for.
 std::set<std::string> failing_tasks(const Subject& subject) {
   std::set<std::string> tasks;
-  for (const char* key : {"fails", "caught by"}) {
-    for (const std::string& name : said(subject, key)) tasks.insert(name.substr(0, name.find(' ')));
+  for (const std::string& name : said(subject, "fails")) {
+    tasks.insert(name.substr(0, name.find(' ')));
   }
   if (is_catalog(subject.file)) tasks.insert(subject.file.stem().string());
   return tasks;
@@ -70,7 +65,7 @@ std::set<std::string> checks_to_judge(const Proof& proof, const std::set<std::st
   for (const std::string& name : checks_beyond(proof, tasks)) {
     if (!proof.affected || proof.affected->contains(name)) names.insert(name);
   }
-  for (const grader::Check& check : grader::expected_checks(proof.layout, proof.lab)) {
+  for (const Check& check : expected_checks(proof.layout, proof.lab)) {
     if (tasks.contains(check.task)) names.insert(check.name);
   }
   return names;
@@ -89,12 +84,11 @@ void judge_mistake(const Subject& subject, const LabVerdict& verdict,
 void run_by_hand(const Proof& proof, const LabVerdict& verdict) {
   for (const CheckResult& result : verdict.checks) {
     if (result.status != Status::failed || result.call.empty() || !proof.built.program) continue;
-    const std::string command = grader::by_hand_command(proof.layout, proof.lab, result.call, {});
+    const std::string command = by_hand_command(proof.layout, proof.lab, result.call, {});
     const std::string start = "./lab run " + proof.lab.name + ' ';
     if (!command.starts_with(start)) complain("not a command by hand: " + command);
     const auto run = sandbox::run_process(
-        {"sh", "-c",
-         grader::shell_quoted(proof.built.program->path) + ' ' + command.substr(start.size())},
+        {"sh", "-c", shell_quoted(proof.built.program->path) + ' ' + command.substr(start.size())},
         {.directory = proof.layout.root, .wall_seconds = 2});
     constexpr int refused = 2;
     if (run.exit_code == refused) complain(command + " is refused: " + run.errors);
@@ -138,7 +132,7 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   run_by_hand(proof, verdict);
   compare_limits(subject, verdict);
   std::optional<SeedLog> kept;
-  if (seeds > 1) seed = std::max(seed, kept.emplace(proof).resume([](const auto&) {}));
+  if (seeds > 1) seed = std::max<std::uint64_t>(seed, kept.emplace(proof).seeds().size() + 1);
   while (seed < seeds && complaints() == before) {
     verdict = proof.judge(++seed, checks);
     judge_mistake(subject, verdict, tasks);
