@@ -128,7 +128,7 @@ function(with_fuzzing_wire target)
   target_compile_options(${target} PRIVATE ${PROGRAM_FLAGS} -O1)
 endfunction()
 add_library(fuzz_runner OBJECT EXCLUDE_FROM_ALL labs/runner/main.cpp labs/runner/list.cpp
-  labs/runner/table.cpp labs/runner/text.cpp autograder/tests/fuzz/mutation.cpp)
+  labs/runner/table.cpp labs/runner/text.cpp)
 with_fuzzing_wire(fuzz_runner)
 add_custom_target(fuzz_programs)
 foreach(lab ${LABS})

@@ -1,46 +1,36 @@
 // Programs that lie: the judge survives every answer.
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <chrono>
+#include <cstring>
 
 #include <fmt/format.h>
 
 #include "grader/base/errors.hpp"
-#include "grader/base/side_by_side.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/submission/scratch.hpp"
+#include "tests/fuzz/plan.hpp"
 #include "tests/self_test/proof.hpp"
 
 namespace mc::self_test {
 
-namespace fs = std::filesystem;
-using namespace grader;
-
 namespace {
 
-/// As in tests/fuzz/mutation.cpp: ten values, six sizes; `drawn` stands for a random one.
-constexpr unsigned value_count = 10, size_count = 6;
-constexpr unsigned char drawn = 255;
+using fuzz::Plan;
 
-struct Plan {
-  unsigned char value, size, few, honesty;
-  std::string words() const { return fmt::format("plan {} {} {} {}", value, size, few, honesty); }
-};
+constexpr std::uint8_t drawn = 255;  ///< an index beyond all values and sizes
+
+std::string words_of(const Plan& plan) {
+  return fmt::format("plan {} {} {} {}", plan.value, plan.size, plan.few, plan.honesty);
+}
 
 /// The lab's lying program with this plan.
 sandbox::Program program_with(const Layout& layout, const Lab& lab, const Plan& plan,
                               const fs::path& place) {
   std::string bytes = read_text(layout.build / "bin" / ("fuzz_" + lab.name));
-  const std::string mark = "mc-fuzz-plan-->>";
-  const auto at = bytes.find(mark);
+  const auto at = bytes.find(plan.mark);
   if (at == std::string::npos) throw MachineError("fuzz_" + lab.name + " is not built");
-  for (std::size_t i = 0; i < 4; ++i) {
-    const unsigned char fields[] = {plan.value, plan.size, plan.few, plan.honesty};
-    bytes[at + mark.size() + i] = static_cast<char>(fields[i]);
-  }
-  const fs::path path = place / plan.words();
+  std::memcpy(bytes.data() + at, &plan, sizeof plan);
+  const fs::path path = place / words_of(plan);
   write_text(path, bytes);
   fs::permissions(path, fs::perms::all);
   return sandbox::open_program(path.string());
@@ -48,30 +38,30 @@ sandbox::Program program_with(const Layout& layout, const Lab& lab, const Plan& 
 
 /// All values and sizes, for all numbers and for a few; then as many random ones.
 std::vector<Plan> plans(unsigned count) {
-  std::vector<Plan> all;
+  std::vector<Plan> all(count);
   for (unsigned i = 0; i < count; ++i) {
-    if (i % 2 == 0) {
-      all.push_back({drawn, drawn, static_cast<unsigned char>(i % 4 == 0 ? 0 : 7), 128});
-      continue;
-    }
-    const unsigned k = i / 2;
-    all.push_back({static_cast<unsigned char>(k % value_count),
-                   static_cast<unsigned char>(k / value_count % size_count),
-                   static_cast<unsigned char>(k / value_count / size_count % 2 == 0 ? 0 : 7), 0});
+    const unsigned k = i / 2, sizes = k / fuzz::value_count;
+    const bool is_random = i % 2 == 0;
+    const bool lies_often = is_random ? i % 4 == 0 : sizes / fuzz::size_count % 2 == 0;
+    all[i].value = is_random ? drawn : static_cast<std::uint8_t>(k % fuzz::value_count);
+    all[i].size = is_random ? drawn : static_cast<std::uint8_t>(sizes % fuzz::size_count);
+    all[i].few = lies_often ? 0 : 7;
+    all[i].honesty = is_random ? 128 : 0;
   }
   return all;
 }
 
 /// Lies with an answer that cannot be right, every time.
 bool cannot_be_right(const Plan& plan) {
-  const bool wrong_value = plan.few == 0 && (plan.value <= 2 || plan.value == 7);
-  return plan.honesty == 0 && (wrong_value || (plan.size > 0 && plan.size < size_count));
+  const bool is_wrong = (plan.few == 0 && fuzz::is_impossible(plan.value)) ||
+                        (plan.size > 0 && plan.size < fuzz::size_count);
+  return plan.honesty == 0 && is_wrong;
 }
 
 }  // namespace
 
 void prove_against_lies(const std::string& name, unsigned count) {
-  constexpr unsigned all_plans = 2 * value_count * size_count * 2;
+  constexpr unsigned all_plans = 2 * fuzz::value_count * fuzz::size_count * 2;
   if (number_from("MC_SEEDS", 0) >= 100) count = std::max(count, all_plans);  // --full
   Proof proof;
   proof.lab = find_lab(proof.labs, name);
@@ -88,11 +78,11 @@ void prove_against_lies(const std::string& name, unsigned count) {
       const bool has_fallen =
           result.status == Status::internal_error || result.status == Status::not_judged;
       if (has_fallen) {
-        complain(
-            fmt::format("{}: '{}' has fallen: {}", plan.words(), result.check.name, result.report));
+        complain(fmt::format("{}: '{}' has fallen: {}", words_of(plan), result.check.name,
+                             result.report));
       }
       if (result.status == Status::passed && result.check.is_main && cannot_be_right(plan)) {
-        complain(fmt::format("{}: '{}' passed", plan.words(), result.check.name));
+        complain(fmt::format("{}: '{}' passed", words_of(plan), result.check.name));
       }
     }
   }
