@@ -2,13 +2,7 @@
 // Opens pages in headless Chromium.
 
 #include <cstdlib>
-#include <filesystem>
-#include <string>
 
-#include <fmt/format.h>
-
-#include "grader/base/text_file.hpp"
-#include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests {
@@ -26,8 +20,7 @@ inline std::string chromium() {
 struct PageState {
   std::string title, console;
 };
-inline PageState open_page(const std::filesystem::path& file,
-                           const std::string& option = "--disable-sync") {
+inline PageState open_page(const fs::path& file, const std::string& option = "--disable-sync") {
   const Scratch place;
   const auto run = sandbox::run_process(
       {chromium(), "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", option,
@@ -57,7 +50,7 @@ inline std::string axe_findings(const std::string& page) {
     }));
   </script>)html";
   const PageState state = open_page(
-      place.write("axe.html", page + "<script>" + grader::read_whole_text(axe) + "</script>" + run),
+      place.write("axe.html", page + "<script>" + read_whole_text(axe) + "</script>" + run),
       "--virtual-time-budget=60000");
   return state.title == "axe: " ? "" : state.title + state.console;
 }

@@ -1,30 +1,19 @@
 // Every command in a document exists: its command, its options, its lab and its task. Cheap ones
 // are run.
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/judging/judge.hpp"
 #include "runner/text.hpp"
 #include "tests/documents.hpp"
-#include "tests/entry_script.hpp"
 #include "tests/submissions.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::commands {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -93,29 +82,21 @@ bool is_placeholder(const std::string& word) {
   return !word.empty() && word[0] >= 'A' && word[0] <= 'Z';
 }
 
-const Command* command_called(const std::string& name) {
-  const auto& commands = registered_commands();
-  const auto found = std::find_if(commands.begin(), commands.end(),
-                                  [&](const Command& command) { return command.name == name; });
-  return found == commands.end() ? nullptr : &*found;
-}
-
-bool takes_a_lab(const std::string& command) {
-  const std::set<std::string> commands{"check", "run",    "plot",      "report",
-                                       "reset", "submit", "gradescope"};
-  return commands.contains(command);
-}
+const std::set<std::string> takes_a_lab{"check", "run",    "plot",      "report",
+                                        "reset", "submit", "gradescope"};
 
 /// Why this command is invalid; empty if it is valid.
 std::string objection(const Layout& layout, const std::vector<Lab>& labs, const Words& words) {
   if (words.size() == 1 || words[1] == "COMMAND" || words[1].starts_with("--")) return {};
-  const Command* const command = command_called(words[1]);
-  if (command == nullptr) return "no such command";
+  const auto& commands = registered_commands();
+  const auto command = std::find_if(commands.begin(), commands.end(),
+                                    [&](const Command& one) { return one.name == words[1]; });
+  if (command == commands.end()) return "no such command";
   try {
     const Words rest(words.begin() + 2, words.end());
     if (!rest.empty() && rest[0] == "--help") return {};
     const Arguments arguments = command->parse(rest);
-    if (!takes_a_lab(command->name) || arguments.words.empty()) return {};
+    if (!takes_a_lab.contains(command->name) || arguments.words.empty()) return {};
     if (is_placeholder(arguments.words[0])) return {};
     const LabAndTask meant = lab_and_task(labs, arguments.words);
     const std::string task = arguments.get("only").value_or(meant.task);
@@ -187,9 +168,8 @@ TEST_CASE("the commands that a handout gives run, with the solutions") {
     if (is_placeholder(command.words[2])) continue;
     Words words(command.words.begin() + 1, command.words.end());
     words.insert(words.begin() + 1, {"--dir", layout.solutions().string()});
-    const auto run = lab(words);
-    CAPTURE(command.text(), run.errors);
-    CHECK(run.exit_code == 0);
+    CAPTURE(command.text());
+    REQUIRE_RUN(run, lab(words));
     CHECK(!run.output.empty());
     ++count;
   }

@@ -2,18 +2,12 @@
 // The documents of the repository, and the commands in them.
 
 #include <algorithm>
-#include <filesystem>
 #include <regex>
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
+#include "tests/submissions.hpp"
 
 namespace mc::tests {
-
-using Words = std::vector<std::string>;
 
 /// The prompt before a command whose output the document shows.
 inline constexpr std::string_view prompt = "$ ";
@@ -45,13 +39,13 @@ inline std::string without_comments(std::string document) {
 }
 
 /// The documents that contain commands to type.
-inline std::vector<std::filesystem::path> documents(const grader::Layout& layout) {
-  std::vector<std::filesystem::path> all{layout.root / "README.md", layout.root / "CONTRIBUTING.md",
-                                         layout.root / "docs" / "handout" / "README.md"};
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(layout.root / "docs")) {
+inline std::vector<fs::path> documents(const Layout& layout) {
+  std::vector<fs::path> all{layout.root / "README.md", layout.root / "CONTRIBUTING.md",
+                            layout.root / "docs" / "handout" / "README.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(layout.root / "docs")) {
     if (entry.path().extension() == ".md" && entry.path() != all[2]) all.push_back(entry.path());
   }
-  for (const grader::Lab& lab : grader::find_labs(layout)) {
+  for (const Lab& lab : find_labs(layout)) {
     all.push_back(layout.labs() / lab.folder / "README.md");
   }
   return all;

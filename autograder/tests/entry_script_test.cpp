@@ -2,45 +2,31 @@
 #include <algorithm>
 #include <chrono>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "checks/support/catch.hpp"
 #include "grader/checkout/hints.hpp"
 #include "grader/commands/list.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/archive.hpp"
-#include "tests/entry_script.hpp"
 #include "tests/submissions.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::entry_script {
-
-namespace fs = std::filesystem;
-using namespace grader;
-
-namespace {
-
-struct BadUsage {
-  std::vector<std::string> words;
-  std::string says;
-};
-
-}  // namespace
 
 TEST_CASE("bad usage gives one line with the error and the usage, and exit status 2", "[script]") {
   const Scratch empty;
   const Scratch full;
-  full.write("variance.cpp", "\n");
-  const std::string file = (full.path() / "variance.cpp").string();
-  const BadUsage cases[] = {
+  const fs::path file = full.write("variance.cpp", "\n");
+  const struct {
+    Words words;
+    std::string says;
+  } cases[] = {
       {{"chekc", "1"}, "did you mean 'check'"},
       {{"check"}, "usage: ./lab check LAB"},
       {{"check", "varianc"}, "did you mean 'variance'"},
       {{"check", "99"}, "no lab '99'"},
       {{"check", "variance", "/no/such/place"}, "no such directory: /no/such/place"},
       {{"check", "variance", file}, "is a file"},
-      {{"check", "variance", empty.path().string()}, "has no variance.cpp"},
+      {{"check", "variance", empty.path()}, "has no variance.cpp"},
       {{"check", "variance", "--only"}, "--only takes a value"},
       {{"check", "variance", "--onyl", "1.3"}, "no option --onyl; did you mean --only?"},
       {{"check", "variance", "--only", "7.7"}, "no task 7.7"},
@@ -54,7 +40,7 @@ TEST_CASE("bad usage gives one line with the error and the usage, and exit statu
       {{"check", "variance", "--watch", "--json", "x.json"}, "--watch cannot be combined"},
       {{"grade"}, "usage: ./lab grade DIR"},
       {{"grade", "/no/such/place"}, "no such directory"},
-      {{"grade", empty.path().string()}, "contains no lab files"},
+      {{"grade", empty.path()}, "contains no lab files"},
       {{"grade", "a", "b", "--json", "x.json"}, "--json takes one DIR"},
       {{"grade", "a", "--leaderboard"}, "--leaderboard needs --json FILE"},
       {{"grade", "a", "--slurm"}, "--slurm needs --csv FILE"},
@@ -75,12 +61,11 @@ TEST_CASE("bad usage gives one line with the error and the usage, and exit statu
       {{"submit", "0"}, "no lab '0'"},
       {{"test", "everything"}, "usage: ./lab test"},
   };
-  for (const BadUsage& wrong : cases) {
+  for (const auto& wrong : cases) {
     const auto run = lab(wrong.words);
     CAPTURE(wrong.words);
-    CHECK(run.exit_code == 2);
+    check_refused(run, wrong.says);
     CHECK(lines(run.errors) == 1);
-    CHECK(contains(run.errors, wrong.says));
   }
 }
 
@@ -99,14 +84,12 @@ TEST_CASE("every command has help", "[script]") {
 
 TEST_CASE("the list of commands needs no build", "[script]") {
   const Scratch empty;
-  const std::string build = (empty.path() / "build").string();
-  const auto run = sandbox::run_process({(read_layout().root / "lab").string(), "--help"},
-                                        {.environment = {{"MC_BUILD", build}}});
-  CHECK(run.succeeded());
+  const fs::path build = empty.path() / "build";
+  REQUIRE_RUN(run, sandbox::run_process({read_layout().root / "lab", "--help"},
+                                        {.environment = {{"MC_BUILD", build}}}));
   for (const CommandEntry& command : command_list) {
-    const auto line = fmt::format("  ./lab {:<10} {}\n", command.name, command.description);
-    CAPTURE(line);
-    CHECK(contains(run.output, line));
+    check_contains(run.output,
+                   {fmt::format("  ./lab {:<10} {}\n", command.name, command.description)});
   }
   CHECK(!fs::exists(build));
 }
@@ -115,10 +98,9 @@ TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[scrip
   const Layout layout = read_layout();
   const Scratch scratch;
   scratch.write("variance.cpp", text_with_mistake(layout));
-  const std::string json = (scratch.path() / "results.json").string();
-  const std::string csv = (scratch.path() / "table.csv").string();
-  REQUIRE_RUN(run, lab({"grade", scratch.path().string(), "--json", json, "--csv", csv,
-                        "--no-plots", "--seed", "5"}));
+  const fs::path json = scratch.path() / "results.json", csv = scratch.path() / "table.csv";
+  REQUIRE_RUN(run, lab({"grade", scratch.path(), "--json", json, "--csv", csv, "--no-plots",
+                        "--seed", "5"}));
   CHECK(!contains(run.output, "\x1b["));  // no color without a terminal
 
   const auto results = nlohmann::json::parse(read_text(json));
@@ -138,8 +120,7 @@ TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[scrip
     score += test["score"].get<double>();
     most += test["max_score"].get<double>();
     if (test["status"] == "failed") {
-      CHECK(contains(test["output"], "./lab check variance"));
-      CHECK(contains(test["output"], "--seed 5"));
+      check_contains(test["output"], {"./lab check variance", "--seed 5"});
     }
   }
   CHECK(score == score_of_100);
@@ -150,19 +131,20 @@ TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[scrip
 }
 
 TEST_CASE("results are complete when nothing compiles or nothing was handed in", "[script]") {
-  const Scratch scratch;
-  const std::string json = (scratch.path() / "results.json").string();
-  const Scratch empty;
-  CHECK(lab({"check", "variance", empty.path().string(), "--json", json}).exit_code == 1);
-  CHECK(nlohmann::json::parse(read_text(json))["tests"].size() > 20);
-  CHECK(lab({"grade", empty.path().string(), "--json", json}).exit_code == 0);
-  CHECK(nlohmann::json::parse(read_text(json))["score"] == 0);
-  scratch.write("variance.cpp", "not C++ at all \xff\xfe \x1b[31m\n");
-  CHECK(lab({"check", "variance", scratch.path().string(), "--json", json}).exit_code == 1);
-  const auto results = nlohmann::json::parse(read_text(json));
-  CHECK(results["tests"].size() > 20);
-  CHECK(results["score"] == 0);
-  CHECK(contains(results["output"], "does not compile"));
+  const Scratch place, empty;
+  const fs::path json = place.path() / "results.json";
+  place.write("variance.cpp", "not C++ at all \xff\xfe \x1b[31m\n");
+  const auto results_of = [&](const Words& words, int exit_code) {
+    CHECK(lab(joined(words, {"--json", json})).exit_code == exit_code);
+    const auto results = nlohmann::json::parse(read_text(json));
+    CHECK(results["score"] == 0);
+    return results;
+  };
+  CHECK(results_of({"check", "variance", empty.path()}, 1)["tests"].size() > 20);
+  results_of({"grade", empty.path()}, 0);
+  const auto broken = results_of({"check", "variance", place.path()}, 1);
+  CHECK(broken["tests"].size() > 20);
+  CHECK(contains(broken["output"], "does not compile"));
 }
 
 TEST_CASE("a full disk leaves the old result intact") {
@@ -183,9 +165,9 @@ TEST_CASE("a hint is a step, and the next call shows the next", "[script]") {
   }
   CHECK(contains(lab({"hint", "4.1", "2"}).output, "step 2 of 3"));
   CHECK(contains(lab({"hint", "blue_noise", "4.1", "1"}).output, "circle"));
-  CHECK(lab({"hint", "4.1", "4"}).exit_code == 2);
-  CHECK(lab({"hint", "4"}).exit_code == 2);
-  CHECK(lab({"hint", "4.99"}).exit_code == 2);
+  for (const Words& wrong : {Words{"4.1", "4"}, {"4"}, {"4.99"}}) {
+    check_refused(lab(joined({"hint"}, wrong)));
+  }
   fs::remove(layout.build / "hints" / "4.1");
   const std::string text = read_text(layout.labs() / "4-blue-noise" / "hints.md");
   CHECK(with_fewer_hints(text, 3) == text);
@@ -203,9 +185,8 @@ TEST_CASE("a lab has the name that a shell completes", "[script]") {
 }
 
 TEST_CASE("several submissions get one line each", "[script]") {
-  const Layout layout = read_layout();
   const Scratch empty;
-  REQUIRE_RUN(run, lab({"grade", layout.starter().string(), empty.path().string(), "--seed", "1"}));
+  REQUIRE_RUN(run, lab({"grade", read_layout().starter(), empty.path(), "--seed", "1"}));
   CHECK(lines(run.output) == 4);  // the meaning of the words, two rows, a summary
   CHECK(contains(run.output, "it contains no lab files"));
 }
@@ -222,18 +203,11 @@ TEST_CASE("the zip to hand in", "[script]") {
 }
 
 TEST_CASE("a report fits a small terminal") {
-  LabVerdict verdict;
-  verdict.lab = {1, "variance", "1-variance", {}};
-  CheckResult failed;
-  failed.check = {
-      "1.1 a name that is long enough to be broken somewhere in it", "1.1", {}, 5, false};
-  failed.status = Status::failed;
-  failed.report = "measured  mean({1, 2, 3, 4, 5, … (1000 values)}) = 17\nexpected  3, with digits";
+  CheckResult failed =
+      result_of("1.1 a name that is long enough to be broken somewhere in it", Status::failed,
+                "measured  mean({1, 2, 3, 4, 5, … (1000 values)}) = 17\nexpected  3, with digits");
   failed.repeat = "./lab check variance --only 1.1 --seed 1";
-  CheckResult passed = failed;
-  passed.check.name = "1.1 short";
-  passed.status = Status::passed;
-  verdict.checks = {failed, passed};
+  const LabVerdict verdict = verdict_of({failed, result_of("1.1 short", Status::passed)});
   Verdict whole;
   whole.submission = "starter";
   const std::string report = report_lab(verdict, whole, {false, 48});
@@ -254,9 +228,8 @@ namespace {
 fs::path copy_of_solutions(const Layout& layout, const std::string& name) {
   fs::path copy = layout.build / "tests" / name;
   fs::create_directories(copy);
-  for (const auto& entry : fs::directory_iterator(layout.solutions())) {
-    write_text(copy / entry.path().filename(), read_whole_text(entry.path()));
-  }
+  fs::copy(layout.solutions(), copy,
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   return copy;
 }
 
@@ -270,7 +243,7 @@ TEST_CASE("--first does not stop at a stretch task that is not written", "[scrip
   const std::string refusal =
       "    if (samples == 0) throw std::invalid_argument(\"samples: must be positive\");\n";
   write_text(file, with_change(with_change(read_text(file), unwritten, ""), refusal, ""));
-  const auto run = lab({"check", "sampler", file.parent_path().string(), "--first"});
+  const auto run = lab({"check", "sampler", file.parent_path(), "--first"});
   CHECK(contains(run.output, "✗ 6.4 0 samples and too many are refused"));
 }
 
@@ -280,7 +253,7 @@ TEST_CASE("a failure in lab 6 waits for a lab it depends on that is not finished
   const fs::path file = student / "stratification.cpp";
   const std::string moves = "    move_into(strata, first, block);\n";  // into their strata, in 3.1
   write_text(file, with_change(read_text(file), moves, ""));
-  const auto run = lab({"check", "sampler", student.string(), "--only", "6.2"});
+  const auto run = lab({"check", "sampler", student, "--only", "6.2"});
   CHECK(run.exit_code == 1);
   CHECK(contains(run.output, "waiting for lab 3"));
   CHECK(!contains(run.output, "measured"));  // one fault, and it is not here

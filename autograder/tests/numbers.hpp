@@ -45,7 +45,7 @@ struct WrittenNumber {
 /// "3/8", "−170.7", "36.5 %", "0.5", "1,024", "4.2 · 2⁻⁵³", "4.2 \cdot 2^{-53}", "5.9e-5", "10³⁰⁸";
 /// nothing if it is not a number.
 inline std::optional<WrittenNumber> number_of(std::string text) {
-  text = grader::with_replacements(
+  text = with_replacements(
       text, {{"\\cdot", "*"}, {"·", "*"},   {"{", ""},    {"}", ""},    {"−", "-"},  {",", ""},
              {" ", ""},       {"½", "1/2"}, {"¼", "1/4"}, {"¾", "3/4"}, {"⁰", "^0"}, {"¹", "^1"},
              {"²", "^2"},     {"³", "^3"},  {"⁴", "^4"},  {"⁵", "^5"},  {"⁶", "^6"}, {"⁷", "^7"},
@@ -97,9 +97,9 @@ inline bool contains_number(const std::string& text, const std::string& number) 
 
 /// A comment that names the source of the numbers in the passage below it.
 struct Claim {
-  Words words;                       ///< ./lab run …
-  std::string cell;                  ///< of a table, "TITLE | ROW | COLUMN", or nothing
-  std::vector<std::string> numbers;  ///< as written in the passage
+  Words words;       ///< ./lab run …
+  std::string cell;  ///< of a table, "TITLE | ROW | COLUMN", or nothing
+  Words numbers;     ///< as written in the passage
   std::string passage;
 };
 
@@ -111,8 +111,7 @@ inline std::vector<Claim> claims_in(const std::string& document) {
     const auto end = document.find(closing, at);
     const auto after = std::min(end + closing.size() + 1, document.size());
     const std::string rest = without_comments(document.substr(after));
-    const std::string passage =
-        grader::with_replacements(rest.substr(0, rest.find("\n\n")), {{"\n", " "}});
+    const std::string passage = with_replacements(rest.substr(0, rest.find("\n\n")), {{"\n", " "}});
     const auto first = at + opening.size();
     std::istringstream lines(document.substr(first, end - first));
     Words bench;
@@ -140,7 +139,7 @@ inline std::vector<Claim> claims_in(const std::string& document) {
 }
 
 /// What is wrong with a claim about these numbers; empty if it is right.
-inline std::string objection(const Claim& claim, const std::vector<std::string>& printed) {
+inline std::string objection(const Claim& claim, const Words& printed) {
   if (claim.numbers.empty()) return "no number";
   std::size_t next = 0;
   for (const std::string& number : claim.numbers) {
@@ -158,8 +157,8 @@ inline std::string objection(const Claim& claim, const std::vector<std::string>&
 }
 
 /// The numbers that a command prints, without the lines that describe them.
-inline std::vector<std::string> numbers_in(const std::string& output) {
-  std::vector<std::string> numbers;
+inline Words numbers_in(const std::string& output) {
+  Words numbers;
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with('#')) continue;
@@ -173,15 +172,11 @@ inline std::vector<std::string> numbers_in(const std::string& output) {
 inline std::map<std::string, std::string> cells_in(const std::string& tables) {
   std::map<std::string, std::string> cells;
   const auto split = [](const std::string& line) {  // "| a | b |"
-    std::vector<std::string> parts;
-    for (std::size_t from = 2, to; from < line.size(); from = to + 3) {
-      to = std::min(line.find(" |", from == 2 ? 1 : from - 1), line.size());
-      parts.push_back(to > from ? line.substr(from, to - from) : "");
-    }
-    return parts;
+    static const std::regex cell(R"(\| ?(.*?) ?(?=\|))");
+    return Words{std::sregex_token_iterator(line.begin(), line.end(), cell, 1), {}};
   };
   std::string title;
-  std::vector<std::string> columns;
+  Words columns;
   std::istringstream lines(tables);
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("|---")) continue;

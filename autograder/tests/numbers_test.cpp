@@ -1,25 +1,14 @@
 // The numbers in handouts are those that commands print (tests/numbers.hpp).
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
-#include "checks/support/catch.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
 #include "tests/documents.hpp"
-#include "tests/entry_script.hpp"
 #include "tests/numbers.hpp"
-#include "tests/text.hpp"
+#include "tests/submissions.hpp"
 
 namespace mc::tests::numbers_in_documents {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -120,23 +109,26 @@ bool is_printed(const std::string& tables, std::string line) {
 }  // namespace
 
 TEST_CASE("a number's value and precision are those of its digits") {
-  const auto is = [](const char* text, double value, double half_unit) {
-    CAPTURE(text);
-    const auto number = number_of(text);
+  const struct {
+    const char* text;
+    double value, half_unit;
+  } cases[] = {{"3/8", 0.375, 0},
+               {"¾", 0.75, 0},
+               {"−170.7", -170.7, 0.05},
+               {"36.5 %", 0.365, 0.0005},
+               {"1,024", 1024, 0.5},
+               {"5.9e-5", 5.9e-5, 0.05e-5},
+               {"3.6·10⁻²⁶", 3.6e-26, 0.05e-26},
+               {"4.2 · 2⁻⁵³", 4.2 * 0x1p-53, 0.05 * 0x1p-53},
+               {"10³⁰⁸", 1e308, 0},
+               {"1.8 \\cdot 10^{-4}", 1.8e-4, 0.05e-4}};
+  for (const auto& one : cases) {
+    CAPTURE(one.text);
+    const auto number = number_of(one.text);
     REQUIRE(number);
-    CHECK(number->value == Approx(value).epsilon(1e-14));
-    CHECK(number->half_unit == Approx(half_unit).epsilon(1e-14));
-  };
-  is("3/8", 0.375, 0);
-  is("¾", 0.75, 0);
-  is("−170.7", -170.7, 0.05);
-  is("36.5 %", 0.365, 0.0005);
-  is("1,024", 1024, 0.5);
-  is("5.9e-5", 5.9e-5, 0.05e-5);
-  is("3.6·10⁻²⁶", 3.6e-26, 0.05e-26);
-  is("4.2 · 2⁻⁵³", 4.2 * 0x1p-53, 0.05 * 0x1p-53);
-  is("10³⁰⁸", 1e308, 0);
-  is("1.8 \\cdot 10^{-4}", 1.8e-4, 0.05e-4);
+    CHECK(number->value == Approx(one.value).epsilon(1e-14));
+    CHECK(number->half_unit == Approx(one.half_unit).epsilon(1e-14));
+  }
   for (const char* text : {"", "x", "three", "3 x", "3/", "2 · 3"}) CHECK(!number_of(text));
 }
 
@@ -203,12 +195,9 @@ TEST_CASE("wrong numbers are detected") {
 }
 
 TEST_CASE("the bench takes a file of the repository's submissions, and no other") {
-  const auto run = lab({"bench", "variance", "solutions/variance.cpp", "--tables"});
-  CHECK(run.exit_code == 2);
-  CHECK(contains(run.errors, "solutions/variance.cpp is not in autograder/submissions"));
-  const auto missing = lab({"bench", "variance", "missing.cpp"});
-  CHECK(missing.exit_code == 2);
-  CHECK(contains(missing.errors, "there is no file missing.cpp"));
+  check_refused(lab({"bench", "variance", "solutions/variance.cpp", "--tables"}),
+                "solutions/variance.cpp is not in autograder/submissions");
+  check_refused(lab({"bench", "variance", "missing.cpp"}), "there is no file missing.cpp");
 }
 
 /// Takes a minute: the bench and the plots measure all that these documents quote. The tables of a

@@ -1,23 +1,11 @@
 // Experiments run by hand, and the words that name a lab.
-#include <filesystem>
-#include <string>
-#include <vector>
 
-#include "checks/support/catch.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
+#include <regex>
+
 #include "runner/text.hpp"
-#include "sandbox/process.hpp"
-#include "tests/entry_script.hpp"
 #include "tests/submissions.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::run {
-
-namespace fs = std::filesystem;
-using namespace grader;
-using Words = std::vector<std::string>;
 
 TEST_CASE("an experiment by hand, and what its numbers are", "[script]") {
   const std::string solutions = read_layout().solutions().string();
@@ -91,30 +79,25 @@ TEST_CASE("the list of experiments has the names of the declarations", "[script]
     for (const std::string_view line : mc::text::split(list, '\n')) {
       const auto words = mc::text::split(line, ' ');
       const std::string name(words[0]);
-      auto at = header.find(' ' + name + '(');
-      while (at != std::string::npos && header[at + name.size() + 2] == ')') {  // in a comment
-        at = header.find(' ' + name + '(', at + 1);
-      }
-      if (name.empty() || line.find("  --") == std::string_view::npos || at == std::string::npos)
+      std::smatch declared;  // with parameters, not as in a comment
+      if (name.empty() || line.find("  --") == std::string_view::npos ||
+          !std::regex_search(header, declared, std::regex(' ' + name + "\\([^)]+\\)"))) {
         continue;
+      }
       ++found;
-      const std::string declared = header.substr(at, header.find(')', at) - at + 1);
       for (const std::string_view word : words) {
         if (!word.starts_with("--")) continue;
         CAPTURE(one.name, name, word);
-        const std::string parameter(word.substr(2));
-        CHECK((contains(declared, ' ' + parameter + ',') ||
-               contains(declared, ' ' + parameter + ')')));
+        const std::regex parameter(' ' + std::string(word.substr(2)) + "[,)]");
+        CHECK(std::regex_search(declared.str(), parameter));
       }
     }
     CHECK(found > 0);
   }
   const std::string sampler = lab({"run", "sampler", "--dir", layout.solutions().string()}).output;
-  for (const char* words :
-       {"--kind is one of\n    independent stratified blue_noise halton sobol lattice\n",
-        "\n    rect_light: x0 x1 y0 y1 height radiance\n"}) {
-    CHECK(contains(sampler, words));
-  }
+  check_contains(sampler,
+                 {"--kind is one of\n    independent stratified blue_noise halton sobol lattice\n",
+                  "\n    rect_light: x0 x1 y0 y1 height radiance\n"});
 }
 
 // Not in --quick: compiles every program with the sanitizers.
@@ -124,12 +107,11 @@ TEST_CASE("an experiment under the sanitizers", "[.sanitizers]") {
   fs::create_directories(directory);
   const auto run = [&](const std::string& text) {
     write_text(directory / "variance.cpp", text);
-    return lab({"run", "--sanitize", "variance", "--dir", directory.string(), "mean", "1,2,6"});
+    return lab({"run", "--sanitize", "variance", "--dir", directory, "mean", "1,2,6"});
   };
   const std::string right = text_of(layout.solutions());
-  const auto good = run(right);
+  REQUIRE_RUN(good, run(right));
   CHECK(good.output == "3\n");
-  CHECK(good.exit_code == 0);
   const fs::path program = last_line(good.errors);
   CHECK(program.string().starts_with((layout.build / "sanitize" / "variance").string()));
   const auto built = fs::last_write_time(program);
@@ -145,8 +127,7 @@ TEST_CASE("an experiment under the sanitizers", "[.sanitizers]") {
   CHECK(contains(overflow.errors, "runtime error: signed integer overflow"));
   const auto unfinished = run(right + "int f() { return nothing; }\n");
   CHECK(unfinished.exit_code == 1);
-  CHECK(contains(unfinished.errors, "variance.cpp"));
-  CHECK(contains(unfinished.errors, "nothing"));
+  check_contains(unfinished.errors, {"variance.cpp", "nothing"});
 }
 
 TEST_CASE("a lab and its task", "[script]") {
@@ -155,9 +136,8 @@ TEST_CASE("a lab and its task", "[script]") {
                              {"check", "variance", "1.3", solutions},
                              {"check", "1", "1.3", solutions},
                              {"check", "1-variance", solutions, "--only", "1.3"}}) {
-    const auto run = lab(words);
     CAPTURE(words);
-    CHECK(run.exit_code == 0);
+    REQUIRE_RUN(run, lab(words));
     CHECK(contains(run.output, "18 of 18 points"));
     CHECK(!contains(run.output, " 1.2 "));
   }

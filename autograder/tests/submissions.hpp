@@ -1,59 +1,110 @@
 #pragma once
-// Small submissions of lab 1, written for one test, and the programs that pack them.
+// Small submissions of lab 1, written for one test, and the programs that tests run. Includes what
+// nearly every test of the grader needs.
 
 #include <filesystem>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "checks/support/catch.hpp"
+#include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/checkout/labs.hpp"
 #include "grader/checkout/layout.hpp"
+#include "grader/judging/verdict.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/submission.hpp"
-#include "tests/require_run.hpp"
+#include "sandbox/process.hpp"
 #include "tests/text.hpp"
 
+/// Names the result of a program that must end with status 0. A later failure shows its output.
+#define REQUIRE_RUN(run, ...)      \
+  auto run = __VA_ARGS__;          \
+  CAPTURE(run.output, run.errors); \
+  REQUIRE(run.succeeded())
+
 namespace mc::tests {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+using Words = std::vector<std::string>;
+
+/// Bad usage: exit status 2, and an error that says why.
+inline void check_refused(const sandbox::ProcessResult& run, const std::string& why = "") {
+  CAPTURE(run.output, run.errors, why);
+  CHECK(run.exit_code == 2);
+  CHECK(contains(run.errors, why));
+}
+
+/// Runs ./lab as a user would; everything is built already.
+inline sandbox::ProcessResult lab(const Words& words, const sandbox::ProcessOptions& options = {}) {
+  const fs::path program = read_layout().build / "bin" / "grader";
+  return sandbox::run_process(joined({program.string()}, words), options);
+}
+
+/// A check's result, worth 5 points, without a run.
+inline CheckResult result_of(const std::string& name, Status status,
+                             const std::string& report = "") {
+  CheckResult result;
+  result.check = {name, name.substr(0, name.find(' ')), {}, 5};
+  result.status = status;
+  result.report = report;
+  return result;
+}
+
+/// The verdict on a lab 1 that has these checks.
+inline LabVerdict verdict_of(std::vector<CheckResult> results) {
+  LabVerdict verdict;
+  verdict.lab = {1, "variance", "1-variance", {}};
+  verdict.checks = std::move(results);
+  return verdict;
+}
 
 /// A temporary directory for one test.
 class Scratch {
  public:
   explicit Scratch(const std::string& name = "scratch") {
-    std::string pattern = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
+    std::string pattern = (fs::temp_directory_path() / (name + "-XXXXXX")).string();
     path_ = mkdtemp(pattern.data());
   }
   ~Scratch() {
     std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    fs::remove_all(path_, ignored);
   }
   Scratch(const Scratch&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path write(const std::string& file, const std::string& text) const {
-    std::filesystem::create_directories((path_ / file).parent_path());
-    grader::write_text(path_ / file, text);
+  const fs::path& path() const { return path_; }
+  fs::path write(const std::string& file, const std::string& text) const {
+    fs::create_directories((path_ / file).parent_path());
+    write_text(path_ / file, text);
     return path_ / file;
   }
 
  private:
-  std::filesystem::path path_;
+  fs::path path_;
 };
 
 struct ZipFiles {
-  std::filesystem::path directory, zip;
+  fs::path directory, zip;
 };
 
 /// Zips the content of a directory, with paths relative to it.
 inline void zip_content(const ZipFiles& files) {
-  std::vector<std::string> command{"cmake", "-E", "tar", "cf", files.zip.string(), "--format=zip"};
-  for (const auto& entry : std::filesystem::directory_iterator(files.directory)) {
-    command.push_back(entry.path().filename().string());
+  Words command{"cmake", "-E", "tar", "cf", files.zip.string(), "--format=zip"};
+  std::set<std::string> names;  // in order
+  for (const auto& entry : fs::directory_iterator(files.directory)) {
+    names.insert(entry.path().filename().string());
   }
+  command.insert(command.end(), names.begin(), names.end());
   REQUIRE_RUN(run, sandbox::run_process(command, {.directory = files.directory}));
 }
 
 /// `git …` in a repository, which must succeed.
-inline std::string git(const std::filesystem::path& repository,
-                       const std::vector<std::string>& words) {
+inline std::string git(const fs::path& repository, const Words& words) {
   REQUIRE_RUN(run, sandbox::run_process(joined({"git", "-C", repository.string(), "-c",
                                                 "user.name=s", "-c", "user.email=s@example.org"},
                                                words),
@@ -63,53 +114,50 @@ inline std::string git(const std::filesystem::path& repository,
 
 /// A copy of a program of this build, as if it had been built for another checkout: it finds its
 /// build directory by its own path, and the checkout by the layout file in there.
-inline std::filesystem::path built_for(const std::filesystem::path& root,
-                                       const std::filesystem::path& build, const char* program) {
-  const grader::Layout real = grader::read_layout();
+inline fs::path built_for(const fs::path& root, const fs::path& build, const char* program) {
+  const Layout real = read_layout();
   auto copy = build / "bin" / program;
-  std::filesystem::create_directories(build / "bin");
-  std::filesystem::copy_file(real.build / "bin" / program, copy,
-                             std::filesystem::copy_options::skip_existing);
-  grader::write_text(build / "layout.txt",
-                     with_change(grader::read_text(real.build / "layout.txt"),
-                                 "root=" + real.root.string(), "root=" + root.string()));
+  fs::create_directories(build / "bin");
+  fs::copy_file(real.build / "bin" / program, copy, fs::copy_options::skip_existing);
+  write_text(build / "layout.txt",
+             with_change(read_text(real.build / "layout.txt"), "root=" + real.root.string(),
+                         "root=" + root.string()));
   return copy;
 }
 
 /// The text of the starter, or of the solution, of lab 1.
-inline std::string text_of(const std::filesystem::path& directory) {
-  return grader::read_text(directory / "variance.cpp");
+inline std::string text_of(const fs::path& directory) {
+  return read_text(directory / "variance.cpp");
 }
 
 /// Lab 1 of this checkout, and programs for it.
 struct FirstLab {
-  grader::Layout layout = grader::read_layout();
-  std::vector<grader::Lab> labs = grader::find_labs(layout);
-  const grader::Lab& lab = grader::find_lab(labs, "variance");
+  Layout layout = read_layout();
+  std::vector<Lab> labs = find_labs(layout);
+  const Lab& lab = find_lab(labs, "variance");
   std::string starter = text_of(layout.starter());
 
   /// Of the variance.cpp in a directory.
-  grader::BuildResult build(const std::filesystem::path& directory) const {
-    return grader::build_program(layout, lab, grader::open_submission(labs, directory));
+  BuildResult build(const fs::path& directory) const {
+    return build_program(layout, lab, open_submission(labs, directory));
   }
   /// In a directory with the same name in every run: the same text is compiled only once.
-  grader::BuildResult build_text(const char* name, const std::string& text) const {
+  BuildResult build_text(const char* name, const std::string& text) const {
     const auto directory = layout.build / "tests" / name;
-    std::filesystem::create_directories(directory);
-    grader::write_text(directory / "variance.cpp", text);
+    fs::create_directories(directory);
+    write_text(directory / "variance.cpp", text);
     return build(directory);
   }
 };
 
 /// The solution with a mistake in 1.7, so that there are passed and failed checks.
-inline std::string text_with_mistake(const grader::Layout& layout) {
+inline std::string text_with_mistake(const Layout& layout) {
   return with_change(text_of(layout.solutions()), "if (columns == 0) throw",
                      "if (columns == 77) throw");
 }
 
 /// The solution with this at the beginning of mean().
-inline std::string text_with_first_line_of_mean(const grader::Layout& layout,
-                                                const std::string& line) {
+inline std::string text_with_first_line_of_mean(const Layout& layout, const std::string& line) {
   const std::string head = "double mean(std::span<const double> x) {\n";
   return with_change(text_of(layout.solutions()), head, head + line + '\n');
 }

@@ -1,10 +1,11 @@
 #pragma once
 // Text queries for tests.
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include "checks/support/catch.hpp"
 
 namespace mc::tests {
 
@@ -12,8 +13,31 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// The text has each of these parts.
+inline void check_contains(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    CAPTURE(part, text);
+    CHECK(contains(text, part));
+  }
+}
+
+/// The text has none of these parts.
+inline void check_lacks(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    CAPTURE(part, text);
+    CHECK_FALSE(contains(text, part));
+  }
+}
+
+/// How often the text has this part.
+inline std::size_t times(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
 inline std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  return times(text, "\n");
 }
 
 inline std::vector<std::string> joined(std::vector<std::string> words,

@@ -1,23 +1,14 @@
 #pragma once
 // A class of small submissions of lab 1, and ./lab as a grader uses it.
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-
-#include "grader/base/text_file.hpp"
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
-#include "sandbox/process.hpp"
+#include "grader/gradebook/table.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests {
 
 struct Course : Scratch {
-  grader::Layout layout = grader::read_layout();
-  std::vector<grader::Lab> labs = grader::find_labs(layout);
+  Layout layout = read_layout();
+  std::vector<Lab> labs = find_labs(layout);
   std::vector<std::string> ids;
 
   void hand_in(const std::string& id, const std::string& text) {
@@ -32,18 +23,26 @@ struct Course : Scratch {
                              : fmt::format("int {} is no name;\n", i));
     }
   }
-  std::filesystem::path csv(const std::string& name = "grades") const {
-    return path() / (name + ".csv");
+  fs::path csv(const std::string& name = "grades") const { return path() / (name + ".csv"); }
+
+  /// Runs a command that must succeed: its output.
+  std::string output_of(const Words& words) const {
+    REQUIRE_RUN(done, run(words));
+    return done.output;
+  }
+  /// The table of a run that must succeed.
+  Table graded(const Words& more) const {
+    REQUIRE_RUN(done, grade(joined({"--csv", csv()}, more)));
+    return read_table(csv());
   }
 
-  sandbox::ProcessResult run(const std::vector<std::string>& words,
+  sandbox::ProcessResult run(const Words& words,
                              const sandbox::ProcessOptions& options = {}) const {
-    return sandbox::run_process(joined({(layout.build / "bin" / "course").string()}, words),
-                                options);
+    return sandbox::run_process(joined({layout.build / "bin" / "course"}, words), options);
   }
-  sandbox::ProcessResult grade(const std::vector<std::string>& more,
+  sandbox::ProcessResult grade(const Words& more,
                                const sandbox::ProcessOptions& options = {}) const {
-    return run(joined({"grade", (path() / "class").string(), "--lab", "variance"}, more), options);
+    return run(joined({"grade", path() / "class", "--lab", "variance"}, more), options);
   }
 };
 

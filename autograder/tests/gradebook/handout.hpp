@@ -1,10 +1,6 @@
 #pragma once
 // The students' handout.
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "grader/commands/tree.hpp"
 #include "tests/gradebook/course.hpp"
 
@@ -12,16 +8,16 @@ namespace mc::tests {
 
 /// A freshly cloned handout.
 struct Handout : Course {
-  std::filesystem::path root = path() / "labs";
+  fs::path root = path() / "labs";
   sandbox::ProcessResult written;
-  std::filesystem::path search_path;  ///< in place of PATH, if set
+  fs::path search_path;  ///< in place of PATH, if set
 
-  explicit Handout(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words = joined({"handout", root.string()}, more);
-    if (!grader::has_compiled_judge(layout)) words.emplace_back("--with-sources");
+  explicit Handout(const Words& more = {}) {
+    Words words = joined({"handout", root.string()}, more);
+    if (!has_compiled_judge(layout)) words.emplace_back("--with-sources");
     written = run(words);
   }
-  sandbox::ProcessResult lab(const std::vector<std::string>& words) const {
+  sandbox::ProcessResult lab(const Words& words) const {
     return run_here(joined({(root / "lab").string()}, words));
   }
   /// A line of a shell, in the handout.
@@ -30,7 +26,7 @@ struct Handout : Course {
   }
 
  private:
-  sandbox::ProcessResult run_here(const std::vector<std::string>& words) const {
+  sandbox::ProcessResult run_here(const Words& words) const {
     sandbox::ProcessOptions options{.directory = root,
                                     .environment = {{"MC_BUILD", ""}, {"CI", "true"}}};
     if (!search_path.empty()) options.environment.push_back({"PATH", search_path.string()});

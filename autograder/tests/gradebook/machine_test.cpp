@@ -3,24 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "checks/support/catch.hpp"
 #include "grader/gradebook/book.hpp"
-#include "sandbox/process.hpp"
 #include "tests/gradebook/course.hpp"
 
 namespace mc::tests::machine {
 
-using namespace grader;
-namespace fs = std::filesystem;
-
 namespace {
-
-using Words = std::vector<std::string>;
 
 /// A class of right answers to lab 1, and a separate build directory to grade it with.
 struct Course : tests::Course {
@@ -45,13 +34,13 @@ struct Course : tests::Course {
   fs::path json() const { return path() / "results.json"; }
 
   Words grade(const fs::path& where, const std::string& what, const Words& more) const {
-    return joined({(where / "bin" / "course").string(), "grade", (path() / what).string(), "--lab",
-                   "variance", "--seed", "1", "--no-plots"},
+    return joined({where / "bin" / "course", "grade", path() / what, "--lab", "variance", "--seed",
+                   "1", "--no-plots"},
                   more);
   }
   sandbox::ProcessResult with(const Words& faults, const Words& words) const {
     const fs::path program = layout.build / "bin" / "faulty_machine";
-    return sandbox::run_process(joined(joined({program.string()}, faults), words));
+    return sandbox::run_process(joined(joined({program}, faults), words));
   }
 };
 
