@@ -5,17 +5,12 @@
 #include <regex>
 #include <set>
 #include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "bench/bench.hpp"
-#include "checks/support/catch.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
 #include "measurements/support/error_sums.hpp"
 #include "measurements/support/integrands.hpp"
+#include "tests/submissions.hpp"
 
 namespace mc::grader {
 namespace {
@@ -94,10 +89,9 @@ TEST_CASE("rounds of the same row become their median") {
 }
 
 TEST_CASE("a truncated row is left out") {
-  const auto file = std::filesystem::temp_directory_path() / "mc-bench-rows.tsv";
-  write_text(file, "time\tpoints\t\t2\t64\t1.5\tnan\ntime\tpoints\t\t2");
-  const auto rows = read_bench_rows(file, "lab", "anna");
-  std::filesystem::remove(file);
+  const tests::Scratch place;
+  const auto rows = read_bench_rows(
+      place.write("rows.tsv", "time\tpoints\t\t2\t64\t1.5\tnan\ntime\tpoints\t\t2"), "lab", "anna");
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].n == 64);
   CHECK(rows[0].value == 1.5);

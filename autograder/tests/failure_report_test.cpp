@@ -1,16 +1,13 @@
 // The notation of calls and numbers in reports, and what a comparison says of wrong values.
 #include <algorithm>
 #include <numeric>
-#include <string>
-#include <vector>
 
 #include "2-independent/functions.hpp"
 #include "6-sampler/experiments.hpp"
-#include "checks/support/catch.hpp"
 #include "checks/support/compare.hpp"
 #include "checks/support/validation.hpp"
 #include "grader/reports/report.hpp"
-#include "tests/text.hpp"
+#include "tests/submissions.hpp"
 
 namespace mc::tests::report {
 
@@ -57,26 +54,16 @@ TEST_CASE("integrands and densities are written as formulas") {
 }
 
 TEST_CASE("a later failure of a task keeps its result and its diagnosis") {
-  grader::Verdict verdict;
-  grader::LabVerdict lab;
-  lab.lab = {1, "variance", "1-variance", {}};
-  for (const char* report :
-       {"measured  mean({1.25, 2.5, 3.75, 4.125, 5.0625, … (12 values)}) = 7\nexpected  3\nlikely  "
-        "  "
-        "first",
-        "measured  mean({1.25, 2.5, 3.75, 4.125, 5.0625, … (12 values)}) = 8\nlikely    second",
-        "measured  mean({1}) = 9\nlikely    second"}) {
-    grader::CheckResult result;
-    result.check = {"1.1 a check", "1.1", {}, 1};
-    result.status = grader::Status::failed;
-    result.report = report;
-    lab.checks.push_back(result);
+  std::vector<CheckResult> results;
+  const std::string call = "measured  mean({1.25, 2.5, 3.75, 4.125, 5.0625, … (12 values)}) = ";
+  for (const std::string& report :
+       {call + "7\nexpected  3\nlikely    first", call + "8\nlikely    second",
+        std::string("measured  mean({1}) = 9\nlikely    second")}) {
+    results.push_back(result_of("1.1 a check", Status::failed, report));
   }
-  const std::string text = grader::report_lab(lab, verdict, {});
-  CHECK(contains(text, "also      mean({…}) = 8"));
-  CHECK(contains(text, "likely    second"));
-  CHECK(contains(text, "also      mean({1}) = 9"));
-  CHECK(text.find("likely    second") == text.rfind("likely    second"));
+  const std::string text = report_lab(verdict_of(results), {}, {});
+  check_contains(text, {"also      mean({…}) = 8", "also      mean({1}) = 9"});
+  CHECK(times(text, "likely    second") == 1);
 }
 
 /// Of values that became `got`.

@@ -9,25 +9,17 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <filesystem>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "checks/support/catch.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/pictures/plots.hpp"
 #include "sandbox/descriptor.hpp"
-#include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests::hygiene {
 
-using namespace grader;
 using sandbox::Descriptor;
 using sandbox::run_process;
 
@@ -79,19 +71,28 @@ class SignalTimer {
   struct sigaction before_ {};
 };
 
+/// A submission of lab 1, and its program.
 struct Labs : FirstLab {
+  Scratch place;
+
   /// The starter with a different comment.
-  Submission submission(const Scratch& place, int number) const {
+  Submission submission(int number) const {
     place.write("variance.cpp", starter + fmt::format("// {}\n", number));
     return open_submission(labs, place.path());
   }
+  BuildResult program() const {
+    BuildResult built = build_program(layout, lab, submission(0));
+    INFO(built.failure);
+    REQUIRE(built.program);
+    return built;
+  }
 };
 
-/// The number of submissions with this result.
-std::size_t count(const LabVerdict& verdict, Status status) {
-  std::size_t found = 0;
-  for (const CheckResult& result : verdict.checks) found += result.status == status;
-  return found;
+/// Is every task of the starter «not written yet», as it is?
+bool is_right(const LabVerdict& verdict) {
+  return std::all_of(verdict.checks.begin(), verdict.checks.end(), [](const CheckResult& result) {
+    return result.status == Status::not_written;
+  });
 }
 
 }  // namespace
@@ -185,33 +186,13 @@ TEST_CASE("without free descriptors no process starts, and no descriptor leaks")
   CHECK(run_process({"true"}).succeeded());
 }
 
-TEST_CASE("80 submissions under 64 descriptors", "[.descriptors]") {
-  const Labs labs;
-  const Scratch place;
-  JudgeOptions options;
-  options.seed = 1;
-  options.only = "1.1";
-  std::size_t judged = 0;
-  const FewDescriptors few(64);
-  const std::size_t before = open_descriptors();
-  for (int i = 0; i < 80; ++i) {  // four of them are compiled, the others are in the cache
-    const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, i % 4));
-    REQUIRE(built.program);
-    const LabVerdict verdict = judge_lab(labs.layout, labs.lab, built, options);
-    judged += count(verdict, Status::not_written) == verdict.checks.size();
-  }
-  CHECK(judged == 80);
-  CHECK(open_descriptors() == before);
-}
-
 TEST_CASE("plots under 64 descriptors") {
   const Labs labs;
   if (!std::filesystem::exists(labs.layout.measurements(labs.lab.name))) return;  // it is not built
-  const Scratch place;
   const FewDescriptors few(64);
   const std::size_t before = open_descriptors();
   for (int i = 0; i < 2; ++i) {
-    draw_plots(labs.layout, labs.lab, {labs.submission(place, i)}, "tests");
+    draw_plots(labs.layout, labs.lab, {labs.submission(i)}, "tests");
   }
   CHECK(open_descriptors() == before);
 }
@@ -219,10 +200,9 @@ TEST_CASE("plots under 64 descriptors") {
 TEST_CASE("a plot draws what there is, and states in place what is missing") {
   const Labs labs;
   if (!std::filesystem::exists(labs.layout.measurements(labs.lab.name))) return;  // it is not built
-  const Scratch place;
   const auto drawn = [&](const std::string& text, const char* label) {
-    Submission submission = labs.submission(place, 0);
-    place.write("variance.cpp", text);
+    Submission submission = labs.submission(0);
+    labs.place.write("variance.cpp", text);
     submission.label = label;
     return draw_plots(labs.layout, labs.lab, {submission}, "tests");
   };
@@ -230,8 +210,7 @@ TEST_CASE("a plot draws what there is, and states in place what is missing") {
     return read_text(labs.layout.build / "plots" / "tests" / ("variance-" + name + ".svg"));
   };
   const Plots none = drawn(labs.starter, "starter");
-  CHECK(contains(picture("digits"), "not drawn: "));
-  CHECK(contains(picture("digits"), "is not written yet"));
+  check_contains(picture("digits"), {"not drawn: ", "is not written yet"});
   CHECK(std::any_of(none.remarks.begin(), none.remarks.end(), [](const std::string& remark) {
     return remark.starts_with("starter, digits: 1.") && remark.ends_with(" is not written yet");
   }));
@@ -244,11 +223,10 @@ TEST_CASE("a plot draws what there is, and states in place what is missing") {
 
 TEST_CASE("an exception in a worker reaches the caller, and the other workers finish") {
   const Labs labs;
-  const Scratch place;
-  const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
-  REQUIRE(built.program);
+  const FewDescriptors few(64);
   const std::size_t before = open_descriptors();
   for (const unsigned workers : {1u, 2u, 4u}) {
+    const BuildResult built = labs.program();
     JudgeOptions options;
     options.workers = workers;
     std::size_t calls = 0;
@@ -257,36 +235,27 @@ TEST_CASE("an exception in a worker reaches the caller, and the other workers fi
     };
     CHECK_THROWS_WITH(judge_lab(labs.layout, labs.lab, built, options), "no more of this");
     options.progress = {};
-    const LabVerdict after = judge_lab(labs.layout, labs.lab, built, options);
-    CHECK(count(after, Status::not_written) == after.checks.size());
+    CHECK(is_right(judge_lab(labs.layout, labs.lab, built, options)));
   }
   CHECK(open_descriptors() == before);
 }
 
 TEST_CASE("signals change no verdict") {
   const Labs labs;
-  const Scratch place;
-  JudgeOptions options;
   const SignalTimer interrupted;
-  const BuildResult built = build_program(labs.layout, labs.lab, labs.submission(place, 0));
-  INFO(built.failure);
-  REQUIRE(built.program);
-  const LabVerdict verdict = judge_lab(labs.layout, labs.lab, built, options);
-  CHECK(count(verdict, Status::not_written) == verdict.checks.size());
+  CHECK(is_right(judge_lab(labs.layout, labs.lab, labs.program(), {})));
   CHECK(interrupted.times() > 50);
 }
 
 TEST_CASE("without descriptors the grader ends with a line and status 3, whenever they run out") {
   const Labs labs;
-  const Scratch place;
-  labs.submission(place, 0);
-  const std::string grader = (labs.layout.build / "bin" / "grader").string();
+  labs.submission(0);
   std::size_t lacking = 0, judged = 0;
   for (int most = 17; most <= 40; ++most) {
-    const auto run =
-        run_process({"sh", "-c",
-                     fmt::format("ulimit -n {} && exec '{}' check variance '{}' --only 1.1", most,
-                                 grader, place.path().string())});
+    const auto run = run_process(
+        {"sh", "-c",
+         fmt::format("ulimit -n {} && exec '{}' check variance '{}' --only 1.1", most,
+                     (labs.layout.build / "bin" / "grader").string(), labs.place.path().string())});
     CAPTURE(most, run.errors);
     CHECK(run.signal == 0);
     CHECK((run.exit_code == 1 || run.exit_code == 3));

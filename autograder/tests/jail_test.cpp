@@ -7,20 +7,15 @@
 #include <cerrno>
 #include <cmath>
 #include <set>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
-#include "checks/support/catch.hpp"
 #include "runner/wire.hpp"
 #include "sandbox/jail.hpp"
 #include "sandbox/lockdown.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests::jail {
-
-using namespace grader;
 
 namespace {
 

@@ -1,23 +1,12 @@
 // A checkout that was moved or copied with its build, and one on a machine that lacks a package. A
 // stub replaces what the entry script builds: it says where it was configured.
-#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <string>
+#include <map>
 #include <thread>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "checks/support/catch.hpp"
-#include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::moved {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -31,12 +20,11 @@ add_custom_target(grader COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/b
 add_custom_target(checks_variance COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/checks)
 )";
 
-sandbox::ProcessResult run_lab(const fs::path& checkout,
-                               std::vector<std::string> words = {"--version"},
+sandbox::ProcessResult run_lab(const fs::path& checkout, const Words& words = {"--version"},
                                const std::string& search_path = std::getenv("PATH")) {
-  words.insert(words.begin(), (checkout / "lab").string());
   return sandbox::run_process(
-      words, {.environment = {{"MC_BUILD", ""}, {"CI", "true"}, {"PATH", search_path}}});
+      joined({checkout / "lab"}, words),
+      {.environment = {{"MC_BUILD", ""}, {"CI", "true"}, {"PATH", search_path}}});
 }
 
 /// A checkout in which ./lab has been called once.
@@ -48,24 +36,21 @@ struct Checkout : Scratch {
     first = here / "first", other = here / "the other";
     fs::create_directories(first / "cmake");
     fs::create_directories(first / "labs" / "1-variance");
-    const fs::path root = read_layout().root;
-    fs::copy_file(root / "lab", first / "lab");
-    fs::copy_file(root / "cmake" / "setup.sh", first / "cmake" / "setup.sh");
-    write_text(first / "CMakeLists.txt", stub);
+    for (const char* file : {"lab", "cmake/setup.sh"}) {
+      fs::copy_file(read_layout().root / file, first / file);
+    }
+    write("first/CMakeLists.txt", stub);
     REQUIRE(run_lab(first).output == first.string() + '\n');
-    fs::create_directories(first / "build" / "progress");
-    write_text(first / "build" / "progress" / "variance", "40 100 1.5 1\n");
+    write("first/build/progress/variance", "40 100 1.5 1\n");
   }
 };
 
 /// All files below, with their modification times.
-std::vector<std::string> listing(const fs::path& directory) {
-  std::vector<std::string> all;
+std::map<fs::path, fs::file_time_type> listing(const fs::path& directory) {
+  std::map<fs::path, fs::file_time_type> all;
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-    all.push_back(fmt::format("{} {}", entry.path().string(),
-                              entry.last_write_time().time_since_epoch().count()));
+    all[entry.path()] = entry.last_write_time();
   }
-  std::sort(all.begin(), all.end());
   return all;
 }
 
@@ -141,17 +126,15 @@ TEST_CASE("the first call installs what is missing and builds what its command n
       fs::create_symlink(program.path(), programs / name);
     }
   }
-  const auto script = [&](const std::string& name, const std::string& text) {
-    write_text(programs / name, "#!/bin/sh\n" + text);
-    fs::permissions(programs / name, fs::perms::owner_all);
-  };
-  script("apt-get", "[ $1 = update ] || cp " + (programs / "true").string() + " " +
-                        (programs / "gnuplot").string() + "\n");
-  const auto run = run_lab(checkout.first, {"check", "variance"}, programs.string());
+  write_text(
+      programs / "apt-get",
+      fmt::format("#!/bin/sh\n[ $1 = update ] || cp {0}/true {0}/gnuplot\n", programs.string()));
+  fs::permissions(programs / "apt-get", fs::perms::owner_all);
+  const auto run = run_lab(checkout.first, {"check", "variance"}, programs);
   CAPTURE(run.errors);
   CHECK(run.exit_code == 0);
-  CHECK(contains(run.errors, "Missing: gnuplot"));
-  CHECK(contains(run.errors, "apt-get install -y --no-install-recommends gnuplot-nox"));
+  check_contains(run.errors,
+                 {"Missing: gnuplot", "apt-get install -y --no-install-recommends gnuplot-nox"});
   CHECK(fs::exists(programs / "gnuplot"));
   CHECK(fs::exists(checkout.first / "build" / "checks"));
 }

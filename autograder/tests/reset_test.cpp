@@ -1,16 +1,8 @@
 // ./lab reset, in a repository with its own history.
-#include <filesystem>
-#include <string>
 
-#include <fmt/format.h>
-
-#include "checks/support/catch.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests::reset {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -34,15 +26,10 @@ struct Checkout : Scratch {
   }
   /// Independent of any repository above the scratch directory.
   sandbox::ProcessResult reset() const {
-    return sandbox::run_process({program.string(), "reset", "variance"},
-                                {.environment = {{"GIT_CEILING_DIRECTORIES", path().string()}}});
+    return sandbox::run_process({program, "reset", "variance"},
+                                {.environment = {{"GIT_CEILING_DIRECTORIES", path()}}});
   }
 };
-
-/// The starter with its first task begun.
-std::string begun(const std::string& text) {
-  return with_change(text, "throw todo(\"1.1\");", "return 0;");
-}
 
 }  // namespace
 
@@ -51,7 +38,7 @@ TEST_CASE("reset restores the starter and keeps a backup of what was written", "
   const std::string given = text_of(read_layout().starter());
   checkout.commit("// an older handout\n" + given);
   checkout.commit(given);
-  checkout.commit(begun(given));
+  checkout.commit(with_change(given, "throw todo(\"1.1\");", "return 0;"));  // a task is begun
   write_text(checkout.file, "mine\n");
 
   REQUIRE_RUN(first, checkout.reset());

@@ -1,39 +1,32 @@
 // Speed in a report: shown, never graded.
 
 #include <set>
-#include <string>
 
 #include <nlohmann/json.hpp>
 
-#include "checks/support/catch.hpp"
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
 #include "grader/judging/judge.hpp"
 #include "grader/judging/speed.hpp"
 #include "grader/reports/report.hpp"
-#include "grader/submission/build.hpp"
-#include "grader/submission/submission.hpp"
 #include "measurements/support/speed_data.hpp"
+#include "tests/submissions.hpp"
 
 namespace mc::grader {
 namespace {
 
-LabVerdict passed_lab() {
-  LabVerdict lab;
-  lab.lab = {2, "independent", "2-independent", {}};
-  CheckResult result;
-  result.check = {"2.8 a span of any size is filled", "2.8", {}, 3, false};
-  result.status = Status::passed;
-  lab.checks.push_back(result);
-  return lab;
-}
-
-Speed task(double nanoseconds, std::optional<double> reference) {
+Speed task(double nanoseconds, std::optional<double> reference, bool is_estimate = false) {
   Speed speed;
   speed.name = "2.8 uniforms";
   speed.nanoseconds = nanoseconds;
   speed.reference = reference;
+  speed.is_estimate = is_estimate;
   return speed;
+}
+
+LabVerdict passed_lab(const std::vector<Speed>& speed) {
+  LabVerdict lab =
+      tests::verdict_of({tests::result_of("2.8 a span of any size is filled", Status::passed)});
+  lab.speed = speed;
+  return lab;
 }
 
 nlohmann::json results_of(const LabVerdict& lab,
@@ -44,32 +37,26 @@ nlohmann::json results_of(const LabVerdict& lab,
 }
 
 TEST_CASE("a lab's speed-up is the geometric mean over its tasks") {
-  LabVerdict lab = passed_lab();
-  lab.speed = {task(1, 4.0), task(1, 1.0)};
+  const LabVerdict lab = passed_lab({task(1, 4.0), task(1, 1.0)});
   REQUIRE(lab.times_the_reference());
   CHECK(*lab.times_the_reference() == Approx(2));
 }
 
 TEST_CASE("without a reference nothing is compared") {
-  LabVerdict lab = passed_lab();
-  lab.speed = {task(1, {})};
+  const LabVerdict lab = passed_lab({task(1, {})});
   CHECK_FALSE(lab.times_the_reference());
   CHECK_FALSE(results_of(lab).contains("leaderboard"));
-  CHECK(report_speed(lab).find("1 ns") != std::string::npos);
+  CHECK(tests::contains(report_speed(lab), "1 ns"));
 }
 
 TEST_CASE("without the reference, its time is shown as an estimate") {
-  LabVerdict lab = passed_lab();
-  lab.speed = {task(1, 4.0)};
-  lab.speed[0].is_estimate = true;
+  LabVerdict lab = passed_lab({task(1, 4.0, true)});
   lab.speed[0].addition = 0.5;
-  const std::string report = report_speed(lab);
-  CHECK(report.find("1 ns   (the reference: about 4 ns)") != std::string::npos);
-  CHECK(report.find("a running sum, to compare") != std::string::npos);
-  CHECK(report.find("0.5 ns\n") != std::string::npos);
-  CHECK(report.find("about 4.0 times as fast as the reference") != std::string::npos);
-  lab.speed = {task(600, 1.0)};
-  CHECK(report_speed(lab).find("about 600 times slower than the reference") != std::string::npos);
+  tests::check_contains(report_speed(lab),
+                        {"1 ns   (the reference: about 4 ns)", "a running sum, to compare",
+                         "0.5 ns\n", "about 4.0 times as fast as the reference"});
+  CHECK(tests::contains(report_speed(passed_lab({task(600, 1.0)})),
+                        "about 600 times slower than the reference"));
 }
 
 // Not in --quick: it times every speed task.
@@ -99,10 +86,9 @@ TEST_CASE("each speed task has a ratio, stored with its lab", "[.numbers]") {
 }
 
 TEST_CASE("speed is in the results and not in the score") {
-  LabVerdict lab = passed_lab();
-  lab.speed = {task(0.5, 1.0)};
+  const LabVerdict lab = passed_lab({task(0.5, 1.0)});
   const auto results = results_of(lab);
-  CHECK(results["score"] == 3);
+  CHECK(results["score"] == 5);
   REQUIRE(results["leaderboard"].size() == 1);
   CHECK(results["leaderboard"][0]["value"] == 2);
   // The class sees it, so it is present only on request.

@@ -4,27 +4,15 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <string>
+#include <sstream>
 #include <thread>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "checks/support/catch.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/checkout/layout.hpp"
 #include "grader/commands/watch.hpp"
 #include "sandbox/descriptor.hpp"
 #include "tests/submissions.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::watching {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -38,8 +26,7 @@ class WatchProcess {
  public:
   explicit WatchProcess(const std::string& text) : output_(sandbox::make_pipe()) {
     save(text);
-    const std::string grader = (read_layout().build / "bin" / "grader").string();
-    const std::string place = place_.path().string();
+    const fs::path grader = read_layout().build / "bin" / "grader", place = place_.path();
     pid_ = fork();
     if (pid_ == 0) {
       dup2(output_.write.get(), STDOUT_FILENO);
@@ -92,12 +79,8 @@ class WatchProcess {
   /// Its child processes that still run, as names in /proc.
   std::vector<fs::path> children() const {
     std::vector<fs::path> all;
-    for (const auto& entry : fs::directory_iterator("/proc")) {
-      const std::string stat = read_text(entry.path() / "stat");  // "12 (name) S 11 …"
-      const auto name_end = stat.rfind(") ");
-      if (name_end == std::string::npos) continue;
-      if (std::atoi(stat.c_str() + name_end + 4) == pid_) all.push_back(entry.path());
-    }
+    std::istringstream found(sandbox::run_process({"pgrep", "-P", std::to_string(pid_)}).output);
+    for (std::string child; found >> child;) all.push_back(fs::path("/proc") / child);
     return all;
   }
 
@@ -116,9 +99,8 @@ std::string endless() {
 }  // namespace
 
 TEST_CASE("watch judges at once and after each save, for any way of saving", "[script]") {
-  const std::string starter = text_of(read_layout().starter());
   const std::string solution = text_of(read_layout().solutions());
-  WatchProcess watching(starter);
+  WatchProcess watching(text_of(read_layout().starter()));
   CHECK(contains(watching.until_judged(), "\n0 of 10 points; first open: 1.1"));
 
   {  // into the file
@@ -143,8 +125,7 @@ TEST_CASE("a save stops the run in progress, whose verdict is never shown", "[sc
   watching.until(begun);
   watching.save(text_of(read_layout().solutions()));
   const std::string shown = watching.until_judged();
-  CHECK(contains(shown, "judging starts over"));
-  CHECK(contains(shown, "\n10 of 10 points"));
+  check_contains(shown, {"judging starts over", "\n10 of 10 points"});
   CHECK_FALSE(contains(shown, "\n0 of 10 points"));
   CHECK(watching.children().empty());
   CHECK(watching.interrupt() == 0);
@@ -170,18 +151,9 @@ TEST_CASE("a screen has the first rows, and says how many are left out") {
 }
 
 TEST_CASE("watch shows the first open task on top of the report") {
-  LabVerdict lab;
-  lab.lab = {1, "variance", "1-variance", {}};
-  const auto add = [&](const char* name, const char* task, Status status) {
-    CheckResult result;
-    result.check = {name, task, {}, 5, false};
-    result.status = status;
-    lab.checks.push_back(result);
-  };
-  add("1.1 a", "1.1", Status::passed);
-  add("1.2 b", "1.2", Status::failed);
-  add("1.3 c", "1.3", Status::passed);
-  add("1.2 d", "1.2", Status::passed);
+  const LabVerdict lab =
+      verdict_of({result_of("1.1 a", Status::passed), result_of("1.2 b", Status::failed),
+                  result_of("1.3 c", Status::passed), result_of("1.2 d", Status::passed)});
   const std::string report = report_open_first(lab, {}, {});
   CHECK(report.starts_with("15 of 20 points; first open: 1.2\n"));
   CHECK(report.find("1.2 b") < report.find("1.2 d"));
