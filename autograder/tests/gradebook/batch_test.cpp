@@ -6,39 +6,26 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <random>
 #include <set>
 #include <thread>
 
-#include <fmt/format.h>
-
-#include "checks/support/catch.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/reports/verdict_json.hpp"
 #include "grader/submission/compile.hpp"
 #include "grader/submission/scratch.hpp"
-#include "sandbox/process.hpp"
 #include "tests/gradebook/course.hpp"
-#include "tests/submissions.hpp"
 
-using namespace mc::grader;
-using mc::tests::contains;
-using mc::tests::Course;
-using mc::tests::Scratch;
-namespace fs = std::filesystem;
+namespace mc::tests::batch {
 
 namespace {
 
 /// The table without what differs between runs: id -> its row.
-std::map<std::string, std::vector<std::string>> rows_of(const fs::path& csv) {
-  auto rows = csv_rows(read_text(csv));
-  std::map<std::string, std::vector<std::string>> by_id;
-  REQUIRE(!rows.empty());
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    REQUIRE(rows[i].size() == rows[0].size());  // no truncated row
-    rows[i][3] = "";
-    REQUIRE(by_id.emplace(rows[i][0], rows[i]).second);  // each id once
+std::map<std::string, Row> rows_of(const fs::path& csv) {
+  std::map<std::string, Row> by_id;
+  for (Row& row : read_table(csv).rows) {  // refuses truncated rows
+    row.erase("seconds");
+    REQUIRE(by_id.emplace(field(row, "id"), row).second);  // each id once
   }
   return by_id;
 }
@@ -146,18 +133,12 @@ TEST_CASE(
 
   Verdict verdict;
   verdict.submission = "=x\n";
-  LabVerdict lab;
-  lab.lab = {1, "variance", "1-variance", {}};
-  CheckResult passed;
-  passed.check.name = "1.1 a";
-  passed.check.points = 7;
-  passed.status = Status::passed;
-  lab.checks = {passed};
+  const LabVerdict lab = verdict_of({result_of("1.1 a", Status::passed)});
   verdict.labs = {lab};
   const std::vector<LabColumns> columns{{lab.lab, {"1.1 a", "1.1 b"}}};
   const auto row = [&] { return csv_rows(csv_row(columns, verdict))[0]; };
   CHECK(csv_rows(csv_header(columns))[0].size() == row().size());
-  CHECK(csv_row(columns, verdict) == "\"'=x \",0,,0.0,,judged,7,7,\n");
+  CHECK(csv_row(columns, verdict) == "\"'=x \",0,,0.0,,judged,5,5,\n");
   verdict.not_judged = "the disk is full";
   CHECK(csv_row(columns, verdict) ==
         "\"'=x \",0,,0.0,\"not judged: the disk is full\",\"not judged\",,,\n");
@@ -169,7 +150,7 @@ TEST_CASE("a batch that is killed at any moment loses nothing and repeats nothin
   course.hand_in_tiny(16);
   const std::string seed = std::to_string(700'000'000 + getpid());
   const auto start = std::chrono::steady_clock::now();
-  REQUIRE_RUN(whole, course.grade({"--csv", course.csv("whole").string(), "--seed", seed}));
+  REQUIRE_RUN(whole, course.grade({"--csv", course.csv("whole"), "--seed", seed}));
   REQUIRE(rows_of(course.csv("whole")).size() == 16);
 
   std::mt19937 random(static_cast<unsigned>(getpid()));
@@ -178,7 +159,7 @@ TEST_CASE("a batch that is killed at any moment loses nothing and repeats nothin
   int kills = 0, hits = 0;
   while (kills < 10) {
     const auto state = read_book_state(course.csv());
-    std::vector<std::string> words{"--csv", course.csv().string(), "--seed", seed};
+    Words words{"--csv", course.csv(), "--seed", seed};
     if (!state.finished) words.push_back("--resume");
     const auto run = course.grade(words, {.wall_seconds = moment(random)});
     CAPTURE(run.exit_code, run.errors);
@@ -197,7 +178,7 @@ TEST_CASE("a batch that is killed at any moment loses nothing and repeats nothin
   }
   CHECK(left == std::vector<std::string>());
 
-  REQUIRE_RUN(last, course.grade({"--csv", course.csv().string(), "--resume"}));
+  REQUIRE_RUN(last, course.grade({"--csv", course.csv(), "--resume"}));
   CHECK(rows_of(course.csv()) == rows_of(course.csv("whole")));
   const auto verdicts = verdicts_of(course.csv());
   for (const auto& [id, verdict] : verdicts_of(course.csv("whole"))) {
@@ -213,17 +194,15 @@ TEST_CASE("a batch that is killed at any moment loses nothing and repeats nothin
 TEST_CASE("only changed submissions are judged again") {
   Course course;
   course.hand_in_tiny(6);
-  const std::string csv = course.csv().string();
-  REQUIRE(course.grade({"--csv", csv, "--seed", "7"}).exit_code == 0);
+  const fs::path csv = course.csv();
+  course.graded({"--seed", "7"});
   course.hand_in("s03", "int another;\n");
   REQUIRE_RUN(again, course.grade({"--csv", csv, "--resume"}));
   CHECK(contains(again.output, "6 submissions: 1 judged, 5 already judged; seed 7"));
-  CHECK(course.grade({"--csv", csv, "--resume", "--seed", "8"}).exit_code == 2);
+  check_refused(course.grade({"--csv", csv, "--resume", "--seed", "8"}));
   // Forgetting --resume does not delete an unfinished run.
   write_text(verdict_directory(csv) / "state", "begun seed 7\n");
-  const auto forgotten = course.grade({"--csv", csv});
-  CHECK(forgotten.exit_code == 2);
-  CHECK(contains(forgotten.errors, "--resume continues"));
+  check_refused(course.grade({"--csv", csv}), "--resume continues");
   // A row damaged by an editor, a truncated verdict: judged again.
   const fs::path verdict = verdict_file(csv, "s01");
   write_text(verdict, read_text(verdict).substr(0, 100));
@@ -235,12 +214,10 @@ TEST_CASE("two runs do not write one table") {
   Course course;
   course.hand_in_tiny(2);
   fs::create_directories(verdict_directory(course.csv()));
-  const mc::sandbox::Descriptor other(
+  const sandbox::Descriptor other(
       open((verdict_directory(course.csv()) / "lock").c_str(), O_RDWR | O_CREAT, 0644), "lock");
   REQUIRE(flock(other.get(), LOCK_EX) == 0);
-  const auto run = course.grade({"--csv", course.csv().string()});
-  CHECK(run.exit_code == 2);
-  CHECK(contains(run.errors, "another run is writing"));
+  check_refused(course.grade({"--csv", course.csv()}), "another run is writing");
 }
 
 TEST_CASE("rows of a class: a missing file or program gives 0, an unreadable one no points") {
@@ -248,18 +225,19 @@ TEST_CASE("rows of a class: a missing file or program gives 0, an unreadable one
   course.hand_in_tiny(2);
   fs::create_directories(course.path() / "class" / "zoe" / "notes");
   write_text(course.path() / "class" / "broken.zip", "no zip");
-  const std::string csv = course.csv().string();
-  REQUIRE_RUN(run, course.grade({"--csv", csv}));
-  const auto rows = rows_of(csv);
-  REQUIRE(rows.size() == 4);
-  const auto cells = [&](const char* id) {
-    const auto& row = rows.at(id);
-    return row[5] + "|" + row[6] + "|" + row[7] + "|" + row[4];
-  };
-  CHECK(cells("s00") == "judged|0|0|");
-  CHECK(cells("s01") == "no program|0|0|");
-  CHECK(cells("zoe") == "no file|0|0|");
-  CHECK(cells("broken") == "unreadable|||unreadable: it is not a zip file");
+  std::map<std::string, std::string> cells;
+  const Table table = course.graded({});
+  for (const Row& row : table.rows) {
+    const std::string first_check = table.columns.at(7);
+    cells[field(row, "id")] =
+        fmt::format("{}|{}|{}|{}", field(row, "variance status"), field(row, "variance total"),
+                    field(row, first_check), field(row, "reason"));
+  }
+  CHECK(cells == std::map<std::string, std::string>{
+                     {"broken", "unreadable|||unreadable: it is not a zip file"},
+                     {"s00", "judged|0|0|"},
+                     {"s01", "no program|0|0|"},
+                     {"zoe", "no file|0|0|"}});
 }
 
 TEST_CASE("unused programs are swept, recently used ones stay") {
@@ -283,3 +261,5 @@ TEST_CASE("unused programs are swept, recently used ones stay") {
   CHECK(fs::exists(fresh));
   CHECK(!fs::exists(done));
 }
+
+}  // namespace mc::tests::batch

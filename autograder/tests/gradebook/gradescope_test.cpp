@@ -1,32 +1,25 @@
 // Gradescope's zip, and what its container does with a submission.
-#include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "checks/support/catch.hpp"
 #include "tests/gradebook/course.hpp"
 
 namespace mc::tests::gradescope {
 
-namespace fs = std::filesystem;
-using namespace grader;
-
 namespace {
+
+using Files = std::map<std::string, std::string>;
 
 /// Gradescope's /autograder, in a temporary directory.
 struct Container : Course {
   fs::path root = fs::canonical(path()) / "autograder", source = root / "source",
            handed = root / "submission", results = root / "results" / "results.json";
 
-  explicit Container(const std::vector<std::string>& more) {
-    const std::string zip = (path() / "autograder.zip").string();
-    REQUIRE_RUN(written, run(joined({"gradescope", "variance", "--out", zip}, more)));
-    for (const fs::path& place : {source, handed, results.parent_path()}) {
-      fs::create_directories(place);
-    }
+  explicit Container(const Words& more) {
+    const fs::path zip = path() / "autograder.zip";
+    output_of(joined({"gradescope", "variance", "--out", zip}, more));
+    fs::create_directories(source);
+    fs::create_directories(results.parent_path());
     sandbox::run_process({"cmake", "-E", "tar", "xf", zip}, {.directory = source});
     write_text(root / "submission_metadata.json", "{}");
   }
@@ -36,16 +29,12 @@ struct Container : Course {
         {.directory = root, .environment = {{"AUTOGRADER_ROOT", root.string()}, {"MC_BUILD", ""}}});
   }
   /// Hands in only these files, and grades them.
-  sandbox::ProcessResult grade(const std::vector<std::pair<fs::path, std::string>>& files) const {
+  sandbox::ProcessResult grade(const Files& files) const {
     fs::remove_all(handed);
-    fs::create_directories(handed);
-    for (const auto& [file, text] : files) {
-      fs::create_directories((handed / file).parent_path());
-      write_text(handed / file, text);
-    }
+    for (const auto& [file, text] : files) write("autograder/submission/" + file, text);
     return script("run_autograder");
   }
-  nlohmann::json results_of(const std::vector<std::pair<fs::path, std::string>>& files) const {
+  nlohmann::json results_of(const Files& files) const {
     REQUIRE_RUN(run, grade(files));
     const std::string text = read_text(results);
     CHECK_FALSE(contains(text, path().string()));  // no path of the container
@@ -59,12 +48,6 @@ struct Container : Course {
     return json;
   }
 };
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
 
 }  // namespace
 
@@ -86,20 +69,17 @@ TEST_CASE("Gradescope's zip has the required files at its top, the version, and 
 
 TEST_CASE("a lab's zip has the labs that it depends on") {
   const Course course;
-  const std::string zip = (course.path() / "6.zip").string();
-  REQUIRE_RUN(run, course.run({"gradescope", "6", "1", "--out", zip}));
+  const fs::path zip = course.path() / "6.zip";
+  course.output_of({"gradescope", "6", "1", "--out", zip});
   const auto listed = sandbox::run_process({"cmake", "-E", "tar", "tf", zip});
-  for (const char* file :
-       {"labs/3-stratification/stratification.hpp", "/checks_sampler", "/checks_variance"}) {
-    CHECK(contains(listed.output, file));
-  }
-  CHECK_FALSE(contains(listed.output, "solutions/"));
-  CHECK_FALSE(contains(listed.output, "autograder/checks/"));
-  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--out", zip},
-                                                {"1"},
-                                                {"1", "--out", "/no/such/place/a.zip"},
-                                                {"1", "--out", zip, "--visibility", "never"}}) {
-    CHECK(course.run(joined({"gradescope"}, wrong)).exit_code == 2);
+  check_contains(listed.output, {"labs/3-stratification/stratification.hpp", "/checks_sampler",
+                                 "/checks_variance"});
+  check_lacks(listed.output, {"solutions/", "autograder/checks/"});
+  for (const Words& wrong : {Words{"--out", zip},
+                             {"1"},
+                             {"1", "--out", "/no/such/place/a.zip"},
+                             {"1", "--out", zip, "--visibility", "never"}}) {
+    check_refused(course.run(joined({"gradescope"}, wrong)));
   }
 }
 
@@ -125,7 +105,7 @@ TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
   const auto broken = container.results_of({{"variance.cpp", "int 7 is no name;\n"}});
   CHECK(broken["score"] == 0);
   CHECK(contains(broken["output"], "variance.cpp:1:5: error"));
-  CHECK(count(broken.dump(), "does not compile") == 1);
+  CHECK(times(broken.dump(), "does not compile") == 1);
 
   // The judge's files are not there to include.
   const auto curious = container.results_of(
@@ -164,7 +144,7 @@ TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
   CHECK(ranked["leaderboard"][0]["value"].is_number());
   const auto none = container.results_of({{"variance.cpp", starter}});
   CHECK(none["score"] == 0);
-  CHECK(count(none.dump(), "not written yet") > 20);
+  CHECK(times(none.dump(), "not written yet") > 20);
   CHECK_FALSE(none.contains("leaderboard"));
 
   // A grader that is missing gives no student a zero: no results.json, not even an old one.

@@ -1,18 +1,9 @@
 // The hours that students report with their answers, from the file to the statistics.
-#include <filesystem>
-#include <string>
 
-#include "checks/support/catch.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/gradebook/table.hpp"
 #include "grader/submission/hours.hpp"
 #include "tests/gradebook/course.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::reported_hours {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -20,10 +11,8 @@ namespace {
 std::string hours_from(const std::string& answers) {
   Course course;
   course.hand_in("ada", "int x;\n");
-  const fs::path place = course.path() / "class/ada";
-  fs::create_directory(place / "answers");
-  write_text(place / "answers/1-variance.md", answers);
-  Submission submission = open_submission(course.labs, place);
+  course.write("class/ada/answers/1-variance.md", answers);
+  Submission submission = open_submission(course.labs, course.path() / "class/ada");
   read_hours(course.labs, submission);
   const auto& hours = submission.delivery.hours;
   return hours.empty() ? "none" : hours.at("variance");
@@ -43,23 +32,20 @@ TEST_CASE("hours are the text after the colon of the last line that begins with 
 TEST_CASE("answers are next to a file or its starter directory, and links are not followed") {
   Course course;
   const fs::path place = course.path() / "clone";
-  fs::create_directories(place / "starter");
-  fs::create_directories(place / "answers");
-  write_text(place / "starter/variance.cpp", "int x;\n");
-  write_text(place / "secret.md", "Hours: 9\n");
+  course.write("clone/starter/variance.cpp", "int x;\n");
+  course.write("clone/secret.md", "Hours: 9\n");
   const auto hours = [&] {
     Submission submission = open_submission(course.labs, place / "starter");
     read_hours(course.labs, submission);
     return submission.delivery.hours["variance"];
   };
-  write_text(place / "answers/1-variance.md", "Hours: 8\n");
+  course.write("clone/answers/1-variance.md", "Hours: 8\n");
   CHECK(hours() == "8");
   fs::remove(place / "answers/1-variance.md");
   fs::create_symlink(place / "secret.md", place / "answers/1-variance.md");
   CHECK(hours().empty());
   fs::remove_all(place / "answers");
-  fs::create_directories(place / "elsewhere");
-  write_text(place / "elsewhere/1-variance.md", "Hours: 9\n");
+  course.write("clone/elsewhere/1-variance.md", "Hours: 9\n");
   fs::create_directory_symlink(place / "elsewhere", place / "answers");
   CHECK(hours().empty());
 }
@@ -67,12 +53,11 @@ TEST_CASE("answers are next to a file or its starter directory, and links are no
 TEST_CASE("grade keeps reported hours, and stats prints their median and quartiles") {
   Course course;
   const auto report = [&](const std::string& id, const std::string& hours) {
-    fs::create_directories(course.path() / "class" / id / "answers");
-    write_text(course.path() / "class" / id / "answers/1-variance.md", "Hours: " + hours + '\n');
+    course.write("class/" + id + "/answers/1-variance.md", "Hours: " + hours + '\n');
   };
   course.hand_in_tiny(9);
-  const std::string csv = course.csv().string();
-  REQUIRE(course.grade({"--csv", csv, "--seed", "1"}).exit_code == 0);
+  const fs::path csv = course.csv(), pages = course.path() / "pages";
+  course.graded({"--seed", "1"});
   CHECK(!contains(read_text(csv), "variance hours"));  // no student reports any
   CHECK(!contains(course.run({"stats", csv}).output, "hours"));
   const char* const said[] = {"4", "10", "5 h", "8 hours", "0", "200.5", "=9", "-1"};
@@ -87,9 +72,8 @@ TEST_CASE("grade keeps reported hours, and stats prints their median and quartil
   const std::string line = "hours: 5 reported, median 5, quartiles 4 and 8; 3 unusable";
   CHECK(contains(course.run({"stats", csv}).output, line));
   report("s08", "6");  // 0, 4, 5, 6, 8, 10: a quarter of the way from 4 to 5, from 8 to 6
-  const std::string pages = (course.path() / "pages").string();
-  REQUIRE(course.grade({"--csv", csv, "--resume", "--html", pages}).exit_code == 0);
-  CHECK(contains(read_text(fs::path(pages) / "index.html"),
+  course.graded({"--resume", "--html", pages});
+  CHECK(contains(read_text(pages / "index.html"),
                  "hours: 6 reported, median 5.5, quartiles 4.25 and 7.5; 3 unusable"));
 }
 

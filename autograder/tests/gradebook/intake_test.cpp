@@ -1,38 +1,31 @@
 // Submissions in the layouts that people and platforms produce.
 
-#include <string>
-#include <utility>
-#include <vector>
+#include <array>
 
-#include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
+#include "grader/base/replace.hpp"
 #include "grader/base/shell.hpp"
 #include "grader/submission/archive.hpp"
 #include "grader/submission/exports.hpp"
 #include "grader/submission/intake.hpp"
-#include "sandbox/process.hpp"
 #include "tests/submissions.hpp"
 
-using namespace mc::grader;
-using mc::tests::Scratch;
-namespace fs = std::filesystem;
+namespace mc::tests::intake {
 
 namespace {
 
 struct Place : Scratch {
-  Context context = [] {
-    Context made{read_layout(), {}};
-    made.labs = find_labs(made.layout);
-    return made;
-  }();
+  Context context{read_layout(), find_labs(read_layout())};
 
+  explicit Place(const Words& files = {}) {
+    for (const std::string& name : files) file(name);
+  }
   Place& file(const std::string& name, const std::string& text = "int x;\n") {
     write(name, text);
     return *this;
   }
   /// Zips the content of `directory`, with paths relative to it, and removes the directory.
   Place& zip(const std::string& directory, const fs::path& file) {
-    mc::tests::zip_content({.directory = path() / directory, .zip = path() / file});
+    zip_content({.directory = path() / directory, .zip = path() / file});
     fs::remove_all(path() / directory);
     return *this;
   }
@@ -53,93 +46,40 @@ std::string summary(const Intake& intake) {
   return all;
 }
 
-/// A zip of stored entries with these names, texts and mode.
-std::string raw_zip(const std::vector<std::pair<std::string, std::string>>& entries,
-                    unsigned mode = 0100644) {
-  std::string local, central;
-  const auto number = [](std::string& to, std::uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) to += static_cast<char>(value >> (8 * i) & 0xff);
-  };
-  for (const auto& [name, text] : entries) {
-    std::uint32_t crc = ~0u;
-    for (const char c : text) {
-      crc ^= static_cast<unsigned char>(c);
-      for (int i = 0; i < 8; ++i) crc = (crc >> 1) ^ (0xedb88320u & (0u - (crc & 1u)));
-    }
-    std::string common;
-    number(common, 20, 2);  // version needed, flags, method, time and date
-    number(common, 0, 2);
-    number(common, 0, 2);
-    number(common, 0x21'0000, 4);
-    number(common, ~crc & 0xffffffffu, 4);
-    number(common, text.size(), 4);
-    number(common, text.size(), 4);
-    number(common, name.size(), 2);
-    number(common, 0, 2);
-    const std::size_t at = local.size();
-    local += "PK\3\4" + common + name + text;
-    central += std::string("PK\1\2") + "\x14\x03" + common;
-    number(central, 0, 2);  // comment, disk, attributes
-    number(central, 0, 2);
-    number(central, 0, 2);
-    number(central, std::uint64_t{mode} << 16, 4);
-    number(central, at, 4);
-    central += name;
-  }
-  std::string end = "PK\5\6";
-  number(end, 0, 4);
-  number(end, entries.size(), 2);
-  number(end, entries.size(), 2);
-  number(end, central.size(), 4);
-  number(end, local.size(), 4);
-  number(end, 0, 2);
-  return local + central + end;
+/// The zip of what is in z.
+std::string zipped(Place& place) {
+  place.zip("z", "a.zip");
+  return read_whole_text(place.path() / "a.zip");
 }
 
 }  // namespace
 
 TEST_CASE("one person's files are found wherever they are") {
-  CHECK(summary(Place().file("a/variance.cpp").take("a")) == "a: variance");
-  CHECK(summary(Place().file("a/variance.cpp").file("a/x/variance.cpp").take("a/")) ==
-        "a: variance");
-  CHECK(summary(Place().file("a/starter/variance.cpp").file("a/old/variance.cpp").take("a")) ==
-        "a: variance @starter");
-  CHECK(summary(Place().file("a/x/y/variance.cpp").file("a/x/notes.txt").take("a")) ==
-        "a: variance @x/y");
-  // A checkout in a directory: its other files do not count.
-  CHECK(summary(Place()
-                    .file("a/mc/README.md")
-                    .file("a/mc/starter/variance.cpp")
-                    .file("a/mc/solutions/variance.cpp")
-                    .take("a")) == "a: variance @mc/starter");
-  CHECK(summary(Place()
-                    .file("a/README.md")
-                    .file("a/1/variance.cpp")
-                    .file("a/2/independent.cpp")
-                    .take("a")) == "a: independent variance @1, 2");
-  CHECK(summary(Place()
-                    .file("a/README.md")
-                    .file("a/__MACOSX/variance.cpp")
-                    .file("a/.git/variance.cpp")
-                    .file("a/build/variance.cpp")
-                    .take("a")) == "a:");
-  CHECK(
-      summary(Place().file("a/1/variance.cpp").file("a/2/variance.cpp").take("a", Meaning::one)) ==
-      "a: !variance.cpp is in 1 and in 2: which one counts?");
+  const struct {
+    Words files;
+    std::string found;
+  } cases[] = {
+      {{"a/variance.cpp"}, "a: variance"},
+      {{"a/variance.cpp", "a/x/variance.cpp"}, "a: variance"},
+      {{"a/starter/variance.cpp", "a/old/variance.cpp"}, "a: variance @starter"},
+      {{"a/x/y/variance.cpp", "a/x/notes.txt"}, "a: variance @x/y"},
+      // A checkout in a directory: its other files do not count.
+      {{"a/mc/README.md", "a/mc/starter/variance.cpp", "a/mc/solutions/variance.cpp"},
+       "a: variance @mc/starter"},
+      {{"a/README.md", "a/1/variance.cpp", "a/2/independent.cpp"}, "a: independent variance @1, 2"},
+      {{"a/README.md", "a/__MACOSX/variance.cpp", "a/.git/variance.cpp", "a/build/variance.cpp"},
+       "a:"}};
+  for (const auto& one : cases) CHECK(summary(Place(one.files).take("a")) == one.found);
+  CHECK(summary(Place({"a/1/variance.cpp", "a/2/variance.cpp"}).take("a", Meaning::one)) ==
+        "a: !variance.cpp is in 1 and in 2: which one counts?");
+  CHECK(summary(Place({"a/variance.cpp"}).take("a/")) == "a: variance");
 }
 
 TEST_CASE("a parent directory means its children") {
-  Place place;
-  place.file("class/bob/variance.cpp")
-      .file("class/anna/starter/variance.cpp")
-      .file("class/nothing/notes.txt")
-      .file("class/two/1/variance.cpp")
-      .file("class/two/2/variance.cpp")
-      .file("class/grades.csv")
-      .file("z/sub/variance.cpp")
-      .file("z/._variance.cpp")
-      .zip("z", "class/zoe.zip")
-      .file("class/broken.zip", "no zip at all");
+  Place place({"class/bob/variance.cpp", "class/anna/starter/variance.cpp",
+               "class/nothing/notes.txt", "class/two/1/variance.cpp", "class/two/2/variance.cpp",
+               "class/grades.csv", "z/sub/variance.cpp", "z/._variance.cpp"});
+  place.zip("z", "class/zoe.zip").file("class/broken.zip", "no zip at all");
   fs::create_directory_symlink(place.context.layout.solutions(),
                                place.path() / "class" / "mallory");
   CHECK(summary(place.take()) ==
@@ -149,19 +89,18 @@ TEST_CASE("a parent directory means its children") {
 }
 
 TEST_CASE("ids are unique, printable, and valid file names") {
-  Place place;
-  place.file("x/anna/variance.cpp").file("x/Anna/variance.cpp");
-  place.file("z/variance.cpp").zip("z", "x/anna.zip");
-  place.file("x/\x1b[31m\n\xe2\x80\xae/variance.cpp");
+  Place place({"x/anna/variance.cpp", "x/Anna/variance.cpp", "z/variance.cpp",
+               "x/\x1b[31m\n\xe2\x80\xae/variance.cpp"});
+  place.zip("z", "x/anna.zip");
   CHECK(summary(place.take("x")) ==
         "?[31m ???: variance; Anna: variance; anna (2): variance; anna (3): variance");
 }
 
 TEST_CASE("several words are one submission each, for any directory names") {
-  Place place;
-  place.file("class/mallory/zoe/variance.cpp").file("class/mallory/yann/variance.cpp");
-  place.file("class/zoe/variance.cpp").file("class/two/1/variance.cpp");
-  place.file("class/two/2/independent.cpp");
+  const Place place({"class/mallory/zoe/variance.cpp", "class/mallory/yann/variance.cpp",
+                     "class/zoe/variance.cpp", "class/two/1/variance.cpp",
+                     "class/two/2/independent.cpp", "a/Jo_12_assignsubmission_file_variance.cpp",
+                     "b/doejane_4711_992_variance.cpp"});
   const auto at = [&](const char* name) { return (place.path() / name).string(); };
   const Intake intake = take_in(
       place.context, {at("class/mallory"), at("class/two"), at("class/zoe")}, Meaning::many);
@@ -169,81 +108,64 @@ TEST_CASE("several words are one submission each, for any directory names") {
         "mallory: !variance.cpp is in yann and in zoe: which one counts?; "
         "two: independent variance @1, 2; zoe: variance");
   CHECK(intake.each_word_is_one);
-  place.file("a/Jo_12_assignsubmission_file_variance.cpp");
-  place.file("b/doejane_4711_992_variance.cpp");
   const Intake exports = take_in(place.context, {at("a"), at("b")}, Meaning::many);
   CHECK(summary(exports) == "Jo_12: variance; doejane_4711: variance");
 }
 
 TEST_CASE("the exports of learning platforms") {
-  Place gradescope;
-  gradescope.file("z/assignment_7_export/submission_11/variance.cpp")
-      .file("z/assignment_7_export/submission_12/lab/starter/variance.cpp")
-      .file("z/assignment_7_export/submission_13/notes.txt")
-      .file("z/assignment_7_export/submission_metadata.yml")
-      .zip("z", "class.zip");
+  Place gradescope({"z/assignment_7_export/submission_11/variance.cpp",
+                    "z/assignment_7_export/submission_12/lab/starter/variance.cpp",
+                    "z/assignment_7_export/submission_13/notes.txt",
+                    "z/assignment_7_export/submission_metadata.yml"});
+  gradescope.zip("z", "class.zip");
   CHECK(summary(gradescope.take("class.zip")) ==
         "submission_11: variance; submission_12: variance @lab/starter; submission_13:");
 
-  Place canvas;
-  canvas.file("z/doejane_4711_991_variance-2.cpp")
-      .file("z/doejane_4711_992_independent.cpp")
-      .file("z/roe_LATE_4712_993_variance.cpp")
-      .file("in/x/variance.cpp")
-      .zip("in", "z/müller_4713_994_submission.zip")
-      .zip("z", "submissions.zip");
+  Place canvas({"z/doejane_4711_991_variance-2.cpp", "z/doejane_4711_992_independent.cpp",
+                "z/roe_LATE_4712_993_variance.cpp", "in/x/variance.cpp"});
+  canvas.zip("in", "z/müller_4713_994_submission.zip").zip("z", "submissions.zip");
   CHECK(summary(canvas.take("submissions.zip")) ==
         "doejane_4711: independent variance; müller_4713: variance @x; roe_4712: variance");
 
-  Place moodle;
-  moodle.file("in/variance.cpp")
-      .zip("in", "z.zip")
-      .file("z/Jane Doe_123_assignsubmission_file_/variance.cpp")
-      .file("z/Rob Roe_124_assignsubmission_file_/notes.txt");
-  fs::rename(moodle.path() / "z.zip",
-             moodle.path() / "z" / "Rob Roe_124_assignsubmission_file_" / "my work.zip");
-  moodle.zip("z", "class.zip");
+  Place moodle({"in/variance.cpp", "z/Jane Doe_123_assignsubmission_file_/variance.cpp",
+                "z/Rob Roe_124_assignsubmission_file_/notes.txt"});
+  moodle.zip("in", "z/Rob Roe_124_assignsubmission_file_/my work.zip").zip("z", "class.zip");
   CHECK(summary(moodle.take("class.zip")) == "Jane Doe_123: variance; Rob Roe_124: variance");
 
   // An online text next to files, in either form, is not another person; alone it is not a file.
-  Place texts;
-  texts.file("class/Jane Doe_123_assignsubmission_file_/variance.cpp")
-      .file("class/Jane Doe_123_assignsubmission_onlinetext_/onlinetext.html")
-      .file("class/Rob Roe_124_assignsubmission_onlinetext_/onlinetext.html");
-  CHECK(summary(texts.take()) == "Jane Doe_123: variance; Rob Roe_124:");
-  Place flat;
-  flat.file("class/Jane Doe_123_assignsubmission_file_variance.cpp")
-      .file("class/Jane Doe_123_assignsubmission_onlinetext.html")
-      .file("class/Rob Roe_124_assignsubmission_onlinetext.html");
-  CHECK(summary(flat.take()) == "Jane Doe_123: variance; Rob Roe_124:");
+  for (const Words& files :
+       {Words{"class/Jane Doe_123_assignsubmission_file_/variance.cpp",
+              "class/Jane Doe_123_assignsubmission_onlinetext_/onlinetext.html",
+              "class/Rob Roe_124_assignsubmission_onlinetext_/onlinetext.html"},
+        {"class/Jane Doe_123_assignsubmission_file_variance.cpp",
+         "class/Jane Doe_123_assignsubmission_onlinetext.html",
+         "class/Rob Roe_124_assignsubmission_onlinetext.html"}}) {
+    CHECK(summary(Place(files).take()) == "Jane Doe_123: variance; Rob Roe_124:");
+  }
 
   // Canvas keeps earlier attempts: the latest counts.
-  Place attempts;
-  attempts.file("class/doejane_4711_991_variance.cpp")
-      .file("class/doejane_LATE_4711_995_variance-2.cpp", "int latest;\n")
-      .file("class/doejane_4711_993_variance-1.cpp");
+  Place attempts({"class/doejane_4711_991_variance.cpp", "class/doejane_4711_993_variance-1.cpp"});
+  attempts.file("class/doejane_LATE_4711_995_variance-2.cpp", "int latest;\n");
   const Intake latest = attempts.take();
   CHECK(summary(latest) == "doejane_4711: variance");
   CHECK(read_text(latest.entries.at(0).submission.files.at("variance")) == "int latest;\n");
 
   // Gradescope's names and addresses.
-  Place people;
-  people.file("class/submission_11/variance.cpp")
-      .file("class/submission_12/variance.cpp")
-      .file("class/submission_13/variance.cpp")
-      .file("class/submission_metadata.yml",
-            "---\nsubmission_11:\n  :submitters:\n  - :name: Jane Doe\n    :sid: '7'\n"
-            "    :email: jane@example.edu\n  :created_at: 2026-01-02 03:04:05 Z\n"
-            "submission_12:\n  :submitters:\n  - :name: \"Rob Roe\"\n    :email: rob@example.edu\n"
-            "  - :name: Ann Poe\n    :email: ann@example.edu\n");
+  Place people({"class/submission_11/variance.cpp", "class/submission_12/variance.cpp",
+                "class/submission_13/variance.cpp"});
+  people.file(
+      "class/submission_metadata.yml",
+      "---\nsubmission_11:\n  :submitters:\n  - :name: Jane Doe\n    :sid: '7'\n"
+      "    :email: jane@example.edu\n  :created_at: 2026-01-02 03:04:05 Z\n"
+      "submission_12:\n  :submitters:\n  - :name: \"Rob Roe\"\n    :email: rob@example.edu\n"
+      "  - :name: Ann Poe\n    :email: ann@example.edu\n");
   CHECK(summary(people.take()) ==
         "Jane Doe (jane@example.edu): variance; "
         "Rob Roe (rob@example.edu) & Ann Poe (ann@example.edu): variance; submission_13: variance");
 
   // GitHub Classroom: clones side by side.
-  Place clones;
-  clones.file("class/lab-anna/.git/HEAD").file("class/lab-anna/starter/variance.cpp");
-  clones.file("class/lab-bob/.git/HEAD").file("class/lab-bob/starter/independent.cpp");
+  const Place clones({"class/lab-anna/.git/HEAD", "class/lab-anna/starter/variance.cpp",
+                      "class/lab-bob/.git/HEAD", "class/lab-bob/starter/independent.cpp"});
   CHECK(summary(clones.take()) == "lab-anna: variance @starter; lab-bob: independent @starter");
 
   CHECK(!named_by_platform("lab_1_2_alice.zip"));
@@ -256,19 +178,32 @@ TEST_CASE("a zip never unpacks outside of its own directory") {
     place.file("a.zip", zip);
     return summary(place.take("a.zip"));
   };
-  CHECK(taken(raw_zip({{"variance.cpp", "int x;\n"}})) == "a: variance");
-  for (const char* name : {"../variance.cpp", "/tmp/variance.cpp", "x/../../variance.cpp"}) {
-    CHECK(taken(raw_zip({{name, "int x;\n"}})).starts_with("a: !the zip file has a path outside"));
+  // An entry's name, in which `to` replaces `from`: as no program packs it.
+  const auto renamed = [&](const std::string& name, std::string_view from, std::string_view to) {
+    place.file("z/" + name, "int x;\n");
+    return taken(with_replacements(zipped(place), {{from, to}}));
+  };
+  place.file("z/variance.cpp");
+  CHECK(taken(zipped(place)) == "a: variance");
+  for (const auto& [name, from, to] : {std::array{"AA/variance.cpp", "AA", ".."},
+                                       {"Atmp/variance.cpp", "Atmp", "/tmp"},
+                                       {"x/AA/AA/variance.cpp", "AA", ".."}}) {
+    CHECK(renamed(name, from, to).starts_with("a: !the zip file has a path outside"));
   }
-  CHECK(taken(raw_zip({{"variance.cpp", "/etc/passwd"}}, 0120777)) == "a:");  // a link
-  CHECK(taken(raw_zip({{"variance.cpp/x", "1"}, {"variance.cpp", "2"}})) == "a:");
-  CHECK(taken(raw_zip({{"variance.cpp", "old"}, {"variance.cpp", "new"}})) == "a: variance");
-  CHECK(taken(raw_zip({{std::string(300, 'x') + "/variance.cpp", "1"}})) == "a:");
-  const std::string whole = raw_zip({{"variance.cpp", std::string(5000, 'x')}});
-  CHECK(taken(whole.substr(0, 3000)).starts_with("a: !"));
+  fs::create_directories(place.path() / "z");
+  fs::create_symlink("/etc/passwd", place.path() / "z" / "variance.cpp");
+  CHECK(taken(zipped(place)) == "a:");
+  place.file("z/variance.cpp");
+  CHECK(renamed("variance.cpA/x", "cpA", "cpp") == "a:");
+  place.file("z/variance.cpp");
+  CHECK(renamed("variance.cpA", "cpA", "cpp") == "a: variance");                       // twice
+  CHECK(renamed("y/" + std::string(254, 'x') + "/variance.cpp", "y/", "yy") == "a:");  // too long
+  place.file("z/variance.cpp", std::string(5000, 'x'));
+  const std::string whole = zipped(place);
+  CHECK(taken(whole.substr(0, whole.size() / 2)).starts_with("a: !"));
   CHECK(taken("").starts_with("a: !the zip file is empty"));
 
-  place.file("many.zip", raw_zip({{"1", ""}, {"2", ""}, {"3", ""}}));
+  place.file("z/1").file("z/2").file("z/3").zip("z", "many.zip");
   const Scratch to;
   CHECK_THROWS_AS(unpack({.zip = place.path() / "many.zip", .to = to.path()}, {.entries = 2}),
                   UnreadableSubmission);
@@ -284,14 +219,13 @@ TEST_CASE("a zip never unpacks outside of its own directory") {
 }
 
 TEST_CASE("an unreadable word does not affect the others") {
-  Place place;
-  place.file("a/variance.cpp").file("b.cpp");
+  const Place place({"a/variance.cpp", "b.cpp"});
   const auto at = [&](const char* name) { return (place.path() / name).string(); };
   const Intake intake = take_in(place.context, {at("a"), at("gone"), at("b.cpp")}, Meaning::many);
   REQUIRE(intake.entries.size() == 3);
   CHECK(intake.entries[0].unreadable == "");
   CHECK(intake.entries[1].unreadable.starts_with("no such directory"));
-  CHECK(mc::tests::contains(intake.entries[2].unreadable, "is a file"));
+  CHECK(contains(intake.entries[2].unreadable, "is a file"));
   CHECK_THROWS_AS(take_in_one(place.context, at("gone")), UsageError);
 }
 
@@ -303,3 +237,5 @@ TEST_CASE("a path in a command is one word, for any name") {
   CHECK(shell_quoted("a\nb") == "'a b'");
   CHECK(shell_quoted("") == "''");
 }
+
+}  // namespace mc::tests::intake

@@ -1,18 +1,9 @@
 // points.csv changes points without C++, and leaves tasks out everywhere.
-#include <filesystem>
-#include <string>
-#include <vector>
 
-#include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
 #include "grader/judging/points.hpp"
 #include "tests/gradebook/course.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::points {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -54,20 +45,18 @@ TEST_CASE("points for a lab or a task that does not exist are refused with their
   Layout layout = read_layout();
   const std::vector<Lab> labs = find_labs(layout);
   const Scratch place;
-  const auto refusal = [&](const std::string& text) {
-    for (const char* folder : {"labs", "autograder"}) {
-      if (!fs::exists(place.path() / folder)) {
-        fs::create_directory_symlink(read_layout().root / folder, place.path() / folder);
-      }
-    }
+  for (const char* folder : {"labs", "autograder"}) {
+    fs::create_directory_symlink(layout.root / folder, place.path() / folder);
+  }
+  layout.root = place.path();
+  const auto refusal = [&](const std::string& text) -> std::string {
     place.write(points_file, text);
-    layout.root = place.path();
     try {
       require_known_points(layout, labs);
     } catch (const UsageError& error) {
-      return std::string(error.what());
+      return error.what();
     }
-    return std::string();
+    return "";
   };
   CHECK(refusal("what,points\n1.1,3\n6.2,0\n2.2 any check,4\n") == "");
   CHECK(refusal("1.1,3\n99.1,2\n") == "points.csv, line 2: there is no lab 99");
@@ -87,27 +76,26 @@ TEST_CASE("a task left out is in no table, report, statistic and handout", "[.up
   // A clone of this checkout with the programs of this build.
   Course course;
   const fs::path root = course.path() / "root", build = course.path() / "build";
-  git(course.path(), {"clone", "-q", "--shared", course.layout.root.string(), root.string()});
+  git(course.path(), {"clone", "-q", "--shared", course.layout.root, root});
   write_text(root / points_file, "what,points\n1.8,0\n1.1,30\n");
   const fs::path program = built_for(root, build, "course");
   for (const auto& entry : fs::directory_iterator(course.layout.build / "bin")) {
     const fs::path to = build / "bin" / entry.path().filename();
     if (to != program) fs::create_symlink(entry.path(), to);
   }
-  const auto lab = [&](const std::vector<std::string>& words) {
-    REQUIRE_RUN(run, sandbox::run_process(joined({program.string()}, words)));
-    return run.output;
+  const auto run = [&](const Words& words) {
+    REQUIRE_RUN(done, sandbox::run_process(joined({program}, words)));
+    return done.output;
   };
   course.hand_in("anna", text_of(course.layout.solutions()));
   course.hand_in("bob", "int 1;\n");
-  const std::string csv = course.csv().string();
-  lab({"grade", (course.path() / "class").string(), "--lab", "1", "--csv", csv});
-  const std::string table = read_text(csv);
+  run({"grade", course.path() / "class", "--lab", "1", "--csv", course.csv()});
+  const std::string table = read_text(course.csv());
   CHECK(!contains(table, "\"1.8 "));
   CHECK(contains(table, " points "));  // the version says so
-  CHECK(!contains(lab({"stats", csv}), "1.8"));
+  CHECK(!contains(run({"stats", course.csv()}), "1.8"));
   const fs::path handout = course.path() / "handout";
-  lab({"handout", handout.string(), "--labs", "1", "--with-sources"});
+  run({"handout", handout, "--labs", "1", "--with-sources"});
   CHECK(fs::exists(handout / points_file));
   CHECK(!contains(read_text(handout / "labs" / "1-variance" / "README.md"), "### 1.8"));
   CHECK(!contains(read_text(handout / "labs" / "1-variance" / "hints.md"), "## 1.8"));

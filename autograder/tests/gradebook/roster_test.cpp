@@ -1,21 +1,9 @@
 // Every student has a row, whatever platform the list and the submissions come from.
-#include <filesystem>
-#include <string>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
 #include "grader/gradebook/roster.hpp"
-#include "grader/gradebook/table.hpp"
 #include "tests/gradebook/course.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::roster {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -102,49 +90,44 @@ TEST_CASE("a graded roster has a row for everyone") {
   course.hand_in("zoe", "int 2;\n");
   const fs::path roster = course.path() / "roster.csv";
   write_text(roster, "id,name,email\nanna,Anna Ash,anna@x.edu\nbob,Bob Bo,bob@x.edu\n");
-  const std::string csv = course.csv().string();
-  REQUIRE_RUN(run, course.grade({"--csv", csv, "--roster", roster.string(), "--seed", "1"}));
-  CHECK(contains(run.output, "without a submission: bob"));
-  CHECK(contains(run.output, "not on the roster: zoe"));
-  const Table table = read_table(csv);
+  REQUIRE_RUN(run, course.grade({"--csv", course.csv(), "--roster", roster, "--seed", "1"}));
+  check_contains(run.output, {"without a submission: bob", "not on the roster: zoe"});
+  const Table table = read_table(course.csv());
   REQUIRE(table.rows.size() == 3);
-  CHECK(field(table.rows[0], "name") == "Anna Ash");
-  CHECK(field(table.rows[0], "variance status") == "no program");
-  CHECK(contains(field(table.rows[0], "submitted"), "(file time)"));
-  CHECK(field(table.rows[1], "email") == "bob@x.edu");
-  CHECK(field(table.rows[1], "variance status") == "no file");
-  CHECK(field(table.rows[1], "variance total") == "0");
-  CHECK(field(table.rows[2], "id") == "zoe");
+  const Row &anna = table.rows[0], &bob = table.rows[1];
+  CHECK(anna.at("name") == "Anna Ash");
+  CHECK(anna.at("variance status") == "no program");
+  CHECK(contains(anna.at("submitted"), "(file time)"));
+  CHECK(bob.at("email") == "bob@x.edu");
+  CHECK(bob.at("variance status") == "no file");
+  CHECK(bob.at("variance total") == "0");
+  CHECK(table.rows[2].at("id") == "zoe");
   // A corrected name does not judge anyone again.
   write_text(roster, "id,name,email\nanna,Anna Oak,anna@x.edu\nbob,Bob Bo,bob@x.edu\n");
-  const auto again = course.grade({"--csv", csv, "--roster", roster.string(), "--resume"});
+  const auto again = course.grade({"--csv", course.csv(), "--roster", roster, "--resume"});
   CHECK(contains(again.output, "0 judged, 3 already judged"));
-  CHECK(field(read_table(csv).rows[0], "name") == "Anna Oak");
+  CHECK(field(read_table(course.csv()).rows[0], "name") == "Anna Oak");
 }
 
 TEST_CASE("Canvas's LATE mark and Gradescope's time become columns, from zips too") {
   Course course;
   course.write("class/roe_LATE_4712_993_variance.cpp", "int 1;\n");
   course.write("class/doe_4711_991_variance.cpp", "int 2;\n");
-  const std::string csv = course.csv().string();
-  REQUIRE(course.grade({"--csv", csv, "--seed", "1"}).exit_code == 0);
-  Table table = read_table(csv);
+  Table table = course.graded({"--seed", "1"});
   REQUIRE(table.rows.size() == 2);
   CHECK(field(table.rows[0], "late") == "");
   CHECK(field(table.rows[1], "late") == "LATE");
 
-  const fs::path in = course.path() / "in";
-  for (const char* one : {"in/submission_11", "in/submission_12"}) {
-    course.write(std::string(one) + "/variance.cpp", "int 3;\n");
-  }
-  write_text(in / "submission_metadata.yml",
-             "---\nsubmission_11:\n  :submitters:\n  - :name: Jane Doe\n"
-             "    :email: jane@example.edu\n  :created_at: 2026-01-02 03:04:05.170614000 Z\n"
-             "  :history:\n  - :id: 5\n    :created_at: 2025-01-01 00:00:00 Z\n");
-  const std::string zip = (course.path() / "export.zip").string();
-  zip_content({.directory = in, .zip = zip});
-  REQUIRE(course.run({"grade", zip, "--lab", "1", "--csv", csv}).exit_code == 0);
-  table = read_table(csv);
+  course.write("in/submission_11/variance.cpp", "int 3;\n");
+  course.write("in/submission_12/variance.cpp", "int 3;\n");
+  course.write("in/submission_metadata.yml",
+               "---\nsubmission_11:\n  :submitters:\n  - :name: Jane Doe\n"
+               "    :email: jane@example.edu\n  :created_at: 2026-01-02 03:04:05.170614000 Z\n"
+               "  :history:\n  - :id: 5\n    :created_at: 2025-01-01 00:00:00 Z\n");
+  const fs::path zip = course.path() / "export.zip";
+  zip_content({.directory = course.path() / "in", .zip = zip});
+  course.output_of({"grade", zip, "--lab", "1", "--csv", course.csv()});
+  table = read_table(course.csv());
   REQUIRE(table.rows.size() == 2);
   CHECK(field(table.rows[0], "id") == "Jane Doe (jane@example.edu)");
   CHECK(field(table.rows[0], "submitted") == "2026-01-02 03:04:05");
@@ -154,18 +137,19 @@ TEST_CASE("a lone lab can be judged with the reference's earlier labs") {
   Course course;
   course.write("class/anna/independent.cpp",
                read_text(course.layout.solutions() / "independent.cpp"));
-  const std::string csv = course.csv().string();
-  const std::vector<std::string> words{
-      "grade",     (course.path() / "class" / "anna").string(), "--lab", "2", "--csv", csv,
-      "--no-plots"};
-  REQUIRE(course.run(words).exit_code == 0);
-  CHECK(field(read_table(csv).rows.at(0), "independent total") == "0");
-  std::vector<std::string> more = words;
-  more.emplace_back("--with-reference");
-  REQUIRE_RUN(run, course.run(more));
-  CHECK(contains(run.output, "judged with the reference's variance"));
-  CHECK(field(read_table(csv).rows.at(0), "independent total") == "100");
-  CHECK(field(read_table(csv).rows.at(0), "independent status") == "judged on reference");
+  const auto graded = [&](const Words& more) {
+    const std::string output =
+        course.output_of(joined({"grade", course.path() / "class" / "anna", "--lab", "2", "--csv",
+                                 course.csv(), "--no-plots"},
+                                more));
+    const Row row = read_table(course.csv()).rows.at(0);
+    return std::pair(output, row);
+  };
+  CHECK(graded({}).second.at("independent total") == "0");
+  const auto [output, row] = graded({"--with-reference"});
+  CHECK(contains(output, "judged with the reference's variance"));
+  CHECK(row.at("independent total") == "100");
+  CHECK(row.at("independent status") == "judged on reference");
 }
 
 }  // namespace mc::tests::roster

@@ -1,9 +1,7 @@
 // Statistics of a class, compared with values computed by hand.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
-#include "checks/support/catch.hpp"
 #include "grader/gradebook/book.hpp"
 #include "grader/gradebook/class_page.hpp"
 #include "grader/gradebook/statistics.hpp"
@@ -15,18 +13,14 @@
 
 namespace mc::tests::class_statistics {
 
-namespace fs = std::filesystem;
-using namespace grader;
-
 namespace {
 
 const std::vector<Lab> two_labs{{1, "variance", "1-variance", {}}, {5, "halton", "5-halton", {}}};
 
+/// With points in the table alone.
 CheckResult result_of(const std::string& name, Status status, const std::string& report = "") {
-  CheckResult result;
-  result.check.name = name;
-  result.status = status;
-  result.report = report;
+  CheckResult result = tests::result_of(name, status, report);
+  result.check.points = 0;
   return result;
 }
 
@@ -35,10 +29,7 @@ Verdict verdict_on(const std::string& id, std::vector<CheckResult> results) {
   verdict.submission = id;
   verdict.seed = 7;
   verdict.version = "1.0";
-  LabVerdict lab;
-  lab.lab = two_labs[0];
-  lab.checks = std::move(results);
-  verdict.labs = {lab};
+  verdict.labs = {verdict_of(std::move(results))};
   return verdict;
 }
 
@@ -224,22 +215,18 @@ TEST_CASE("statistics fit 80 columns, for large classes and long names") {
 TEST_CASE("stats of a graded class, as text and as a page without names") {
   Course course;
   course.hand_in_tiny(5);
-  const std::string csv = course.csv().string();
-  REQUIRE(course.grade({"--csv", csv, "--seed", "1"}).exit_code == 0);
-  const fs::path page = course.path() / "stats.html";
-  REQUIRE_RUN(run, course.run({"stats", csv, "--html", page.string()}));
-  CHECK(contains(run.output, "Lab 1 · variance: 0 attempts\n  1 not attempted, 4 not compiling"));
+  course.graded({"--seed", "1"});
+  const fs::path csv = course.csv(), page = course.path() / "stats.html";
+  const std::string output = course.output_of({"stats", csv, "--html", page});
+  CHECK(contains(output, "Lab 1 · variance: 0 attempts\n  1 not attempted, 4 not compiling"));
   const std::string html = read_text(page);
   CHECK(contains(html, "1 not attempted, 4 not compiling"));
   CHECK(!contains(html, "s03"));
-  for (const char* wrong : {"/no/such.csv", "/"})
-    CHECK(course.run({"stats", wrong}).exit_code == 2);
-  CHECK(course.run({"stats", csv, "--html", "/no/such/place/x.html"}).exit_code == 2);
+  for (const char* wrong : {"/no/such.csv", "/"}) check_refused(course.run({"stats", wrong}));
+  check_refused(course.run({"stats", csv, "--html", "/no/such/place/x.html"}));
   for (const std::string points : {"ten", "nan", "1e999", "2;5"}) {
     write_text(csv, "id,variance total,1.1 a\nada," + points + ",1\n");
-    const auto spoiled = course.run({"stats", csv});
-    CHECK(spoiled.exit_code == 2);
-    CHECK(contains(spoiled.errors, "'" + points + "' of ada is not a number of points"));
+    check_refused(course.run({"stats", csv}), "'" + points + "' of ada is not a number of points");
   }
 }
 

@@ -1,19 +1,9 @@
 // Merging the tables of several shards.
-#include <filesystem>
 
-#include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
 #include "grader/gradebook/book.hpp"
-#include "grader/gradebook/table.hpp"
 #include "tests/gradebook/course.hpp"
-#include "tests/text.hpp"
 
-using namespace mc::grader;
-using mc::tests::contains;
-using mc::tests::Course;
-using mc::tests::Scratch;
-using mc::tests::text_of;
-namespace fs = std::filesystem;
+namespace mc::tests::tables {
 
 namespace {
 
@@ -36,15 +26,15 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
   course.hand_in("=1+1, \"zoe\"", "int x\n");  // a name that must be quoted in a table
   course.hand_in("right", text_of(course.layout.solutions()));
   const auto whole = course.csv("whole"), merged = course.csv("merged");
-  REQUIRE(course.grade({"--csv", whole.string(), "--seed", "1"}).exit_code == 0);
-  std::vector<std::string> words{"merge", "--out", merged.string()};
+  REQUIRE(course.grade({"--csv", whole, "--seed", "1"}).succeeded());
+  Words words{"merge", "--out", merged};
   for (const std::string which : {"2", "1"}) {  // in any order
-    const std::string part = course.csv("part" + which).string();
-    REQUIRE(course.grade({"--csv", part, "--shard", which + "/2", "--seed", "1"}).exit_code == 0);
-    words.push_back(part);
+    words.push_back(course.csv("part" + which));
+    REQUIRE(
+        course.grade({"--csv", words.back(), "--shard", which + "/2", "--seed", "1"}).succeeded());
   }
   for (const char* wrong : {"0/2", "3/2", "1", "1/2/3", "x/y"}) {
-    CHECK(course.grade({"--shard", wrong}).exit_code == 2);
+    check_refused(course.grade({"--shard", wrong}));
   }
   REQUIRE_RUN(run, course.run(words));
   CHECK(run.errors.empty());
@@ -57,11 +47,11 @@ TEST_CASE("the tables of two shards merge into that of one run, verdicts include
   CHECK(one->labs[0].no_program == read_verdict(whole, "s03")->labs[0].no_program);
   // A later run accepts it as its own: nothing is judged again, and everyone has a page.
   const std::string before = read_text(merged);
-  const std::string pages = (course.path() / "pages").string();
-  const auto again = course.grade({"--csv", merged.string(), "--resume", "--html", pages});
+  const fs::path pages = course.path() / "pages";
+  const auto again = course.grade({"--csv", merged, "--resume", "--html", pages});
   CHECK(contains(again.output, "7 submissions: 0 judged, 7 already judged; seed 1"));
   CHECK(read_text(merged) == before);
-  CHECK(fs::exists(fs::path(pages) / "submissions" / "s04.html"));
+  CHECK(fs::exists(pages / "submissions" / "s04.html"));
   // Without an output file it is printed, byte by byte the same.
   words.erase(words.begin() + 1, words.begin() + 3);
   CHECK(course.run(words).output == read_text(merged));
@@ -95,8 +85,8 @@ TEST_CASE("merge reports versions and seeds that differ, with their tables") {
 TEST_CASE("merge reports a table whose run did not finish, and so does its own result") {
   Course course;
   course.hand_in_tiny(2);
-  const std::string part = course.csv("part").string(), merged = course.csv("merged").string();
-  REQUIRE(course.grade({"--csv", part, "--seed", "3"}).exit_code == 0);
+  const std::string part = course.csv("part"), merged = course.csv("merged");
+  REQUIRE(course.grade({"--csv", part, "--seed", "3"}).succeeded());
   CHECK(course.run({"merge", part, "--out", merged}).errors.empty());
   CHECK(read_book_state(merged).finished);
   write_book_state(part, false, 3);  // the state that a killed run leaves
@@ -142,5 +132,6 @@ TEST_CASE("a file that is not a table of grades is refused, with the reason") {
   CHECK(read_table(place.write("e.csv", "id,\x1b[2J\nada,\x1b[2J\n")).columns[1] == "?[2J");
   CHECK(why("\xef\xbb\xbfid,seed\r\nada,1\r\n").empty());  // as a spreadsheet saves it
   CHECK_THROWS_WITH(read_table("/no/such.csv"), "no such table: /no/such.csv");
-  CHECK(Course().run({"merge"}).exit_code == 2);
 }
+
+}  // namespace mc::tests::tables

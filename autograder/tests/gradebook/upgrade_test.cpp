@@ -1,19 +1,10 @@
 // A handout grows on top of what students have, and reaches them by ./lab update.
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
 
-#include "checks/support/catch.hpp"
-#include "grader/commands/manifest.hpp"
 #include "grader/commands/upgrade.hpp"
+#include "grader/commands/manifest.hpp"
 #include "tests/gradebook/handout.hpp"
-#include "tests/text.hpp"
 
 namespace mc::tests::upgrade {
-
-namespace fs = std::filesystem;
-using namespace grader;
 
 namespace {
 
@@ -23,7 +14,7 @@ struct Semester : Handout {
   Semester() : Handout({"--labs", "1", "--with-sources"}) {
     CAPTURE(written.errors);
     REQUIRE(written.exit_code == 0);
-    git(path(), {"clone", "-q", root.string(), clone.string()});
+    git(path(), {"clone", "-q", root, clone});
   }
   /// As if the handout had been written by an older version of this repository: another text in a
   /// file, with its hash.
@@ -36,17 +27,14 @@ struct Semester : Handout {
     write_manifest(root, manifest);
     commit_files(root, {file, manifest_file}, "older");
   }
-  sandbox::ProcessResult again(const std::vector<std::string>& more = {}) const {
-    return run(joined({"handout", root.string()}, more));
+  sandbox::ProcessResult again(const Words& more = {}) const {
+    return run(joined({"handout", root}, more));
   }
   /// `./lab update` in the clone, with the program of this build.
   sandbox::ProcessResult update() const {
-    fs::create_directories(path() / "program" / "bin");
-    const fs::path program = path() / "program" / "bin" / "grader";
-    if (!fs::exists(program)) fs::copy_file(layout.build / "bin" / "grader", program);
-    write_text(path() / "program" / "layout.txt",
-               "root=" + clone.string() + "\nversion=1.0.0\ncompiler=c++\n");
-    return sandbox::run_process({program.string(), "update"}, {.directory = clone});
+    const fs::path program = built_for(clone, path() / "program", "grader");
+    write("program/layout.txt", "root=" + clone.string() + "\nversion=1.0.0\ncompiler=c++\n");
+    return sandbox::run_process({program, "update"}, {.directory = clone});
   }
 };
 
@@ -64,10 +52,8 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own", "[.
   CHECK(contains(run.output, "one commit on top"));
   CHECK(lines(git(semester.root, {"rev-list", "HEAD"})) == 3);
   const std::string message = git(semester.root, {"log", "-1", "--format=%B"});
-  CHECK(contains(message, ", was 1.0.0"));
-  CHECK(contains(message, "New labs: independent"));
-  CHECK(contains(message, "Checks changed: variance"));
-  CHECK(contains(message, "labs/1-variance/README.md"));
+  check_contains(message, {", was 1.0.0", "New labs: independent", "Checks changed: variance",
+                           "labs/1-variance/README.md"});
   CHECK(read_text(semester.root / "starter" / "variance.cpp") == "my work\n");
   CHECK(read_text(semester.root / "notes.md") == "mine\n");
   CHECK(contains(read_text(header), "// edited"));
@@ -77,15 +63,11 @@ TEST_CASE("a handout grows by one commit, and leaves alone what others own", "[.
   CHECK(!contains(read_text(semester.root / "labs" / "1-variance" / "README.md"), "An older"));
   // Only what the course wrote is in the commit.
   const std::string left = git(semester.root, {"status", "--porcelain"});
-  CHECK(contains(left, "starter/variance.cpp"));
-  CHECK(contains(left, "notes.md"));
-  CHECK(contains(left, "variance.hpp"));
+  check_contains(left, {"starter/variance.cpp", "notes.md", "variance.hpp"});
   CHECK(lines(left) == 3);
   CHECK(contains(semester.again().output, "nothing to change"));
   // A directory that is not a handout is refused.
-  const fs::path other = semester.path() / "other";
-  semester.write("other/x", "");
-  CHECK(semester.run({"handout", other.string()}).exit_code == 2);
+  check_refused(semester.run({"handout", semester.write("other/x", "").parent_path()}));
 }
 
 TEST_CASE("a student's update keeps uncommitted work, and both versions of an edited header",
@@ -104,8 +86,8 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   write_text(semester.clone / header, "// mine\n");
   REQUIRE(semester.again({"--labs", "2"}).exit_code == 0);
   REQUIRE_RUN(run, semester.update());
-  CHECK(contains(run.output, "New labs: independent"));
-  CHECK(contains(run.output, header + ": you changed it, and so did the course"));
+  check_contains(run.output,
+                 {"New labs: independent", header + ": you changed it, and so did the course"});
   CHECK(read_text(semester.clone / "starter" / "variance.cpp") == work);
   CHECK(read_text(semester.clone / header) == given);
   CHECK(read_text(semester.clone / (header + ".mine")) == "// mine\n");
@@ -116,8 +98,7 @@ TEST_CASE("a student's update keeps uncommitted work, and both versions of an ed
   REQUIRE(semester.again({"--labs", "3"}).exit_code == 0);
   REQUIRE(semester.again({"--labs", "4"}).exit_code == 0);
   const std::string later = semester.update().output;
-  CHECK(contains(later, "New labs: stratification"));
-  CHECK(contains(later, "New labs: blue_noise"));
+  check_contains(later, {"New labs: stratification", "New labs: blue_noise"});
   CHECK(!contains(later, "New labs: independent"));
   CHECK(read_text(semester.clone / "starter" / "variance.cpp") == work);
   CHECK(fs::exists(semester.clone / "starter" / "blue_noise.cpp"));
@@ -132,10 +113,7 @@ TEST_CASE("an update that cannot be merged changes nothing", "[.update]") {
   git(semester.clone, {"commit", "-q", "-a", "-m", "my header"});
   write_text(semester.clone / "starter" / "variance.cpp", "// uncommitted\n");
   REQUIRE(semester.again().exit_code == 0);
-  const auto run = semester.update();
-  CAPTURE(run.output, run.errors);
-  CHECK(run.exit_code == 2);
-  CHECK(contains(run.errors, "nothing was updated: you committed changes to " + header));
+  check_refused(semester.update(), "nothing was updated: you committed changes to " + header);
   CHECK(read_text(semester.clone / header) == "// mine\n");
   CHECK(read_text(semester.clone / "starter" / "variance.cpp") == "// uncommitted\n");
   // What the message says to do, does it.
@@ -149,19 +127,19 @@ TEST_CASE("an update that cannot be merged changes nothing", "[.update]") {
 
 TEST_CASE("a released lab is one commit, and the next handout keeps it", "[.update]") {
   const Semester semester;
-  REQUIRE_RUN(run, semester.run({"release", "1", semester.root.string()}));
+  semester.output_of({"release", "1", semester.root});
   CHECK(contains(git(semester.root, {"log", "-1", "--format=%s"}), "solution of lab variance"));
   CHECK(read_text(semester.root / "released" / "variance.cpp") ==
         text_of(semester.layout.solutions()));
   CHECK(fs::exists(semester.root / "released" / "1-variance.md"));
-  CHECK(contains(semester.run({"release", "1", semester.root.string()}).output, "already"));
+  CHECK(contains(semester.output_of({"release", "1", semester.root}), "already"));
   CHECK(contains(semester.update().output, "Release the solution of lab variance"));
   CHECK(fs::exists(semester.clone / "released" / "variance.cpp"));
   REQUIRE(semester.again({"--labs", "2"}).exit_code == 0);
   CHECK(fs::exists(semester.root / "released" / "variance.cpp"));
   CHECK(git(semester.root, {"status", "--porcelain"}).empty());
-  CHECK(semester.run({"release", "3", semester.root.string()}).exit_code == 2);
-  CHECK(semester.run({"release", "1", semester.path().string()}).exit_code == 2);
+  check_refused(semester.run({"release", "3", semester.root}));
+  check_refused(semester.run({"release", "1", semester.path()}));
 }
 
 // A submission or a handout may have any text there; listed files may be removed by an upgrade.
