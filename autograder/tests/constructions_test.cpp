@@ -148,22 +148,5 @@ TEST_CASE("the variance by order of a product") {
   CHECK(anova.within_uses == Approx((a + b + a * b + c) / whole).margin(0.015));
 }
 
-/// Depends on only one of its two dimensions.
-struct OneDimension {
-  static constexpr std::string_view uses = "next next";
-  double operator()(Sampler& sampler) const {
-    const double x = sampler.next();
-    return sampler.next() < 0.3 ? 1 : 0 * x;
-  }
-};
-
-TEST_CASE("a function of one dimension has no variance of higher order") {
-  Rng rng(6);
-  const Anova anova = anova_of(OneDimension{}, 1 << 14, rng);
-  CHECK(anova.by_order[0] == Approx(1).margin(0.03));
-  CHECK(anova.by_order[1] == Approx(0).margin(0.03));
-  CHECK(anova.within_uses == Approx(anova.by_order[0]).epsilon(1e-9));
-}
-
 }  // namespace
 }  // namespace mc::checks

@@ -1,4 +1,5 @@
 // The handout holds no answers. checkout_test.cpp tests that it works.
+#include <algorithm>
 #include <set>
 
 #include "runner/text.hpp"
@@ -8,62 +9,52 @@ namespace mc::tests::handout {
 
 namespace {
 
-/// Lines without blanks and without git's markers of added lines.
-Words lines_of(const std::string& text) {
-  Words lines;
-  for (std::string_view line : text::split(text, '\n')) {
-    if (line.starts_with('+')) line.remove_prefix(1);
-    const auto first = line.find_first_not_of(" \t");
-    if (first == std::string_view::npos) continue;
-    lines.emplace_back(line.substr(first));
-  }
-  return lines;
-}
+/// So many lines in a row, of more characters than this in all.
+struct Passage {
+  std::size_t lines, longer_than;
+};
+constexpr Passage line{1, 40};  // identifies an answer
+// The judge computes the same things as the answers, so they share loops here and there, of at most
+// three lines.
+constexpr Passage four_lines{4, 100};
 
 using Texts = std::set<std::string>;
 
-/// Lines that identify an answer: long ones.
-void add_lines(const std::string& text, Texts& to) {
-  constexpr std::size_t long_enough = 40;
-  for (std::string& line : lines_of(text)) {
-    if (line.size() > long_enough) to.insert(std::move(line));
+/// Adds a text's passages, without blanks, braces, and git's markers of added lines.
+void add_passages(const std::string& text, const Passage& kind, Texts& to) {
+  Words lines;
+  for (std::string_view one : text::split(text, '\n')) {
+    if (one.starts_with('+')) one.remove_prefix(1);
+    one.remove_prefix(std::min(one.find_first_not_of(" \t"), one.size()));
+    if (one.size() >= 4) lines.emplace_back(one);
+  }
+  for (std::size_t i = 0; i + kind.lines <= lines.size(); ++i) {
+    const auto first = lines.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = first + static_cast<std::ptrdiff_t>(kind.lines);
+    std::string passage = fmt::format("{}", fmt::join(first, end, "\n"));
+    if (passage.size() > kind.longer_than) to.insert(std::move(passage));
   }
 }
 
-/// Four lines in a row. The judge computes the same things as the answers, so they share loops here
-/// and there, of at most three lines.
-void add_passages(const std::string& text, Texts& to) {
-  constexpr std::size_t long_enough = 100;
-  Words lines = lines_of(text);
-  std::erase_if(lines, [](const std::string& line) { return line.size() < 4; });  // braces
-  for (std::size_t i = 0; i + 4 <= lines.size(); ++i) {
-    const std::string four =
-        lines[i] + '\n' + lines[i + 1] + '\n' + lines[i + 2] + '\n' + lines[i + 3];
-    if (four.size() > long_enough) to.insert(four);
-  }
-}
-
-using Add = void(const std::string& text, Texts& to);
-
-Texts texts_in(const Layout& layout, const Words& places, Add* add) {
+Texts passages_in(const Layout& layout, const Words& places, const Passage& kind) {
   Texts all;
   for (const std::string& place : places) {
     for (const auto& entry : fs::recursive_directory_iterator(layout.root / place)) {
-      if (entry.is_regular_file()) add(read_text(entry.path()), all);
+      if (entry.is_regular_file()) add_passages(read_text(entry.path()), kind, all);
     }
   }
   return all;
 }
 
-/// Lines or passages of the answers that this text has and the students' files do not.
-Texts answers_in(const Layout& layout, const std::string& text, Add* add) {
+/// Passages of the answers that this text has and the students' files do not.
+Texts answers_in(const Layout& layout, const std::string& text, const Passage& kind) {
   const std::string kinds = "autograder/submissions/";
-  const Texts answers = texts_in(
-      layout, {"solutions", kinds + "mistakes", kinds + "alternatives", kinds + "peers"}, add);
-  const Texts given = texts_in(layout, {"labs", "starter"}, add);
+  const Texts answers = passages_in(
+      layout, {"solutions", kinds + "mistakes", kinds + "alternatives", kinds + "peers"}, kind);
+  const Texts given = passages_in(layout, {"labs", "starter"}, kind);
   REQUIRE(answers.size() > 1000);
   Texts here, found;
-  add(text, here);
+  add_passages(text, kind, here);
   for (const std::string& one : here) {
     if (answers.contains(one) && !given.contains(one)) found.insert(one);
   }
@@ -82,8 +73,8 @@ TEST_CASE("neither a handout nor its history has an answer", "[.update]") {
   const std::string judge = git(handout.root, {"log", "-p", "--all", "--", "autograder"});
   REQUIRE(contains(others, "TODO(6.1)"));
   REQUIRE(contains(judge, "TEST_CASE"));
-  CHECK(answers_in(handout.layout, others, add_lines) == Texts{});
-  CHECK(answers_in(handout.layout, judge, add_passages) == Texts{});
+  CHECK(answers_in(handout.layout, others, line) == Texts{});
+  CHECK(answers_in(handout.layout, judge, four_lines) == Texts{});
   for (const char* place : {"solutions", "docs", "autograder/submissions", "autograder/tests"}) {
     CHECK_FALSE(fs::exists(handout.root / place));
   }
