@@ -241,7 +241,7 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
 
 #ifdef MC_HAVE_SECCOMP
   sock_filter own[longest_filter];  // the parent's memory may be shared until the exec
-  std::copy(filter.begin(), filter.end(), own);
+  std::ranges::copy(filter, own);
   const auto self = static_cast<std::uint32_t>(getpid());
   for (std::size_t i = 0; i < filter.size(); ++i) {
     if (BPF_CLASS(own[i].code) == BPF_JMP && own[i].k == pid_placeholder) own[i].k = self;

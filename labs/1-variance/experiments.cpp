@@ -22,7 +22,7 @@ double variance_two_pass(std::vector<double> x) {
 std::vector<double> two_pass_of_constants(std::vector<double> constants, std::uint64_t n) {
   std::vector<double> all, x(n);
   for (const double c : constants) {
-    std::fill(x.begin(), x.end(), c);
+    std::ranges::fill(x, c);
     all.push_back(mc::variance_two_pass(x));
   }
   return all;

@@ -192,7 +192,7 @@ Points stratified_2d_upper_bits(Grid grid, std::uint64_t word) {
 std::vector<double> shuffle(std::vector<double> x, std::uint64_t times, std::uint64_t seed) {
   return many(x.size(), 1, times, seed, [&](PointSet& points, Rng& rng) {
     const auto column = points.column(0);
-    std::copy(x.begin(), x.end(), column.begin());
+    std::ranges::copy(x, column.begin());
     mc::shuffle(column, rng);
   });
 }

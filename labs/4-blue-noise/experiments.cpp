@@ -87,8 +87,8 @@ std::vector<double> radial_power(std::vector<double> power, int kmax) {
 
 Points tile(std::vector<double> x, std::vector<double> y, int copies) {
   PointSet pattern(x.size(), 2);
-  std::copy(x.begin(), x.end(), pattern.column(0).begin());
-  std::copy(y.begin(), y.end(), pattern.column(1).begin());
+  std::ranges::copy(x, pattern.column(0).begin());
+  std::ranges::copy(y, pattern.column(1).begin());
   return columns_of(mc::tile(pattern, copies));
 }
 

@@ -21,7 +21,7 @@ Scene scene_with(std::span<const double> parameters) {
   if (!parameters.empty() && parameters.size() != fields.size()) {
     throw std::out_of_range("parameters: the scene takes " + std::to_string(fields.size()));
   }
-  std::copy(parameters.begin(), parameters.end(), fields.begin());
+  std::ranges::copy(parameters, fields.begin());
   return {S::uses, std::bit_cast<S>(fields)};
 }
 

@@ -40,9 +40,8 @@ std::string list_of_experiments(std::size_t width) {
   }
   for (const Choice& choice : choices()) {
     add("\n", text::words_of("--" + choice.parameter + " " + choice.meaning), 2);
-    const bool are_words = std::all_of(choice.values.begin(), choice.values.end(), [](auto& value) {
-      return value.find(' ') == std::string::npos;
-    });
+    const bool are_words = std::ranges::all_of(
+        choice.values, [](auto& value) { return value.find(' ') == std::string::npos; });
     if (are_words) {
       add("    ", choice.values, 4);
       continue;

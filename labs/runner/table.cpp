@@ -7,8 +7,8 @@ namespace mc::runner {
 namespace {
 
 const TypedArgument* find(const TypedArguments& arguments, std::string_view name) {
-  const auto at = std::find_if(arguments.begin(), arguments.end(),
-                               [=](const TypedArgument& one) { return one.name == name; });
+  const auto at =
+      std::ranges::find_if(arguments, [=](const TypedArgument& one) { return one.name == name; });
   return at == arguments.end() ? nullptr : &*at;
 }
 
@@ -159,7 +159,7 @@ std::string as_table(std::vector<Block> blocks, const Layout& layout,
                      const TypedArguments& arguments) {
   std::string all;
   const auto first_list =
-      std::find_if(blocks.begin(), blocks.end(), [](const Block& block) { return block.is_list; });
+      std::ranges::find_if(blocks, [](const Block& block) { return block.is_list; });
   if (first_list != blocks.end()) lay_out(*first_list, layout, arguments);
   for (const Block& block : blocks) all += text_of(block);
   if (!all.empty()) all.pop_back();

@@ -85,7 +85,7 @@ std::string wrapped(const std::vector<std::string>& words, std::size_t width, st
 
 std::size_t columns_of(std::string_view text) {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+      std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
 void wrong_number_of_fields(std::string_view names) {

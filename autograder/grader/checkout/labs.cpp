@@ -63,7 +63,7 @@ void add_dependencies(std::vector<Lab>& labs, const Layout& layout) {
 
 std::string Lab::title() const {
   std::string words = name;
-  std::replace(words.begin(), words.end(), '_', ' ');
+  std::ranges::replace(words, '_', ' ');
   return fmt::format("Lab {} · {}", number, words);
 }
 
@@ -77,10 +77,10 @@ std::vector<Lab> find_labs(const Layout& layout) {
       continue;
     }
     std::string name = folder.substr(dash + 1);
-    std::replace(name.begin(), name.end(), '-', '_');
+    std::ranges::replace(name, '-', '_');
     labs.push_back({std::stoi(folder.substr(0, dash)), name, folder, {}});
   }
-  std::sort(labs.begin(), labs.end(), [](auto& a, auto& b) { return a.number < b.number; });
+  std::ranges::sort(labs, [](auto& a, auto& b) { return a.number < b.number; });
   add_dependencies(labs, layout);
   return labs;
 }
@@ -103,8 +103,8 @@ const Lab& find_lab(const std::vector<Lab>& labs, const std::string& word) {
 }
 
 std::string nearest(const std::string& text, const std::vector<std::string>& choices) {
-  return *std::min_element(choices.begin(), choices.end(),
-                           [&](auto& a, auto& b) { return distance(text, a) < distance(text, b); });
+  return *std::ranges::min_element(
+      choices, [&](auto& a, auto& b) { return distance(text, a) < distance(text, b); });
 }
 
 std::vector<Experiment> experiments_of(const Layout& layout, const Lab& lab) {

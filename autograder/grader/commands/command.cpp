@@ -104,10 +104,9 @@ int dispatch(std::vector<std::string> words) {
   }
   const Command* const command = find_command(entry.name);
   const bool needs_course =
-      command == nullptr ||
-      (report_json == nullptr && std::any_of(words.begin(), words.end(), [](auto& word) {
-         return word.starts_with("--json");
-       }));
+      command == nullptr || (report_json == nullptr && std::ranges::any_of(words, [](auto& word) {
+                               return word.starts_with("--json");
+                             }));
   if (needs_course) run_course(layout, std::move(words));
   if (!words.empty()) words.erase(words.begin());
   if (!words.empty() && words[0] == "-h") words[0] = "--help";
@@ -176,8 +175,8 @@ std::vector<Submission> submissions_with_solutions(const Context& context, const
   };
   for (const std::string& directory : directories) add(directory, nullptr);
   if (submissions.empty()) add(layout.starter(), "starter");
-  const bool has_solutions = std::any_of(submissions.begin(), submissions.end(),
-                                         [&](auto& one) { return is_reference(layout, one); });
+  const bool has_solutions =
+      std::ranges::any_of(submissions, [&](auto& one) { return is_reference(layout, one); });
   if (!has_solutions && fs::exists(layout.solutions() / lab.file())) {
     add(layout.solutions(), "solutions");
   }

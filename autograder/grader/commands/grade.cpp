@@ -114,7 +114,7 @@ class Records {
     for (const IntakeEntry& one : mine) ids.push_back(one.submission.label);
     // From all submissions, so that the tables of several shards have the same columns.
     const bool has_people =
-        arguments.has("roster") || std::any_of(all.begin(), all.end(), [](const IntakeEntry& one) {
+        arguments.has("roster") || std::ranges::any_of(all, [](const IntakeEntry& one) {
           const Delivery& delivery = one.submission.delivery;
           return delivery.late || !delivery.submitted.empty();
         });

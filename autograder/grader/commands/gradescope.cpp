@@ -56,7 +56,7 @@ int gradescope(const Context& context, const Arguments& arguments) {
   std::vector<std::string> names;
   for (const std::string& word : arguments.words) {
     const std::string& name = find_lab(context.labs, word).name;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   const ScratchDirectory scratch(context.layout);
   const fs::path tree = scratch.path() / "tree", zip = fs::absolute(*out);

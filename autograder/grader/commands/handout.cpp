@@ -19,12 +19,10 @@ namespace {
 
 /// Does a line mention a command for something that is not part of the handout?
 bool names_absent_command(const std::string& line, const fs::path& handout) {
-  return std::any_of(std::begin(command_list), std::end(command_list),
-                     [&](const CommandEntry& command) {
-                       const bool is_named =
-                           line.find(fmt::format("`./lab {}`", command.name)) != std::string::npos;
-                       return is_named && !fs::exists(handout / command.about);
-                     });
+  return std::ranges::any_of(command_list, [&](const CommandEntry& command) {
+    const bool is_named = line.find(fmt::format("`./lab {}`", command.name)) != std::string::npos;
+    return is_named && !fs::exists(handout / command.about);
+  });
 }
 
 /// The README of docs/handout covers lab 1 and all labs; this adapts it to the labs of this

@@ -8,7 +8,7 @@ namespace {
 
 /// Does this name a file below the handout? Files of a manifest may be removed.
 bool is_below(const fs::path& name) {
-  return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
+  return name.is_relative() && std::ranges::find(name, "..") == name.end();
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::vector<BookState> states_of(const std::vector<Table>& tables) {
 
 /// One run, as far as a later ./lab grade --resume can see; nothing if their seeds differ.
 void join_states(const std::vector<BookState>& states, const fs::path& out) {
-  const auto all = [&](auto holds) { return std::all_of(states.begin(), states.end(), holds); };
+  const auto all = [&](auto holds) { return std::ranges::all_of(states, holds); };
   const std::uint64_t seed = states[0].seed;
   if (!all([&](const BookState& one) { return one.exists && one.seed == seed; })) return;
   write_book_state(out, all([](const BookState& one) { return one.finished; }), seed);

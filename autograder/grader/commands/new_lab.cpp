@@ -48,8 +48,8 @@ std::vector<fs::path> write_new_lab(const fs::path& skeleton, int number, const 
     throw UsageError("a lab's name has lower-case letters, digits and _: light_transport");
   }
   std::string dashed = name, title = name;
-  std::replace(dashed.begin(), dashed.end(), '_', '-');
-  std::replace(title.begin(), title.end(), '_', ' ');
+  std::ranges::replace(dashed, '_', '-');
+  std::ranges::replace(title, '_', ' ');
   std::map<fs::path, std::string> files;
   std::string* text = nullptr;
   std::istringstream lines(with_replacements(read_whole_text(skeleton),

@@ -16,8 +16,8 @@ std::uint64_t hash_now(const Layout& layout, const Lab& lab) {
 }  // namespace
 
 void write_progress(const Layout& layout, const LabVerdict& verdict) {
-  const auto next = std::find_if(verdict.checks.begin(), verdict.checks.end(),
-                                 [](const CheckResult& result) { return result.is_open(); });
+  const auto next = std::ranges::find_if(
+      verdict.checks, [](const CheckResult& result) { return result.is_open(); });
   const auto file = file_of(layout, verdict.lab);
   fs::create_directories(file.parent_path());
   write_text(file, fmt::format("{} {} {} {}\n", verdict.earned(), verdict.points(),

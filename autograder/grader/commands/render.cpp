@@ -10,7 +10,7 @@ namespace mc::grader {
 namespace {
 
 bool is_one_of(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 /// Takes the picture off `words`; what is left are directories.

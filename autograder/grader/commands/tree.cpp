@@ -36,9 +36,8 @@ bool is_kept_back(const std::string& file, JudgeForm form) {
   const auto is_below = [&](const char* place) {
     return std::string_view(place).ends_with('/') ? file.starts_with(place) : file == place;
   };
-  return std::any_of(std::begin(kept_back), std::end(kept_back), is_below) ||
-         (form == JudgeForm::compiled &&
-          std::any_of(std::begin(sources_of_the_judge), std::end(sources_of_the_judge), is_below));
+  return std::ranges::any_of(kept_back, is_below) ||
+         (form == JudgeForm::compiled && std::ranges::any_of(sources_of_the_judge, is_below));
 }
 
 /// Does this file belong to a lab that is left out?

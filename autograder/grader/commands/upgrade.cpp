@@ -43,7 +43,7 @@ Manifest make_manifest(const Context& context, Manifest manifest, const fs::path
     std::vector<fs::path> files;
     const fs::path folder = context.layout.root / "autograder" / "checks" / lab.name;
     for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     std::string all;
     for (const fs::path& file : files) all += read_whole_text(file);
     manifest.checks[lab.name] = fmt::format("{:016x}", hash_text(all));
@@ -90,10 +90,10 @@ std::string upgrade(const fs::path& handout, const fs::path& tree) {
       if (hash_of_file(handout / file) != hash) difference.kept.push_back(file);
       continue;
     }
-    const bool is_of_new_lab = std::any_of(
-        difference.labs.begin(), difference.labs.end(), [&name = file](std::string lab) {
+    const bool is_of_new_lab =
+        std::ranges::any_of(difference.labs, [&name = file](std::string lab) {
           if (name.find(lab) != std::string::npos) return true;
-          std::replace(lab.begin(), lab.end(), '_', '-');  // of its folder
+          std::ranges::replace(lab, '_', '-');  // of its folder
           return name.find(lab) != std::string::npos;
         });
     if (!is_of_new_lab) {

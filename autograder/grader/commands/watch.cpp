@@ -66,7 +66,7 @@ class WatchedFiles {
   }
   /// The name of the first missing file; empty if none is missing.
   std::string missing() const {
-    const auto found = std::find(states_.begin(), states_.end(), State{});
+    const auto found = std::ranges::find(states_, State{});
     if (found == states_.end()) return {};
     return files_[static_cast<std::size_t>(found - states_.begin())].filename().string();
   }
@@ -246,7 +246,7 @@ std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
                               const Terminal& terminal) {
   const auto is_open = [](const CheckResult& result) { return result.is_open(); };
   LabVerdict sorted = lab;
-  const auto open = std::find_if(lab.checks.begin(), lab.checks.end(), is_open);
+  const auto open = std::ranges::find_if(lab.checks, is_open);
   if (open != lab.checks.end()) {
     std::stable_partition(sorted.checks.begin(), sorted.checks.end(), [&](const CheckResult& one) {
       return one.check.task == open->check.task;

@@ -33,11 +33,9 @@ std::string everything_in(const IntakeEntry& entry, const JudgeOptions& options)
 /// Did the machine, and not only the autograder, prevent judging?
 bool has_machine_failed(const Verdict& verdict) {
   if (verdict.not_judged.empty()) return false;
-  return verdict.labs.empty() ||
-         std::any_of(verdict.labs.begin(), verdict.labs.end(), [](const LabVerdict& lab) {
-           return std::any_of(lab.checks.begin(), lab.checks.end(), [](const CheckResult& one) {
-             return one.status == Status::not_judged;
-           });
+  return verdict.labs.empty() || std::ranges::any_of(verdict.labs, [](const LabVerdict& lab) {
+           return std::ranges::any_of(
+               lab.checks, [](const CheckResult& one) { return one.status == Status::not_judged; });
          });
 }
 
@@ -217,14 +215,13 @@ std::vector<LabColumns> columns_for(const Context& context, const std::vector<In
                                     const std::vector<Lab>& requested) {
   std::vector<LabColumns> columns;
   for (const Lab& lab : context.labs) {
-    const bool is_judged = std::any_of(entries.begin(), entries.end(), [&](auto& one) {
+    const bool is_judged = std::ranges::any_of(entries, [&](auto& one) {
       const auto labs = labs_of(context, one.submission, requested);
-      return std::any_of(labs.begin(), labs.end(), [&](auto& a) { return a.name == lab.name; });
+      return std::ranges::any_of(labs, [&](auto& a) { return a.name == lab.name; });
     });
     if (!is_judged) continue;
-    const bool has_hours = std::any_of(entries.begin(), entries.end(), [&](auto& one) {
-      return one.submission.delivery.hours.contains(lab.name);
-    });
+    const bool has_hours = std::ranges::any_of(
+        entries, [&](auto& one) { return one.submission.delivery.hours.contains(lab.name); });
     columns.push_back({lab, {}, has_hours});
     for (const Check& check : expected_checks(context.layout, lab)) {
       columns.back().checks.push_back(check.name);

@@ -33,13 +33,6 @@ const Names emails{"email", "email address", "e-mail", "sis login id"};
 const Names logins{"sis login id", "username", "github_username"};
 }  // namespace roster_columns
 
-std::string in_lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 std::string without_blanks(const std::string& text) {
   const auto begin = text.find_first_not_of(' ');
   if (begin == std::string::npos) return {};
@@ -240,15 +233,9 @@ RosterReport match_roster(const Roster& roster, std::vector<IntakeEntry>& entrie
     report.without_submission.push_back(person.id);
     matched.push_back(entry_of(person, {}));
   }
-  std::set<std::string> taken;
-  for (IntakeEntry& entry : matched) {
-    const std::string plain = entry.submission.label;
-    for (int i = 2; !taken.insert(in_lower_case(entry.submission.label)).second; ++i) {
-      entry.submission.label = fmt::format("{} ({})", plain, i);
-    }
-  }
-  std::stable_sort(matched.begin(), matched.end(),
-                   [](auto& a, auto& b) { return a.submission.label < b.submission.label; });
+  make_labels_unique(matched);
+  std::ranges::stable_sort(
+      matched, [](auto& a, auto& b) { return a.submission.label < b.submission.label; });
   entries = std::move(matched);
   return report;
 }

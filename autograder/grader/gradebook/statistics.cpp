@@ -126,7 +126,7 @@ LabStatistics lab_statistics(const Table& table, const std::map<std::string, Ver
     const std::string status = field(row, lab.name + " status");
     const auto found = verdicts.find(field(row, "id"));
     const Verdict* const verdict = found == verdicts.end() ? nullptr : &found->second;
-    const bool has_begun = std::any_of(checks.begin(), checks.end(), [&](const std::string& check) {
+    const bool has_begun = std::ranges::any_of(checks, [&](const std::string& check) {
       const CheckResult* const result = result_in(verdict, check);
       return result == nullptr || result->status != Status::not_written;
     });
@@ -182,7 +182,7 @@ std::set<std::string> hints_of(const Verdict& verdict) {
 
 /// The value with this share of the values below it, interpolated between its neighbors.
 double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const double rank = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(rank);
   const auto above = std::min(below + 1, values.size() - 1);
@@ -228,8 +228,8 @@ ClassStatistics statistics_of(const Table& table, const std::map<std::string, Ve
     for (const std::string& hint : hints_of(verdict->second)) ++hints[hint];
   }
   for (const auto& [hint, count] : hints) statistics.hints.push_back({hint, count});
-  std::stable_sort(statistics.hints.begin(), statistics.hints.end(),
-                   [](auto& a, auto& b) { return a.submissions > b.submissions; });
+  std::ranges::stable_sort(statistics.hints,
+                           [](auto& a, auto& b) { return a.submissions > b.submissions; });
   constexpr std::size_t most_hints = 15;
   if (statistics.hints.size() > most_hints) statistics.hints.resize(most_hints);
   return statistics;
@@ -243,7 +243,7 @@ std::optional<double> point_biserial(const std::vector<bool>& yes,
     ++counts[yes[i]];
   }
   if (counts[0] == 0 || counts[1] == 0) return {};
-  const auto [least, most] = std::minmax_element(number.begin(), number.end());
+  const auto [least, most] = std::ranges::minmax_element(number);
   if (*least == *most) return {};
   const double n = counts[0] + counts[1], mean = (sums[0] + sums[1]) / n;
   double squares = 0;

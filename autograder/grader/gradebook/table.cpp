@@ -62,7 +62,7 @@ std::string field(const Row& row, const std::string& column) {
 }
 
 bool has_column(const std::vector<std::string>& columns, const std::string& column) {
-  return std::find(columns.begin(), columns.end(), column) != columns.end();
+  return std::ranges::find(columns, column) != columns.end();
 }
 
 void add_column(std::vector<std::string>& columns, const std::string& column) {
@@ -145,8 +145,8 @@ MergeResult merge_tables(const std::vector<Table>& tables, const std::vector<Lab
                                    id, shown(first), shown(table.file)));
     }
   }
-  std::stable_sort(columns.begin(), columns.end(),
-                   [&](auto& a, auto& b) { return place_of(labs, a) < place_of(labs, b); });
+  std::ranges::stable_sort(columns,
+                           [&](auto& a, auto& b) { return place_of(labs, a) < place_of(labs, b); });
   for (auto& [id, row] : rows) merged.table.rows.push_back(std::move(row));
   for (const char* column : {"version", "seed"}) {
     report_difference(tables, column, merged.differences);

@@ -63,7 +63,7 @@ void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& pr
   if (!options.first) return run_side_by_side(tasks.size(), std::max(1u, options.workers), run);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     run(i);
-    const bool is_right = std::all_of(tasks[i].begin(), tasks[i].end(), [](auto* result) {
+    const bool is_right = std::ranges::all_of(tasks[i], [](auto* result) {
       return result->status == Status::passed || result->check.is_stretch();
     });
     if (!is_right) break;
@@ -75,14 +75,13 @@ void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& pr
 /// task's misuse and edge cases do not hold up other tasks.
 void find_waiting(std::vector<CheckResult>& results) {
   const auto passed_basics = [&](const std::string& task) {
-    return std::all_of(results.begin(), results.end(), [&](auto& other) {
+    return std::ranges::all_of(results, [&](auto& other) {
       return other.check.task != task || other.check.is_edge || other.status == Status::passed;
     });
   };
   for (CheckResult& result : results) {
     const auto& needs = result.check.needs;
-    if (result.status == Status::failed &&
-        !std::all_of(needs.begin(), needs.end(), passed_basics)) {
+    if (result.status == Status::failed && !std::ranges::all_of(needs, passed_basics)) {
       result.status = Status::waiting;
     }
   }
@@ -122,7 +121,7 @@ std::vector<Check> expected_checks(const Layout& layout, const Lab& lab) {
         fmt::format("the checks of lab {} are not built: run ./lab setup", lab.name));
   }
   apply_points(layout.root, lab, checks);
-  std::stable_sort(checks.begin(), checks.end(), [](const Check& a, const Check& b) {
+  std::ranges::stable_sort(checks, [](const Check& a, const Check& b) {
     return task_number(a.task) < task_number(b.task);
   });
   return known[lab.name] = checks;
@@ -137,7 +136,7 @@ void wait_for_labs(LabVerdict& verdict,
       if (is_own || is_finished(need)) continue;
       result.status = Status::waiting;
       auto& unfinished = verdict.unfinished;
-      if (std::find(unfinished.begin(), unfinished.end(), need) == unfinished.end()) {
+      if (std::ranges::find(unfinished, need) == unfinished.end()) {
         unfinished.push_back(need);
       }
       break;

@@ -52,10 +52,10 @@ void compile_side_by_side(const Context& context, const Submission& submission,
                           const std::vector<Lab>& labs, const JudgeOptions& options) {
   if (labs.size() < 2 || options.workers == 1) return;
   build_within(context,
-               *std::max_element(labs.begin(), labs.end(),
-                                 [](const Lab& one, const Lab& other) {
-                                   return one.depends_on.size() < other.depends_on.size();
-                                 }),
+               *std::ranges::max_element(labs,
+                                         [](const Lab& one, const Lab& other) {
+                                           return one.depends_on.size() < other.depends_on.size();
+                                         }),
                submission, options);
 }
 
@@ -87,7 +87,7 @@ class CompletionCache {
       options_.only = dot == std::string::npos ? "" : need;
       const auto checks = expected_checks(context_.layout, lab);
       const auto is_about = [&](const Check& check) { return check.task == need; };
-      if (dot != std::string::npos && std::none_of(checks.begin(), checks.end(), is_about)) {
+      if (dot != std::string::npos && std::ranges::none_of(checks, is_about)) {
         return known_[need] = true;  // points.csv leaves it out
       }
       const BuildResult built = build_within(context_, lab, submission_, options_);

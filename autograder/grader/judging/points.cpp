@@ -87,9 +87,8 @@ void require_known_points(const Layout& layout, const std::vector<Lab>& labs) {
   if (!std::filesystem::exists(layout.submissions())) return;
   for (const PointsLine& line : lines_of_points(layout.root)) {
     const std::string task = line.what.substr(0, line.what.find(' '));
-    const auto lab = std::find_if(labs.begin(), labs.end(), [&](const Lab& one) {
-      return one.number == std::atoi(task.c_str());
-    });
+    const auto lab = std::ranges::find_if(
+        labs, [&](const Lab& one) { return one.number == std::atoi(task.c_str()); });
     if (lab == labs.end()) {
       refuse_line(line.number, fmt::format("there is no lab {}", std::atoi(task.c_str())));
     }

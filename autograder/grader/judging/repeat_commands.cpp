@@ -34,7 +34,7 @@ std::string short_of(const Layout& layout, const std::string& argument) {
   fs::create_directories(file.parent_path(), ignored);
   if (!fs::exists(file)) {
     std::string lines = argument;
-    std::replace(lines.begin(), lines.end(), ',', '\n');
+    std::ranges::replace(lines, ',', '\n');
     write_text(file, lines + '\n');
   }
   // Short where it is typed: from the checkout.

@@ -93,8 +93,8 @@ double run_check(const Layout& layout, const Lab& lab, const sandbox::Program& p
   const Findings found = read_records(checked.records, printed_left, result);
   // A check's status comes from the record of its end and from nothing else.
   const auto ends = checked.ends();
-  const auto end = std::find_if(ends.begin(), ends.end(),
-                                [&](auto& one) { return one.name == result.check.name; });
+  const auto end =
+      std::ranges::find_if(ends, [&](auto& one) { return one.name == result.check.name; });
   const auto set = [&](Status status, const std::string& report) {
     result.status = status;
     result.report = sandbox::printable(report);

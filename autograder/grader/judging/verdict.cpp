@@ -48,10 +48,10 @@ int task_number(const std::string& task) {
 std::string describe(const CheckResult& result, const LabVerdict& verdict) {
   const auto is_unfinished = [&](const std::string& need) {
     const auto& labs = verdict.unfinished;
-    return std::find(labs.begin(), labs.end(), need) != labs.end();
+    return std::ranges::find(labs, need) != labs.end();
   };
   const auto is_not_passed = [&](const std::string& need) {
-    return std::any_of(verdict.checks.begin(), verdict.checks.end(), [&](auto& other) {
+    return std::ranges::any_of(verdict.checks, [&](auto& other) {
       return other.check.task == need && other.status != Status::passed;
     });
   };

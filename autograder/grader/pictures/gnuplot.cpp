@@ -52,7 +52,7 @@ void collect(Plots& plots, const fs::path& place, const std::string& start) {
   for (const auto& entry : fs::directory_iterator(place)) {
     if (entry.path().filename().string().starts_with(start)) plots.pictures.push_back(entry.path());
   }
-  std::sort(plots.pictures.begin(), plots.pictures.end());
+  std::ranges::sort(plots.pictures);
 }
 
 }  // namespace mc::grader

@@ -79,9 +79,8 @@ double largest_in(const fs::path& file) {
 }  // namespace
 
 const Lab& lab_with_pictures(const Layout& layout, const std::vector<Lab>& labs) {
-  const auto found = std::find_if(labs.begin(), labs.end(), [&](const Lab& lab) {
-    return fs::exists(layout.labs() / lab.folder / "render.gp");
-  });
+  const auto found = std::ranges::find_if(
+      labs, [&](const Lab& lab) { return fs::exists(layout.labs() / lab.folder / "render.gp"); });
   if (found == labs.end()) throw MachineError("no lab has pictures: labs/*/render.gp is missing");
   return *found;
 }
@@ -166,7 +165,7 @@ Renders draw_renders(
           if (!titles.back().empty())
             sheet.range = std::max(sheet.range, (in_time ? row.time : row.samples).large_error);
         }
-        if (std::all_of(titles.begin(), titles.end(), [](auto& title) { return title.empty(); })) {
+        if (std::ranges::all_of(titles, [](auto& title) { return title.empty(); })) {
           continue;
         }
         sheet.white = largest_in(rendering.data / "exact.tsv");

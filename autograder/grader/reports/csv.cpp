@@ -32,7 +32,7 @@ const LabVerdict* judged_in(const Verdict& verdict, const Lab& lab) {
 std::string status_of(const Verdict& verdict, const Lab& lab, const LabVerdict* judged) {
   if (!verdict.unreadable.empty()) return "unreadable";
   const auto& absent = verdict.absent;
-  if (std::find(absent.begin(), absent.end(), lab.name) != absent.end()) return "no file";
+  if (std::ranges::find(absent, lab.name) != absent.end()) return "no file";
   if (!verdict.not_judged.empty()) return "not judged";
   if (judged == nullptr) return "";
   if (!judged->no_program.empty()) return "no program";

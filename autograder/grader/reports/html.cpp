@@ -109,8 +109,8 @@ std::string check_row(const CheckResult& result, const LabVerdict& lab, std::uin
 
 std::string speed_table(const LabVerdict& lab) {
   if (lab.speed.empty()) return {};
-  const bool has_errors = std::any_of(lab.speed.begin(), lab.speed.end(),
-                                      [](const Speed& one) { return one.error.has_value(); });
+  const bool has_errors =
+      std::ranges::any_of(lab.speed, [](const Speed& one) { return one.error.has_value(); });
   const auto header = [](const char* text) {
     return fmt::format("<th scope=\"col\" class=\"number\">{}</th>", text);
   };

@@ -229,7 +229,7 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
   std::set<std::string> explained;  // tasks whose first failure is above
   std::set<std::string> hints;      // shown above
   const auto is_open = [](const CheckResult& result) { return result.is_open(); };
-  const auto next = std::find_if(lab.checks.begin(), lab.checks.end(), is_open);
+  const auto next = std::ranges::find_if(lab.checks, is_open);
   const bool is_grade = verdict.not_judged.empty();
   for (std::size_t i = 0, count = 0; i < lab.checks.size(); i += count) {
     const CheckResult& result = lab.checks[i];
@@ -320,7 +320,7 @@ std::string report_summary(const std::vector<Verdict>& verdicts, std::size_t col
     all += fmt::format("  {:>9}", points_of(verdict.earned(), verdict.points()));
     for (const LabVerdict& lab : verdict.labs) {
       const auto& absent = verdict.absent;
-      const bool is_absent = std::find(absent.begin(), absent.end(), lab.lab.name) != absent.end();
+      const bool is_absent = std::ranges::find(absent, lab.lab.name) != absent.end();
       all += fmt::format("  {} {}", lab.lab.name,
                          is_absent                ? "no file"
                          : lab.no_program.empty() ? points_of(lab.earned(), lab.points())

@@ -36,8 +36,7 @@ void to_json(Json& json, Status status) {
   json = status_names[static_cast<std::size_t>(status)];
 }
 void from_json(const Json& json, Status& status) {
-  const auto found =
-      std::find(std::begin(status_names), std::end(status_names), json.get<std::string>());
+  const auto found = std::ranges::find(status_names, json.get<std::string>());
   if (found == std::end(status_names)) throw std::invalid_argument("no such status");
   status = static_cast<Status>(found - std::begin(status_names));
 }
@@ -134,8 +133,7 @@ void to_json(Json& json, const T& value) {
 template <HasFields T>
 void from_json(const Json& json, T& value) {
   fields(value, [&](const char* key, auto& field) {
-    const bool is_newer =
-        std::find(std::begin(newer_keys), std::end(newer_keys), key) != std::end(newer_keys);
+    const bool is_newer = std::ranges::find(newer_keys, key) != std::end(newer_keys);
     if (!is_newer || json.contains(key)) json.at(key).get_to(field);
   });
 }

@@ -215,7 +215,7 @@ std::vector<std::string> include_flags(const Layout& layout, bool with_repositor
     if (entry.is_directory()) flags.push_back("-I" + entry.path().string());
   }
   if (with_repository) flags.push_back("-I" + layout.root.string());
-  std::sort(flags.begin(), flags.end());
+  std::ranges::sort(flags);
   return flags;
 }
 

@@ -147,12 +147,11 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
     };
     const auto own = headers.find(lab.name);
     if (own != headers.end() && declares(*own)) return lab.name;
-    const auto other = std::find_if(headers.begin(), headers.end(), declares);
+    const auto other = std::ranges::find_if(headers, declares);
     return other == headers.end() ? "" : other->first;
   };
   const auto is_linked = [&](const std::string& name) {
-    return name == lab.name ||
-           std::find(lab.depends_on.begin(), lab.depends_on.end(), name) != lab.depends_on.end();
+    return name == lab.name || std::ranges::find(lab.depends_on, name) != lab.depends_on.end();
   };
   std::set<std::string> missing, doubled;
   const std::pair<const char*, std::set<std::string>&> messages[] = {

@@ -110,7 +110,7 @@ std::map<std::string, GradescopeEntry> gradescope_entries(const fs::path& direct
 
 std::string id_from_name(const std::string& name) {
   std::string id = sandbox::printable_line(name.substr(0, name.find(moodles)));
-  std::replace(id.begin(), id.end(), '/', '_');
+  std::ranges::replace(id, '/', '_');
   constexpr std::size_t longest = 100;  // of a file's 255 bytes
   id = sandbox::shortened(id, longest);
   return id.empty() || id == "." || id == ".." ? "submission" : id;

@@ -33,7 +33,7 @@ std::string name_of(const Layout& layout, const fs::path& directory) {
   const fs::path real = fs::canonical(directory), root = fs::canonical(layout.root);
   std::string name = real.lexically_relative(root).string();
   if (name.starts_with(".")) name = real.string();
-  std::replace(name.begin(), name.end(), '/', '_');
+  std::ranges::replace(name, '/', '_');
   return name;
 }
 
@@ -158,7 +158,7 @@ ProgramByHand build_by_hand(const Layout& layout, const Lab& lab, const Submissi
 
   const fs::path program = own / lab.name;
   const bool is_current =
-      fs::exists(program) && std::all_of(sources.begin(), sources.end(), [&](auto& source) {
+      fs::exists(program) && std::ranges::all_of(sources, [&](auto& source) {
         return fs::last_write_time(source.object) < fs::last_write_time(program);
       });
   if (is_current) return {program, {}};

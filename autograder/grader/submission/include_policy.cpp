@@ -95,8 +95,7 @@ std::optional<fs::path> forbidden(const Layout& layout, bool trusted, const fs::
   allowed.push_back(fs::weakly_canonical(layout.build / "precompiled"));
   if (trusted) allowed.push_back(fs::canonical(layout.root));
   const auto is_below_one = [](const fs::path& path, const std::vector<fs::path>& places) {
-    return std::any_of(places.begin(), places.end(),
-                       [&](auto& place) { return is_below(path, place); });
+    return std::ranges::any_of(places, [&](auto& place) { return is_below(path, place); });
   };
   for (const fs::path& file : files) {
     const fs::path path = file.is_absolute() ? file : directory / file;

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <map>
 #include <optional>
@@ -43,7 +42,7 @@ Listing listing_of(const fs::path& directory) {
     }
     if (!is_ignored(entry.path().filename())) entries.push_back(entry);
   }
-  std::sort(entries.begin(), entries.end());
+  std::ranges::sort(entries);
   for (const fs::directory_entry& entry : entries) {
     const fs::file_status status = entry.symlink_status();
     auto& kind = fs::is_symlink(status)         ? listing.links
@@ -111,9 +110,8 @@ std::optional<fs::path> parent_in(const std::vector<Lab>& labs, fs::path directo
       return {};
     }
     const Listing listing = listing_of(directory);
-    const bool is_flat = std::any_of(listing.files.begin(), listing.files.end(), [](auto& file) {
-      return named_by_platform(file).has_value();
-    });
+    const bool is_flat = std::ranges::any_of(
+        listing.files, [](auto& file) { return named_by_platform(file).has_value(); });
     if (!listing.zips.empty() || is_flat || listing.directories.size() > 1) return directory;
     if (listing.directories.empty()) return {};
     directory = listing.directories[0];
@@ -151,13 +149,12 @@ class IntakeBuilder {
   /// a directory without an owner does not become people, unless platforms exported them all.
   void decide_meaning(const std::vector<std::string>& words) {
     if (meaning_ == Meaning::one || words.size() < 2) return;
-    if (std::all_of(words.begin(), words.end(), [&](auto& word) { return is_export(word); }))
-      return;
+    if (std::ranges::all_of(words, [&](auto& word) { return is_export(word); })) return;
     meaning_ = Meaning::one;
   }
 
   Intake finish() {
-    make_labels_unique();
+    make_labels_unique(intake_.entries);
     intake_.each_word_is_one = meaning_ == Meaning::one;
     return std::move(intake_);
   }
@@ -202,7 +199,7 @@ class IntakeBuilder {
                  path.filename().string().find("_assignsubmission_") != std::string::npos;
         };
         for (const auto* kind : {&listing.directories, &listing.files, &listing.zips}) {
-          if (std::any_of(kind->begin(), kind->end(), is_named)) return true;
+          if (std::ranges::any_of(*kind, is_named)) return true;
         }
         if (listing.directories.size() != 1) return false;
         root = listing.directories[0];
@@ -342,22 +339,6 @@ class IntakeBuilder {
     if (const auto zip = only_zip(zips)) open(unpacked(*zip), entry);
   }
 
-  /// An id is also a file name, possibly on a disk that ignores case.
-  void make_labels_unique() {
-    std::set<std::string> taken;
-    for (IntakeEntry& one : intake_.entries) {
-      const std::string plain = one.submission.label;
-      const auto key = [&] {
-        std::string lower = one.submission.label;
-        for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        return lower;
-      };
-      for (int i = 2; !taken.insert(key()).second; ++i) {
-        one.submission.label = fmt::format("{} ({})", plain, i);
-      }
-    }
-  }
-
   const Context& context_;
   Meaning meaning_;
   Intake intake_;
@@ -365,6 +346,24 @@ class IntakeBuilder {
 };
 
 }  // namespace
+
+std::string in_lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+void make_labels_unique(std::vector<IntakeEntry>& entries) {
+  std::set<std::string> taken;
+  for (IntakeEntry& entry : entries) {
+    std::string& label = entry.submission.label;
+    const std::string plain = label;
+    for (int i = 2; !taken.insert(in_lower_case(label)).second; ++i) {
+      label = fmt::format("{} ({})", plain, i);
+    }
+  }
+}
 
 Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning) {
   IntakeBuilder builder(context, meaning);

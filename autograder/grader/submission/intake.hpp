@@ -18,6 +18,13 @@ struct IntakeEntry {
   std::string unreadable;  ///< why; empty if it could be read. A readable entry may have no files
 };
 
+/// The text with ASCII capitals in lower case.
+std::string in_lower_case(std::string text);
+
+/// Appends " (2)", " (3)", … to labels that occur before. A label is also a file name, possibly on
+/// a disk that ignores case.
+void make_labels_unique(std::vector<IntakeEntry>& entries);
+
 struct Intake {
   std::vector<IntakeEntry> entries;
   bool each_word_is_one = false;  ///< the decision for several words

@@ -61,7 +61,7 @@ void sweep_programs(const Layout& layout, std::size_t most_bytes,
     bytes += slot.bytes;
     slots.push_back(std::move(slot));
   }
-  std::sort(slots.begin(), slots.end(), [](auto& a, auto& b) { return a.used < b.used; });
+  std::ranges::sort(slots, [](auto& a, auto& b) { return a.used < b.used; });
   // A build takes a few minutes at most: each of its compilers may use one.
   const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(15);
   for (const Slot& slot : slots) {

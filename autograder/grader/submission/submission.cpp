@@ -70,7 +70,7 @@ std::vector<std::string> peer_libraries(const Layout& layout) {
   for (const auto& entry : fs::directory_iterator(peers)) {
     if (entry.is_directory()) names.push_back(entry.path().filename().string());
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
