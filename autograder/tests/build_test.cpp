@@ -11,8 +11,8 @@ namespace {
 
 struct Labs : FirstLab {
   /// Why `text` as variance.cpp gives no program; empty if it gives one.
-  std::string failure(const std::string& text, const std::string& directory = "scratch") const {
-    const Scratch scratch(directory);
+  std::string failure(const std::string& text, const fs::path& directory = "scratch") const {
+    const Scratch scratch(directory.native());
     scratch.write("variance.cpp", text);
     return build(scratch.path()).failure;
   }

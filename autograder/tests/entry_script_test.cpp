@@ -136,7 +136,7 @@ TEST_CASE("results are complete when nothing compiles or nothing was handed in",
   place.write("variance.cpp", "not C++ at all \xff\xfe \x1b[31m\n");
   const auto results_of = [&](const Words& words, int exit_code) {
     CHECK(lab(joined(words, {"--json", json})).exit_code == exit_code);
-    const auto results = nlohmann::json::parse(read_text(json));
+    auto results = nlohmann::json::parse(read_text(json));
     CHECK(results["score"] == 0);
     return results;
   };

@@ -63,7 +63,7 @@ TEST_CASE("plot error against N", "[.plot]") {
               powers(4, 4, 1024), [](Count n) -> Count { return n == 1024 ? 40 : 100; });
 }
 
-TEST_CASE("plot time against N", "[.plot]") {
+TEST_CASE("plot time against N", "[.plot][time]") {
   plot_table("speed.tsv", {"N", powers(64, 4, 65536)},
              methods.of({"best_candidate", "poisson_disk"}), [&](Count n, const Method& method) {
                if (method.key == "best_candidate" && n > 4096) return missing;  // n^2 candidates

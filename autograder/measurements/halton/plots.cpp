@@ -90,7 +90,7 @@ TEST_CASE("plot the tails of errors", "[.plot]") {
   }
 }
 
-TEST_CASE("plot error against time", "[.plot]") {
+TEST_CASE("plot error against time", "[.plot][time]") {
   plot_speed(
       methods.of({"radical_inverse", "halton", "sobol", "scrambled_sobol", "scrambled_halton"}),
       integrand("smooth 2D"), 4096, 32);
@@ -166,13 +166,18 @@ TEST_CASE("plot intervals from replicates", "[.plot]") {
   }
 }
 
-/// A column, and scrambled ones; to 30 bits, of which no elementary interval needs more.
-void write_columns(const std::string& key, const std::string& name, const Sets& plain,
-                   const Sets& scrambled) {
-  if (plain.empty()) return;
-  std::vector<std::string> columns{encoded(plain[0].column(0), 5)};
-  for (const PointSet& one : scrambled) columns.push_back(encoded(one.column(0), 5));
-  write_demo(5, key, {{"name", name}, {"columns", columns}});
+/// A column, and scrambled ones.
+struct DemoColumns {
+  std::string key, name;
+  Sets plain, scrambled;
+};
+
+/// To 30 bits, of which no elementary interval needs more.
+void write_columns(const DemoColumns& some) {
+  if (some.plain.empty()) return;
+  std::vector<std::string> columns{encoded(some.plain[0].column(0), 5)};
+  for (const PointSet& one : some.scrambled) columns.push_back(encoded(one.column(0), 5));
+  write_demo(5, some.key, {{"name", some.name}, {"columns", columns}});
 }
 
 /// As in lab 6: base 2 by 5.8, whose errors fall faster than those of 5.9, other bases by 5.9.
@@ -181,12 +186,14 @@ TEST_CASE("demo", "[.demo]") {
   constexpr Count n = 1024, count = 16;
   for (const unsigned base : {2u, 3u, 5u, 7u, 29u, 31u}) {
     const Sets plain = halton_sets(n, {base});
-    write_columns(
-        fmt::format("base-{}", base), fmt::format("base {}", base), plain,
-        base == 2 ? scrambled(plain, count, base) : scrambled_halton_sets(n, {base}, count, base));
+    write_columns({.key = fmt::format("base-{}", base),
+                   .name = fmt::format("base {}", base),
+                   .plain = plain,
+                   .scrambled = base == 2 ? scrambled(plain, count, base)
+                                          : scrambled_halton_sets(n, {base}, count, base)});
   }
   const Sets sobol = sobol_sets(n, 1, 1);
-  write_columns("sobol", "Sobol' 1", sobol, scrambled(sobol, count, 1));
+  write_columns({"sobol", "Sobol' 1", sobol, scrambled(sobol, count, 1)});
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ TEST_CASE("bench time of lights", "[.bench-time]") {
 }
 
 TEST_CASE("bench growth", "[.bench-growth]") {
-  bench_growth_of_dims(methods[0]);
-  bench_growth(methods[0], 1, 100'000'000);
+  bench_growth_of_dims(methods.front());
+  bench_growth(methods.front(), 1, 100'000'000);
 }
 
 /// The sixty estimates of the picture of intervals, by its seed.

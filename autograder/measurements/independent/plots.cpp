@@ -79,7 +79,7 @@ void plot_against_time(const std::string& name, Count least, const Rounds& round
   }
 }
 
-TEST_CASE("plot irradiance two ways", "[.plot]") {
+TEST_CASE("plot irradiance two ways", "[.plot][time]") {
   for (const LightWay& way : light_ways) {
     plot_against_time(fmt::format("irradiance-{}.tsv", way.key), 16, way.rounds(), [&](Count n) {
       return way.errors(n, n < 16384 ? 200 : 50, 1);  // 5 % of the RMSE, and 10 %
@@ -89,7 +89,7 @@ TEST_CASE("plot irradiance two ways", "[.plot]") {
 
 /// 0 std::mt19937_64 and std::uniform_real_distribution, 1 to_unit(rng()), 2 uniforms(); in blocks
 /// of 32 KB, in the first-level cache.
-TEST_CASE("plot time against error of three sources", "[.plot]") {
+TEST_CASE("plot time against error of three sources", "[.plot][time]") {
   for (const unsigned source : {0u, 1u, 2u}) {
     plot_against_time(
         fmt::format("speed-{}.tsv", source), 256,

@@ -38,16 +38,16 @@ void plot_scene(const std::string& scene) {
              });
 }
 
-TEST_CASE("plot the error under a lamp", "[.plot]") {
+TEST_CASE("plot the error under a lamp", "[.plot][time]") {
   plot_scene("rect_light");
 }
-TEST_CASE("plot the error at an edge", "[.plot]") {
+TEST_CASE("plot the error at an edge", "[.plot][time]") {
   plot_scene("pixel_edge");
 }
-TEST_CASE("plot the error at a moving edge", "[.plot]") {
+TEST_CASE("plot the error at a moving edge", "[.plot][time]") {
   plot_scene("motion_edge");
 }
-TEST_CASE("plot the error in five dimensions", "[.plot]") {
+TEST_CASE("plot the error in five dimensions", "[.plot][time]") {
   plot_scene("pixel_time_lens");
 }
 
@@ -103,7 +103,7 @@ double nanoseconds(const std::string& kind, unsigned by, Count dims, Count n) {
 }
 
 /// Four dimensions by next2(): generation alone, and all of it. Blue noise up to 256 samples.
-TEST_CASE("plot what a coordinate costs", "[.plot]") {
+TEST_CASE("plot what a coordinate costs", "[.plot][time]") {
   for (const Count n : {16u, 256u, 4096u}) {
     auto file = plot_file("speed-" + std::to_string(n) + ".tsv", {"generation", "all"});
     for (const Method& one : methods) {
@@ -116,7 +116,7 @@ TEST_CASE("plot what a coordinate costs", "[.plot]") {
 }
 
 /// With 256 samples: of each kind by next() and by next2().
-TEST_CASE("plot what a coordinate costs against dimensions", "[.plot]") {
+TEST_CASE("plot what a coordinate costs against dimensions", "[.plot][time]") {
   plot_table("speed-dims.tsv", {"dims", {2, 4, 8}}, two_columns_each("_1", "_2"),
              [](double dims, std::size_t c) {
                const std::string& kind = methods.at(c / 2).kind;

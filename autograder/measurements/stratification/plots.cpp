@@ -100,7 +100,7 @@ TEST_CASE("plot a soft shadow with 16 samples a pixel", "[.plot]") {
   plot_row(file, rmse);
 }
 
-TEST_CASE("plot time against error", "[.plot]") {
+TEST_CASE("plot time against error", "[.plot][time]") {
   plot_speed(methods.of({"textbook", "independent", "jittered", "padded", "jittered_nd",
                          "latin_hypercube", "multi_jittered"}),
              integrand("bump"), 1024, 128);  // 16 KB: in the first-level cache

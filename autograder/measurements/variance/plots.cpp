@@ -28,7 +28,7 @@ TEST_CASE("plot digits kept against the offset", "[.plot]") {
 }
 
 /// 4,096 values near 1e9, 32 KB: they stay in the first-level cache.
-TEST_CASE("plot time against digits", "[.plot]") {
+TEST_CASE("plot time against digits", "[.plot][time]") {
   Rng rng(2);
   const auto x = uniform_values(rng, 4096, 1e9, 1e9 + 1);
   for (const Method& way : methods) {
