@@ -147,7 +147,7 @@ void judge_formula(Rng& rng) {
         });
   }
   values.expect("all points of such a small light give area · radiance · cos · cos / distance^2",
-                "area · radiance · cos(receiver) · cos(light) / distance^2");
+                "area · radiance · cos(receiver) · cos(light) / distance^2, all over the light");
 }
 
 /// An estimate from one sample is the value at one point: returns the squared distance of each such

@@ -41,7 +41,7 @@ CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]"
                 suspects);
   }
   results.expect("the mean of the scene's values; n rounding errors of a sum below 2n",
-                 "count every sample once, however large its value is");
+                 "count every sample once, unchanged: large, small and negative ones");
 }
 
 CHECK_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {

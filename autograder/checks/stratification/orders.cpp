@@ -19,7 +19,7 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
                 "different permutations",
                 fmt::format("two random permutations of {} are equal with probability 1 / {}!",
                             orders.n, orders.n),
-                claim.repeated + "; or few permutations occur at all: rotations, or a short seed"});
+                "few permutations occur at all: rotations, or a short seed; or " + claim.repeated});
   }
 }
 

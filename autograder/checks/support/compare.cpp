@@ -53,8 +53,7 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
   std::vector<Curve> all{
       {each(exact, [](double x) { return static_cast<double>(static_cast<float>(x)); }),
        "the values were rounded to float: keep them in double"},
-      {std::vector<double>(n, nan),
-       "all values are NaN: they were never written, or only added to (+=)"},
+      {std::vector<double>(n, nan), "all values are NaN: never written, only added to, or 0/0"},
       {std::vector<double>(n, 0.0), "all values are 0"},
       {each(exact, [](double x) { return -x; }), "the sign is wrong"},
       {each(exact, [](double x) { return x * x; }), "these are the squares"},

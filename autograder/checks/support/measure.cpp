@@ -205,9 +205,8 @@ void require_value(const Call& call) {
                                outcome.status == wire::Status::out_of_range ? "out_of_range"
                                                                             : "invalid_argument",
                                outcome.bytes),
-                   "a value: these arguments are valid", "",
-                   "find the condition that refuses them; it may test a value that overflowed, or "
-                   "set a limit too tight"});
+                   "a value: these arguments are valid", "", "",
+                   "find the condition that refuses them; its value may overflow or be rounded"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
   }

@@ -222,7 +222,7 @@ void expect_not_finite(const std::string& call, double got, const Values& x) {
                     is_finite
                         ? "the variance is above 1e600, which a double cannot hold"
                         : "one of the values is infinite or NaN: a finite result would hide it",
-                    "do not skip or replace such a value; note that std::max(0.0, NaN) is 0");
+                    "skip and replace no value, and use no threshold; std::max(0.0, NaN) is 0");
 }
 
 double two_pass_here(const Values& x) {

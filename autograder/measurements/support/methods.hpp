@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -101,6 +102,7 @@ class Methods : public std::vector<Method> {
     if (found == end()) throw std::out_of_range("no method " + key);
     return *found;
   }
+  const Method& operator[](std::nullptr_t) const = delete;  // methods[0]: front() is meant
   Methods of(const Names& keys) const {
     Methods some;
     for (const std::string& key : keys) some.push_back((*this)[key]);

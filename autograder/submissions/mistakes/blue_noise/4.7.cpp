@@ -109,7 +109,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::cells_around_only
 
 // mistake: compares a candidate until one point is too near: a third of the work, still quadratic
-// hint: each candidate is compared with all points
+// hint: compare a candidate only with points nearby
 // limit: time
 namespace mc::compares_until_too_near {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -118,7 +118,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::compares_until_too_near
 
 // mistake: compares each of N^2 / 2 candidates with all points
-// hint: each candidate is compared with all points
+// hint: compare a candidate only with points nearby
 // limit: time
 namespace mc::compares_with_all {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
