@@ -46,7 +46,8 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng);
 double sample_exponential(double u, double rate);
 
 /// 2.3  The quantile function at `u` of the density (a + 1) x^a on [0, 1]. In [0, 1],
-/// non-decreasing in u, and within 4 ulp and the rounding of the exponent 1 / (a + 1).
+/// non-decreasing in u, and within 4 ulp and the rounding of the exponent 1 / (a + 1), or of the
+/// logarithm of u.
 /// requires: u in [0, 1), a > -1.
 /// throws: std::invalid_argument if a is not above -1, or NaN.
 /// source: as sample_exponential.
