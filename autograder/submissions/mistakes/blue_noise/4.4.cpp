@@ -40,7 +40,7 @@ void by_waves(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace mc
 
 // mistake: adds to the previous contents of the output
-// hint: or only added to (+=)
+// hint: only added to
 namespace mc::adds_to_the_output {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
