@@ -191,11 +191,11 @@ CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
          "make a sample dimension for all samples at once, from the seed and its own number only"});
     // Several integrations with one object; some stop within a sample.
     std::vector<Step> steps;
-    for (auto walk :
-         {walk(9, seed, all), walk(9, seed, all), walk(9, seed + 1, {{1, 2, 2, 1}, {1}, {1, 2, 2}}),
-          walk(4, seed + 2, {{2, 1, 1}, {1}, {2, 1}}), walk(9, seed, {{1, 2}, {1, 1}}),
-          walk(2, 0, {{1, 2}, {1}}), walk(2, 0, {{1, 2}, {1}}),  // 0 is a seed, too
-          walk(9, seed, all), walk(33, seed, std::vector<Uses>(33, {2, 1}))}) {
+    for (auto walk : {walk(9, seed, all), walk(9, seed, all),
+                      walk(9, seed + 1, {{1, 2, 2, 1}, {1}, {1, 2, 2}}), walk(9, seed, all),
+                      walk(4, seed + 2, {{2, 1, 1}, {1}, {2, 1}}), walk(9, seed, {{1, 2}, {1, 1}}),
+                      walk(2, 0, {{1, 2}, {1}}), walk(2, 0, {{1, 2}, {1}}),  // 0 is a seed, too
+                      walk(9, seed, all), walk(33, seed, std::vector<Uses>(33, {2, 1}))}) {
       const bool is_whole = walk.size() > 18;
       steps.insert(steps.end(), walk.begin(), walk.end() - (is_whole ? 0 : 1));
     }
