@@ -38,16 +38,16 @@ void plot_scene(const std::string& scene) {
              });
 }
 
-TEST_CASE("plot the error under a lamp", "[.plot][time]") {
+TEST_CASE("plot the error under a lamp", "[.plot]") {
   plot_scene("rect_light");
 }
-TEST_CASE("plot the error at an edge", "[.plot][time]") {
+TEST_CASE("plot the error at an edge", "[.plot]") {
   plot_scene("pixel_edge");
 }
-TEST_CASE("plot the error at a moving edge", "[.plot][time]") {
+TEST_CASE("plot the error at a moving edge", "[.plot]") {
   plot_scene("motion_edge");
 }
-TEST_CASE("plot the error in five dimensions", "[.plot][time]") {
+TEST_CASE("plot the error in five dimensions", "[.plot]") {
   plot_scene("pixel_time_lens");
 }
 
