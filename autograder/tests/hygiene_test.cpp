@@ -88,7 +88,7 @@ struct Labs : FirstLab {
   }
 };
 
-/// Is every task of the starter «not written yet», as it is?
+/// Is every task of the untouched starter «not written yet»?
 bool is_right(const LabVerdict& verdict) {
   return std::all_of(verdict.checks.begin(), verdict.checks.end(), [](const CheckResult& result) {
     return result.status == Status::not_written;

@@ -37,7 +37,7 @@ std::vector<List> lists_with_large_means(Rng& rng, std::vector<std::size_t> size
 /// lists, and in 2,325 with blocks and lanes. The last list has three outliers in 2^20 values.
 std::vector<List> lists_with_outliers(Rng& rng, int of_each);
 
-/// Running means of exactly 0; one outlier, sorted, a trend, alternating signs: a thousand values.
+/// A short list whose running mean is 0 at times; one outlier, sorted, a trend, alternating signs.
 std::vector<List> short_hard_lists(Rng& rng);
 
 /// {c, 2c, 3c}, with the variance c^2 near the largest or smallest double; and zeros.

@@ -220,7 +220,7 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
   if (panels.empty()) return plots;
   measure(layout, lab, panels, "[.plot]~[time]", cores(), plots.remarks);
   measure(layout, lab, panels, "[.plot][time]", 1,
-          plots.remarks);  // alone, so that times are right
+          plots.remarks);  // one at a time: others disturb times
 
   std::vector<std::string> data;
   for (const Panel& panel : panels) data.push_back(panel.data.string());

@@ -23,8 +23,8 @@ TEST_CASE("plot names", "[.plot]") {
   }
 }
 
-/// Deterministic points have an error, but no RMSE: for that they are shifted by random vectors,
-/// here, so that it is done alike for all.
+/// Deterministic points have one error and no RMSE: they are shifted by random vectors, in the same
+/// way for all methods.
 Method shifted(const Method& points) {
   Method moved = points;
   moved.traits.is_random = true;

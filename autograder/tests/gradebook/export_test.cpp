@@ -20,17 +20,18 @@ Words files_in(const fs::path& directory) {
 
 TEST_CASE("export for JPlag: a folder for each submission, the starters as base code") {
   Course course;
-  const fs::path handed = course.path() / "class", out = course.path() / "out";
+  const fs::path submitted = course.path() / "class", out = course.path() / "out";
   course.hand_in("ada", "// ada\n");
-  write_text(handed / "ada" / "notes.txt", "mine");
+  write_text(submitted / "ada" / "notes.txt", "mine");
   course.write("class/bob/a/starter/halton.cpp", "// bob\n");  // as deep as grade finds it
   course.hand_in("$(touch x) '\x1b[31m", "// eve\n");
-  fs::create_directories(handed / "fay");
-  fs::create_symlink(course.layout.solutions() / "variance.cpp", handed / "fay" / "variance.cpp");
-  fs::create_directory_symlink(course.layout.solutions(), handed / "sly");
-  write_text(handed / "broken.zip", "no zip");
+  fs::create_directories(submitted / "fay");
+  fs::create_symlink(course.layout.solutions() / "variance.cpp",
+                     submitted / "fay" / "variance.cpp");
+  fs::create_directory_symlink(course.layout.solutions(), submitted / "sly");
+  write_text(submitted / "broken.zip", "no zip");
 
-  REQUIRE_RUN(run, course.run({"export", "jplag", handed, "--out", out}));
+  REQUIRE_RUN(run, course.run({"export", "jplag", submitted, "--out", out}));
   CHECK(files_in(out / "submissions") ==
         Words{"$(touch x) '?[31m/variance.cpp", "ada/variance.cpp", "bob/halton.cpp"});
   CHECK(read_text(out / "submissions" / "bob" / "halton.cpp") == "// bob\n");
@@ -45,14 +46,14 @@ TEST_CASE("export for JPlag: a folder for each submission, the starters as base 
 TEST_CASE("export overwrites nothing, and explains its usage") {
   Course course;
   course.hand_in("ada", "int x;\n");
-  const fs::path handed = course.path() / "class", full = course.path() / "full",
+  const fs::path submitted = course.path() / "class", full = course.path() / "full",
                  empty = course.path() / "empty";
   course.write("full/mine", "");
   fs::create_directories(empty);
-  check_refused(course.run({"export", "jplag", handed, "--out", full}), "is not empty");
+  check_refused(course.run({"export", "jplag", submitted, "--out", full}), "is not empty");
   for (const Words& wrong : {Words{"export"},
-                             {"export", "jplag", handed},
-                             {"export", "moss", handed, "--out", empty},
+                             {"export", "jplag", submitted},
+                             {"export", "moss", submitted, "--out", empty},
                              {"export", "jplag", "--out", empty},
                              {"export", "jplag", empty, "--out", course.path() / "new"}}) {
     CAPTURE(wrong);

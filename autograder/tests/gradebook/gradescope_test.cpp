@@ -13,7 +13,7 @@ using Files = std::map<std::string, std::string>;
 /// Gradescope's /autograder, in a temporary directory.
 struct Container : Course {
   fs::path root = fs::canonical(path()) / "autograder", source = root / "source",
-           handed = root / "submission", results = root / "results" / "results.json";
+           submitted = root / "submission", results = root / "results" / "results.json";
 
   explicit Container(const Words& more) {
     const fs::path zip = path() / "autograder.zip";
@@ -30,7 +30,7 @@ struct Container : Course {
   }
   /// Hands in only these files, and grades them.
   sandbox::ProcessResult grade(const Files& files) const {
-    fs::remove_all(handed);
+    fs::remove_all(submitted);
     for (const auto& [file, text] : files) write("autograder/submission/" + file, text);
     return script("run_autograder");
   }

@@ -12,7 +12,7 @@ namespace {
 
 /// A student's submission, and which of the two has full marks.
 struct Work {
-  std::string variance, independent;  ///< empty: not handed in
+  std::string variance, independent;  ///< empty: not submitted in
   bool variance_is_right = false, independent_is_right = false;
 };
 
@@ -20,7 +20,7 @@ struct Work {
 struct Term : Course {
   const std::string solution = text_of(layout.solutions()), starter = text_of(layout.starter()),
                     second = read_text(layout.solutions() / "independent.cpp");
-  const std::vector<Work> handed{
+  const std::vector<Work> submitted{
       {solution, second, true, true},
       {solution, "", true},
       {starter, ""},
@@ -33,12 +33,12 @@ struct Term : Course {
 
   Term() {
     output_of({"handout", handout, "--labs", "1,2"});
-    for (std::size_t i = 0; i < handed.size(); ++i) {
+    for (std::size_t i = 0; i < submitted.size(); ++i) {
       ids.push_back(fmt::format("student {}", i + 1));
       const std::string place = "class/" + ids[i];
-      if (i % 3 == 0) hand_in_folder(place, handed[i]);
-      if (i % 3 == 1) hand_in_zip(place, handed[i]);
-      if (i % 3 == 2) hand_in_repository(place, handed[i]);
+      if (i % 3 == 0) hand_in_folder(place, submitted[i]);
+      if (i % 3 == 1) hand_in_zip(place, submitted[i]);
+      if (i % 3 == 2) hand_in_repository(place, submitted[i]);
     }
   }
 
@@ -75,7 +75,7 @@ struct Term : Course {
 
 TEST_CASE("a term, from the handout to the grades", "[.term]") {
   const Term term;
-  const std::size_t students = term.handed.size();
+  const std::size_t students = term.submitted.size();
   REQUIRE_RUN(first, term.grade_all({"--seed", "7"}));
   check_contains(first.output,
                  {"handout of version 0.9, judged by", ": student 2, student 5, student 8"});
@@ -84,8 +84,8 @@ TEST_CASE("a term, from the handout to the grades", "[.term]") {
   for (std::size_t i = 0; i < students; ++i) {
     const Row& row = rows.at(term.ids[i]);
     CAPTURE(row);
-    CHECK((field(row, "variance total") == "100") == term.handed[i].variance_is_right);
-    CHECK((field(row, "independent total") == "100") == term.handed[i].independent_is_right);
+    CHECK((field(row, "variance total") == "100") == term.submitted[i].variance_is_right);
+    CHECK((field(row, "independent total") == "100") == term.submitted[i].independent_is_right);
   }
 
   // An older version had a check that failed a right answer: that one is judged again.
