@@ -12,7 +12,7 @@ namespace {
 
 /// A student's submission, and which of the two has full marks.
 struct Work {
-  std::string variance, independent;  ///< empty: not submitted in
+  std::string variance, independent;  ///< empty: not submitted
   bool variance_is_right = false, independent_is_right = false;
 };
 
