@@ -18,7 +18,7 @@ namespace {
 
 /// The limits of a check's own process, without the programs that it runs. For a correct answer it
 /// takes 1 s of CPU time and 200 MB.
-constexpr double check_cpu_seconds = 10;
+constexpr double check_cpu_seconds = 30;
 constexpr std::size_t check_memory = std::size_t{1} << 30;
 /// Does not affect verdicts: a check that reaches it was delayed by the machine.
 constexpr double check_wall_seconds = 400;
