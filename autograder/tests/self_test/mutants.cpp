@@ -240,6 +240,7 @@ std::string description(std::string_view source, const Mutation& mutation) {
 struct Mutant {
   std::string file;  ///< below autograder/submissions
   Mutation mutation;
+  std::string words;  ///< as in equivalent.txt
 };
 
 /// The recorded equivalent mutants: "alternatives/variance/x.cpp: a; => b;", then a tab and the
@@ -307,7 +308,8 @@ void prove_by_mutants(const std::string& name, std::size_t count, std::uint64_t 
     const std::string file = fs::relative(entry.path(), proof.layout.submissions()).string();
     sources[file] = read_text(entry.path());
     for (const Mutation& mutation : mutations_of(sources[file])) {
-      mutants.push_back({file, mutation});
+      mutants.push_back(
+          {file, mutation, fmt::format("{}: {}", file, description(sources[file], mutation))});
     }
   }
   std::sort(mutants.begin(), mutants.end(), [](const Mutant& a, const Mutant& b) {
@@ -318,13 +320,17 @@ void prove_by_mutants(const std::string& name, std::size_t count, std::uint64_t 
   for (std::size_t i = mutants.size(); i > 1; --i) std::swap(mutants[i - 1], mutants[rng() % i]);
   const auto recorded =
       equivalents(proof.layout.root / "autograder" / "tests" / "self_test" / "equivalent.txt");
+  for (const std::string& words : recorded) {
+    if (words.starts_with("alternatives/" + name + "/") &&
+        std::ranges::find(mutants, words, &Mutant::words) == mutants.end()) {
+      complain("equivalent.txt names no mutant: " + words);
+    }
+  }
   std::size_t killed = 0, survived = 0, equivalent = 0, same = 0, broken = 0;
   for (const Mutant& mutant : mutants) {
     if (killed + survived + equivalent >= count) break;
     const std::string& source = sources[mutant.file];
-    const std::string words =
-        fmt::format("{}: {}", mutant.file, description(source, mutant.mutation));
-    if (recorded.contains(words)) {
+    if (recorded.contains(mutant.words)) {
       ++equivalent;
       continue;
     }
@@ -340,11 +346,11 @@ void prove_by_mutants(const std::string& name, std::size_t count, std::uint64_t 
       ++same;
     } else if (const std::string killer = killer_of(proof, seed); killer.empty()) {
       ++survived;
-      complain("survived  " + words);
+      complain("survived  " + mutant.words);
     } else {
       ++killed;
       if (std::getenv("MC_VERBOSE") != nullptr) {
-        fmt::print("killed    {}\n          by {}\n", words, killer);
+        fmt::print("killed    {}\n          by {}\n", mutant.words, killer);
       }
     }
     std::fflush(stdout);
