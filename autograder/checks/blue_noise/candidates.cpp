@@ -13,7 +13,6 @@
 //   sd of one set, of 64      .014, .0018      .042, .0053
 //   to the bound              37 sigma         28 sigma
 //   Poisson disks have .76, and are not best candidates: < .72, 29 sigma away
-//
 // A Gaussian exceeds 7 sigma once in 10^12.
 
 #include "checks/blue_noise/random_sets.hpp"
@@ -29,8 +28,10 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
   if (n == 5) require_fine(all);
   const Nearness parts = nearness(all, later_points(n), rows, rng);
   Randomness claim = best_of_candidates(
-      "draw ceil(c i) + 1 new candidates for point i, and keep the one that is farthest from its "
-      "nearest earlier point, also where cells of a grid find that point");
+      "draw ceil(c i) + 1 new candidates, of two random numbers each, for point i, and keep the "
+      "one "
+      "that is farthest from its nearest earlier point, also where cells of a grid find that "
+      "point");
   claim.explain = [&]() -> std::string {
     constexpr std::size_t more = 4000;
     if (n != 5) return {};

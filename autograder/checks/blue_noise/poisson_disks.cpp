@@ -8,7 +8,6 @@
 //   sd of the mean of 160     .0005 (80 sigma to the bound)
 //   peak of 160 sets, sd      1.752, .019    1.53                   3 or more 1.4 to 1.9
 //   to the bounds             18 and 8 sigma 7 sigma
-//
 // A Gaussian exceeds 7 sigma once in 10^12.
 
 #include <cstdlib>

@@ -209,9 +209,9 @@ void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_
       fmt::format("{}: power {:.1f} at k = ({}, {}), mean of {} sets", call, most.first,
                   most.second[0], most.second[1], sets),
       fmt::format("less than {:.1f} at every k", limit),
-      "random points have no period; without one, powers average to 1.9 at most",
-      "the points prefer some places to others: points on a lattice are not random, even if "
-      "it is shifted, nor are darts that fall only into a part of each cell");
+      "where points may fall anywhere that is free, no power has a mean above 1.9",
+      "points must fall anywhere that is free: not on a lattice, even if it is shifted, not only "
+      "into a part of each cell or on the rims of disks");
 }
 
 namespace {

@@ -28,13 +28,6 @@ inline SampleSets patterns_in(const std::string& call, const experiments::Patter
   return sets_from_xy(call, all.x, all.y, all.sizes);
 }
 
-/// The patterns of an answer; none if it is invalid.
-inline SampleSets patterns_if_any(const Measured<experiments::Patterns>& got, double radius,
-                                  std::size_t sets) {
-  const auto* const all = got.if_list_by_list(patterns_spec(radius, sets));
-  return patterns_in(got.call, all == nullptr ? experiments::Patterns{} : *all);
-}
-
 using experiments::Patterns;
 using experiments::Points;
 

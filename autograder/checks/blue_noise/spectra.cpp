@@ -104,10 +104,13 @@ void compare_power(const Points& points, int kmax) {
       .tolerance = {},
       .because = "waves are accurate to 32 (kmax + 1) eps, sums to N eps",
       .rule = "sum exp(-2 pi i (kx x + ky y)) in double, and divide its squared size by N",
-      .name = [&](std::size_t i) {
-        return fmt::format("{}: power at k = ({}, {})", measured.call,
-                           static_cast<int>(i % side) - kmax, static_cast<int>(i / side) - kmax);
-      }};
+      .name =
+          [&](std::size_t i) {
+            return fmt::format("{}: power at k = ({}, {})", measured.call,
+                               static_cast<int>(i % side) - kmax,
+                               static_cast<int>(i / side) - kmax);
+          },
+      .is_tame = true};
   for (const double power : powers.exact) {
     powers.tolerance.push_back(power_tolerance(power, static_cast<double>(points.x.size()), kmax));
   }

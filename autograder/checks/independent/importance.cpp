@@ -128,6 +128,7 @@ CHECK_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:4][needs:2.
   for (const std::uint64_t n : domain::sizes(4097, rng)) {
     if (n > 1) cases.push_back({fresh(exponential, rng), {by_power, uniform(rng, -0.6, 0.3)}, n});
   }
+  cases.push_back({fresh(exponential, rng), {by_power, 0.2}, 65'539});  // n^2 exceeds 32 bits
   judge_weights(cases, rng);
   judge_one_call(u_of({by_power, 0.5}, rng), 200, 16, rng);
 }

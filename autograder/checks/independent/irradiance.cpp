@@ -208,7 +208,7 @@ CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1
     const Replicates sample{got.call, values, static_cast<double>(n)};
     expect_mean(sample, known.exact, known.variance,
                 {"the area estimate of a light " + placed.where + " has the mean E", alpha},
-                {{}, "use uniform points, with different random numbers for x and y"});
+                {{}, "use uniform points, with new and different random numbers for x and y"});
     expect_variance(
         sample, known.exact, known.variance, known.kurtosis,
         {"the area estimate of a light " + placed.where + " has its exact variance", alpha},
@@ -347,11 +347,11 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:1][needs:2.1]") 
     const RectLight& light = placed.light;
     // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.
     // With three samples, mistakes about n have the largest effect, each with its own factor.
-    const std::uint64_t three = 3, replicates = 20000;
-    const auto got = by_area(light, three, rng(), replicates);
+    const std::uint64_t three = 3, sets = 20000;
+    const auto got = by_area(light, three, rng(), sets);
     const Population x = of_area(light);
     Values squares;
-    for (const Estimate& one : got.exactly(replicates, any_number)) {
+    for (const Estimate& one : got.exactly(sets, any_number)) {
       squares.push_back(one.standard_error * one.standard_error * three / x.variance);
     }
     expect_mean(
@@ -361,22 +361,31 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:1][needs:2.1]") 
         {{{3, "this is s, not s / sqrt(n)"},
           {1.5, "this is s / sqrt(n - 1): only s^2 divides by n - 1"},
           {2. / 3, "s^2 divides by n: divide by n - 1"}},
-         "return s / sqrt(n) of the samples' values"});
-    const std::uint64_t n = 64;
-    const auto by_directions = by_hemisphere(light, n, rng(), 100);
-    const Values met = directions_met(by_directions, light, n, 100);
-    const double each = pi * light.radiance, size = n;
+         "return s / sqrt(n) of the samples' values, whose points are independent"});
+    constexpr std::uint64_t many = 65'539;  // n (n - 1) exceeds 32 bits
+    const auto one = by_area(light, many, rng(), 1);
+    const double error = one.exactly(1, any_number)[0].standard_error;
+    const double expected = std::sqrt(x.variance / double{many});
+    expect_that(std::abs(error / expected - 1) < 0.5,
+                fmt::format("{}.standard_error = {}", one.call, error),
+                fmt::format("about {}", expected), "", "return s / sqrt(n): count in 64 bits");
     Results errors;
-    for (std::size_t i = 0; i < met.size(); ++i) {
-      const double s2 = each * each * met[i] * (size - met[i]) / (size * (size - 1));
-      errors.add(fmt::format("{}[{}].standard_error", by_directions.call, i),
-                 by_directions.exactly(100, any_number)[i].standard_error, std::sqrt(s2 / size),
-                 1e-7 * each, [=]() -> std::vector<Suspect> {
-                   return {{std::sqrt(s2), "this is s, not s / sqrt(n)"},
-                           {s2 / size, "this is its square"},
-                           {std::sqrt(s2 / size * (size - 1) / size),
-                            "s^2 divides by n: divide by n - 1"}};
-                 });
+    for (const std::uint64_t n : {std::uint64_t{64}, many}) {
+      const std::uint64_t replicates = n == 64 ? 100 : 1;
+      const auto by_directions = by_hemisphere(light, n, rng(), replicates);
+      const Values met = directions_met(by_directions, light, n, replicates);
+      const double each = pi * light.radiance, size = static_cast<double>(n);
+      for (std::size_t i = 0; i < met.size(); ++i) {
+        const double s2 = each * each * met[i] * (size - met[i]) / (size * (size - 1));
+        errors.add(fmt::format("{}[{}].standard_error", by_directions.call, i),
+                   by_directions.exactly(replicates, any_number)[i].standard_error,
+                   std::sqrt(s2 / size), 1e-7 * each, [=]() -> std::vector<Suspect> {
+                     return {{std::sqrt(s2), "this is s, not s / sqrt(n)"},
+                             {s2 / size, "this is its square"},
+                             {std::sqrt(s2 / size * (size - 1) / size),
+                              "s^2 divides by n: divide by n - 1"}};
+                   });
+      }
     }
     errors.expect("the estimate shows how many directions met the light",
                   "return s / sqrt(n) of the samples' values");

@@ -1,10 +1,8 @@
 #pragma once
 // Shared by the checks of lab 6. A sample dimension is a column of N numbers, and most properties
 // are tested exactly: strata, digits of sequences, and equality with the numbers of a new sampler.
-// Seeds and the parameters of scenes are random in each run.
-//
-// There are fewer than eighty random tests, with an alpha of 1e-8 each. Other bounds on random
-// results fail a correct answer with a total probability below 2e-7.
+// Seeds and the parameters of scenes are random in each run. Bounds on random results without an
+// alpha fail a correct answer with a total probability below 2e-7.
 
 #include "6-sampler/experiments.hpp"
 #include "checks/support/checks.hpp"

@@ -102,12 +102,21 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
     const bool is_known = !hint.empty() || orders.n > 5 || orders.size() < 10000;
     return is_known ? hint : shuffle_hint(orders.values, orders.n);
   };
+  Uniforms signs{orders.call + ", the signs of the products of three permutations", 1};
   for (const bool backwards : {false, true}) {
+    std::size_t odd = 0;  // a bit per permutation: the parity of the number of inversions
     Uniforms numbers{orders.call, orders.n - 1};
     for (std::size_t k = 0; k < orders.size(); ++k) {
       Order order(orders[k].begin(), orders[k].end());
       if (backwards) std::ranges::reverse(order);
-      append(numbers.values, uniforms_of_permutation(order, rng));
+      const auto ranks = uniforms_of_permutation(order, rng);
+      append(numbers.values, ranks);
+      odd *= 2;
+      for (std::size_t i = 0; i < ranks.size(); ++i) {
+        odd ^= static_cast<std::size_t>(ranks[i] * static_cast<double>(orders.n - i)) % 2;
+      }
+      if (k >= 2 && !backwards)
+        signs.values.push_back(fill_cell(std::popcount(odd % 8) % 2u, 2, rng));
     }
     numbers.name = [&, backwards](std::size_t position) {
       const std::size_t at = backwards ? orders.n - 1 - position : position;
@@ -116,6 +125,10 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
     };
     expect_independent_uniforms(numbers, of_numbers);
   }
+  of_numbers = {claim.words, claim.alpha, "no permutation is a product of two others",
+                {},          {},          "permutations that are independent, also of two others",
+                true};
+  if (signs.values.size() >= 200) expect_independent_uniforms(signs, of_numbers, true);
 }
 
 Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,

@@ -1,10 +1,5 @@
-#include <bit>
-#include <numbers>
-#include <numeric>
-
 #include "checks/support/battery_parts.hpp"
-#include "checks/support/distributions.hpp"
-#include "checks/support/domain.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 namespace {

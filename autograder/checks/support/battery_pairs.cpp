@@ -1,14 +1,9 @@
 // The parts of the battery that test pairs and triples of positions.
 
-#include <array>
-#include <bit>
-#include <numbers>
-#include <numeric>
 #include <tuple>
 
 #include "checks/support/battery_parts.hpp"
-#include "checks/support/distributions.hpp"
-#include "checks/support/domain.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks::battery {
 namespace {

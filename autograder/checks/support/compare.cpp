@@ -1,14 +1,4 @@
-#include "checks/support/compare.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
-
-#include <fmt/format.h>
-
-#include "checks/support/domain.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 namespace {

@@ -2,15 +2,7 @@
 // seconds in every fresh clone. Here they are a continued fraction and a series;
 // distributions_test.cpp compares them with published values.
 
-#include "checks/support/distributions.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-
-#include "checks/support/domain.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 namespace {

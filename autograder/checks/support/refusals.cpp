@@ -57,13 +57,9 @@ void expect_argument_named(const std::vector<InvalidCall>& calls) {
     const std::string& text = call.outcome.bytes;
     const auto names = text::split(argument, '|');
     if (std::ranges::any_of(names, [&](auto name) { return has_word(text, name); })) continue;
-    std::string all;
-    for (const std::string_view name : names) {
-      all += (all.empty() ? "" : " or ") + std::string(name);
-    }
     fail(Failure{fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, text),
-                 "a message that names the argument: " + all, because,
-                 "name the wrong argument in the exception's message"});
+                 fmt::format("a message that names the argument: {}", fmt::join(names, " or ")),
+                 because, "name the wrong argument in the exception's message"});
   }
   if (!any_refused) expect_refused(calls);
   pass();

@@ -1,13 +1,6 @@
-#include "checks/support/sample_sets.hpp"
-
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
-#include <fmt/format.h>
-
-#include "checks/support/inversions.hpp"
-#include "checks/support/strata.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 namespace {

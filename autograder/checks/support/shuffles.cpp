@@ -1,14 +1,6 @@
-#include "checks/support/strata.hpp"
-
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numeric>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "checks/support/distributions.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 namespace {

@@ -1,13 +1,4 @@
-#include "checks/support/statistics.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
-#include <fmt/format.h>
-
-#include "checks/support/distributions.hpp"
-#include "checks/support/domain.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 namespace {

@@ -1,11 +1,4 @@
-#include "checks/support/strata.hpp"
-
-#include <cmath>
-#include <functional>
-
-#include <fmt/format.h>
-
-#include "checks/support/sample_sets.hpp"
+#include "checks/support/checks.hpp"
 
 namespace mc::checks {
 namespace {

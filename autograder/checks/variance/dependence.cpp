@@ -100,7 +100,8 @@ CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:3]") {
       tables.back().joint[cell] = 10;
     }
   }
-  for (const auto& [rows, columns] : {std::pair{1u, 3u}, {3u, 1u}, {1u, 1u}}) {
+  for (const auto& [rows, columns] :
+       {std::pair{1u, 3u}, {3u, 1u}, {1u, 1u}, {100'003u, 1u}, {1u, 100'003u}}) {
     tables.push_back(random_table(rng, rows, columns, 0.1, 9));
   }
   judge_tables(tables);

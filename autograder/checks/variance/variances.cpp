@@ -84,9 +84,7 @@ CHECK_CASE("1.3 two passes keep their digits under a large mean", "[1.3][points:
   std::vector<List> lists = lists_with_large_means(rng, {1000, 4, 4097});
   lists.emplace_back(Values{1e15, 1e15 + 1});  // a small deviation
   variances_of(lists, by_two_passes, two_pass_floor)
-      .expect(
-          because_sum,
-          "in double, sum squared deviations d^2, and subtract (sum d)^2 / n: here n, not n - 1");
+      .expect(because_sum, "in double, (sum d^2 - (sum d)^2 / n) / (n - 1), with d = x - mean");
 }
 
 CHECK_CASE("1.3 the variance of constant data is zero", "[1.3][edge][points:3][needs:1.1]") {

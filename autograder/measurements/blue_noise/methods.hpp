@@ -6,6 +6,13 @@
 
 namespace mc::measurements {
 
+/// The patterns of an answer; none if it is invalid.
+inline SampleSets patterns_if_any(const Measured<experiments::Patterns>& got, double radius,
+                                  std::size_t sets) {
+  const auto* const all = got.if_list_by_list(patterns_spec(radius, sets));
+  return patterns_in(got.call, all == nullptr ? experiments::Patterns{} : *all);
+}
+
 inline const Methods methods = [] {
   const auto repeated = [](unsigned task) {
     return [=](Count n, Count, Count rounds, const sandbox::Limits&) {

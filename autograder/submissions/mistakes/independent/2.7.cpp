@@ -48,7 +48,7 @@ Estimate from_directions(const RectLight& light, std::uint64_t n, Direction dire
 }  // namespace mc
 
 // mistake: uses one number for both coordinates of a point on the light
-// hint: different random numbers for x and y
+// hint: new and different random numbers for x and y
 namespace mc::diagonal_of_the_light {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   require_samples(n);
