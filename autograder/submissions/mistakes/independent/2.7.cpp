@@ -179,3 +179,15 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   });
 }
 }  // namespace mc::cosine_of_the_center
+
+// mistake: multiplies n by n - 1 in 32 bits
+// hint: count in 64 bits
+namespace mc::area_counts_in_32_bits {
+Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
+  Estimate estimate = right_irradiance_area(light, n, rng);
+  const auto count = static_cast<std::uint32_t>(n);
+  estimate.standard_error *=
+      std::sqrt(static_cast<double>(n) * static_cast<double>(n - 1) / (count * (count - 1)));
+  return estimate;
+}
+}  // namespace mc::area_counts_in_32_bits

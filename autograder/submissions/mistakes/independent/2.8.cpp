@@ -183,3 +183,16 @@ void uniforms(Rng& rng, std::span<double> out) {
   for (double& u : out) u = to_unit(state = state * 6364136223846793005u + 1442695040888963407u);
 }
 }  // namespace mc::low_bits_of_a_congruential_generator
+
+// mistake: each number is the sum of two before it (Knuth, volume 2, 3.2.2)
+// hint: a lagged Fibonacci generator
+namespace mc::lagged_fibonacci {
+void uniforms(Rng& rng, std::span<double> out) {
+  std::array<std::uint64_t, 55> words;
+  for (std::uint64_t& word : words) word = rng();
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    words[k % 55] += words[(k + 31) % 55];
+    out[k] = to_unit(words[k % 55]);
+  }
+}
+}  // namespace mc::lagged_fibonacci

@@ -193,3 +193,29 @@ void stratified(PointSet& points, Rng& rng) {
   }
 }
 }  // namespace mc::order_in_16_bits
+
+// mistake: the order of every third pattern is that of the first in the second
+// hint: no permutation is a product of two others
+namespace mc::order_of_two_others {
+void stratified(PointSet& points, Rng& rng) {
+  const std::size_t n = points.size();
+  std::vector<std::vector<double>> orders;
+  std::vector<double> x(n), y(n);
+  for (std::size_t d = 0; d < points.dims(); d += 2) {
+    std::vector<double> order(n);
+    std::iota(order.begin(), order.end(), 0.0);
+    right_shuffle(order, rng);
+    for (std::size_t i = 0; i < n && d % 6 == 4; ++i) {
+      order[i] = orders[d / 2 - 1][static_cast<std::size_t>(orders[d / 2 - 2][i])];
+    }
+    const bool is_pair = d + 1 < points.dims();
+    is_pair ? stratified_2d(x, y, strata(n), rng) : stratified_1d(x, rng);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto from = static_cast<std::size_t>(order[i]);
+      points.column(d)[i] = x[from];
+      if (is_pair) points.column(d + 1)[i] = y[from];
+    }
+    orders.push_back(order);
+  }
+}
+}  // namespace mc::order_of_two_others
