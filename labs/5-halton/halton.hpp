@@ -88,7 +88,7 @@ void random_shift(PointSet& points, Rng& rng);
 /// by an independent random decision for each string of preceding bits. The decision is a hash of
 /// that string and of all 64 bits of `seed`: a function of value and seed alone, so equal values
 /// stay equal in any column, and a column may be computed in parts. Use a different seed for each
-/// axis.
+/// axis: decisions of different seeds are unrelated, also those for different strings.
 ///
 /// How random the hash must be: any two values are scrambled independently after the first bit in
 /// which they differ (then the variance is Owen's), and three values up to what 1,500 seeds can

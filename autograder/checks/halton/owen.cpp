@@ -1,5 +1,7 @@
 // 5.8: nested uniform scrambling: the flips of bits, and the errors of scrambled nets.
 
+#include <set>
+
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
 #include "checks/support/expect_all_seeds.hpp"
@@ -155,6 +157,22 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
   expect_independent_uniforms(
       many, {.words = "different seeds give independent numbers",
              .rule = "different seeds have different states of 64 bits: do not truncate a hash"});
+  // Two of 455 random strings of 46 bits are equal with probability 1.5e-9.
+  Values x{0};
+  for (int k = 1; k < 7; ++k) x.push_back(std::ldexp(1, -k));
+  const SampleSets all = scrambled(x, domain::seeds_by_bit(rng));
+  std::set<std::uint64_t> seen;
+  for (std::size_t i = 0; i < all.values().size(); ++i) {
+    const double value = x[i % x.size()];
+    const std::uint64_t flips = bits_of(all.values()[i]) ^ bits_of(value);
+    expect_that(seen.insert(flips % (std::uint64_t{1} << 46)).second,
+                fmt::format("{}: seed {} flips the last 46 bits of {} as another seed flips those "
+                            "of another value",
+                            all.call, i / x.size(), value),
+                "other flips", "",
+                "hash the seed and the string one after the other, not their "
+                "exclusive or or sum");
+  }
 }
 
 /// N scrambled points, equally spaced in an interval of length 2^-depth, lie one in each of N

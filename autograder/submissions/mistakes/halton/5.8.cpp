@@ -152,3 +152,19 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
   }
 }
 }  // namespace mc::linear_from_bit_16
+
+// mistake: hashes the exclusive or of seed and string
+// hint: not their exclusive or or sum
+namespace mc::seed_xor_string {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53) << 11;
+    std::uint64_t flips = 0;
+    for (unsigned k = 0; k < 53; ++k) {
+      const std::uint64_t before = k == 0 ? 0 : word >> (64 - k) << (64 - k);
+      flips |= mix_bits(mix_bits(seed ^ before) + k) >> 63 << (63 - k);
+    }
+    value = static_cast<double>((word ^ flips) >> 11) * 0x1p-53;
+  }
+}
+}  // namespace mc::seed_xor_string
