@@ -197,7 +197,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // attack: square lattices, shifted at random: they keep any distance, cover the square and have no
 // attack: power at low frequencies
 // earns: 6
-// says: points on a lattice are not random
+// says: not on a lattice
 
 namespace mc {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
@@ -213,7 +213,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // attack: square lattices whose rows are each shifted at random: no two sets are alike, and still
 // attack: they keep any distance, cover the square and have no power at low frequencies
 // earns: 6
-// says: points on a lattice are not random
+// says: not on a lattice
 
 namespace mc {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {

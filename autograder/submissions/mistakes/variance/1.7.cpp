@@ -119,6 +119,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 
 // mistake: adds up a row and a column for each cell, which takes quadratic time
 // hint: than the header's cost allows
+// limit: time
 namespace mc::dependence_sums_for_each_cell {
 double dependence(std::span<const double> joint, std::size_t columns) {
   const double right = right_dependence(joint, columns);
