@@ -74,7 +74,8 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
 CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:4]") {
   constexpr std::size_t count = 1500;
   const std::string nested =
-      "a separate flip for each string of bits before a bit; any three flips are independent";
+      "a separate flip for each string of bits before a bit, for each seed; any three are "
+      "independent";
   const std::string independent = "flips after different strings are independent";
   // The flips of the bits after bit k, of two values that differ in bit k. Each pair is tested
   // separately: four values need only be nearly independent.

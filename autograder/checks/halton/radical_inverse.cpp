@@ -39,8 +39,8 @@ CHECK_CASE("5.1 every index of 64 bits in every base", "[5.1][points:4]") {
       indices.insert(indices.end(), {power, power - 1, power + rng() % power});
     }
     check_indices({base, indices,
-                   "divide the 64-bit index until it is 0, without powers or logarithms; the value "
-                   "is a double",
+                   "divide the 64-bit index until it is 0, without powers or logarithms, by a "
+                   "base of all 32 bits of unsigned; the value is a double",
                    room});
   }
 }

@@ -201,12 +201,13 @@ void require_value(const Call& call) {
       fail(fmt::format("not written yet: {}", outcome.bytes));
     case wire::Status::invalid_argument:
     case wire::Status::out_of_range:
-      fail(Failure{fmt::format("{} threw std::{}: {}", call.text,
-                               outcome.status == wire::Status::out_of_range ? "out_of_range"
-                                                                            : "invalid_argument",
-                               outcome.bytes),
-                   "a value: these arguments are valid", "", "",
-                   "find the condition that refuses them; its value may overflow or be rounded"});
+      fail(Failure{
+          fmt::format(
+              "{} threw std::{}: {}", call.text,
+              outcome.status == wire::Status::out_of_range ? "out_of_range" : "invalid_argument",
+              outcome.bytes),
+          "a value: these arguments are valid", "", "",
+          "find the condition that refuses them: it may overflow, be rounded or be off by one"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));
   }
