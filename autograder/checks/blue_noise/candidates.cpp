@@ -29,9 +29,7 @@ static void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng
   const Nearness parts = nearness(all, later_points(n), rows, rng);
   Randomness claim = best_of_candidates(
       "draw ceil(c i) + 1 new candidates, of two random numbers each, for point i, and keep the "
-      "one "
-      "that is farthest from its nearest earlier point, also where cells of a grid find that "
-      "point");
+      "one that is farthest from its nearest earlier point, also where cells of a grid find it");
   claim.explain = [&]() -> std::string {
     constexpr std::size_t more = 4000;
     if (n != 5) return {};

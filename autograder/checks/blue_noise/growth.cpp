@@ -4,8 +4,8 @@
 // same machine at the same time. The sizes are so large that the limits are far from correct and
 // wrong answers; each cost is measured up to three times. The costs of the reference, the slowest
 // alternative, the limit, and the fastest algorithm of the next order (for patterns an estimate: 60
-// tries each, which stop at the first of 68,000 points that is too close). The first two for
-// patterns are from 12,000 points, those for candidates from 500,000 (the last scaled to 10^6):
+// tries each, which stop at the first of 68,000 points that is too close). The reference's for
+// patterns is from 12,000 points, those for candidates from 500,000 (the last scaled to 10^6):
 //
 //   one of 1,000,000 best candidates      28      35      256     3,400
 //   one of 68,000 points of a pattern  1,400  14,000   98,304   1,300,000

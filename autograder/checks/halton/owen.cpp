@@ -167,12 +167,11 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
     const double value = x[i % x.size()];
     const std::uint64_t flips = bits_of(all.values()[i]) ^ bits_of(value);
     expect_that(seen.insert(flips % (std::uint64_t{1} << 46)).second,
-                fmt::format("{}: seed {} flips the last 46 bits of {} as another seed flips those "
-                            "of another value",
+                fmt::format("{}: seed {} of the list flips the last 46 bits of {} as other bits "
+                            "were flipped",
                             all.call, i / x.size(), value),
-                "other flips", "",
-                "hash the seed and the string one after the other, not their "
-                "exclusive or or sum");
+                "different flips for each seed and value", "",
+                "hash the seed and then the string, not their exclusive or or sum");
   }
 }
 

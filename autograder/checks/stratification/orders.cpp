@@ -115,8 +115,8 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
       for (std::size_t i = 0; i < ranks.size(); ++i) {
         odd ^= static_cast<std::size_t>(ranks[i] * static_cast<double>(orders.n - i)) % 2;
       }
-      if (k >= 2 && !backwards)
-        signs.values.push_back(fill_cell(std::popcount(odd % 8) % 2u, 2, rng));
+      if (k < 2 || backwards) continue;
+      signs.values.push_back(fill_cell(std::popcount(odd % 8) % 2u, 2, rng));
     }
     numbers.name = [&, backwards](std::size_t position) {
       const std::size_t at = backwards ? orders.n - 1 - position : position;
@@ -125,10 +125,12 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
     };
     expect_independent_uniforms(numbers, of_numbers);
   }
-  of_numbers = {claim.words, claim.alpha, "no permutation is a product of two others",
-                {},          {},          "permutations that are independent, also of two others",
-                true};
-  if (signs.values.size() >= 200) expect_independent_uniforms(signs, of_numbers, true);
+  const Randomness of_signs{.words = claim.words,
+                            .alpha = claim.alpha,
+                            .rule = "no permutation is a product of two others",
+                            .expected = "permutations that are independent, also of two others",
+                            .is_certain = true};
+  if (signs.values.size() >= 200) expect_independent_uniforms(signs, of_signs, true);
 }
 
 Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,

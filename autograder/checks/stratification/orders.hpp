@@ -22,9 +22,9 @@ struct Permutations {
 };
 
 /// The permutations are independent, and all n! equally likely: the numbers that determine them,
-/// read from either end, are uniform, and for n >= 20 no permutation repeats (of R permutations out
-/// of M, R^2 / 2M do: this detects M up to R^2 / 40). `only_repeats` skips the first test.
-/// `claim.repeated` is the hint for a repeat.
+/// read from either end, and the signs of products of three are uniform, and for n >= 20 no
+/// permutation repeats (of R permutations out of M, R^2 / 2M do: this detects M up to R^2 / 40).
+/// `only_repeats` skips the other tests. `claim.repeated` is the hint for a repeat.
 void expect_random_permutations(const Permutations& orders, const Randomness& claim, Rng& rng,
                                 bool only_repeats = false);
 

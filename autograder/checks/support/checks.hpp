@@ -1,5 +1,6 @@
 #pragma once
-// Everything that a check may use. Each file of a lab's checks may rely on all of it.
+// Everything that a check may use. Each file of a lab's checks, and each source beside this header,
+// may rely on all of it.
 
 #include <algorithm>
 #include <array>

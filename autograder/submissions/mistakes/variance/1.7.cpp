@@ -127,8 +127,8 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   double largest = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
     double row = 0, column = 0;
-    for (std::size_t k = i - i % columns; k < i - i % columns + columns; ++k)
-      row += joint[k] / total;
+    const std::size_t first = i - i % columns;
+    for (std::size_t k = first; k < first + columns; ++k) row += joint[k] / total;
     for (std::size_t k = i % columns; k < joint.size(); k += columns) column += joint[k] / total;
     largest = std::max(largest, std::abs(joint[i] / total - row * column));
   }
