@@ -29,13 +29,11 @@ find_path(ARCHIVE_INCLUDE archive.h)
 # Libraries that the labs are compared with: one folder each in autograder/submissions/peers. Its
 # find.cmake sets PEER_FOUND, and PEER_LINK to the libraries to link. The comparison with a missing
 # library is skipped.
-set(PEER_LAYOUT)
+set(LAYOUT_PEERS)
 set(PEER_LIBRARIES)
 set(PEER_DEFINITIONS)
-if(CMAKE_SYSTEM_NAME STREQUAL Linux)  # programs are static there
-  set(PEER_PREFIX lib)
-  set(PEER_SUFFIX .a)
-endif()
+set(PEER_PREFIX lib)  # programs are static
+set(PEER_SUFFIX .a)
 file(GLOB finds CONFIGURE_DEPENDS autograder/submissions/peers/*/find.cmake)
 foreach(find ${finds})
   cmake_path(GET find PARENT_PATH folder)
@@ -47,7 +45,7 @@ foreach(find ${finds})
     list(APPEND PEER_LIBRARIES ${PEER_LINK})
     string(TOUPPER ${peer} upper)
     list(APPEND PEER_DEFINITIONS MC_HAVE_${upper})
-    string(APPEND PEER_LAYOUT "peers.${peer}=${PEER_LINK}\n")
+    list(APPEND LAYOUT_PEERS "\"${peer}\": [\"$<JOIN:${PEER_LINK},\", \">\"]")
   endif()
 endforeach()
 

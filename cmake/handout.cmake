@@ -2,12 +2,11 @@
 # need neither the sources nor the libraries. ./lab handout copies build/handout. Linux only.
 set(HANDOUT_LINKS no)
 get_target_property(fmt_type fmt::fmt TYPE)
-if(CMAKE_SYSTEM_NAME STREQUAL Linux AND NOT MC_SANITIZE AND SECCOMP_STATIC_LIBRARY
+if(NOT MC_SANITIZE AND SECCOMP_STATIC_LIBRARY
     AND (CMAKE_CXX_COMPILER_ID STREQUAL GNU OR NOT fmt_type STREQUAL SHARED_LIBRARY))
   set(HANDOUT_LINKS yes)
 endif()
-add_custom_target(handout_judge)
-add_dependencies(gradebook_tests handout_judge)
+add_custom_target(handout_judge ALL)
 if(NOT HANDOUT_LINKS)
   return()
 endif()
@@ -35,15 +34,16 @@ set(below $<TARGET_FILE:protocol> $<TARGET_FILE:sandbox> ${static_fmt} ${SECCOMP
   Threads::Threads)
 
 # Without libarchive, which needs a dozen other libraries: students hand in zips and receive none.
-static_judge(grader grader grading coursework)
-target_sources(handout_grader PRIVATE autograder/grader/submission/archive.cpp)
-target_include_directories(handout_grader PRIVATE autograder labs)
-target_link_libraries(handout_grader PRIVATE ${below})
+static_judge(lab lab judge)
+target_sources(handout_lab PRIVATE autograder/grader/submission/archive.cpp)
+target_include_directories(handout_lab PRIVATE autograder labs)
+target_link_libraries(handout_lab PRIVATE ${below})
 foreach(lab ${LABS})
   static_judge(checks_${lab} checks_${lab})
   target_link_libraries(handout_checks_${lab} PRIVATE $<TARGET_FILE:checking> ${below}
     Catch2::Catch2WithMain)
-  if(TARGET measure_${lab})
+  get_target_property(kind measure_${lab} TYPE)
+  if(kind STREQUAL EXECUTABLE)
     static_judge(measure_${lab} measure_${lab})
     target_link_libraries(handout_measure_${lab} PRIVATE $<TARGET_FILE:measuring>
       $<TARGET_FILE:checking> ${below} Catch2::Catch2WithMain)

@@ -33,7 +33,7 @@ foreach(folder ${LAB_FOLDERS})
   target_include_directories(experiments_${lab} PRIVATE labs ${LAB_INCLUDES})
   target_compile_options(experiments_${lab} PRIVATE ${PROGRAM_FLAGS})
   with_warnings(experiments_${lab})
-  string(APPEND LAYOUT "objects.${lab}=$<TARGET_OBJECTS:experiments_${lab}>;$<TARGET_OBJECTS:runner>\n")
+  list(APPEND LAYOUT_OBJECTS "\"${lab}\": [\"$<JOIN:$<TARGET_OBJECTS:experiments_${lab}>;$<TARGET_OBJECTS:runner>,\", \">\"]")
 
   # Starters and solutions in compile_commands.json, for clangd. Nothing runs these programs.
   foreach(who starter solutions)
@@ -48,15 +48,27 @@ foreach(folder ${LAB_FOLDERS})
   endforeach()
 endforeach()
 
-set(sanitized no)
-if(MC_SANITIZE OR CMAKE_CXX_FLAGS MATCHES -fsanitize)
-  set(sanitized yes)
+set(is_clang false)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  set(is_clang true)
 endif()
-file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/layout.txt CONTENT
-"root=${CMAKE_SOURCE_DIR}
-version=${PROJECT_VERSION}
-sanitized=${sanitized}
-compiler=${CMAKE_CXX_COMPILER}
-compiler_id=${CMAKE_CXX_COMPILER_ID}
-link_flags=${PROGRAM_LINK_FLAGS}
-${PEER_LAYOUT}${LAYOUT}")
+set(sanitized false)
+if(MC_SANITIZE OR CMAKE_CXX_FLAGS MATCHES -fsanitize)
+  set(sanitized true)
+endif()
+# Where everything is, for the program (autograder/grader/checkout/layout.cpp).
+list(JOIN LAYOUT_OBJECTS ",\n  " LAYOUT_OBJECTS)
+list(JOIN LAYOUT_PEERS ",\n  " LAYOUT_PEERS)
+file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/layout.json CONTENT "{
+ \"root\": \"${CMAKE_SOURCE_DIR}\",
+ \"version\": \"${PROJECT_VERSION}\",
+ \"sanitized\": ${sanitized},
+ \"compiler\": \"${CMAKE_CXX_COMPILER}\",
+ \"is_clang\": ${is_clang},
+ \"link_flags\": [\"$<JOIN:${PROGRAM_LINK_FLAGS},\", \">\"],
+ \"objects\": {
+  ${LAYOUT_OBJECTS}},
+ \"peers\": {
+  ${LAYOUT_PEERS}}
+}
+")

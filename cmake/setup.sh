@@ -1,35 +1,10 @@
 # Read by ./lab: finds and installs what the machine lacks.
 
-# The lab that a word names: 1, variance, 1-variance, or one of its tasks, 1.3.
-lab_of() {
-  word=${1#labs/} word=${word%/}  # a shell completes labs/1-variance/
-  case $word in [0-9]*.[0-9]*) word=${word%%.*} ;; esac
-  for folder in "$root"/labs/[0-9]*-*; do
-    folder=${folder##*/}
-    name=$(printf %s "${folder#*-}" | tr - _)
-    case $word in "${folder%%-*}" | "$folder" | "$name") echo "$name" ;; esac
-  done
-}
-
-# The lab of a command: the first word that is neither an option nor the value of one.
-lab_among() {  # command word...
-  [ $# -gt 1 ] || return 0
-  shift
-  value_of=
-  for word in "$@"; do
-    case $value_of$word in
-      --seed | --only | --json | --dir) value_of=$word ;;
-      --seed* | --only* | --json* | --dir*) value_of= ;;
-      -*) ;;
-      *) lab_of "$word"; return 0 ;;
-    esac
-  done
-}
-
 # Prints one word for each missing tool or library. Looks for the file itself, not for a package: a
 # library installed by hand is fine.
 missing_things() {
   compiler=${CXX:-c++}
+  compiler=${compiler##*ccache }  # "ccache g++"
   command -v "$compiler" >/dev/null 2>&1 || { echo compiler; compiler=; }
   command -v cmake >/dev/null 2>&1 || echo cmake
   command -v ninja >/dev/null 2>&1 || command -v make >/dev/null 2>&1 || echo make
@@ -41,11 +16,8 @@ missing_things() {
   {
     echo '#if !__has_include(<catch2/catch_test_macros.hpp>) && !__has_include(<catch2/catch.hpp>)'
     printf 'missing catch2\n#endif\n'
-    for pair in fmt:fmt/format.h json:nlohmann/json.hpp; do
+    for pair in fmt:fmt/format.h json:nlohmann/json.hpp archive:archive.h seccomp:seccomp.h; do
       printf '#if !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
-    done
-    for pair in archive:archive.h seccomp:seccomp.h; do  # Homebrew's libarchive is in another place
-      printf '#if defined(__linux__) && !__has_include(<%s>)\nmissing %s\n#endif\n' "${pair#*:}" "${pair%%:*}"
     done
   } | "$compiler" -E -P -x c++ - 2>/dev/null | sed -n 's/^missing //p'
 }
@@ -54,13 +26,11 @@ package_of() {  # thing manager
   case $1:$2 in
     compiler:apt) echo g++ ;;
     compiler:dnf) echo gcc-c++ glibc-static libstdc++-static ;;
-    compiler:brew) echo llvm ;;
     catch2:dnf) echo catch-devel ;;
     fmt:apt) echo libfmt-dev ;;
     fmt:dnf) echo fmt-devel ;;
     json:apt) echo nlohmann-json3-dev ;;
     json:dnf) echo json-devel ;;
-    json:brew) echo nlohmann-json ;;
     archive:apt) echo libarchive-dev ;;
     archive:dnf) echo libarchive-devel ;;
     seccomp:apt) echo libseccomp-dev ;;
@@ -70,25 +40,26 @@ package_of() {  # thing manager
   esac
 }
 
-# Installs these tools and libraries. Prints what it runs; asks first at a terminal. CMake handles what
+# Installs them. Prints what it runs; asks first at a terminal. CMake handles what
 # cannot be installed: it fetches sources if there is a network, and otherwise reports what is missing.
-install_things() {
+install_what_is_missing() {
+  set -- $(missing_things)
+  [ $# = 0 ] && return
   manager=
-  for candidate in apt-get:apt dnf:dnf brew:brew; do
+  for candidate in apt-get:apt dnf:dnf; do
     command -v "${candidate%%:*}" >/dev/null 2>&1 && { manager=${candidate#*:}; break; }
   done
   packages=
   for thing in "$@"; do packages="$packages $(package_of "$thing" "$manager")"; done
   as_root=
-  if [ "$(id -u)" != 0 ] && [ "$manager" != brew ]; then
+  if [ "$(id -u)" != 0 ]; then
     command -v sudo >/dev/null 2>&1 && as_root="sudo "
   fi
   case $manager in
     apt) install="${as_root}apt-get install -y --no-install-recommends$packages" ;;
     dnf) install="${as_root}dnf install -y$packages" ;;
-    brew) install="brew install$packages" ;;
     *)
-      echo "lab: missing: $*. There is no apt, dnf or brew here: install them by hand." >&2
+      echo "lab: missing: $*. There is no apt or dnf here: install them by hand." >&2
       only_gnuplot "$@" || exit 3
       return 0
       ;;
@@ -113,7 +84,7 @@ install_things() {
     echo "lab: that failed (all output: $log)" >&2
     only_gnuplot "$@" || case " $* " in *" compiler "* | *" cmake "* | *" make "*) exit 3 ;; esac
   fi
-  rm -f "$build/layout.txt"  # makes ./lab configure again
+  rm -f "$build/CMakeCache.txt"  # look for them again
 }
 
 # gnuplot is optional: without it there are grades, but no plots.

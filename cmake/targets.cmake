@@ -1,6 +1,6 @@
-# Settings of all our targets: every warning, and small files compiled together. The entry script builds
-# this way because users wait for it; developers' presets compile each file separately.
-option(MC_UNITY "compile the files of a target together" OFF)
+# Settings of all our targets: every warning, and small files compiled together, because users wait for
+# the build; developers' presets compile each file separately.
+option(MC_UNITY "compile the files of a target together" ON)
 option(MC_WERROR "a warning is an error" OFF)
 option(MC_SANITIZE "grader and checks under the address and undefined-behavior sanitizers" OFF)
 option(MC_COVERAGE "count the lines of sandbox, protocol and grader that run (.ci/coverage)" OFF)
@@ -27,7 +27,7 @@ function(own_target target)
     target_compile_options(${target} PRIVATE ${sanitizers} -fno-omit-frame-pointer -g)
     target_link_options(${target} PRIVATE ${sanitizers})
   endif()
-  if(MC_COVERAGE AND target MATCHES "^(sandbox|protocol|grading|coursework|archives)$")
+  if(MC_COVERAGE AND target MATCHES "^(sandbox|protocol|judge|archives)$")
     target_compile_options(${target} PRIVATE -g -O0 --coverage)
     target_link_libraries(${target} PUBLIC --coverage)
   endif()

@@ -1,43 +1,16 @@
 # Runs every test of a build directory and prints counts at the end:
-# cmake -D BUILD=build -P cmake/test.cmake
-cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
-# One more than the cores: proofs sometimes wait, and verdicts use CPU time.
-math(EXPR jobs "${cores} + 1")
+# cmake -D BUILD=build -D JOBS=2 -P cmake/test.cmake
+math(EXPR jobs "${JOBS} + 1")  # proofs sometimes wait, and verdicts use CPU time
 set(log ${BUILD}/test.log)
 set(which)
 if(QUICK)
   set(which -L quick)
   set(ENV{MC_QUICK} 1)
 endif()
-# Only a hanging test reaches this limit, even on a quarter of a core. With a thousand seeds (--full) a
-# submission takes most of an hour.
-set(seconds 3600)
-if(DEFINED ENV{MC_SEEDS} OR DEFINED ENV{MC_MISTAKE_SEEDS})
-  set(seconds 36000)
-endif()
-execute_process(COMMAND ctest --test-dir ${BUILD} -N ${which} OUTPUT_VARIABLE listed)
-string(REGEX MATCH "Total Tests: ([0-9]+)" listed "${listed}")
-message("${CMAKE_MATCH_1} tests; on two idle cores about a second each")
-execute_process(COMMAND ctest --test-dir ${BUILD} -j ${jobs} --timeout ${seconds} ${which}
+# Only a hanging test reaches this limit, even on a quarter of a core.
+execute_process(COMMAND ctest --test-dir ${BUILD} -j ${jobs} --timeout 3600 ${which}
   --output-on-failure --output-log ${log}
   RESULT_VARIABLE failed)
-function(also)
-  execute_process(COMMAND ${BUILD}/bin/self_test ${ARGN} RESULT_VARIABLE result)
-  if(result)
-    set(failed ${result} PARENT_SCOPE)
-  endif()
-endfunction()
-if(FULL)
-  also(load 7)
-  file(GLOB solutions ${CMAKE_CURRENT_LIST_DIR}/../solutions/*.cpp)
-  foreach(solution ${solutions})
-    get_filename_component(lab ${solution} NAME_WE)
-    also(cost ${lab})
-  endforeach()
-endif()
-if(POWER)
-  execute_process(COMMAND ${BUILD}/bin/self_test power)
-endif()
 
 file(READ ${log} text)
 function(count kind pattern)

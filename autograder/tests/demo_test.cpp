@@ -9,7 +9,7 @@ namespace mc::tests::demo {
 namespace {
 
 sandbox::ProcessResult lab_demo(const Words& words) {
-  return sandbox::run_process(joined({read_layout().build / "bin" / "course", "demo"}, words));
+  return lab(joined({"demo"}, words));
 }
 
 /// Moves every control of every lab through all its values, and presses the keys; the title reports

@@ -255,7 +255,7 @@ TEST_CASE("without descriptors the grader ends with a line and status 3, wheneve
     const auto run = run_process(
         {"sh", "-c",
          fmt::format("ulimit -n {} && exec '{}' check variance '{}' --only 1.1", most,
-                     (labs.layout.build / "bin" / "grader").string(), labs.place.path().string())});
+                     (labs.layout.build / "bin" / "lab").string(), labs.place.path().string())});
     CAPTURE(most, run.errors);
     CHECK(run.signal == 0);
     CHECK((run.exit_code == 1 || run.exit_code == 3));

@@ -13,11 +13,10 @@ namespace {
 constexpr const char* stub = R"(cmake_minimum_required(VERSION 3.22)
 project(stub LANGUAGES NONE)
 file(APPEND ${CMAKE_SOURCE_DIR}/configured.txt "${CMAKE_BINARY_DIR}\n")
-file(WRITE ${CMAKE_BINARY_DIR}/layout.txt "root=${CMAKE_SOURCE_DIR}\n")
-file(WRITE ${CMAKE_BINARY_DIR}/bin/grader "#!/bin/sh\necho ${CMAKE_SOURCE_DIR}\n")
-file(CHMOD ${CMAKE_BINARY_DIR}/bin/grader PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
-add_custom_target(grader COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/built)
-add_custom_target(checks_variance COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/checks)
+file(WRITE ${CMAKE_BINARY_DIR}/layout.json "{}\n")
+file(WRITE ${CMAKE_BINARY_DIR}/bin/lab "#!/bin/sh\necho ${CMAKE_SOURCE_DIR}\n")
+file(CHMOD ${CMAKE_BINARY_DIR}/bin/lab PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+add_custom_target(lab COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/built)
 )";
 
 sandbox::ProcessResult run_lab(const fs::path& checkout, const Words& words = {"--version"},
@@ -35,7 +34,6 @@ struct Checkout : Scratch {
     const fs::path here = fs::canonical(path());
     first = here / "first", other = here / "the other";
     fs::create_directories(first / "cmake");
-    fs::create_directories(first / "labs" / "1-variance");
     for (const char* file : {"lab", "cmake/setup.sh"}) {
       fs::copy_file(read_layout().root / file, first / file);
     }
@@ -105,7 +103,18 @@ TEST_CASE("a checkout called through a link keeps its build", "[script]") {
   CHECK(configured(checkout.first) == 1);
 }
 
-TEST_CASE("the first call installs what is missing and builds what its command needs", "[script]") {
+TEST_CASE("a path that CMake cannot build in is one line", "[script]") {
+  const Checkout checkout;
+  for (const char* name : {"a;b", "labs [2026]"}) {
+    fs::copy(checkout.first, checkout.path() / name, fs::copy_options::recursive);
+    const auto run = run_lab(checkout.path() / name);
+    CHECK(run.exit_code == 3);
+    CHECK(lines(run.errors) == 1);
+    CHECK(contains(run.errors, name));
+  }
+}
+
+TEST_CASE("the first call installs what is missing, and builds", "[script]") {
   const Checkout checkout;
   fs::remove_all(checkout.first / "build");
   // A search path without gnuplot, whose apt-get installs it.
@@ -130,7 +139,7 @@ TEST_CASE("the first call installs what is missing and builds what its command n
   check_contains(run.errors,
                  {"Missing: gnuplot", "apt-get install -y --no-install-recommends gnuplot-nox"});
   CHECK(fs::exists(programs / "gnuplot"));
-  CHECK(fs::exists(checkout.first / "build" / "checks"));
+  CHECK(fs::exists(checkout.first / "build" / "built"));
 }
 
 }  // namespace mc::tests::moved

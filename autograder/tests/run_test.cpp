@@ -52,24 +52,6 @@ TEST_CASE("an experiment by hand, and what its numbers are", "[script]") {
   CHECK(contains(named("--peraxis"), "stratified_nd --n N --dims N --per_axis N"));
 }
 
-TEST_CASE("a shell completes commands, labs, tasks, experiments and options", "[script]") {
-  const auto completed = [](const std::string& words, int word) {
-    REQUIRE_RUN(script, lab({"completion", "bash"}));
-    return sandbox::run_process({"bash", "-c",
-                                 script.output + "COMP_WORDS=(./lab " + words +
-                                     ") COMP_CWORD=" + std::to_string(word) +
-                                     "; _monte_carlo_labs; echo \"${COMPREPLY[*]}\""})
-        .output;
-  };
-  CHECK(completed("che", 1) == "check\n");
-  CHECK(completed("plot va", 2) == "variance\n");
-  CHECK(completed("check 1.", 2).starts_with("1.1 1.2 "));
-  CHECK(completed("hint ''", 2).starts_with("1.1 1.2 "));
-  CHECK(completed("run halton random", 3) == "random_shift\n");
-  CHECK(completed("check 1 --wa", 3) == "--watch\n");
-  CHECK(lab({"completion", "fish"}).exit_code == 2);
-}
-
 TEST_CASE("the list of experiments has the names of the declarations", "[script]") {
   const Layout layout = read_layout();
   for (const Lab& one : find_labs(layout)) {
@@ -140,29 +122,6 @@ TEST_CASE("a lab and its task", "[script]") {
     REQUIRE_RUN(run, lab(words));
     CHECK(contains(run.output, "18 of 18 points"));
     CHECK(!contains(run.output, " 1.2 "));
-  }
-}
-
-TEST_CASE("the entry script finds the lab among a command's words", "[script]") {
-  const std::string root = read_layout().root.string();
-  const auto found = [&](const std::string& words) {
-    REQUIRE_RUN(run, sandbox::run_process(
-                         {"sh", "-euc",
-                          "root='" + root + "'; . \"$root/cmake/setup.sh\"; lab_among " + words}));
-    return run.output;
-  };
-  for (const char* words :
-       {"check 1", "check variance", "check 1-variance", "check 1.3", "check variance 2.3",
-        "check --seed 3 variance", "check --seed=3 variance", "check --only 1.3 1",
-        "check variance --seed 3", "run --dir 2 variance mean 3", "run --sanitize 1 mean 3"}) {
-    CAPTURE(words);
-    CHECK(found(words) == "variance\n");
-  }
-  CHECK(found("check 4-blue-noise") == "blue_noise\n");
-  for (const char* words :
-       {"", "check", "check --seed 3", "check 99", "check vari", "check 99.1"}) {
-    CAPTURE(words);
-    CHECK(found(words).empty());
   }
 }
 

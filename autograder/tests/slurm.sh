@@ -6,7 +6,7 @@
 # usage: slurm.sh BUILD
 set -eu
 build=$(CDPATH= cd -- "$1" && pwd -P)
-root=$(sed -n 's/^root=//p' "$build/layout.txt")
+root=$(sed -n 's/^ "root": "\(.*\)",/\1/p' "$build/layout.json")
 for program in slurmctld slurmd sbatch squeue scancel scontrol munged; do
   PATH=$PATH:/usr/sbin command -v $program >/dev/null 2>&1 || { echo "no $program"; exit 77; }
 done
@@ -24,7 +24,7 @@ trap 'exit 1' INT TERM
 
 fail() {
   echo "FAILED: $*" >&2
-  tail -n 20 "$place"/*.log "$place"/grades-slurm/*.log >&2 2>/dev/null || true
+  tail -n 20 "$place"/*.log "$place"/grades-verdicts/*.log >&2 2>/dev/null || true
   exit 1
 }
 
@@ -89,7 +89,9 @@ wait_until is_idle || { echo "Slurm does not start"; tail -n 5 "$place"/*.log; e
 
 # A class: two that are judged at once, two that run out of time in four tasks ---------------------
 
-lab() { "$build/bin/course" "$@"; }
+MC_NO_BUILD=1
+export MC_NO_BUILD
+lab() { "$build/bin/lab" "$@"; }
 mkdir "$place/class"
 for student in ada bob; do
   mkdir "$place/class/$student"
@@ -101,7 +103,7 @@ for student in eve "zoe's"; do
     "$root/starter/variance.cpp"; echo "// $student"; } >"$place/class/$student/variance.cpp"
 done
 cd "$place"
-grade() { lab grade class --lab variance --csv grades.csv "$@"; }
+grade() { lab grade --class class --lab variance --csv grades.csv "$@"; }
 
 grade --slurm --seed 7 >submitted.log || fail "no job was submitted"
 job=$(sed -n 's/^job \([0-9]*\): 4 tasks, seed 7.*/\1/p' submitted.log)
@@ -118,8 +120,8 @@ grade --resume >early.log 2>&1 && fail "it gathers while the job runs"
 grep -q "job $job is still running" early.log || fail "it does not say that the job runs"
 is_over() { [ -z "$(squeue --noheader --jobs="$job" 2>/dev/null)" ]; }
 wait_until is_over || fail "the job does not end"
-[ ! -e grades-slurm/3-verdicts/eve.json ] || fail "the killed task has a verdict"
-[ -e "grades-slurm/4-verdicts/zoe's.json" ] || fail "the requeued task has no verdict"
+[ ! -e grades-verdicts/eve.json ] || fail "the killed task has a verdict"
+[ -e "grades-verdicts/zoe's.json" ] || fail "the requeued task has no verdict"
 
 # Gathered -----------------------------------------------------------------------------------------
 

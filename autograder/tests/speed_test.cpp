@@ -29,11 +29,10 @@ LabVerdict passed_lab(const std::vector<Speed>& speed) {
   return lab;
 }
 
-nlohmann::json results_of(const LabVerdict& lab,
-                          const GradescopeOptions& wanted = {.leaderboard = true}) {
+nlohmann::json results_of(const LabVerdict& lab) {
   Verdict verdict;
   verdict.labs.push_back(lab);
-  return nlohmann::json::parse(report_json(verdict, wanted));
+  return nlohmann::json::parse(results_json(verdict));
 }
 
 TEST_CASE("a lab's speed-up is the geometric mean over its tasks") {
@@ -45,7 +44,6 @@ TEST_CASE("a lab's speed-up is the geometric mean over its tasks") {
 TEST_CASE("without a reference nothing is compared") {
   const LabVerdict lab = passed_lab({task(1, {})});
   CHECK_FALSE(lab.times_the_reference());
-  CHECK_FALSE(results_of(lab).contains("leaderboard"));
   CHECK(tests::contains(report_speed(lab), "1 ns"));
 }
 
@@ -89,10 +87,6 @@ TEST_CASE("speed is in the results and not in the score") {
   const LabVerdict lab = passed_lab({task(0.5, 1.0)});
   const auto results = results_of(lab);
   CHECK(results["score"] == 5);
-  REQUIRE(results["leaderboard"].size() == 1);
-  CHECK(results["leaderboard"][0]["value"] == 2);
-  // The class sees it, so it is present only on request.
-  CHECK_FALSE(results_of(lab, {}).contains("leaderboard"));
   CHECK(results["extra_data"]["speed"][0]["name"] == "2.8 uniforms");
 }
 

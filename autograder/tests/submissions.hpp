@@ -42,9 +42,9 @@ inline void check_refused(const sandbox::ProcessResult& run, const std::string& 
 }
 
 /// Runs ./lab as a user would; everything is built already.
-inline sandbox::ProcessResult lab(const Words& words, const sandbox::ProcessOptions& options = {}) {
-  const fs::path program = read_layout().build / "bin" / "grader";
-  return sandbox::run_process(joined({program.string()}, words), options);
+inline sandbox::ProcessResult lab(const Words& words, sandbox::ProcessOptions options = {}) {
+  options.environment.push_back({"MC_NO_BUILD", "1"});
+  return sandbox::run_process(joined({(read_layout().bin / "lab").string()}, words), options);
 }
 
 /// A check's result, worth 5 points, without a run.
@@ -116,12 +116,11 @@ inline std::string git(const fs::path& repository, const Words& words) {
 /// build directory by its own path, and the checkout by the layout file in there.
 inline fs::path built_for(const fs::path& root, const fs::path& build, const char* program) {
   const Layout real = read_layout();
-  auto copy = build / "bin" / program;
+  fs::path copy = build / "bin" / program;
   fs::create_directories(build / "bin");
   fs::copy_file(real.build / "bin" / program, copy, fs::copy_options::skip_existing);
-  write_text(build / "layout.txt",
-             with_change(read_text(real.build / "layout.txt"), "root=" + real.root.string(),
-                         "root=" + root.string()));
+  write_text(build / "layout.json",
+             with_change(read_text(real.build / "layout.json"), real.root.string(), root.string()));
   return copy;
 }
 

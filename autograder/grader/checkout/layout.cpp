@@ -7,33 +7,16 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
-#include "runner/text.hpp"
 #include "sandbox/process.hpp"
-
-#ifdef __APPLE__
-#include <mach-o/dyld.h>
-#endif
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The directory of this program.
-fs::path program_directory() {
-#ifdef __APPLE__
-  char path[4096];
-  std::uint32_t size = sizeof path;
-  if (_NSGetExecutablePath(path, &size) != 0)
-    throw MachineError("cannot find the path of this program");
-  return fs::canonical(path).parent_path();
-#else
-  return fs::canonical("/proc/self/exe").parent_path();
-#endif
-}
 
 /// The first C++ compiler on the path; CXX comes first. Empty if there is none.
 std::string find_compiler() {
@@ -74,42 +57,35 @@ void find_surroundings(Layout& layout) {
                     std::string::npos;
 }
 
-/// The parts of one of CMake's lists.
-std::vector<std::string> parts_of(const std::string& list) {
-  std::vector<std::string> parts;
-  for (const std::string_view part : text::split(list, ';')) {
-    if (!part.empty()) parts.emplace_back(part);
-  }
-  return parts;
-}
-
 }  // namespace
 
 Layout read_layout() {
   Layout layout;
-  layout.bin = program_directory();
+  layout.bin = fs::canonical("/proc/self/exe").parent_path();
   layout.build = layout.bin.parent_path();
-  std::ifstream file(layout.build / "layout.txt");
-  if (!file) throw MachineError("the build directory is incomplete: run ./lab setup");
-  std::string line;
-  while (std::getline(file, line)) {
-    const auto at = line.find('=');
-    if (at == std::string::npos) continue;
-    const std::string key = line.substr(0, at), value = line.substr(at + 1);
-    const std::vector<std::string> parts = parts_of(value);
-    if (key == "root") layout.root = value;
-    if (key == "compiler") layout.compiler = value;
-    if (key == "judge_is_compiled") layout.judge_is_compiled = value == "yes";
-    if (key == "sanitized") layout.sanitized = value == "yes";
-    if (key == "version") layout.version = value;
-    if (key == "compiler_id") layout.is_clang = value.find("Clang") != std::string::npos;
-    if (key == "link_flags") layout.link_flags = parts;
-    if (key.starts_with("peers.")) layout.peers[key.substr(6)] = parts;
-    if (key.starts_with("objects.")) layout.objects[key.substr(8)] = {parts.begin(), parts.end()};
+  const fs::path file = layout.build / "layout.json";
+  if (!fs::exists(file)) throw MachineError("the build directory is incomplete: run ./lab setup");
+  const auto json = nlohmann::json::parse(read_whole_text(file));
+  const auto read = [&](const char* key, auto& value) {
+    if (json.contains(key)) json.at(key).get_to(value);
+  };
+  read("judge_is_compiled", layout.judge_is_compiled);
+  read("sanitized", layout.sanitized);
+  read("version", layout.version);
+  read("compiler", layout.compiler);
+  read("is_clang", layout.is_clang);
+  read("link_flags", layout.link_flags);
+  read("peers", layout.peers);
+  if (json.contains("root")) layout.root = json.at("root").get<std::string>();
+  if (json.contains("objects")) {
+    for (const auto& [lab, objects] : json.at("objects").items()) {
+      for (const auto& object : objects) layout.objects[lab].push_back(object.get<std::string>());
+    }
   }
+  std::ifstream packed(layout.root / "VERSION.txt");
   if (layout.judge_is_compiled) {
     find_surroundings(layout);
-  } else if (std::ifstream packed(layout.root / "VERSION.txt"); std::getline(packed, line)) {
+  } else if (std::string line; std::getline(packed, line)) {
     layout.version = line;  // Gradescope's package with sources: its points are in it
     return layout;
   } else {

@@ -29,15 +29,13 @@ struct Layout {
   std::filesystem::path submissions() const { return root / "autograder" / "submissions"; }
   std::filesystem::path starter() const { return root / "starter"; }
   std::filesystem::path checks(const std::string& lab) const { return bin / ("checks_" + lab); }
-  /// The program that has all commands; in a handout, grader has them.
-  std::filesystem::path course() const { return bin / (judge_is_compiled ? "grader" : "course"); }
   /// The program that measures for the lab's plots and for bench.
   std::filesystem::path measurements(const std::string& lab) const {
     return bin / ("measure_" + lab);
   }
 };
 
-/// Reads layout.txt, in the directory above this program's: CMake writes it into its build
+/// Reads layout.json, in the directory above this program's: CMake writes it into its build
 /// directory, ./lab handout into autograder/bin. Throws MachineError if it is missing.
 Layout read_layout();
 

@@ -83,14 +83,6 @@ std::uint64_t Arguments::seed() const {
   return number("seed").value_or(std::random_device()() % 1'000'000'000);
 }
 
-std::optional<std::string> Arguments::visibility() const {
-  auto given = get("visibility");
-  for (const char* known : {"visible", "hidden", "after_due_date", "after_published"}) {
-    if (!given || *given == known) return given;
-  }
-  throw UsageError("--visibility takes visible, hidden, after_due_date or after_published");
-}
-
 Arguments parse_arguments(const std::vector<std::string>& words, const Syntax& syntax) {
   std::vector<KnownOption> known;
   for (const std::string& shown : syntax.options)

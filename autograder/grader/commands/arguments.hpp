@@ -28,8 +28,6 @@ struct Arguments {
   std::optional<std::string> output(const std::string& option) const;
   /// --seed, or a random seed, so that no answer can be fitted to it; short enough to type.
   std::uint64_t seed() const;
-  /// --visibility, when Gradescope shows the checks; throws UsageError for an unknown value.
-  std::optional<std::string> visibility() const;
 };
 
 inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();

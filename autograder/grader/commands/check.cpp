@@ -98,7 +98,7 @@ int check(const Context& context, const Arguments& arguments) {
     }
     if (!judged.speed.empty()) fmt::print("\n{}", report_speed(judged));
   }
-  if (json) write_text(*json, report_json(verdict, {}));
+  if (json) write_text(*json, results_json(verdict));
   // Speeds up later runs; a first-time user should not wait for it.
   if (!is_first_time) precompile_headers(context.layout);
   if (is_own && is_whole && judged.on_reference.empty()) write_progress(context.layout, judged);
@@ -108,6 +108,7 @@ int check(const Context& context, const Arguments& arguments) {
 const RegisterCommand check_command{
     {.usage =
          "check LAB [TASK] [DIR] [--first] [--watch] [--seed S] [--json FILE] [--with-reference]",
+     .about = "check one lab in starter/ (or DIR)",
      .details =
          "LAB is a number, a name or a folder: 1, variance, 1-variance. With a TASK, only its "
          "checks: ./lab check 1.3, or ./lab check variance 1.3, or --only 1.3.\n"
@@ -121,7 +122,8 @@ const RegisterCommand check_command{
                  {"--json FILE", "also write Gradescope's results.json"},
                  {"--with-reference", "use the solutions of the labs that this one depends on"}},
      .run = check,
-     .least_words = 1}};
+     .least_words = 1,
+     .targets = target_of_lab<checks_target>}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -1,15 +1,22 @@
 #include "grader/commands/command.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <tuple>
 #include <utility>
 
-#include "grader/commands/list.hpp"
+#include "grader/base/side_by_side.hpp"
+#include "grader/reports/progress_line.hpp"
 #include "grader/reports/report.hpp"
+#include "sandbox/descriptor.hpp"
+#include "sandbox/process.hpp"
 
 namespace mc::grader {
 namespace {
@@ -19,24 +26,25 @@ std::vector<Command>& registry() {
   return commands;
 }
 
-bool is_here(const Layout& layout, const CommandEntry& command) {
-  return fs::exists(layout.root / command.about);
+bool is_here(const Layout& layout, const Command& command) {
+  return fs::exists(layout.root / command.place);
 }
 
 void print_overview(const Layout& layout) {
   const bool is_handout = !fs::exists(layout.solutions());
   fmt::print("usage: ./lab COMMAND ...   (details: ./lab COMMAND --help)\n\n");
-  for (const CommandEntry& command : command_list) {
+  for (const Command& command : all_commands()) {
     if ((command.for_instructors && is_handout) || !is_here(layout, command)) continue;
-    fmt::print("  ./lab {:<10} {}\n", command.name, command.description);
+    fmt::print("  ./lab {:<10} {}\n", command.name, command.about);
   }
 }
 
 /// The description, the details, and a table of the options.
-void print_help(const Command& command, std::string description) {
+void print_help(const Command& command) {
   constexpr std::size_t width = 80;
-  description[0] = static_cast<char>(std::toupper(description[0]));
-  fmt::print("usage: {}\n\n{}.\n", wrapped("./lab " + command.usage, width - 7, 7), description);
+  std::string about = command.about;
+  about[0] = static_cast<char>(std::toupper(about[0]));
+  fmt::print("usage: {}\n\n{}.\n", wrapped("./lab " + command.usage, width - 7, 7), about);
   for (std::size_t begin = 0; begin < command.details.size();) {
     const auto end = std::min(command.details.find('\n', begin), command.details.size());
     fmt::print("{}\n", wrapped(command.details.substr(begin, end - begin), width, 0));
@@ -53,13 +61,16 @@ void print_help(const Command& command, std::string description) {
   }
 }
 
-const CommandEntry& find_entry(const std::vector<Lab>& labs, const std::string& name) {
+const Command& find_command(const Context& context, const std::string& name) {
   std::vector<std::string> names;
-  for (const CommandEntry& command : command_list) {
-    if (command.name == name) return command;
-    if (!command.name.empty()) names.emplace_back(command.name);
+  for (const Command& command : all_commands()) {
+    if (command.name == name) {
+      if (is_here(context.layout, command)) return command;
+      throw UsageError(fmt::format("./lab {} needs {}, which is not here", name, command.place));
+    }
+    if (!command.name.empty()) names.push_back(command.name);
   }
-  for (const Lab& lab : labs) {
+  for (const Lab& lab : context.labs) {
     if (name != lab.name && name != lab.folder && name != std::to_string(lab.number)) continue;
     throw UsageError(fmt::format("'{0}' is a lab; did you mean './lab check {0}'?", name));
   }
@@ -67,52 +78,77 @@ const CommandEntry& find_entry(const std::vector<Lab>& labs, const std::string& 
                                nearest(name, names)));
 }
 
-/// The command, if this program has it.
-const Command* find_command(std::string_view name) {
-  for (const Command& command : registered_commands()) {
-    if (command.name == name) return &command;
-  }
-  return nullptr;
+/// Builds these targets. Two builds in one directory would run every rule twice, so there is a lock;
+/// a file system without locks does without.
+void build(const Layout& layout, const std::vector<std::string>& targets) {
+  const sandbox::Descriptor lock(
+      open((layout.build / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644),
+      "opening the lock of " + layout.build.string());
+  const ProgressLine line("building");
+  (void)flock(lock.get(), LOCK_EX);
+  std::vector<std::string> command{"cmake", "--build", layout.build.string(), "--parallel",
+                                   std::to_string(cores()), "--target"};
+  command.insert(command.end(), targets.begin(), targets.end());
+  const auto run = sandbox::run_process(command);
+  if (run.succeeded()) return;
+  fmt::print(stderr, "{}{}", run.output, run.errors);
+  throw MachineError("the build failed; its output is above");
 }
 
-/// Replaces this process by the program that has all commands.
-[[noreturn]] void run_course(const Layout& layout, std::vector<std::string> words) {
-  const std::string program = layout.course().string();
-  if (!fs::exists(program)) {
-    throw MachineError(fmt::format("{} is not built: run ./lab setup", program));
-  }
-  words.insert(words.begin(), program);
-  execute(std::move(words));
+/// Brings this program and what the command needs up to date; starts over if this program has
+/// changed.
+void bring_up_to_date(const Layout& layout, std::vector<std::string> targets, char** argv) {
+  const bool is_built = std::getenv("MC_NO_BUILD") != nullptr;  // by tests and cluster tasks
+  if (is_built || layout.judge_is_compiled) return;
+  const fs::path program = layout.bin / "lab";
+  const auto before = fs::last_write_time(program);
+  targets.emplace_back("lab");
+  build(layout, targets);
+  if (fs::last_write_time(program) == before) return;
+  std::vector<std::string> again{program.string()};
+  for (char** word = argv + 1; *word != nullptr; ++word) again.emplace_back(*word);
+  execute(std::move(again));
 }
 
-int dispatch(std::vector<std::string> words) {
-  Context context{read_layout(), {}};
-  const Layout& layout = context.layout;
+int dispatch(char** argv) {
+  std::vector<std::string> words;
+  for (char** word = argv + 1; *word != nullptr; ++word) words.emplace_back(*word);
+  const Context context = [] {
+    Layout layout = read_layout();
+    std::vector<Lab> labs = find_labs(layout);
+    return Context{std::move(layout), std::move(labs)};
+  }();
   const std::string name = words.empty() ? "" : words[0];
-  if (name == "--help" || name == "-h" || name == "help") {
-    print_overview(layout);
-    return 0;
-  }
-  if (name == "--version" || name == "version") {
-    fmt::print("Monte Carlo labs {}\n", layout.version);
-    return 0;
-  }
-  context.labs = find_labs(layout);
-  const CommandEntry& entry = find_entry(context.labs, name);
-  if (!is_here(layout, entry)) {
-    throw UsageError(fmt::format("./lab {} needs {}, which is not here", entry.name, entry.about));
-  }
-  const Command* const command = find_command(entry.name);
-  const bool needs_course =
-      command == nullptr || (report_json == nullptr && std::ranges::any_of(words, [](auto& word) {
-                               return word.starts_with("--json");
-                             }));
-  if (needs_course) run_course(layout, std::move(words));
   if (!words.empty()) words.erase(words.begin());
   if (!words.empty() && words[0] == "-h") words[0] = "--help";
-  const Arguments arguments = command->parse(words);
+  const Command* command = nullptr;
+  Arguments arguments;
+  std::exception_ptr refusal;  // a new version of this program may know the word
+  std::vector<std::string> targets;
+  const bool is_overview = name == "--help" || name == "-h" || name == "help";
+  if (!is_overview && name != "--version") {
+    try {
+      command = &find_command(context, name);
+      arguments = command->parse(words);
+      if (command->targets != nullptr && !arguments.has("help")) {
+        targets = command->targets(context, arguments);
+      }
+    } catch (const UsageError&) {
+      refusal = std::current_exception();
+    }
+  }
+  bring_up_to_date(context.layout, std::move(targets), argv);
+  if (refusal) std::rethrow_exception(refusal);
+  if (is_overview) {
+    print_overview(context.layout);
+    return 0;
+  }
+  if (command == nullptr) {
+    fmt::print("Monte Carlo labs {}\n", context.layout.version);
+    return 0;
+  }
   if (arguments.has("help")) {
-    print_help(*command, std::string(entry.description));
+    print_help(*command);
     return 0;
   }
   try {
@@ -137,16 +173,17 @@ RegisterCommand::RegisterCommand(Command command) {
   registry().push_back(std::move(command));
 }
 
-const std::vector<Command>& registered_commands() {
+const std::vector<Command>& all_commands() {
+  std::ranges::sort(registry(), {}, [](const Command& one) {
+    return std::tuple(one.for_instructors, one.name);
+  });
   return registry();
 }
 
 int run_lab(char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  std::vector<std::string> words;
-  for (char** word = argv + 1; *word != nullptr; ++word) words.emplace_back(*word);
   try {
-    return dispatch(std::move(words));
+    return dispatch(argv);
   } catch (const UsageError& error) {
     fmt::print(stderr, "lab: {}\n", error.what());
     return 2;
@@ -163,6 +200,12 @@ void execute(std::vector<std::string> command) {
   std::fflush(nullptr);
   execvp(pointers[0], pointers.data());
   throw MachineError(fmt::format("cannot run {}", command[0]));
+}
+
+std::vector<std::string> targets_of_all(const Context& context, const std::string& prefix) {
+  std::vector<std::string> targets;
+  for (const Lab& lab : context.labs) targets.push_back(prefix + lab.name);
+  return targets;
 }
 
 std::vector<Submission> submissions_with_solutions(const Context& context, const Lab& lab,

@@ -117,13 +117,18 @@ int demo(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand demo_command{
     {.usage = "demo [--out F.html] [--dir DIR]",
+     .about = "make a page with an interactive figure for each lab, from your own points",
      .details = "One self-contained page with an interactive figure per lab: digits, error bars, "
                 "strata, spectra, elementary intervals, pictures. Measures the solutions if the "
                 "checkout has them, otherwise starter/.",
      .options = {{"--out F.html", "the file (build/demo.html)"},
                  {"--dir DIR", "measure this submission instead"}},
      .run = demo,
-     .most_words = 0}};
+     .most_words = 0,
+     .place = "autograder/grader/pictures/demo.html",
+     .targets = [](const Context& context, const Arguments&) {
+       return targets_of_all(context, "measure_");
+     }}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -1,38 +1,29 @@
 #pragma once
-// Runs git in a directory.
+// Runs git in a directory, without the settings of whoever types: a global ignore list, hooks or a
+// signing key must not change what a command writes.
 
 #include "grader/commands/command.hpp"
-#include "runner/text.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
 
-inline sandbox::ProcessResult run_git(const fs::path& directory, std::vector<std::string> words) {
-  // A rebase commits, and not every student has configured a name in git.
-  words.insert(words.begin(), {"git", "-C", directory.string(), "-c", "user.useConfigOnly=false"});
-  return sandbox::run_process(words);
-}
-
-/// Its output. Throws MachineError if it fails.
+/// Its output. Throws MachineError if it fails or is absent.
 inline std::string git(const fs::path& directory, const std::vector<std::string>& words) {
-  const auto run = run_git(directory, words);
+  std::vector<std::string> command{"git", "-C", directory.string()};
+  for (const char* setting :
+       {"commit.gpgsign=false", "core.hooksPath=/dev/null", "core.excludesFile=",
+        "core.autocrlf=false", "init.templateDir=", "user.name=course",
+        "user.email=course@localhost", "safe.directory=*"}) {
+    command.insert(command.end(), {"-c", setting});
+  }
+  command.insert(command.end(), words.begin(), words.end());
+  const auto run = sandbox::run_process(command, {.output = std::size_t{64} << 20});
+  if (run.exit_code == 127) throw MachineError("git is not installed");
   if (!run.succeeded()) {
-    throw MachineError(fmt::format("git -C {} {}: {}", directory.string(), fmt::join(words, " "),
+    throw MachineError(fmt::format("git -C {} {}: {}", directory.string(), words[0],
                                    sandbox::printable_line(run.errors.substr(0, 200))));
   }
   return run.output;
-}
-
-/// The lines that it prints; none if it fails.
-inline std::vector<std::string> git_lines(const fs::path& directory,
-                                          const std::vector<std::string>& words) {
-  std::vector<std::string> lines;
-  const auto run = run_git(directory, words);
-  if (!run.succeeded()) return lines;
-  for (const std::string_view line : text::split(run.output, '\n')) {
-    if (!line.empty()) lines.emplace_back(line);
-  }
-  return lines;
 }
 
 }  // namespace mc::grader

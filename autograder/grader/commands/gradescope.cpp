@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "grader/commands/command.hpp"
-#include "grader/commands/tree.hpp"
+#include "grader/commands/course_copy.hpp"
 #include "grader/judging/points.hpp"
 #include "grader/submission/scratch.hpp"
 #include "sandbox/process.hpp"
@@ -21,8 +21,7 @@ void set_variable(std::string& script, const char* name, const std::string& valu
 }
 
 /// Collects the content of the zip in a directory.
-void write_tree(const Context& context, const Arguments& arguments, const std::string& labs,
-                const fs::path& to) {
+void write_tree(const Context& context, const std::string& labs, const fs::path& to) {
   const fs::path root = context.layout.root;
   const auto chosen = labs_with_dependencies(context, labs);
   const JudgeForm form =
@@ -31,17 +30,9 @@ void write_tree(const Context& context, const Arguments& arguments, const std::s
   if (form == JudgeForm::sources) {  // setup.sh compiles it; git cannot tell its version
     write_text(to / "VERSION.txt", context.layout.version + '\n');
   }
-  if (arguments.has("leaderboard")) {  // only the leaderboard compares with the solutions
-    for (const std::string& lab : chosen) {
-      const fs::path file = fs::path("solutions") / find_lab(context.labs, lab).file();
-      copy_into(root / file, to / file);
-    }
-  }
   const fs::path scripts = root / "autograder" / "gradescope";
   std::string run = read_whole_text(scripts / "run_autograder");
   set_variable(run, "LAB", labs);
-  set_variable(run, "LEADERBOARD", arguments.has("leaderboard") ? "1" : "");
-  set_variable(run, "VISIBILITY", arguments.visibility().value_or(""));
   write_text(to / "run_autograder", run);
   write_text(to / "setup.sh", read_whole_text(scripts / "setup.sh"));
   for (const char* script : {"setup.sh", "run_autograder"}) {
@@ -60,7 +51,7 @@ int gradescope(const Context& context, const Arguments& arguments) {
   }
   const ScratchDirectory scratch(context.layout);
   const fs::path tree = scratch.path() / "tree", zip = fs::absolute(*out);
-  write_tree(context, arguments, fmt::format("{}", fmt::join(names, ",")), tree);
+  write_tree(context, fmt::format("{}", fmt::join(names, ",")), tree);
 
   // Packed in a temporary directory and renamed: the zip is always complete.
   const fs::path aside = zip.string() + ".new";
@@ -83,20 +74,20 @@ int gradescope(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand gradescope_command{
-    {.usage = "gradescope LAB... --out FILE.zip [--visibility V] [--leaderboard]",
+    {.usage = "gradescope LAB... --out FILE.zip",
+     .about = "write the zip file for Gradescope's autograder",
      .details =
          "Writes the autograder of an assignment with these labs; a missing file earns 0 points. "
          "The zip file has everything that the labs need, with setup.sh and run_autograder at its "
          "top, but no solutions.",
-     .options = {{"--out FILE.zip", "where to write it"},
-                 {"--visibility V",
-                  "when students see the checks: visible, hidden, after_due_date, "
-                  "after_published"},
-                 {"--leaderboard",
-                  "a leaderboard of speed for the whole class; the zip file then has the "
-                  "reference"}},
+     .options = {{"--out FILE.zip", "where to write it"}},
      .run = gradescope,
-     .least_words = 1}};
+     .least_words = 1,
+     .for_instructors = true,
+     .place = "autograder/gradescope",
+     .targets = [](const Context&, const Arguments&) {
+       return std::vector<std::string>{"handout_judge"};
+     }}};
 
 }  // namespace
 }  // namespace mc::grader

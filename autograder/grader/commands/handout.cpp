@@ -1,27 +1,38 @@
-// handout: writes the students' repository, with a fresh history.
+// handout: writes the students' repository, or a new version of it on top.
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
+#include <set>
 #include <sstream>
+
+#include <nlohmann/json.hpp>
 
 #include "grader/base/replace.hpp"
 #include "grader/checkout/hints.hpp"
+#include "grader/commands/course_copy.hpp"
 #include "grader/commands/git.hpp"
-#include "grader/commands/list.hpp"
-#include "grader/commands/tree.hpp"
-#include "grader/commands/upgrade.hpp"
 #include "grader/judging/points.hpp"
 #include "grader/submission/scratch.hpp"
+#include "runner/text.hpp"
 
 namespace mc::grader {
 namespace {
 
+constexpr const char* settings_file = "autograder/handout.json";
+
+/// How a handout was made, so that the next version is made in the same way.
+struct Settings {
+  std::string form;  ///< "compiled" or "sources"
+  int hints = 3;     ///< steps of each task
+  std::set<std::string> labs;
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Settings, form, hints, labs)
+
 /// Does a line mention a command for something that is not part of the handout?
 bool names_absent_command(const std::string& line, const fs::path& handout) {
-  return std::ranges::any_of(command_list, [&](const CommandEntry& command) {
+  return std::ranges::any_of(all_commands(), [&](const Command& command) {
     const bool is_named = line.find(fmt::format("`./lab {}`", command.name)) != std::string::npos;
-    return is_named && !fs::exists(handout / command.about);
+    return is_named && !fs::exists(handout / command.place);
   });
 }
 
@@ -71,8 +82,7 @@ std::string answers_template(const Lab& lab, const std::string& readme) {
   if (at == std::string::npos) return {};
   const auto from = at + heading.size(), to = readme.find("\n## ", from);
   return fmt::format(
-      "# {}: answers\n\nWrite below each question; `./lab submit {}` includes this file.\n{}\n"
-      "Hours that I spent on this lab, as a number (helps to plan the next course; no points):\n",
+      "# {}: answers\n\nWrite below each question; `./lab submit {}` includes this file.\n{}",
       lab.title(), lab.name, readme.substr(from, to == std::string::npos ? to : to - from));
 }
 
@@ -99,25 +109,21 @@ void leave_tasks_out(const fs::path& root, const Lab& lab, const fs::path& to) {
   }
 }
 
-int steps_in(const Manifest& manifest) {
-  return manifest.hints.empty() ? 3 : std::clamp(std::atoi(manifest.hints.c_str()), 0, 3);
-}
-
 /// "has three steps", with the number of this handout.
-void state_hints(const fs::path& readme, const Manifest& manifest) {
+void state_hints(const fs::path& readme, int steps) {
   constexpr const char* numbers[] = {"no steps", "one step", "two steps", "three steps"};
-  const std::string steps = fmt::format("has {}", numbers[steps_in(manifest)]);
-  write_text(readme, with_replacements(read_whole_text(readme), {{"has three steps", steps}}));
+  write_text(readme, with_replacements(read_whole_text(readme),
+                                       {{"has three steps", fmt::format("has {}", numbers[steps])}}));
 }
 
-/// Writes the handout that this manifest describes into an empty directory.
-void write_handout(const Context& context, const Manifest& manifest, const fs::path& to) {
+/// Writes the handout into an empty directory.
+void write_handout(const Context& context, const Settings& settings, const fs::path& to) {
   const fs::path root = context.layout.root;
-  const JudgeForm form = manifest.form == "sources" ? JudgeForm::sources : JudgeForm::compiled;
-  copy_course(context, manifest.labs, form, to);
+  const JudgeForm form = settings.form == "sources" ? JudgeForm::sources : JudgeForm::compiled;
+  copy_course(context, settings.labs, form, to);
   fs::copy(root / "docs" / "handout", to, fs::copy_options::recursive);
   std::vector<Lab> labs = context.labs;
-  std::erase_if(labs, [&](const Lab& lab) { return !manifest.labs.contains(lab.name); });
+  std::erase_if(labs, [&](const Lab& lab) { return !settings.labs.contains(lab.name); });
   for (const Lab& lab : labs) {
     const std::string questions =
         answers_template(lab, read_whole_text(root / "labs" / lab.folder / "README.md"));
@@ -127,61 +133,110 @@ void write_handout(const Context& context, const Manifest& manifest, const fs::p
     }
     leave_tasks_out(root, lab, to);
     const fs::path hints = to / "labs" / lab.folder / "hints.md";
-    if (manifest.hints.empty() || !fs::exists(hints)) continue;
-    write_text(hints, with_fewer_hints(read_whole_text(hints), steps_in(manifest)));
-    state_hints(to / "labs" / lab.folder / "README.md", manifest);
+    if (!fs::exists(hints)) continue;
+    write_text(hints, with_fewer_hints(read_whole_text(hints), settings.hints));
+    state_hints(to / "labs" / lab.folder / "README.md", settings.hints);
   }
   if (form == JudgeForm::compiled) write_text(to / "compile_flags.txt", compile_flags_for(labs));
-  make_manifest(context, manifest, to);  // the README mentions commands for what exists
+  nlohmann::json made = settings;
+  made["version"] = context.layout.version;
+  write_text(to / settings_file, made.dump(1) + '\n');
   for (const char* name : {"README.md", "Dockerfile", ".github/workflows/grade.yml"}) {
     std::string text = read_whole_text(to / name);
     keep_one_form(text, form);
     write_text(to / name, name == std::string("README.md") ? readme_for(text, labs, to) : text);
   }
-  state_hints(to / "README.md", manifest);
-  make_manifest(context, manifest, to);
+  state_hints(to / "README.md", settings.hints);
+}
+
+std::vector<std::string> files_below(const fs::path& directory) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    const std::string file = entry.path().lexically_relative(directory).string();
+    if (entry.is_regular_file() && !file.starts_with(".git/")) files.push_back(file);
+  }
+  return files;
+}
+
+bool is_students_own(const std::string& file) {
+  return file.starts_with("starter/") || file.starts_with("answers/");
+}
+
+/// Commits these files, whatever an ignore list says; false if nothing has changed.
+bool commit_files(const fs::path& handout, const std::vector<std::string>& files,
+                  const std::string& message) {
+  std::vector<std::string> add{"add", "-f", "--"};
+  add.insert(add.end(), files.begin(), files.end());
+  git(handout, add);
+  if (git(handout, {"status", "--porcelain", "--untracked-files=no"}).empty()) return false;
+  git(handout, {"commit", "-q", "-m", message});
+  return true;
+}
+
+/// Replaces everything that is tracked but starter/ and answers/ by the new version; files of new
+/// labs are added there. Students merge it with `git pull`.
+bool commit_on_top(const fs::path& handout, const fs::path& tree, const std::string& message) {
+  if (!git(handout, {"status", "--porcelain", "--untracked-files=no"}).empty()) {
+    throw UsageError(handout.string() + " has changes that are not committed: commit them first");
+  }
+  const std::string tracked = git(handout, {"ls-files", "-z"});
+  std::vector<std::string> remove{"rm", "-q", "--"};
+  for (const std::string_view name : text::split(tracked, '\0')) {
+    const std::string file(name);
+    if (!file.empty() && !is_students_own(file)) remove.push_back(file);
+  }
+  if (remove.size() > 3) git(handout, remove);
+  std::vector<std::string> files = files_below(tree);
+  std::erase_if(files, [&](const std::string& file) {
+    return is_students_own(file) && fs::exists(handout / file);
+  });
+  for (const std::string& file : files) copy_into(tree / file, handout / file);
+  return commit_files(handout, files, message);
 }
 
 int handout(const Context& context, const Arguments& arguments) {
   require_known_points(context.layout, context.labs);
   const fs::path to = fs::absolute(arguments.words[0]).lexically_normal();
   const std::string shown = sandbox::printable_line(to.string());
-  Manifest manifest = read_manifest(to);
-  const bool is_new = manifest.version.empty();
+  const bool is_new = !fs::exists(to / settings_file);
   if (is_new && fs::exists(to) && !fs::is_empty(to)) {
-    throw UsageError(shown + " is not empty, and not a handout");
+    throw UsageError(shown + " is not empty, and not a handout of version 2");
   }
-  // An existing handout keeps its labs, form and hints, unless the options change them.
+  Settings settings;
+  settings.form = arguments.has("with-sources") ? "sources" : "compiled";
+  if (!is_new) settings = nlohmann::json::parse(read_whole_text(to / settings_file)).get<Settings>();
   if (is_new || arguments.has("labs")) {
-    manifest.labs.merge(labs_with_dependencies(context, arguments.get("labs")));
+    settings.labs.merge(labs_with_dependencies(context, arguments.get("labs")));
   }
-  if (is_new) manifest.form = arguments.has("with-sources") ? "sources" : "compiled";
-  if (const auto most = arguments.number("hints")) manifest.hints = std::to_string(*most);
+  settings.hints = static_cast<int>(
+      std::min<std::uint64_t>(arguments.number("hints").value_or(settings.hints), 3));
+  const std::string message = "Monte Carlo labs " + context.layout.version;
   if (is_new) {
-    write_handout(context, manifest, to);
+    write_handout(context, settings, to);
     git(to, {"init", "-q", "-b", "main"});
-    commit_files(to, {"."}, "Monte Carlo labs " + context.layout.version);
-    fmt::print("{}: {} files, one commit, labs {}\n", shown, read_manifest(to).files.size(),
-               fmt::join(manifest.labs, ", "));
+    const auto files = files_below(to);
+    commit_files(to, files, message);
+    fmt::print("{}: {} files, one commit, labs {}\n", shown, files.size(),
+               fmt::join(settings.labs, ", "));
     return 0;
   }
   const ScratchDirectory scratch(context.layout);
   const fs::path tree = scratch.path() / "tree";
-  write_handout(context, manifest, tree);
-  const std::string message = upgrade(to, tree);
-  fmt::print("{}: {}\n", shown, message.empty() ? "nothing to change" : "one commit on top");
-  fmt::print("{}", message);
+  write_handout(context, settings, tree);
+  const bool has_changed = commit_on_top(to, tree, message);
+  fmt::print("{}: {}\n", shown, has_changed ? "one commit on top" : "nothing to change");
   return 0;
 }
 
 const RegisterCommand handout_command{
     {.usage = "handout DIR [--labs 1,2,…] [--hints N] [--with-sources]",
+     .about = "write the repository for students, or a new version on top of it",
      .details =
          "Writes a git repository with one commit: the labs, the starters, the autograder as "
          "programs, a README for students, an editor's tasks, a dev container, and a workflow that "
          "grades each push. It has no solutions, checks or tests. Students need Linux on this "
-         "machine's architecture, and a compiler. If DIR is a handout already, adds a commit with "
-         "the changes; starter/, answers/ and edited files stay as they are.",
+         "machine's architecture, and a compiler. If DIR is a handout already, adds one commit that "
+         "replaces everything but starter/ and answers/; students get it with git pull.",
      .options = {{"--labs LIST", "only these labs and those that they depend on"},
                  {"--hints N", "only the first N steps of each task's hints, 0 to 3"},
                  {"--with-sources",
@@ -189,7 +244,13 @@ const RegisterCommand handout_command{
                   "those who want to read them; the checks contain working algorithms"}},
      .run = handout,
      .least_words = 1,
-     .most_words = 1}};
+     .most_words = 1,
+     .for_instructors = true,
+     .place = "docs/handout",
+     .targets = [](const Context&, const Arguments& arguments) {
+       return arguments.has("with-sources") ? std::vector<std::string>()
+                                            : std::vector<std::string>{"handout_judge"};
+     }}};
 
 }  // namespace
 }  // namespace mc::grader

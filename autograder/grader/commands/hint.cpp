@@ -40,6 +40,7 @@ int hint(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand hint_command{
     {.usage = "hint TASK [STEP]",
+     .about = "show a hint for a task",
      .details = "Up to three steps for each task, one per call: what to think of; the idea; "
                 "pseudocode. STEP shows one of them again: ./lab hint 1.1 2. Hints cost no points.",
      .run = hint,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 #include "grader/base/replace.hpp"
 
@@ -19,7 +18,7 @@ int new_lab(const Context& context, const Arguments& arguments) {
   const int number = context.labs.back().number + 1;
   const fs::path root = context.layout.root;
   for (const fs::path& file :
-       write_new_lab(root / "autograder" / "new-lab.txt", number, lab, root)) {
+       write_new_lab(root / "autograder" / "new-lab", number, lab, root)) {
     fmt::print("{}\n", file.string());
   }
   fmt::print(
@@ -33,11 +32,14 @@ int new_lab(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand new_lab_command{
     {.usage = "new-lab NAME",
+     .about = "write the skeleton of a new lab",
      .details = "NAME has lower-case letters, digits and _: light_transport. The lab gets the next "
                 "number.",
      .run = new_lab,
      .least_words = 1,
-     .most_words = 1}};
+     .most_words = 1,
+     .for_instructors = true,
+     .place = "autograder/new-lab"}};
 
 }  // namespace
 
@@ -50,19 +52,17 @@ std::vector<fs::path> write_new_lab(const fs::path& skeleton, int number, const 
   std::string dashed = name, title = name;
   std::ranges::replace(dashed, '_', '-');
   std::ranges::replace(title, '_', ' ');
+  const auto filled = [&](const std::string& text) {
+    return with_replacements(text, {{"@lab@", name},
+                                    {"@number@", std::to_string(number)},
+                                    {"@title@", title},
+                                    {"@folder@", fmt::format("{}-{}", number, dashed)}});
+  };
   std::map<fs::path, std::string> files;
-  std::string* text = nullptr;
-  std::istringstream lines(with_replacements(read_whole_text(skeleton),
-                                             {{"@lab@", name},
-                                              {"@number@", std::to_string(number)},
-                                              {"@title@", title},
-                                              {"@folder@", fmt::format("{}-{}", number, dashed)}}));
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("==== ")) {
-      text = &files[line.substr(5)];
-    } else if (text != nullptr) {
-      *text += line + '\n';
-    }
+  for (const auto& entry : fs::recursive_directory_iterator(skeleton)) {
+    if (!entry.is_regular_file()) continue;
+    files[filled(entry.path().lexically_relative(skeleton).string())] =
+        filled(read_whole_text(entry.path()));
   }
   std::vector<fs::path> written;
   for (const auto& [file, contents] : files) {

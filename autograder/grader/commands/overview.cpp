@@ -30,7 +30,8 @@ int overview(const Context& context, const Arguments&) {
   return 0;
 }
 
-const RegisterCommand overview_command{{.run = overview}};
+const RegisterCommand overview_command{
+    {.about = "show your labs, your points and what to do next", .run = overview}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -29,11 +29,13 @@ int plot(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand plot_command{
     {.usage = "plot LAB [DIR...] [--alone]",
+     .about = "draw the lab's plots, several submissions side by side",
      .details =
          "Draws starter/ if no DIR is named, next to the solutions if the checkout has them.",
      .options = {{"--alone", "without the solutions"}},
      .run = plot,
-     .least_words = 1}};
+     .least_words = 1,
+     .targets = target_of_lab<measure_target>}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -85,13 +85,18 @@ int render(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand render_command{
     {.usage = "render [PICTURE] [--sampler KIND] [--spp N] [DIR...]",
+     .about = "draw lab 6's pictures by every sampler, and their errors",
      .details =
          "Draws two sheets of each picture into build/render: one with N samples per pixel, one "
          "with as many as each sampler makes in the time of N independent ones. Draws all pictures "
          "if none is named; an unknown name prints a list of them. DIR is as in ./lab plot.",
      .options = {{"--sampler KIND", "only this kind of sampler"},
                  {"--spp N", "the samples per pixel (16)"}},
-     .run = render}};
+     .run = render,
+     .place = "labs/6-sampler",
+     .targets = [](const Context&, const Arguments&) {
+       return std::vector<std::string>{"measure_sampler"};
+     }}};
 
 }  // namespace
 }  // namespace mc::grader

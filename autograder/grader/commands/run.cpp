@@ -68,6 +68,7 @@ int run(const Context& context, const Arguments& arguments) {
 
 const RegisterCommand run_command{
     {.usage = "run LAB [--dir DIR] [--sanitize | --debug] [EXPERIMENT ARGUMENT...]",
+     .about = "run one experiment by hand and print its numbers",
      .details = "For example: ./lab run variance mean 1,2,4. Without EXPERIMENT: list the "
                 "experiments of the lab. Numbers are written 0.5, lists 1,2,4, structs 3:0.5:2. "
                 "There is no sandbox here: it is your own program, on your own machine.",
@@ -78,7 +79,12 @@ const RegisterCommand run_command{
                  {"--debug", "only build the program for a debugger, and print its path"}},
      .run = run,
      .least_words = 1,
-     .words_before_verbatim = 2}};
+     .words_before_verbatim = 2,
+     .targets = [](const Context& context, const Arguments& arguments) {
+       std::vector<std::string> targets = target_of_lab<experiments_target>(context, arguments);
+       targets.emplace_back("runner");
+       return targets;
+     }}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -22,10 +22,12 @@ int setup(const Context& context, const Arguments&) {
 
 const RegisterCommand setup_command{
     {.usage = "setup",
-     .details = "Uses apt, dnf or brew, and prints what it runs. Asks first at a terminal, but not "
+     .about = "install what is missing and build everything",
+     .details = "Uses apt or dnf, and prints what it runs. Asks first at a terminal, but not "
                 "without one or with CI=true. Changes nothing if nothing is missing.",
      .run = setup,
-     .most_words = 0}};
+     .most_words = 0,
+     .targets = [](const Context&, const Arguments&) { return std::vector<std::string>{"all"}; }}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -2,13 +2,12 @@
 
 #include <sys/stat.h>
 
-#include <ctime>
+#include <charconv>
+#include <sstream>
 
 #include "grader/commands/command.hpp"
-#include "grader/commands/manifest.hpp"
 #include "grader/commands/progress.hpp"
 #include "grader/submission/build.hpp"
-#include "grader/submission/hours.hpp"
 #include "grader/submission/intake.hpp"
 #include "grader/submission/zip.hpp"
 
@@ -25,6 +24,34 @@ std::string state_of(const Context& context, const Lab& lab, const Submission& s
       "It compiles. The last check: {:g} of {:g} points{}.", progress->earned, progress->points,
       progress->is_current ? ""
                            : fmt::format(", but it has changed since (./lab check {})", lab.name));
+}
+
+/// The numbers of the questions, "1. …", below which nothing is written.
+std::vector<int> blank_answers(const std::string& text) {
+  std::vector<int> blank;
+  int question = 0;
+  bool has_answer = true, is_in_question = false;
+  std::istringstream lines(text);
+  const auto end_question = [&] {
+    if (!has_answer) blank.push_back(question);
+  };
+  for (std::string line; std::getline(lines, line);) {
+    int number = 0;
+    const auto dot = line.find(". ");
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
+    if (error == std::errc() && dot != std::string::npos && end == line.data() + dot) {
+      end_question();
+      question = number;
+      has_answer = false;
+      is_in_question = true;
+    } else if (line.empty()) {
+      is_in_question = false;  // its paragraph has ended
+    } else if (!is_in_question && !line.starts_with("<!--")) {
+      has_answer = true;
+    }
+  }
+  end_question();
+  return blank;
 }
 
 int submit(const Context& context, const Arguments& arguments) {
@@ -50,34 +77,28 @@ int submit(const Context& context, const Arguments& arguments) {
   const bool has_answers = fs::exists(context.layout.root / answers);
   if (has_answers) add(context.layout.root / answers, answers);
 
-  // The version that the student saw: ./lab grade reports it if it judges by another one.
-  entries.push_back(
-      {manifest_file, fmt::format("version={}\n", context.layout.version), std::time(nullptr)});
-  names.emplace_back(manifest_file);
-
-  const fs::path zip = fs::absolute("submission.zip");
+  const fs::path zip = fs::absolute(lab.folder + ".zip");
   write_text(zip, zip_of(entries));
   fmt::print("{}: {}\n", zip.string(), fmt::join(names, ", "));
-  if (!has_answers) fmt::print("Answers to the written questions go into {}.\n", answers);
-  Intake intake = take_in_one(context, context.layout.starter());
-  Submission& submission = intake.entries[0].submission;
-  read_hours(context.labs, submission);
-  if (has_answers && !submission.delivery.hours.contains(lab.name)) {
-    fmt::print(
-        "How many hours did this lab take you? A last line \"Hours: 7.5\" in {} tells your "
-        "instructor.\n",
-        answers);
+  if (has_answers) {
+    const auto blank = blank_answers(read_whole_text(context.layout.root / answers));
+    if (!blank.empty()) {
+      fmt::print("Not answered in {}: {}\n", answers, fmt::join(blank, ", "));
+    }
+  } else {
+    fmt::print("Answers to the written questions go into {}.\n", answers);
   }
+  const Submission submission = open_submission(context.labs, context.layout.starter());
   fmt::print("{}\n", state_of(context, lab, submission));
   return 0;
 }
 
 const RegisterCommand submit_command{
     {.usage = "submit LAB",
-     .details = "Writes submission.zip here: your file of that lab and of the labs it depends on, "
-                "answers/N-LAB.md if it exists, and the version of the checks. Prints whether the "
-                "file compiles, its last points, and a question for the hours if the answers do "
-                "not say them.",
+     .about = "write the zip file to hand in",
+     .details = "Writes N-LAB.zip here: your file of that lab and of the labs it depends on, and "
+                "answers/N-LAB.md if it exists. Prints whether the file compiles, its last points, and "
+                "which questions are not answered.",
      .run = submit,
      .least_words = 1,
      .most_words = 1}};

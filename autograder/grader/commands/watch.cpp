@@ -195,7 +195,7 @@ int watch(const Context& context, const std::vector<std::string>& words,
   sandbox::make_nonblocking(wakes.write);
   wake_up = wakes.write.get();
   catch_signals();
-  std::vector<std::string> command{(context.layout.bin / "grader").string()};
+  std::vector<std::string> command{(context.layout.bin / "lab").string()};
   command.insert(command.end(), words.begin(), words.end());
 
   const Screen screen;

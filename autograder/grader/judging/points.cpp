@@ -9,6 +9,7 @@
 
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
+#include "grader/reports/csv.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 
@@ -22,24 +23,18 @@ struct PointsLine {
 };
 
 [[noreturn]] void refuse_line(std::size_t number, const std::string& why) {
-  throw UsageError(fmt::format("{}, line {}: {}", points_file, number, why));
+  throw UsageError(fmt::format("{}, row {}: {}", points_file, number, why));
 }
 
-/// The names of checks have no commas and no quotes.
 std::vector<PointsLine> lines_of_points(const std::filesystem::path& root) {
   std::vector<PointsLine> lines;
-  const std::string text = read_text(root / points_file);
   std::size_t number = 0;
-  for (std::string_view line : text::split(text, '\n')) {
+  for (const auto& row : csv_rows(read_text(root / points_file))) {
     ++number;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-    if (line.empty() || line == "what,points") continue;
-    const auto comma = line.rfind(',');
-    PointsLine one{number, std::string(line.substr(0, comma)), NAN};
-    std::erase(one.what, '"');
+    if (row.empty() || row == std::vector<std::string>{"what", "points"}) continue;
+    PointsLine one{number, row[0], NAN};
     try {
-      if (comma != std::string_view::npos) text::parse(line.substr(comma + 1), one.points);
+      if (row.size() == 2) text::parse(row[1], one.points);
     } catch (const std::invalid_argument&) {
       one.points = NAN;
     }

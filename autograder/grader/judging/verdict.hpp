@@ -86,8 +86,7 @@ struct LabVerdict {
 struct Verdict {
   std::string submission;
   std::string found_in;  ///< the folder in it that has the files, if not the top
-  Delivery delivery;
-  std::string contents;  ///< all submitted text: if it changes, it is judged again
+  std::string contents;  ///< a hash of all submitted text: if it changes, it is judged again
   std::uint64_t seed = 0;
   std::string version, flags;
   bool jail_complete = true;
@@ -99,6 +98,7 @@ struct Verdict {
   std::string unreadable;
   std::vector<LabVerdict> labs;
   std::vector<std::string> absent;  ///< labs without a file
+  std::vector<std::string> others;  ///< files that may have been meant: "variance (1).cpp"
   double seconds = 0;
   double earned() const;
   double points() const;

@@ -1,10 +1,10 @@
 #include "grader/reports/csv.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "grader/base/replace.hpp"
 #include "sandbox/printable.hpp"
@@ -39,12 +39,6 @@ std::string status_of(const Verdict& verdict, const Lab& lab, const LabVerdict* 
   return judged->on_reference.empty() ? "judged" : "judged on reference";
 }
 
-std::string reason_of(const Verdict& verdict) {
-  if (!verdict.unreadable.empty()) return "unreadable: " + verdict.unreadable;
-  if (!verdict.not_judged.empty()) return "not judged: " + verdict.not_judged;
-  return verdict.jail_complete ? "" : "judged without the sandbox: no seccomp on this machine";
-}
-
 }  // namespace
 
 std::string csv_field(const std::string& text) {
@@ -54,49 +48,59 @@ std::string csv_field(const std::string& text) {
   return '"' + with_replacements(line, {{"\"", "\"\""}}) + '"';
 }
 
-std::string csv_header(const std::vector<LabColumns>& labs, People people) {
-  std::string line = "id,seed,version,seconds,reason";
-  if (people == People::shown) line += ",name,email,submitted,late";
-  for (const LabColumns& one : labs) {
-    line += ',' + csv_field(one.lab.name + " status") + ',' + csv_field(one.lab.name + " total");
-    if (one.has_hours) line += ',' + csv_field(one.lab.name + " hours");
-  }
-  for (const LabColumns& one : labs) {
-    for (const std::string& check : one.checks) line += ',' + csv_field(check);
-  }
-  return line + '\n';
-}
-
-std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict, People people) {
-  std::string line =
-      fmt::format("{},{},{},{:.1f},{}", csv_field(verdict.submission), verdict.seed,
-                  csv_field(verdict.version), verdict.seconds, csv_field(reason_of(verdict)));
-  if (people == People::shown) {
-    const Delivery& one = verdict.delivery;
-    line += fmt::format(",{},{},{},{}", csv_field(one.name), csv_field(one.email),
-                        csv_field(one.submitted), one.late ? "LATE" : "");
-  }
-  const bool is_grade = verdict.not_judged.empty() && verdict.unreadable.empty();
-  for (const LabColumns& one : labs) {
-    const LabVerdict* const judged = judged_in(verdict, one.lab);
-    line += ',' + csv_field(status_of(verdict, one.lab, judged)) + ',';
-    if (judged != nullptr && is_grade) line += fmt::format("{:g}", judged->earned());
-    if (!one.has_hours) continue;
-    const auto& hours = verdict.delivery.hours;
-    const auto reported = hours.find(one.lab.name);
-    line += ',' + (reported == hours.end() ? "" : csv_field(reported->second));
-  }
-  for (const LabColumns& one : labs) {
-    const LabVerdict* const judged = judged_in(verdict, one.lab);
-    for (const std::string& check : one.checks) {
-      line += ',';
-      if (judged == nullptr || !is_grade) continue;
-      for (const CheckResult& result : judged->checks) {
-        if (result.check.name == check) line += fmt::format("{:g}", result.earned());
-      }
+std::string reason_of(const Verdict& verdict) {
+  if (!verdict.unreadable.empty()) return "unreadable: " + verdict.unreadable;
+  if (!verdict.not_judged.empty()) return "not judged: " + verdict.not_judged;
+  std::vector<std::string> reasons;
+  if (!verdict.others.empty()) {
+    std::vector<std::string> missing;
+    for (const LabVerdict& lab : verdict.labs) {
+      const auto& absent = verdict.absent;
+      if (std::ranges::find(absent, lab.lab.name) != absent.end()) missing.push_back(lab.lab.file());
+    }
+    if (!missing.empty() || verdict.labs.empty()) {
+      reasons.push_back(fmt::format("no {}; there is: {}",
+                                    missing.empty() ? "lab's file" : fmt::format("{}", fmt::join(missing, ", ")),
+                                    fmt::join(verdict.others, ", ")));
     }
   }
-  return line + '\n';
+  if (!verdict.jail_complete) {
+    reasons.emplace_back("judged without the sandbox: no seccomp on this machine");
+  }
+  return fmt::format("{}", fmt::join(reasons, "; "));
+}
+
+std::string grade_table(const std::vector<LabColumns>& labs, const std::vector<Verdict>& verdicts) {
+  std::string table = "id,seed,version,seconds,reason";
+  for (const LabColumns& one : labs) {
+    table += ',' + csv_field(one.lab.name + " status") + ',' + csv_field(one.lab.name + " total");
+  }
+  for (const LabColumns& one : labs) {
+    for (const std::string& check : one.checks) table += ',' + csv_field(check);
+  }
+  table += '\n';
+  for (const Verdict& verdict : verdicts) {
+    table += fmt::format("{},{},{},{:.1f},{}", csv_field(verdict.submission), verdict.seed,
+                         csv_field(verdict.version), verdict.seconds, csv_field(reason_of(verdict)));
+    const bool is_grade = verdict.not_judged.empty() && verdict.unreadable.empty();
+    for (const LabColumns& one : labs) {
+      const LabVerdict* const judged = judged_in(verdict, one.lab);
+      table += ',' + csv_field(status_of(verdict, one.lab, judged)) + ',';
+      if (judged != nullptr && is_grade) table += fmt::format("{:g}", judged->earned());
+    }
+    for (const LabColumns& one : labs) {
+      const LabVerdict* const judged = judged_in(verdict, one.lab);
+      for (const std::string& check : one.checks) {
+        table += ',';
+        if (judged == nullptr || !is_grade) continue;
+        for (const CheckResult& result : judged->checks) {
+          if (result.check.name == check) table += fmt::format("{:g}", result.earned());
+        }
+      }
+    }
+    table += '\n';
+  }
+  return table;
 }
 
 std::vector<std::vector<std::string>> csv_rows(std::string_view table) {

@@ -1,5 +1,5 @@
 #pragma once
-// The table of grades: a fixed header, and a row for each submission.
+// CSV: the table of grades, and reading of tables.
 
 #include <string>
 #include <string_view>
@@ -9,20 +9,19 @@
 
 namespace mc::grader {
 
-/// The columns of a lab: its status, its total, the hours that students report (if any does), and
-/// one per check.
+/// The columns of a lab: its status, its total, and one per check.
 struct LabColumns {
   Lab lab;
   std::vector<std::string> checks;
-  bool has_hours = false;
 };
 
-/// Lines with their line ends. A row that was not judged has the reason and no points. With people:
-/// also their names, e-mail addresses, times of submission, and LATE marks.
-enum class People { hidden, shown };
-std::string csv_header(const std::vector<LabColumns>& labs, People people = People::hidden);
-std::string csv_row(const std::vector<LabColumns>& labs, const Verdict& verdict,
-                    People people = People::hidden);
+/// A header and a row for each submission: id, seed, version, seconds, reason, the labs' states and
+/// totals, the checks' points. What was not judged has the reason and no points.
+std::string grade_table(const std::vector<LabColumns>& labs, const std::vector<Verdict>& verdicts);
+
+/// Why the submission has no points, or fewer than it might: "unreadable: …", "no variance.cpp; there
+/// is: variance (1).cpp"; empty if there is nothing to say.
+std::string reason_of(const Verdict& verdict);
 
 /// A field of a CSV table: quoted where needed, and never a formula for a spreadsheet.
 std::string csv_field(const std::string& text);

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -38,19 +37,16 @@ nlohmann::ordered_json as_json(const Speed& speed) {
           {"points", speed.points}};
 }
 
-std::string as_results(const Verdict& verdict, const GradescopeOptions& wanted) {
-  auto tests = nlohmann::ordered_json::array(), leaderboard = tests, speed = tests;
+}  // namespace
+
+std::string results_json(const Verdict& verdict) {
+  auto tests = nlohmann::ordered_json::array(), speed = tests;
   std::string output = jail_warning(verdict);
   if (!verdict.found_in.empty()) output += fmt::format("found in {}\n", verdict.found_in);
   for (const LabVerdict& lab : verdict.labs) {
     output += fmt::format("{}: {:g} of {:g} points\n", lab.lab.title(), lab.earned(), lab.points());
     if (!lab.no_program.empty()) output += lab.no_program + "\n";
     output += report_speed(lab);
-    if (const auto times = lab.times_the_reference()) {
-      leaderboard.push_back(
-          {{"name", fmt::format("lab {}: speed, times the reference's", lab.lab.number)},
-           {"value", std::round(*times * 100) / 100}});
-    }
     for (const Speed& one : lab.speed) speed.push_back(as_json(one));
     for (const CheckResult& result : lab.checks) {
       if (result.check.is_stretch() && result.status == Status::not_written) continue;
@@ -60,8 +56,7 @@ std::string as_results(const Verdict& verdict, const GradescopeOptions& wanted) 
                        {"max_score", result.check.points},
                        {"status", result.status == Status::passed ? "passed" : "failed"},
                        {"output", output_of(result, lab, verdict.seed)},
-                       {"output_format", "text"},
-                       {"visibility", wanted.visibility}});
+                       {"output_format", "text"}});
     }
   }
   if (!verdict.unreadable.empty()) {
@@ -73,19 +68,13 @@ std::string as_results(const Verdict& verdict, const GradescopeOptions& wanted) 
   all["execution_time"] = verdict.seconds;
   all["output"] = output;
   all["output_format"] = "text";
-  all["visibility"] = wanted.visibility;
   all["tests"] = std::move(tests);
   all["extra_data"] = {{"seed", verdict.seed},
                        {"version", verdict.version},
                        {"flags", verdict.flags},
                        {"jail_complete", verdict.jail_complete},
                        {"speed", std::move(speed)}};
-  if (wanted.leaderboard && !leaderboard.empty()) all["leaderboard"] = std::move(leaderboard);
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
-
-}  // namespace
-
-[[maybe_unused]] const bool is_set = (report_json = as_results) != nullptr;
 
 }  // namespace mc::grader

@@ -55,16 +55,8 @@ std::string not_judged_line(const Verdict& verdict);
 /// The warning for every grade given without the complete jail; empty with it.
 std::string jail_warning(const Verdict& verdict);
 
-/// An instructor's options for results.json.
-struct GradescopeOptions {
-  bool leaderboard = false;            ///< of speed; Gradescope shows it to the whole class
-  std::string visibility = "visible";  ///< of the checks: hidden, after_due_date, after_published
-};
-
 /// Gradescope's results.json: every check, its points, its report; complete in every case. Students
 /// read it outside of their checkout, so commands name no directory.
-/// Null in `grader`, which does not link the JSON library: `course` sets it (json.cpp).
-using JsonReporter = std::string (*)(const Verdict& verdict, const GradescopeOptions& wanted);
-inline JsonReporter report_json = nullptr;
+std::string results_json(const Verdict& verdict);
 
 }  // namespace mc::grader

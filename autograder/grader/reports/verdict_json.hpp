@@ -1,5 +1,5 @@
 #pragma once
-// Writes a full verdict as JSON and reads it back, so that it need not be judged again.
+// A verdict as JSON: one file for each submission of a class, read again by --resume and for pages.
 
 #include <string>
 
@@ -7,11 +7,10 @@
 
 namespace mc::grader {
 
-/// Without the arguments of calls, which can take megabytes; the commands that repeat them are
-/// included.
+/// Everything but what is only measured (speed, p-values).
 std::string verdict_to_json(const Verdict& verdict);
 
-/// Throws std::exception if the text is not a complete verdict.
+/// Throws std::exception if the text is not a whole verdict of this version's format.
 Verdict verdict_from_json(const std::string& text);
 
 }  // namespace mc::grader

@@ -3,12 +3,14 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <clocale>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -34,6 +36,33 @@ bool is_ignored(const fs::path& name) {
          text.starts_with("build-") || text.starts_with("cmake-build-");
 }
 
+namespace {
+
+/// The archive's extension, ".tar.gz"; empty if it has none.
+std::string_view archive_extension(std::string_view name) {
+  for (const std::string_view one : {".zip", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz",
+                                     ".txz", ".7z", ".rar"}) {
+    if (name.size() <= one.size()) continue;
+    const std::string_view end = name.substr(name.size() - one.size());
+    if (std::equal(end.begin(), end.end(), one.begin(), [](char a, char b) {
+          return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b;
+        })) {
+      return end;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_archive(const fs::path& file) {
+  return !archive_extension(file.filename().native()).empty();
+}
+
+std::string without_archive_extension(const std::string& name) {
+  return name.substr(0, name.size() - archive_extension(name).size());
+}
+
 #ifdef MC_HAVE_ARCHIVE
 namespace {
 
@@ -55,11 +84,12 @@ fs::path target_of(archive_entry* entry) {
   for (const fs::path& part : whole) {
     if (part == ".." || part.is_absolute()) {
       throw UnreadableSubmission(
-          fmt::format("the zip file has a path outside of itself, {}",
+          fmt::format("the archive has a path outside of itself, {}",
                       sandbox::printable_line(sandbox::shortened(name, 100))));
     }
     if (part.empty() || part == ".") continue;
-    ignored |= is_ignored(part);
+    const std::string name_here = part.string();  // what systems add, not people
+    ignored |= name_here == "__MACOSX" || name_here == ".git" || name_here.starts_with("._");
     place /= part;
   }
   return ignored ? fs::path() : place;
@@ -73,7 +103,7 @@ std::size_t copy(archive* from, const fs::path& to, std::size_t most, bool& long
   std::size_t written = 0;
   while (most > 0 && !longer && file) {
     const la_ssize_t got = archive_read_data(from, buffer.data(), buffer.size());
-    if (got < 0) throw UnreadableSubmission("the zip file is damaged");
+    if (got < 0) throw UnreadableSubmission("the archive is damaged");
     if (got == 0) break;
     longer = written + static_cast<std::size_t>(got) > most;
     const std::size_t part = longer ? most - written : static_cast<std::size_t>(got);
@@ -112,6 +142,11 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
   const std::unique_ptr<archive, ArchiveDeleter> reading(archive_read_new());
   if (!reading) throw std::system_error(ENOMEM, std::generic_category(), "unpacking");
   archive_read_support_format_zip_seekable(reading.get());
+  archive_read_support_format_tar(reading.get());
+  archive_read_support_format_7zip(reading.get());
+  archive_read_support_filter_gzip(reading.get());
+  archive_read_support_filter_bzip2(reading.get());
+  archive_read_support_filter_xz(reading.get());
   const auto damaged = [&](const char* what) {
     const int error = archive_errno(reading.get());
     if (error == EMFILE || error == ENFILE || error == ENOMEM || error == EIO) {
@@ -120,18 +155,18 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
     throw UnreadableSubmission(what);
   };
   constexpr std::size_t block = std::size_t{1} << 16;
-  if (archive_read_open_filename(reading.get(), paths.zip.c_str(), block) != ARCHIVE_OK) {
-    damaged("it is not a zip file");
+  if (archive_read_open_filename(reading.get(), paths.archive.c_str(), block) != ARCHIVE_OK) {
+    damaged("it is not a zip, tar or 7z archive");
   }
   std::size_t entries = 0, bytes = 0;
   for (archive_entry* entry = nullptr;;) {
     const int next = archive_read_next_header(reading.get(), &entry);
     if (next == ARCHIVE_EOF) return;
     if (next < ARCHIVE_WARN)
-      damaged(entries == 0 ? "it is not a zip file" : "the zip file is damaged");
+      damaged(entries == 0 ? "it is not a zip, tar or 7z archive" : "the archive is damaged");
     if (++entries > limits.entries) {
       throw UnreadableSubmission(
-          fmt::format("the zip file has more than {} entries", limits.entries));
+          fmt::format("the archive has more than {} entries", limits.entries));
     }
     const fs::path place = target_of(entry);
     // Too deep for any submission; a name of a thousand parts would create a thousand directories.
@@ -142,22 +177,19 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
     const fs::path to = paths.to / place;
     if (!make_directory(type == AE_IFDIR ? to : to.parent_path())) continue;
     if (type == AE_IFDIR || !is_possible_file(to)) continue;
-    const bool is_source = to.extension() == ".cpp", is_zip = to.extension() == ".zip";
-    // Gradescope's names; and the version that ./lab submit writes.
-    const bool is_metadata =
-        to.filename() == "submission_metadata.yml" || to.filename() == "handout.txt";
+    const bool is_source = to.extension() == ".cpp", is_zip = is_archive(to);
     if (archive_entry_is_encrypted(entry) != 0 && (is_source || is_zip)) {
-      throw UnreadableSubmission("the zip file has a password");
+      throw UnreadableSubmission("the archive has a password");
     }
     bool longer = false;
-    const std::size_t most = is_source ? most_of_a_source : is_zip || is_metadata ? limits.file : 0;
+    const std::size_t most = is_source ? most_of_a_source : is_zip ? limits.file : 0;
     bytes += copy(reading.get(), to, most, longer);
     if (longer && is_zip) fs::resize_file(to, 0);  // reported when it is opened
     const timespec times[] = {{0, UTIME_OMIT}, {archive_entry_mtime(entry), 0}};
     if (archive_entry_mtime_is_set(entry) != 0) utimensat(AT_FDCWD, to.c_str(), times, 0);
     if (bytes > limits.bytes) {
       throw UnreadableSubmission(
-          fmt::format("the zip file holds more than {} MB", limits.bytes >> 20));
+          fmt::format("the archive holds more than {} MB", limits.bytes >> 20));
     }
   }
 }
@@ -166,7 +198,7 @@ void unpack(const Unpacking& paths, const ArchiveLimits& limits) {
 
 void unpack(const Unpacking&, const ArchiveLimits&) {
   throw UnreadableSubmission(
-      "a zip file, but this build has no libarchive: run ./lab setup, or unpack it");
+      "an archive, but this build has no libarchive: run ./lab setup, or unpack it");
 }
 
 #endif

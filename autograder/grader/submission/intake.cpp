@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <map>
-#include <optional>
 #include <set>
 #include <system_error>
 
@@ -14,7 +13,7 @@
 
 #include "grader/base/errors.hpp"
 #include "grader/submission/archive.hpp"
-#include "grader/submission/exports.hpp"
+#include "grader/submission/platform_names.hpp"
 #include "grader/submission/source.hpp"
 #include "sandbox/printable.hpp"
 
@@ -24,54 +23,120 @@ namespace {
 
 using Files = std::map<std::string, fs::path>;  // lab name -> file
 
-/// Limits of nesting and of the number of directories, beyond any real submission.
-constexpr int deepest = 12;
+/// Limits of nesting and of the number of entries, beyond any real submission.
+constexpr int deepest = 12, deepest_archive = 3;
 constexpr std::size_t most_entries = 20'000;
 
-/// The content of a directory, by name: directories, zips and other files; no links.
+std::string in_lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+/// The content of a directory, by name.
 struct Listing {
-  std::vector<fs::path> directories, zips, files, links;
+  std::vector<fs::path> directories, archives, files, others;  ///< others: links and devices
 };
 
 Listing listing_of(const fs::path& directory) {
-  Listing listing;
   std::vector<fs::directory_entry> entries;
   for (const auto& entry : fs::directory_iterator(directory)) {
     if (entries.size() == most_entries) {
       throw UnreadableSubmission(fmt::format("more than {} files in one directory", most_entries));
     }
-    if (!is_ignored(entry.path().filename())) entries.push_back(entry);
+    entries.push_back(entry);
   }
   std::ranges::sort(entries);
+  Listing listing;
   for (const fs::directory_entry& entry : entries) {
     const fs::file_status status = entry.symlink_status();
-    auto& kind = fs::is_symlink(status)         ? listing.links
-                 : fs::is_directory(status)     ? listing.directories
-                 : !fs::is_regular_file(status) ? listing.links  // a device: treated as a link
-                 : entry.path().extension() == ".zip" ? listing.zips
-                                                      : listing.files;
+    auto& kind = fs::is_directory(status)       ? listing.directories
+                 : !fs::is_regular_file(status) ? listing.others
+                 : is_archive(entry.path())     ? listing.archives
+                                                : listing.files;
     kind.push_back(entry.path());
   }
   return listing;
 }
 
-/// Adds the files of every directory at or below `directory` that has lab files, but does not look
-/// below those.
-void search(const std::vector<Lab>& labs, const fs::path& directory, int depth, std::size_t& left,
-            std::vector<Files>& places) {
-  for (const fs::path& here : {directory, directory / "starter"}) {
-    if (Files files = files_in(labs, here); !files.empty()) {
-      places.push_back(std::move(files));
-      return;
+/// The first `most` characters of a text, in at most 200 bytes: it becomes a file's name.
+std::string first_characters(const std::string& text, std::size_t most) {
+  std::size_t count = 0, end = 0;
+  for (; end < text.size(); ++end) {
+    const bool begins_one = (static_cast<unsigned char>(text[end]) & 0xc0) != 0x80;
+    if (begins_one && (count++ == most || end > 196)) break;
+  }
+  return text.substr(0, end);
+}
+
+/// What a name stands for, safe to show and to use as a file name.
+std::string id_from_name(const std::string& name) {
+  std::string id = sandbox::printable_line(name);
+  std::ranges::replace(id, '/', '_');
+  id = first_characters(id, longest_id);
+  const bool is_special = id.empty() || id == "." || id == "..";
+  return is_special ? "submission" : id;
+}
+
+/// Appends " (2)", " (3)", … to ids that occur before, also on a disk that ignores case.
+void make_unique(std::vector<IntakeEntry>& entries) {
+  std::set<std::string> taken;
+  for (IntakeEntry& entry : entries) {
+    std::string& id = entry.submission.label;
+    const std::string plain = id;
+    for (int i = 2; !taken.insert(in_lower_case(id)).second; ++i) {
+      const std::string suffix = fmt::format(" ({})", i);
+      id = first_characters(plain, longest_id - suffix.size()) + suffix;
     }
   }
-  if (depth == deepest) return;
-  for (const fs::path& below : listing_of(directory).directories) {
-    if (left-- == 0)
-      throw UnreadableSubmission(fmt::format("more than {} directories", most_entries));
-    search(labs, below, depth + 1, left, places);
-  }
 }
+
+/// One person's files below a directory.
+class Search {
+ public:
+  explicit Search(const std::vector<Lab>& labs) : labs_(labs) {}
+
+  /// Adds the files of every directory at or below `directory` that has lab files, but does not
+  /// look below those.
+  void look_in(const fs::path& directory, int depth = 0) {
+    for (const fs::path& here : {directory, directory / "starter"}) {
+      if (Files files = files_in(labs_, here); !files.empty()) {
+        places.push_back(std::move(files));
+        return;
+      }
+    }
+    const Listing listing = listing_of(directory);
+    for (const auto* kind : {&listing.files, &listing.archives}) {
+      for (const fs::path& file : *kind) {
+        if (!is_ignored(file.filename()) && is_source_or_archive(file)) {
+          others.push_back(file.filename().string());
+        }
+      }
+    }
+    if (depth == deepest) return;
+    for (const fs::path& below : listing.directories) {
+      if (is_ignored(below.filename())) continue;
+      if (left_-- == 0) {
+        throw UnreadableSubmission(fmt::format("more than {} directories", most_entries));
+      }
+      look_in(below, depth + 1);
+    }
+  }
+
+  std::vector<Files> places;
+  std::vector<std::string> others;  ///< names that may have been meant: "variance (1).cpp"
+
+ private:
+  bool is_source_or_archive(const fs::path& file) const {
+    const std::string name = in_lower_case(file.filename().string());
+    return is_archive(file) || name.find(".c") != std::string::npos ||
+           std::ranges::any_of(labs_, [&](auto& lab) { return name.starts_with(lab.name); });
+  }
+
+  const std::vector<Lab>& labs_;
+  std::size_t left_ = most_entries;
+};
 
 /// The path of `file` relative to `root`; empty for the root itself.
 std::string place_in(const fs::path& root, const fs::path& file) {
@@ -94,87 +159,86 @@ Files combined(const fs::path& root, const std::vector<Files>& places) {
   return all;
 }
 
-bool looks_like_one_persons(const fs::path& directory) {
-  for (const char* name : {".git", "README", "README.md", "CMakeLists.txt", "Makefile", "lab"}) {
-    if (fs::exists(fs::symlink_status(directory / name))) return true;
-  }
-  return false;
-}
-
-/// The directory whose entries belong to several people: this one, or below it one that has no
-/// sibling.
-std::optional<fs::path> parent_in(const std::vector<Lab>& labs, fs::path directory) {
-  for (int depth = 0; depth < deepest; ++depth) {
-    if (!files_in(labs, directory).empty() || !files_in(labs, directory / "starter").empty() ||
-        looks_like_one_persons(directory)) {
-      return {};
-    }
-    const Listing listing = listing_of(directory);
-    const bool is_flat = std::ranges::any_of(
-        listing.files, [](auto& file) { return named_by_platform(file).has_value(); });
-    if (!listing.zips.empty() || is_flat || listing.directories.size() > 1) return directory;
-    if (listing.directories.empty()) return {};
-    directory = listing.directories[0];
-  }
-  return {};
+/// The name without "/" at its end; of "." and ".." the directory's.
+std::string name_of(const fs::path& place) {
+  const std::string name = (place / "").parent_path().filename().string();
+  if (!name.empty() && name != "." && name != "..") return name;
+  std::error_code unknown;
+  return fs::weakly_canonical(place, unknown).filename().string();
 }
 
 class IntakeBuilder {
  public:
-  IntakeBuilder(const Context& context, Meaning meaning) : context_(context), meaning_(meaning) {}
+  explicit IntakeBuilder(const Context& context) : context_(context) {}
 
-  void add(const std::string& word) {
-    // "alice/" and "." have names, too.
+  void add_word(const std::string& word) {
     const auto end = word.find_last_not_of('/');
     const fs::path place = end == std::string::npos ? word : word.substr(0, end + 1);
-    add_entry(id_of(place), word, [&](IntakeEntry& entry) {
-      const fs::file_status status = fs::symlink_status(place);
-      const std::string shown = sandbox::printable_line(word);
-      if (!fs::exists(status)) throw UnreadableSubmission("no such directory: " + shown);
-      if (fs::is_symlink(status))
-        throw UnreadableSubmission(shown + " is a link: name the directory itself");
-      const bool is_zip = fs::is_regular_file(status) && place.extension() == ".zip";
-      if (!is_zip && !fs::is_directory(status)) {
-        throw UnreadableSubmission(shown + " is a file: name the directory it is in, or a zip");
-      }
-      const fs::path root = is_zip ? unpacked(place) : place;
-      const auto parent = meaning_ == Meaning::many ? parent_in(context_.labs, root) : std::nullopt;
-      if (!parent) return open(root, entry);
-      add_people_in(*parent, is_zip);
-      entry.submission.label.clear();  // belongs to no single person
-    });
+    const std::string name = name_of(place);
+    add(is_archive(place) ? without_archive_extension(name) : name, word,
+        [&](IntakeEntry& entry) { open(root_of(place), entry); });
   }
 
-  /// Decides what a word means, once for all words: several words are one submission each, so that
-  /// a directory without an owner does not become people, unless platforms exported them all.
-  void decide_meaning(const std::vector<std::string>& words) {
-    if (meaning_ == Meaning::one || words.size() < 2) return;
-    if (std::ranges::all_of(words, [&](auto& word) { return is_export(word); })) return;
-    meaning_ = Meaning::one;
+  void add_class(const fs::path& place) {
+    Listing listing = listing_of(root_of(place));
+    const bool is_wrapped = is_archive(place) && listing.directories.size() == 1 &&
+                            listing.archives.size() + listing.files.size() == 0;
+    if (is_wrapped) listing = listing_of(listing.directories[0]);
+    std::map<std::string, std::vector<std::pair<PlatformName, fs::path>>> people;
+    std::map<std::string, int> keys;
+    for (const auto* kind : {&listing.files, &listing.archives}) {
+      for (const fs::path& file : *kind) {
+        if (const auto named = named_by_platform(file.filename().string())) ++keys[named->key];
+      }
+    }
+    const auto person_of = [&](const fs::path& file) {
+      auto named = named_by_platform(file.filename().string());
+      // Two files never share a platform's key: then "lab_12_34_ann.zip" is a name like any other.
+      return named && keys[named->key] == 1 ? named : std::nullopt;
+    };
+    for (const fs::path& directory : listing.directories) {
+      add(directory.filename().string(), directory,
+          [&](IntakeEntry& entry) { open(directory, entry); });
+    }
+    for (const fs::path& archive : listing.archives) {
+      if (const auto named = person_of(archive)) {
+        people[named->person].emplace_back(*named, archive);
+      } else {
+        add(without_archive_extension(archive.filename().string()), archive,
+            [&](IntakeEntry& entry) { open(unpacked(archive), entry); });
+      }
+    }
+    for (const fs::path& file : listing.files) {
+      if (const auto named = person_of(file)) {
+        people[named->person].emplace_back(*named, file);
+      } else {
+        leave_out(file, "a file of no student: put it into a directory of its own");
+      }
+    }
+    for (const auto& [person, files] : people) {
+      add(person, files[0].second, [&, &all = files](IntakeEntry& entry) { collect(all, entry); });
+    }
+    for (const fs::path& other : listing.others) {
+      add(other.filename().string(), other, [](IntakeEntry&) {
+        throw UnreadableSubmission("it is a link or a device, not a directory");
+      });
+    }
+    std::ranges::stable_sort(intake_.entries, {},
+                             [](const IntakeEntry& one) { return one.submission.label; });
   }
 
   Intake finish() {
-    make_labels_unique(intake_.entries);
-    intake_.each_word_is_one = meaning_ == Meaning::one;
+    make_unique(intake_.entries);
     return std::move(intake_);
   }
 
  private:
-  static std::string id_of(const fs::path& place) {
-    fs::path name = place.filename();
-    if (name.empty() || name == "." || name == "..") {
-      std::error_code unknown;
-      name = fs::weakly_canonical(place, unknown).filename();
-    }
-    return id_from_name(name.extension() == ".zip" ? name.stem().string() : name.string());
-  }
-
-  /// Adds the result of `work` on `named`, or why it cannot be read.
+  /// Adds the result of `work` on `place`, or why it cannot be read.
   template <class Work>
-  void add_entry(std::string id, const fs::path& named, const Work& work) {
+  void add(const std::string& name, const fs::path& place, const Work& work) {
     IntakeEntry entry;
-    entry.submission.label = std::move(id);
-    entry.submission.path = named;
+    entry.submission.label = id_from_name(name);
+    entry.submission.path = place;
     try {
       work(entry);
     } catch (const std::system_error& error) {
@@ -183,65 +247,51 @@ class IntakeBuilder {
     } catch (const std::exception& error) {
       entry.unreadable = error.what();
     }
-    if (!entry.submission.label.empty()) intake_.entries.push_back(std::move(entry));
+    intake_.entries.push_back(std::move(entry));
   }
 
-  /// Is there a platform's export of several people? False if it cannot be read.
-  bool is_export(const std::string& word) {
-    try {
-      const fs::path place = word;
-      fs::path root = place.extension() == ".zip" ? unpacked(place) : place;
-      for (int depth = 0; depth < 2; ++depth) {
-        const Listing listing = listing_of(root);
-        const auto is_named = [](const fs::path& path) {
-          return named_by_platform(path).has_value() ||
-                 path.filename() == "submission_metadata.yml" ||
-                 path.filename().string().find("_assignsubmission_") != std::string::npos;
-        };
-        for (const auto* kind : {&listing.directories, &listing.files, &listing.zips}) {
-          if (std::ranges::any_of(*kind, is_named)) return true;
-        }
-        if (listing.directories.size() != 1) return false;
-        root = listing.directories[0];
-      }
-    } catch (const std::exception&) {  // add() reports it
+  void leave_out(const fs::path& file, const std::string& why) {
+    intake_.left_out.push_back(
+        fmt::format("{}: {}", sandbox::printable_line(file.filename().string()), why));
+  }
+
+  /// The directory of a word, or of an archive's content.
+  fs::path root_of(const fs::path& place) {
+    const fs::file_status status = fs::symlink_status(place);
+    const std::string shown = sandbox::printable_line(place.string());
+    if (!fs::exists(status)) throw UnreadableSubmission("no such directory: " + shown);
+    if (fs::is_symlink(status)) {
+      throw UnreadableSubmission(shown + " is a link: name the directory itself");
     }
-    return false;
+    if (fs::is_directory(status)) return place;
+    if (fs::is_regular_file(status) && is_archive(place)) return unpacked(place);
+    throw UnreadableSubmission(shown + " is a file: name the directory it is in, or a zip");
   }
 
-  /// The directory of a zip's content.
-  fs::path unpacked(const fs::path& zip) {
-    if (const auto found = unpacked_.find(zip); found != unpacked_.end()) return found->second;
-    if (fs::file_size(zip) == 0)
-      throw UnreadableSubmission("the zip file is empty, or larger than 64 MB");
+  fs::path unpacked(const fs::path& archive) {
     intake_.unpacked.push_back(std::make_unique<ScratchDirectory>(context_.layout));
-    unpack({.zip = zip, .to = intake_.unpacked.back()->path()});
-    return unpacked_[zip] = intake_.unpacked.back()->path();
+    const fs::path to = intake_.unpacked.back()->path();
+    unpack({.archive = archive, .to = to});
+    return to;
   }
 
-  /// The only one of these zips; nothing if there is none.
-  static std::optional<fs::path> only_zip(const std::vector<fs::path>& zips) {
-    if (zips.size() > 1) throw UnreadableSubmission("several zip files: which one counts?");
-    return zips.empty() ? std::nullopt : std::optional(zips[0]);
-  }
-
-  /// One person's work below `root`. A folder with nothing but a zip means that zip.
+  /// One person's work below `root`. A folder with nothing but an archive means that archive.
   void open(fs::path root, IntakeEntry& entry) {
-    std::vector<Files> places = places_in(root);
-    if (places.empty()) {
-      if (const auto zip = only_zip(listing_of(root).zips)) {
-        root = unpacked(*zip);
-        places = places_in(root);
+    for (int depth = 0;; ++depth) {
+      Search search(context_.labs);
+      search.look_in(root);
+      std::vector<fs::path> archives = listing_of(root).archives;
+      std::erase_if(archives, [](auto& path) { return is_ignored(path.filename()); });
+      if (search.places.empty() && archives.size() == 1 && depth < deepest_archive) {
+        root = unpacked(archives[0]);
+        continue;
       }
+      set_files(root, search.places, entry);
+      for (const std::string& other : search.others) {
+        entry.submission.others.push_back(sandbox::printable_line(other));
+      }
+      return;
     }
-    set_files(root, places, entry);
-  }
-
-  std::vector<Files> places_in(const fs::path& root) const {
-    std::vector<Files> places;
-    std::size_t left = most_entries;
-    search(context_.labs, root, 0, left, places);
-    return places;
   }
 
   static void set_files(const fs::path& root, const std::vector<Files>& places,
@@ -258,122 +308,53 @@ class IntakeBuilder {
     entry.submission.found_in = fmt::format("{}", fmt::join(where, ", "));
   }
 
-  /// One directory per person; Moodle has an online text as well as the files: take the one with
-  /// the files.
-  static std::map<std::string, fs::path> directories_by_person(const std::vector<fs::path>& all) {
-    std::map<std::string, fs::path> chosen;
-    for (const fs::path& directory : all) {
-      const std::string id = id_of(directory), name = directory.filename().string();
-      // Other names with the same id are other people.
-      const bool is_moodles = name.find("_assignsubmission_") != std::string::npos;
-      const std::string key = is_moodles ? id : name;
-      const auto found = chosen.find(key);
-      if (found == chosen.end() || is_moodle_text(found->second.filename().string())) {
-        chosen[key] = directory;
-      }
-    }
-    return chosen;
-  }
-
-  /// Several people's work, side by side in `parent`.
-  void add_people_in(const fs::path& parent, bool is_unpacked) {
-    const Listing listing = listing_of(parent);
-    std::map<std::string, std::vector<PlatformName>> flat;  // by person
-    for (const auto* kind : {&listing.files, &listing.zips}) {
-      for (const fs::path& file : *kind) {
-        if (const auto name = named_by_platform(file)) flat[name->person].push_back(*name);
-      }
-    }
-    const auto named = [&](const fs::path& path) { return is_unpacked ? fs::path() : path; };
-    const std::size_t first = intake_.entries.size();
-    auto entries = gradescope_entries(parent);
-    for (const auto& [key, directory] : directories_by_person(listing.directories)) {
-      const std::string name = directory.filename().string();
-      const GradescopeEntry& known = entries[name];
-      add_entry(known.people.empty() ? id_of(directory) : id_from_name(known.people),
-                named(directory), [&, &from = directory](IntakeEntry& entry) {
-                  entry.submission.delivery.platform_name = name;
-                  entry.submission.delivery.submitted = known.submitted;
-                  open(from, entry);
-                });
-    }
-    for (const fs::path& zip : listing.zips) {
-      if (named_by_platform(zip)) continue;
-      add_entry(id_of(zip), named(zip), [&](IntakeEntry& entry) { open(unpacked(zip), entry); });
-    }
-    for (const auto& [person, files] : flat) {
-      add_entry(person, {}, [&, &all = files](IntakeEntry& entry) { collect(all, entry); });
-    }
-    for (const fs::path& link : listing.links) {
-      add_entry(id_of(link), {}, [](IntakeEntry&) { throw UnreadableSubmission("it is a link"); });
-    }
-    std::stable_sort(intake_.entries.begin() + static_cast<std::ptrdiff_t>(first),
-                     intake_.entries.end(),
-                     [](auto& a, auto& b) { return a.submission.label < b.submission.label; });
-  }
-
-  /// One person's files among those of all.
-  void collect(const std::vector<PlatformName>& files, IntakeEntry& entry) {
-    std::map<std::string, PlatformName> latest;  // by lab
-    for (const PlatformName& one : files) {
+  /// One person's files among those of all: the latest attempt counts.
+  void collect(const std::vector<std::pair<PlatformName, fs::path>>& files, IntakeEntry& entry) {
+    std::map<std::string, std::pair<int, fs::path>> latest;  // by lab
+    std::vector<fs::path> archives;
+    for (const auto& [named, path] : files) {
+      bool is_lab = false;
       for (const Lab& lab : context_.labs) {
-        if (one.file != lab.file()) continue;
-        const auto [before, is_new] = latest.emplace(lab.name, one);
-        if (!is_new && one.attempt > before->second.attempt) before->second = one;
+        if (named.file != lab.file()) continue;
+        is_lab = true;
+        const auto [before, is_new] = latest.try_emplace(lab.name, named.attempt, path);
+        if (!is_new && named.attempt > before->second.first) before->second = {named.attempt, path};
       }
+      if (!is_lab && is_archive(path)) archives.push_back(path);
+      if (!is_lab && !named.file.empty())
+        entry.submission.others.push_back(sandbox::printable_line(named.file));
     }
-    Delivery& delivery = entry.submission.delivery;
-    delivery.platform_name = files[0].path.filename().string();
-    delivery.late = files[0].late;
     std::vector<Files> places;
-    for (const auto& [lab, one] : latest) {
-      places.push_back({{lab, fs::canonical(one.path)}});
-      delivery.platform_name = one.path.filename().string();
-      delivery.late = one.late;
-    }
-    if (!places.empty()) return set_files(files[0].path.parent_path(), places, entry);
-    std::vector<fs::path> zips;
-    for (const PlatformName& one : files) {
-      if (one.path.extension() == ".zip") zips.push_back(one.path);
-    }
-    if (const auto zip = only_zip(zips)) open(unpacked(*zip), entry);
+    for (const auto& [lab, one] : latest) places.push_back({{lab, fs::canonical(one.second)}});
+    if (!places.empty()) return set_files(files[0].second.parent_path(), places, entry);
+    if (archives.size() > 1) throw UnreadableSubmission("several archives: which one counts?");
+    if (!archives.empty()) open(unpacked(archives[0]), entry);
   }
 
   const Context& context_;
-  Meaning meaning_;
   Intake intake_;
-  std::map<fs::path, fs::path> unpacked_;  ///< zip -> the directory of its content
 };
 
 }  // namespace
 
-std::string in_lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
+Intake take_in(const Context& context, const std::vector<std::string>& words) {
+  IntakeBuilder builder(context);
+  for (const std::string& word : words) builder.add_word(word);
+  return builder.finish();
 }
 
-void make_labels_unique(std::vector<IntakeEntry>& entries) {
-  std::set<std::string> taken;
-  for (IntakeEntry& entry : entries) {
-    std::string& label = entry.submission.label;
-    const std::string plain = label;
-    for (int i = 2; !taken.insert(in_lower_case(label)).second; ++i) {
-      label = fmt::format("{} ({})", plain, i);
-    }
+Intake take_in_class(const Context& context, const fs::path& place) {
+  IntakeBuilder builder(context);
+  try {
+    builder.add_class(place);
+  } catch (const UnreadableSubmission& error) {
+    throw UsageError(error.what());
   }
-}
-
-Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning) {
-  IntakeBuilder builder(context, meaning);
-  builder.decide_meaning(words);
-  for (const std::string& word : words) builder.add(word);
   return builder.finish();
 }
 
 Intake take_in_one(const Context& context, const fs::path& place) {
-  Intake intake = take_in(context, {place.string()}, Meaning::one);
+  Intake intake = take_in(context, {place.string()});
   if (!intake.entries[0].unreadable.empty()) throw UsageError(intake.entries[0].unreadable);
   return intake;
 }

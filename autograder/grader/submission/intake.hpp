@@ -1,5 +1,5 @@
 #pragma once
-// Reads submissions in any layout: directories, zips, a whole class.
+// Reads submissions: one person's directory or archive in any layout, and a class of them.
 
 #include <filesystem>
 #include <memory>
@@ -14,36 +14,30 @@ namespace mc::grader {
 
 /// One person's work, or why it cannot be read.
 struct IntakeEntry {
-  Submission submission;   ///< its label is its id: unique, and safe to show
+  Submission submission;   ///< its label is its id: unique, safe to show, a valid file name
   std::string unreadable;  ///< why; empty if it could be read. A readable entry may have no files
 };
 
-/// The text with ASCII capitals in lower case.
-std::string in_lower_case(std::string text);
-
-/// Appends " (2)", " (3)", … to labels that occur before. A label is also a file name, possibly on
-/// a disk that ignores case.
-void make_labels_unique(std::vector<IntakeEntry>& entries);
-
 struct Intake {
   std::vector<IntakeEntry> entries;
-  bool each_word_is_one = false;  ///< the decision for several words
+  std::vector<std::string> left_out;  ///< files of a class that belong to no student
   /// Unpacked files, removed with this object.
   std::vector<std::unique_ptr<ScratchDirectory>> unpacked;
 };
 
-enum class Meaning {
-  one,   ///< each word is one person's work, in any layout
-  many,  ///< a directory or zip may hold several people's work
-};
+/// The longest id, in characters.
+inline constexpr std::size_t longest_id = 60;
 
-/// Takes in directories and zips. Looks for a person's files at the top, else in starter/, else
-/// anywhere below (skipping links, .git, build, __MACOSX) if each is there exactly once.
-/// Directories of several people are split into their directories and zips, in the order of their
-/// names; so are the exports of Gradescope, Canvas (name_12_34_variance.cpp, all in one directory)
-/// and Moodle (name_12_assignsubmission_file_). Several words are one submission each, unless all
-/// of them are such exports. Unreadable entries are included, with the reason.
-Intake take_in(const Context& context, const std::vector<std::string>& words, Meaning meaning);
+/// Each word, a directory or an archive, is one submission. Looks for its files at the top, else in
+/// starter/, else anywhere below (skipping links, .git, build, __MACOSX) if each is there exactly
+/// once; and in an archive that is alone there. Unreadable entries are included, with the reason.
+Intake take_in(const Context& context, const std::vector<std::string>& words);
+
+/// Each directory and each archive in this directory or archive is one student, whatever it is
+/// called; the id is its name. (In an archive that holds one directory and nothing else, that
+/// directory is meant.) Files whose names have the form of Canvas, Moodle or
+/// Blackboard belong to the person that the platform put in front. Everything else is left out.
+Intake take_in_class(const Context& context, const std::filesystem::path& place);
 
 /// One person's work, for `check` and Gradescope. Throws UsageError if it cannot be read.
 Intake take_in_one(const Context& context, const std::filesystem::path& place);

@@ -12,22 +12,9 @@
 
 namespace mc::grader {
 
-/// Who submitted it, and when, according to a learning platform or a roster, and the hours that the
-/// student reports.
-struct Delivery {
-  std::string name, email;  ///< from the roster
-  /// "2026-01-02 03:04:05 Z" from the platform's metadata; "… (file time)" if only files tell it.
-  std::string submitted;
-  bool late = false;          ///< the platform's mark
-  std::string platform_name;  ///< of the file or directory in the export, for sending feedback back
-  std::map<std::string, std::string> hours = {};  ///< by lab, as the student wrote them
-
-  bool operator==(const Delivery&) const = default;
-};
-
 struct Submission {
   std::string label;  ///< its name in reports
-  /// The directory, zip or file, as named on the command line; empty if it is inside a zip of many.
+  /// The directory, archive or file, as named on the command line or found in a class.
   std::filesystem::path path;
   std::map<std::string, std::filesystem::path> files;  ///< lab name -> file
   /// May include the repository's own sources, as mistakes and alternatives do. The caller decides;
@@ -35,7 +22,8 @@ struct Submission {
   bool trusted = false;
   std::vector<std::string> libraries = {};  ///< flags to link the library of a peer
   std::string found_in = {};  ///< where below `path` the files are; empty if at the top
-  Delivery delivery = {};
+  /// Names of files that may have been meant where a lab's file is missing: "variance (1).cpp".
+  std::vector<std::string> others = {};
 };
 
 /// The lab files in `directory` itself, by the lab's name. Links are ignored, also as the

@@ -5,7 +5,6 @@
 //   self_test load RUNS     all that run out of time or memory, under load: the same verdict
 //   self_test cost LAB      the cost of measurements of right answers, compiled for any x86-64
 //   self_test repository    the repository itself: task numbers, points, names
-//   self_test power         the p-values of all tested seeds
 //   self_test mutants LAB COUNT SEED    small changes to right answers: a check fails each of them
 
 #include <cstdlib>
@@ -55,8 +54,6 @@ int run(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
   if (what == "repository") {
     prove_repository();
-  } else if (what == "power") {
-    print_power();
   } else if (what == "load" && argc > 2) {
     prove_under_load({argv + 3, argv + argc}, static_cast<unsigned>(std::atoi(argv[2])));
   } else if (what == "cost" && argc == 3) {
@@ -73,7 +70,7 @@ int run(int argc, char** argv) {
   } else {
     fmt::print(
         "usage: self_test FILE [MISTAKE] | load RUNS [FILE...] | fuzz LAB COUNT | cost LAB | "
-        "repository | power | mutants LAB COUNT SEED\n");
+        "repository | mutants LAB COUNT SEED\n");
     return 2;
   }
   return complaints() > 0 ? 1 : 0;

@@ -67,22 +67,6 @@ struct Proof {
   void show(const LabVerdict& verdict, std::uint64_t seed) const;
 };
 
-/// Records passed seeds with their p-values in the build directory: a thousand seeds take hours,
-/// and an interruption should not lose them.
-class SeedLog {
- public:
-  /// A new program, or new checks, start from the first seed.
-  explicit SeedLog(const Proof& proof);
-
-  /// The p-values of each recorded seed, from seed 1 on.
-  std::vector<std::vector<protocol::PValue>> seeds() const;
-  void keep(const std::vector<protocol::PValue>& p_values) const;
-
- private:
-  std::string submission_;
-  fs::path file_;
-};
-
 /// Remembers that the proof of a submission passed with the current checks and self-test: it need
 /// not be repeated until any of them changes.
 class ProofCache {
@@ -94,10 +78,6 @@ class ProofCache {
  private:
   fs::path file_;
 };
-
-/// Prints the records: for each submission its seeds, and the sum of its alphas or the p-value
-/// closest to missing it.
-void print_power();
 
 /// The checks that neither belong to one of these tasks nor wait for one, directly or not.
 std::set<std::string> checks_beyond(const Proof& proof, const std::set<std::string>& tasks);
@@ -126,8 +106,8 @@ void prove_under_load(std::vector<fs::path> files, unsigned runs);
 /// crashes, and no main check of a task passes unless a right answer would pass.
 void prove_against_lies(const std::string& lab, unsigned count);
 
-/// Judges up to `count` mutants of the lab's alternatives (mutants.cpp); each survivor is a
-/// complaint.
+/// Judges up to `count` mutants of the lab's alternatives (mutants.cpp), and prints the survivors and
+/// the score: for use before a release.
 void prove_by_mutants(const std::string& lab, std::size_t count, std::uint64_t seed);
 
 /// The kind of a file of the repository, by its folder: "starter", "solutions", "mistakes", …

@@ -74,13 +74,7 @@ void prove_right(const Proof& proof) {
   // Checks of fresh data without a random outcome: twice, or twice as often in --full.
   const std::uint64_t fresh_seeds = is_full ? 2 * seeds : std::min<std::uint64_t>(seeds, 2);
   PValues p_values;
-  const SeedLog log(proof);
   std::uint64_t seed = 1;
-  if (is_full) {
-    const auto runs = log.seeds();
-    for (const std::vector<PValue>& run : runs) p_values.add(run);
-    seed = runs.size() + 1;
-  }
   std::set<std::string> checks, random, fresh;  // empty: all
   const auto choose = [&] {
     checks = seed <= seeds ? random : std::set<std::string>{};
@@ -108,7 +102,6 @@ void prove_right(const Proof& proof) {
     for (const CheckResult& result : verdict.checks) {
       run.insert(run.end(), result.p_values.begin(), result.p_values.end());
     }
-    if (is_full) log.keep(run);
     p_values.add(run);
   }
   fmt::print("full marks with {} seeds\n", seeds);

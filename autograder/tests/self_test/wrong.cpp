@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -95,17 +94,6 @@ void run_by_hand(const Proof& proof, const LabVerdict& verdict) {
   }
 }
 
-/// For each failed check the test that ended it, if it was a random one; `null` names the check.
-std::vector<protocol::PValue> rejections(const LabVerdict& verdict) {
-  std::vector<protocol::PValue> found;
-  for (const CheckResult& result : verdict.checks) {
-    if (result.status != Status::failed || result.p_values.empty()) continue;
-    const protocol::PValue& last = result.p_values.back();
-    if (last.p <= last.alpha) found.push_back({result.check.name, last.p, last.alpha});
-  }
-  return found;
-}
-
 }  // namespace
 
 void prove_starter(const Proof& proof) {
@@ -131,12 +119,9 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   judge_mistake(subject, verdict, tasks);
   run_by_hand(proof, verdict);
   compare_limits(subject, verdict);
-  std::optional<SeedLog> kept;
-  if (seeds > 1) seed = std::max<std::uint64_t>(seed, kept.emplace(proof).seeds().size() + 1);
   while (seed < seeds && complaints() == before) {
     verdict = proof.judge(++seed, checks);
     judge_mistake(subject, verdict, tasks);
-    if (complaints() == before) kept->keep(rejections(verdict));
   }
   if (complaints() == before) fmt::print("caught with {} seeds\n", seeds);
   proof.show(verdict, seed);
