@@ -64,8 +64,8 @@ void compare_with_git(const Context& context, const std::set<std::string>& chose
                                                        "--untracked-files=all", "--no-renames"});
   std::vector<std::string> unknown, changed;
   for (const std::string_view entry : text::split(listed, '\0')) {
-    if (entry.size() < 4) continue;
-    const std::string file(entry.substr(3));  // "?? name", " M name"
+    if (entry.empty()) continue;
+    const std::string file(entry.substr(entry.find(' ') + 1));  // "?? name", "M name"
     if (is_kept_back(file, form) || is_left_out(context, chosen, file)) continue;
     (entry.starts_with("??") ? unknown : changed).push_back(file);
   }

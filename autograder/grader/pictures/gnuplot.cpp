@@ -31,7 +31,7 @@ std::string gnuplot_array(const std::string& name, const std::vector<std::string
 std::string run_gnuplot(const fs::path& script, const std::string& text) {
   write_text(script, "set encoding utf8\nset termoption noenhanced\n" + text);
   const sandbox::ProcessResult drawn =
-      sandbox::run_process({"gnuplot", script.string()}, {.wall_seconds = 120});
+      sandbox::run_process({"gnuplot", "-d", script.string()}, {.wall_seconds = 120});
   return drawn.succeeded() ? "" : "gnuplot failed: " + sandbox::printable(drawn.errors);
 }
 

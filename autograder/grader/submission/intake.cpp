@@ -328,7 +328,9 @@ class IntakeBuilder {
     for (const auto& [lab, one] : latest) places.push_back({{lab, fs::canonical(one.second)}});
     if (!places.empty()) return set_files(files[0].second.parent_path(), places, entry);
     if (archives.size() > 1) throw UnreadableSubmission("several archives: which one counts?");
-    if (!archives.empty()) open(unpacked(archives[0]), entry);
+    if (archives.empty()) return;
+    entry.submission.others.clear();
+    open(unpacked(archives[0]), entry);
   }
 
   const Context& context_;

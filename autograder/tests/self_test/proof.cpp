@@ -178,6 +178,21 @@ std::set<std::string> checks_beyond(const Proof& proof, const std::set<std::stri
   return names;
 }
 
+ProofCache::ProofCache(const Proof& proof, const Subject& subject) {
+  std::string all = subject.section;
+  for (const fs::path& path :
+       {fs::path(proof.built.program->path), proof.layout.checks(proof.lab.name), subject.file,
+        proof.layout.build / "bin" / "self_test"}) {
+    all += read_text(path);
+  }
+  file_ = proof.layout.build / "proved" / fmt::format("{:016x}", hash_text(all));
+}
+
+void ProofCache::keep() const {
+  fs::create_directories(file_.parent_path());
+  std::ofstream{file_};
+}
+
 void complain(const std::string& what) {
   fmt::print("{}\n", what);
   ++complaint_count;
