@@ -325,6 +325,7 @@ int run_bench(const Context& context, const Arguments& arguments) {
 const RegisterCommand bench_command{
     {.usage =
          "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
+     .about = "measure speed against error: solutions, submissions, libraries",
      .details =
          "Measures every lab, unless some are named: the solutions, the installed libraries, each "
          "DIR and each FILE.cpp of autograder/submissions. Takes minutes, on an idle machine; an "
@@ -338,7 +339,12 @@ const RegisterCommand bench_command{
                  {"--calibrate",
                   "only write labs/*/speed.tsv: the solutions' times, from which a handout "
                   "estimates the reference's speed"}},
-     .run = run_bench}};
+     .run = run_bench,
+     .for_instructors = true,
+     .place = "autograder/bench",
+     .targets = [](const Context&, const Arguments&) {
+       return std::vector<std::string>{"judge_all", "bench_programs"};
+     }}};
 
 }  // namespace
 }  // namespace mc::grader

@@ -20,7 +20,7 @@ std::string as_word(const std::string& text) {
   return word + '\'';
 }
 
-std::string trimmed(std::string text) {
+std::string without_line_end(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   return text;
 }
@@ -60,20 +60,20 @@ std::string submit_tasks(const Context& context, const VerdictStore& store,
       for_slurm());
   if (run.exit_code == 127) throw MachineError("sbatch not found: is Slurm installed?");
   if (!run.succeeded()) {
-    throw MachineError("sbatch: " + sandbox::printable_line(trimmed(run.errors)));
+    throw MachineError("sbatch: " + sandbox::printable_line(without_line_end(run.errors)));
   }
-  std::string job = trimmed(run.output.substr(0, run.output.find(';')));  // 12;cluster
+  std::string job = without_line_end(run.output.substr(0, run.output.find(';')));  // 12;cluster
   write_text(store.directory() / "job", job + '\n');
   return job;
 }
 
 void require_finished_tasks(const VerdictStore& store) {
   if (!fs::exists(store.directory() / "job")) return;
-  const std::string job = trimmed(read_text(store.directory() / "job"));
+  const std::string job = without_line_end(read_text(store.directory() / "job"));
   // Slurm forgets ended jobs after a while; then this fails, which means nothing.
   const auto queue =
       sandbox::run_process({"squeue", "--noheader", "--jobs=" + job}, for_slurm());
-  if (queue.succeeded() && !trimmed(queue.output).empty()) {
+  if (queue.succeeded() && !without_line_end(queue.output).empty()) {
     throw UsageError(fmt::format("job {0} is still running: wait for it (squeue), or cancel it "
                                  "(scancel {0}) and judge the rest here",
                                  job));

@@ -1,45 +1,76 @@
 #include "grader/submission/platform_names.hpp"
 
+#include <algorithm>
 #include <cstdlib>
-#include <regex>
+#include <string_view>
+#include <vector>
+
+#include "runner/text.hpp"
 
 namespace mc::grader {
 namespace {
 
+/// So many digits and nothing else.
+bool is_number(std::string_view text, std::size_t least = 1) {
+  return text.size() >= least &&
+         text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// Canvas renames a second "variance.cpp" to "variance-1.cpp".
 void remove_count(PlatformName& one) {
-  static const std::regex counted(R"((.+)-(\d{1,4})(\.[^.]+))");
-  std::smatch part;
-  if (!std::regex_match(one.file, part, counted)) return;
-  one.attempt = std::atoi(part[2].str().c_str());
-  one.file = part[1].str() + part[3].str();
+  const auto dot = std::min(one.file.rfind('.'), one.file.size()), dash = one.file.rfind('-', dot);
+  if (dash == std::string::npos || dash == 0) return;
+  const std::string count = one.file.substr(dash + 1, dot - dash - 1);
+  if (!is_number(count) || count.size() > 4) return;
+  one.attempt = std::atoi(count.c_str());
+  one.file.erase(dash, dot - dash);
+}
+
+/// PERSON_LATE_4711_99_FILE; anonymous grading has five letters and digits in place of the first
+/// number. Canvas keeps such numbers out of a person's name, so the first match is its own, whatever
+/// the student called the file.
+std::optional<PlatformName> named_by_canvas(const std::string& name) {
+  std::vector<std::string_view> parts = text::split(name, '_');
+  PlatformName found;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    if (parts[i] == "LATE" && i > 0) continue;  // a mark, not a part of the name
+    const bool is_anonymous = i == 1 && parts[0] == "anon" && parts[i].size() == 5;
+    const std::size_t next = i + 1 < parts.size() && parts[i + 1] == "LATE" ? i + 2 : i + 1;
+    found.person += (i > 0 ? "_" : "") + std::string(parts[i]);
+    if (i == 0 || !(is_anonymous || is_number(parts[i], 2))) continue;
+    if (next + 1 >= parts.size() || !is_number(parts[next], 2)) continue;
+    found.key = parts[next];
+    found.file = name.substr(static_cast<std::size_t>(parts[next + 1].data() - name.data()));
+    remove_count(found);
+    return found;
+  }
+  return {};
+}
+
+/// "2026-01-02-03-04-05"
+bool is_time(std::string_view text) {
+  const auto parts = text::split(text, '-');
+  return parts.size() == 6 && parts[0].size() == 4 &&
+         std::all_of(parts.begin(), parts.end(), [](auto part) { return is_number(part, 2); });
 }
 
 }  // namespace
 
 std::optional<PlatformName> named_by_platform(const std::string& name) {
-  // The platform's part is in front, and Canvas keeps such numbers out of a person's name, so the
-  // first match is the platform's, whatever the student called the file.
-  static const std::regex canvas(R"((.+?_(?:LATE_)?\d{2,})_(?:LATE_)?(\d{2,})_(.+))"),
-      anonymous(R"((anon_(?:LATE_)?[A-Za-z0-9]{5})_(?:LATE_)?(\d{2,})_(.+))"),
-      moodle(R"((.+?_\d+)_assignsubmission_file_(.+))"),
-      blackboard(R"((.+?)_attempt_(\d{4}(?:-\d\d){5})(?:_(.+)|\.txt))");
-  std::smatch part;
-  // A name of unbounded length would take std::regex unbounded memory.
-  if (name.size() > 255) return {};
-  if (std::regex_match(name, part, moodle)) {
-    return PlatformName{part[1], name, part[2], 0};
+  constexpr std::string_view moodle = "_assignsubmission_file_", blackboard = "_attempt_";
+  if (const auto at = name.find(moodle); at != std::string::npos && at > 0) {
+    const std::string file = name.substr(at + moodle.size());
+    return file.empty() ? std::nullopt : std::optional(PlatformName{name.substr(0, at), name, file, 0});
   }
-  if (std::regex_match(name, part, blackboard)) {
-    return PlatformName{part[1], name, part[3], 0};
+  constexpr std::size_t time_size = sizeof "2026-01-02-03-04-05" - 1;
+  if (const auto at = name.find(blackboard); at != std::string::npos && at > 0) {
+    const std::size_t time = at + blackboard.size(), end = time + time_size;
+    if (name.size() > end && is_time(std::string_view(name).substr(time, time_size)) &&
+        (name[end] == '_' || name.substr(end) == ".txt")) {  // the latter is the platform's own
+      return PlatformName{name.substr(0, at), name, name[end] == '_' ? name.substr(end + 1) : "", 0};
+    }
   }
-  if (std::regex_match(name, part, anonymous) || std::regex_match(name, part, canvas)) {
-    static const std::regex late("_LATE_");
-    PlatformName found{std::regex_replace(part[1].str(), late, "_"), part[2], part[3], 0};
-    remove_count(found);
-    return found;
-  }
-  return {};
+  return named_by_canvas(name);
 }
 
 }  // namespace mc::grader
