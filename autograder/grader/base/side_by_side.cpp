@@ -1,7 +1,9 @@
 #include "grader/base/side_by_side.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <fstream>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -45,7 +47,14 @@ void run_side_by_side(std::size_t count, unsigned workers,
 }
 
 unsigned cores() {
-  return std::max(1u, std::thread::hardware_concurrency());
+  unsigned count = std::max(1u, std::thread::hardware_concurrency());  // those of our affinity
+  // A container may have less: "150000 100000" is one and a half.
+  std::ifstream limit("/sys/fs/cgroup/cpu.max");
+  double quota = 0, period = 0;
+  if (limit >> quota >> period && quota > 0 && period > 0) {
+    count = std::min(count, static_cast<unsigned>(std::ceil(quota / period)));
+  }
+  return count;
 }
 
 }  // namespace mc::grader

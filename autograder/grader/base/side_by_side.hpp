@@ -12,7 +12,7 @@ namespace mc::grader {
 void run_side_by_side(std::size_t count, unsigned workers,
                       const std::function<void(std::size_t)>& work);
 
-/// The number of cores of the machine.
+/// The number of cores that this process may use, by affinity and by the limit of its container.
 unsigned cores();
 
 }  // namespace mc::grader

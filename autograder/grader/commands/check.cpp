@@ -16,13 +16,15 @@
 namespace mc::grader {
 namespace {
 
-/// The same command, judging once.
-std::vector<std::string> without_watch(const Arguments& arguments) {
-  std::vector<std::string> words{"check"};
+/// The same command, judging once; `task` in place of all tasks, unless it is empty.
+std::vector<std::string> without_watch(const Context& context, const Arguments& arguments,
+                                       const std::string& task) {
+  std::vector<std::string> words{(context.layout.bin / "lab").string(), "check"};
   for (const auto& [option, value] : arguments.options) {
     if (option == "watch") continue;
     words.push_back("--" + option + (value.empty() ? "" : '=' + value));
   }
+  if (!task.empty()) words.push_back("--only=" + task);
   words.emplace_back("--");
   words.insert(words.end(), arguments.words.begin(), arguments.words.end());
   return words;
@@ -49,12 +51,24 @@ int check(const Context& context, const Arguments& arguments) {
   const Submission& submission = intake.entries[0].submission;
   // For a machine that reads results.json, a missing file is a grade of 0 points.
   if (!submission.files.contains(lab.name) && !json) {
-    throw UsageError(fmt::format("{} has no {}", directory.string(), lab.file()));
+    throw UsageError(fmt::format("{} has no {}{}", directory.string(), lab.file(),
+                                 what_is_there(submission)));
   }
   if (arguments.has("watch")) {
     if (json) throw UsageError("--watch cannot be combined with --json");
     if (!fs::is_directory(directory)) throw UsageError("--watch takes a directory");
-    return watch(context, without_watch(arguments), files_of(submission, lab));
+    // The task that the student works on is judged first, alone.
+    const bool is_whole =
+        is_own && named.task.empty() && !arguments.has("only") && !arguments.has("first");
+    return watch({files_of(submission, lab), [&] {
+                    std::vector<std::vector<std::string>> commands;
+                    const auto known = is_whole ? read_progress(context.layout, lab) : std::nullopt;
+                    if (known && !known->next.empty()) {
+                      commands.push_back(without_watch(context, arguments, known->next));
+                    }
+                    commands.push_back(without_watch(context, arguments, ""));
+                    return commands;
+                  }});
   }
   const bool is_first_time = !fs::exists(context.layout.build / "programs");
   SubmissionOptions options;
@@ -75,7 +89,7 @@ int check(const Context& context, const Arguments& arguments) {
   const auto watched = watching_terminal();
   fmt::print("{}", watched ? report_open_first(judged, verdict, *watched)
                            : report_lab(judged, verdict, this_terminal()));
-  if (is_own && judged.no_program.empty()) {
+  if (is_own && judged.no_program.empty() && (is_whole || !watched)) {
     constexpr int often = 3;
     const auto [times, failing] = failures_in_a_row(context.layout, judged);
     if (times >= often && !hints_for(context.layout, lab, failing).empty()) {

@@ -1,7 +1,9 @@
 #include "grader/commands/command.hpp"
 
 #include <fcntl.h>
+#include <pwd.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -110,6 +112,24 @@ void bring_up_to_date(const Layout& layout, std::vector<std::string> targets, ch
   execute(std::move(again));
 }
 
+/// Throws MachineError if files in the build directory are another user's: one run as root leaves
+/// such.
+void require_own_files(const Layout& layout) {
+  for (const fs::path& place : {layout.build, layout.build / "programs"}) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(place, none)) {
+      struct stat found {};
+      if (lstat(entry.path().c_str(), &found) != 0 || found.st_uid == geteuid()) continue;
+      if (!S_ISDIR(found.st_mode) || access(entry.path().c_str(), W_OK) == 0) continue;
+      const passwd* const owner = getpwuid(found.st_uid);
+      throw MachineError(fmt::format(
+          "{} belongs to {}, after a run as another user: remove {}, or sudo chown -R {} {}",
+          entry.path().string(), owner == nullptr ? std::to_string(found.st_uid) : owner->pw_name,
+          layout.build.string(), geteuid(), layout.build.string()));
+    }
+  }
+}
+
 int dispatch(char** argv) {
   std::vector<std::string> words;
   for (char** word = argv + 1; *word != nullptr; ++word) words.emplace_back(*word);
@@ -118,6 +138,7 @@ int dispatch(char** argv) {
     std::vector<Lab> labs = find_labs(layout);
     return Context{std::move(layout), std::move(labs)};
   }();
+  require_own_files(context.layout);
   const std::string name = words.empty() ? "" : words[0];
   if (!words.empty()) words.erase(words.begin());
   if (!words.empty() && words[0] == "-h") words[0] = "--help";

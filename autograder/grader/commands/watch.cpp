@@ -1,13 +1,12 @@
 #include "grader/commands/watch.hpp"
 
-#include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -17,33 +16,19 @@
 #include <thread>
 #include <utility>
 
-#include "sandbox/descriptor.hpp"
+#include "grader/commands/progress.hpp"
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
 namespace {
 
+using namespace std::chrono_literals;
+
 /// Tells the programs that `watch` starts the width of the terminal, and whether it has colors:
 /// "100", or "100c".
 constexpr const char* terminal_variable = "MC_WATCHED";
 
-/// The writing end of a pipe that is polled for signals and for the end of a run.
-int wake_up = -1;
-std::atomic<bool> interrupted{false};
-
-void on_signal(int) {
-  const int before = errno;
-  interrupted = true;
-  (void)!write(wake_up, "", 1);
-  errno = before;
-}
-
-/// From here on, an interrupt ends the watching cleanly.
-void catch_signals() {
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-}
+std::atomic<bool> is_interrupted{false};
 
 std::string clock_time() {
   const std::time_t now = std::time(nullptr);
@@ -52,58 +37,42 @@ std::string clock_time() {
   return text;
 }
 
-/// Files and their state at the last look. A save is a change of time, size or inode, so editors
-/// may write into a file, replace it, or remove it and write it anew.
-class WatchedFiles {
- public:
-  explicit WatchedFiles(const std::vector<fs::path>& files) : files_(files) { changed(); }
+/// A save is a change of time, size or inode, so editors may write into a file, replace it, or
+/// remove it and write it anew. A missing file is all zeros.
+struct FileState {
+  fs::file_time_type time{};
+  off_t size = 0;
+  ino_t inode = 0;
+  bool operator==(const FileState&) const = default;
+};
 
-  /// Has a file been saved or removed since the last call?
-  bool changed() {
-    std::vector<State> now;
-    for (const fs::path& file : files_) now.push_back(state_of(file));
-    return std::exchange(states_, now) != now;
-  }
-  /// The name of the first missing file; empty if none is missing.
-  std::string missing() const {
-    const auto found = std::ranges::find(states_, State{});
-    if (found == states_.end()) return {};
-    return files_[static_cast<std::size_t>(found - states_.begin())].filename().string();
-  }
-
- private:
-  struct State {
-    fs::file_time_type time{};
-    off_t size = 0;
-    ino_t inode = 0;
-    bool operator==(const State&) const = default;
-  };
-  static State state_of(const fs::path& file) {
+std::vector<FileState> states_of(const std::vector<fs::path>& files) {
+  std::vector<FileState> states;
+  for (const fs::path& file : files) {
+    FileState& state = states.emplace_back();
     struct stat found {};
     std::error_code vanished;
     const auto time = fs::last_write_time(file, vanished);
-    if (vanished || stat(file.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return {};
-    return {time, found.st_size, found.st_ino};
+    if (vanished || stat(file.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) continue;
+    state = {time, found.st_size, found.st_ino};
   }
+  return states;
+}
 
-  const std::vector<fs::path>& files_;
-  std::vector<State> states_;
-};
-
-/// One run of the judge, concurrent with the watching.
+/// One run of the judge, concurrent with the watching; ended with this object.
 class Run {
  public:
-  Run(const std::vector<std::string>& command, const std::string& terminal)
-      : thread_([this, command, terminal] {
-          try {
-            result_ = sandbox::run_process(
-                command, {.environment = {{terminal_variable, terminal}}, .stop = &stop_});
-          } catch (const std::system_error& error) {  // no process or descriptor is left
-            result_.errors = fmt::format("lab: {}\n", error.what());
-          }
-          has_ended_ = true;
-          (void)!write(wake_up, "", 1);
-        }) {}
+  Run(std::vector<std::string> command, sandbox::ProcessOptions options) {
+    options.stop = &stop_;
+    thread_ = std::thread([this, command = std::move(command), options = std::move(options)] {
+      try {
+        result_ = sandbox::run_process(command, options);
+      } catch (const std::system_error& error) {  // no process or descriptor is left
+        result_.errors = fmt::format("lab: {}\n", error.what());
+      }
+      has_ended_ = true;
+    });
+  }
   ~Run() {
     stop_ = true;
     thread_.join();
@@ -126,42 +95,24 @@ class Run {
 /// Shows verdicts: on one screen of a terminal, or one after the other.
 class Screen {
  public:
-  Screen() : terminal_(this_terminal()) {}
-
-  std::string terminal() const {
-    return fmt::format("{}{}", terminal_.width, terminal_.color ? "c" : "");
-  }
   /// Adds a line below the verdict that is still shown.
   void say(const std::string& line) const {
-    if (terminal_.interactive) {
-      fmt::print("\r\x1b[K{}", line);
-    } else {
-      fmt::print("{}\n", line);
-    }
+    fmt::print("{}", terminal.interactive ? "\r\x1b[K" + line : line + '\n');
     std::fflush(stdout);
   }
   void show(const std::string& text) const {
-    if (terminal_.interactive) {
-      fmt::print("\x1b[H\x1b[2J{}", first_rows(text, rows() - 1, columns()));
-      say(fmt::format("judged {}; Ctrl-C ends", clock_time()));
-    } else {
+    if (!terminal.interactive) {
       fmt::print("{}", text);
-      say(fmt::format("judged {}", clock_time()));
+      return say("judged " + clock_time());
     }
-  }
-  void end() const {
-    if (terminal_.interactive) fmt::print("\n");
+    winsize size{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) size = {};
+    fmt::print("\x1b[H\x1b[2J{}", first_rows(text, std::max<std::size_t>(size.ws_row, 10) - 1,
+                                             std::max<std::size_t>(size.ws_col, 40)));
+    say(fmt::format("judged {}; Ctrl-C ends", clock_time()));
   }
 
- private:
-  static winsize size() {
-    winsize found{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &found) != 0) found = {};
-    return found;
-  }
-  static std::size_t rows() { return std::max<std::size_t>(size().ws_row, 10); }
-  static std::size_t columns() { return std::max<std::size_t>(size().ws_col, 40); }
-  Terminal terminal_;
+  const Terminal terminal = this_terminal();
 };
 
 /// The number of rows that a line takes in a window; color codes take no space.
@@ -177,58 +128,50 @@ std::size_t rows_of(std::string_view line, std::size_t columns) {
   return std::max<std::size_t>(1, (columns_of(shown) + columns - 1) / columns);
 }
 
-/// Waits until a signal arrives, a run ends, or the time is over.
-void wait_for_wake_up(int wakes, int milliseconds) {
-  pollfd watched{wakes, POLLIN, 0};
-  poll(&watched, 1, milliseconds);
-  char some[64];
-  while (read(wakes, some, sizeof some) > 0) {
-  }
-}
-
 }  // namespace
 
-int watch(const Context& context, const std::vector<std::string>& words,
-          const std::vector<fs::path>& files) {
-  sandbox::Pipe wakes = sandbox::make_pipe();
-  sandbox::make_nonblocking(wakes.read);
-  sandbox::make_nonblocking(wakes.write);
-  wake_up = wakes.write.get();
-  catch_signals();
-  std::vector<std::string> command{(context.layout.bin / "lab").string()};
-  command.insert(command.end(), words.begin(), words.end());
+int watch(const WatchedWork& work) {
+  struct sigaction action {};
+  action.sa_handler = [](int) { is_interrupted = true; };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 
   const Screen screen;
-  WatchedFiles watched(files);
+  sandbox::ProcessOptions options;
+  options.environment = {{terminal_variable, fmt::format("{}{}", screen.terminal.width,
+                                                         screen.terminal.color ? "c" : "")}};
+  if (std::getenv("MC_NO_BUILD") != nullptr) options.environment.push_back({"MC_NO_BUILD", "1"});
+  auto states = states_of(work.files);
+  std::vector<std::vector<std::string>> commands = work.commands();  // still to be run
   std::optional<Run> run;
-  bool is_unjudged = true;  // the present text
-  std::string reported;     // the missing file
-  while (!interrupted) {
-    if (watched.changed()) {
+  bool is_waiting = false;  // for a missing file
+  for (; !is_interrupted; std::this_thread::sleep_for(50ms)) {
+    if (auto now = states_of(work.files); now != states) {
+      // An editor may save in several steps: look again after a moment.
       if (run) screen.say("saved again: judging starts over");
       run.reset();
-      is_unjudged = true;
-      // An editor may save in several steps: start after a moment without changes.
-      wait_for_wake_up(wakes.read.get(), 50);
+      states = std::move(now);
+      commands = work.commands();
+      is_waiting = false;
       continue;
     }
-    const std::string missing = watched.missing();
-    if (is_unjudged && missing.empty()) {
-      screen.say(fmt::format("judging {}", files[0].filename().string()));
-      run.emplace(command, screen.terminal());
-      is_unjudged = false;
-    } else if (is_unjudged && missing != reported) {
-      screen.say(fmt::format("{} does not exist: waiting for it", missing));
-    }
-    reported = missing;
-    wait_for_wake_up(wakes.read.get(), 100);
-    if (run && run->has_ended() && !interrupted) {
+    if (run && run->has_ended()) {
       screen.show(run->text());
       run.reset();
     }
+    if (run || commands.empty()) continue;
+    const auto missing = std::ranges::find(states, FileState{});
+    if (missing == states.end()) {
+      screen.say("judging " + work.files[0].filename().string());
+      run.emplace(std::move(commands.front()), options);
+      commands.erase(commands.begin());
+    } else if (!std::exchange(is_waiting, true)) {
+      const auto at = static_cast<std::size_t>(missing - states.begin());
+      screen.say(fmt::format("{} does not exist: waiting for it",
+                             work.files[at].filename().string()));
+    }
   }
   run.reset();
-  screen.end();
+  if (screen.terminal.interactive) fmt::print("\n");
   return 0;
 }
 
@@ -264,16 +207,17 @@ std::string report_open_first(const LabVerdict& lab, const Verdict& verdict,
 std::string first_rows(const std::string& text, std::size_t rows, std::size_t columns) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
   std::size_t all_rows = 0;
-  for (const std::string& line : lines) all_rows += rows_of(line, columns);
+  for (std::string line; std::getline(stream, line);) {
+    all_rows += rows_of(line, columns);
+    lines.push_back(line);
+  }
   if (all_rows <= rows) return text;
   std::string shown;
   std::size_t used = 0, count = 0;
   for (; count < lines.size(); ++count) {
-    const std::size_t takes = rows_of(lines[count], columns);
-    if (used + takes >= rows) break;
-    used += takes;
+    used += rows_of(lines[count], columns);
+    if (used >= rows) break;
     shown += lines[count] + '\n';
   }
   return shown + fmt::format("… {} more lines\n", lines.size() - count);

@@ -1,15 +1,23 @@
 #pragma once
 // check --watch: judges again whenever a file is saved.
 
+#include <functional>
+
 #include "grader/commands/command.hpp"
 #include "grader/reports/report.hpp"
 
 namespace mc::grader {
 
-/// Judges with `./lab WORDS…` at once and after each save of one of `files`, until interrupted. A
-/// save stops a run in progress. Returns the exit status: 0.
-int watch(const Context& context, const std::vector<std::string>& words,
-          const std::vector<fs::path>& files);
+struct WatchedWork {
+  std::vector<fs::path> files;
+  /// The commands that judge them, in order; asked for after each save. What comes first is shown
+  /// first.
+  std::function<std::vector<std::vector<std::string>>()> commands;
+};
+
+/// Judges at once and after each save of one of the files, until interrupted. A save stops a run in
+/// progress. Returns the exit status: 0.
+int watch(const WatchedWork& work);
 
 /// The terminal of the `watch` that started this program; nothing if it was started otherwise.
 std::optional<Terminal> watching_terminal();

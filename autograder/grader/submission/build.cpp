@@ -34,9 +34,10 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     const auto file = submission.files.find(name);
     const Lab& owner = find_lab(labs, name);
     if (file == submission.files.end()) {
-      built.failure = name == lab.name ? fmt::format("There is no {}.", owner.file())
-                                       : fmt::format("{} depends on lab {}: it needs {} too.",
-                                                     lab.file(), owner.number, owner.file());
+      const std::string others = what_is_there(submission);
+      built.failure = name == lab.name ? fmt::format("There is no {}{}.", owner.file(), others)
+                                       : fmt::format("{} depends on lab {}: it needs {} too{}.",
+                                                     lab.file(), owner.number, owner.file(), others);
       return built;
     }
     units.push_back({layout, owner, file->second, submission.trusted});

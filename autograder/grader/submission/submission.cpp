@@ -4,12 +4,18 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
+
+std::string what_is_there(const Submission& submission) {
+  if (submission.others.empty()) return {};
+  return sandbox::shortened(fmt::format("; there is: {}", fmt::join(submission.others, ", ")), 200);
+}
 
 std::map<std::string, fs::path> files_in(const std::vector<Lab>& labs, const fs::path& directory) {
   std::map<std::string, fs::path> files;

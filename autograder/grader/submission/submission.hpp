@@ -26,6 +26,9 @@ struct Submission {
   std::vector<std::string> others = {};
 };
 
+/// "; there is: variance (1).cpp", after the news that a file is missing; empty if nothing is like it.
+std::string what_is_there(const Submission& submission);
+
 /// The lab files in `directory` itself, by the lab's name. Links are ignored, also as the
 /// directory: they might lead to the solutions.
 std::map<std::string, std::filesystem::path> files_in(const std::vector<Lab>& labs,
