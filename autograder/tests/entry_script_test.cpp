@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/checkout/hints.hpp"
-#include "grader/commands/command.hpp"
 #include "grader/reports/report.hpp"
 #include "grader/submission/archive.hpp"
 #include "tests/submissions.hpp"
@@ -65,17 +64,6 @@ TEST_CASE("bad usage gives one line with the error and the usage, and exit statu
     check_refused(run, wrong.says);
     CHECK(lines(run.errors) == 1);
   }
-}
-
-TEST_CASE("every command has help", "[script]") {
-  const auto root = read_layout().root;
-  for (const Command& command : all_commands()) {
-    if (command.name.empty() || !fs::exists(root / command.place)) continue;
-    CAPTURE(command.name);
-    REQUIRE_RUN(run, lab({command.name, "--help"}));
-    CHECK(contains(run.output, "usage: ./lab " + command.name));
-  }
-  CHECK(lab({"--help"}).exit_code == 0);
 }
 
 TEST_CASE("the verdict is the same in the terminal, in JSON and in CSV", "[script]") {
