@@ -52,51 +52,13 @@ foreach(name ${quick})
   quick(${name})
 endforeach()
 
-# Every submission of the repository, with its expected result; --quick tests the first of each kind,
-# and a mistake of each lab. A file named for a task is a catalog: each of its mistakes or attacks is a
-# test. The first test of a catalog compiles it, so it starts before the others, which would wait for it.
-foreach(lab ${LABS})
-  foreach(who starter solutions)
-    if(EXISTS ${CMAKE_SOURCE_DIR}/${who}/${lab}.cpp)
-      test_of(${who}/${lab} 50 self_test ${who}/${lab}.cpp)
-    endif()
-  endforeach()
-endforeach()
-file(GLOB_RECURSE submissions CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/autograder/submissions
-  autograder/submissions/*.cpp)
-list(SORT submissions)
-set(tested)  # by --quick
-foreach(file ${submissions})
-  string(REGEX REPLACE "[.]cpp$" "" name ${file})
-  get_filename_component(folder ${file} DIRECTORY)
-  set(cost 10)
-  if(name MATCHES "^alternatives/")
-    set(cost 40)
-  endif()
-  if(name MATCHES "/[0-9][^/]*$")
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS autograder/submissions/${file})
-    set(begins "^namespace mc::")
-    if(name MATCHES "^attacks/")
-      set(begins "^//// ")
-    endif()
-    file(STRINGS autograder/submissions/${file} names REGEX "${begins}[a-z0-9_]+( {)?$")
-    list(TRANSFORM names REPLACE "${begins}([a-z0-9_]+).*$" "\\1")
-    set(cost 11)
-    foreach(mistake ${names})
-      test_of(${folder}/${mistake} ${cost} self_test autograder/submissions/${file} ${mistake})
-      set(cost 10)
-    endforeach()
-    list(GET names 0 mistake)
-    set(name ${folder}/${mistake})
-  else()
-    test_of(${name} ${cost} self_test autograder/submissions/${file})
-  endif()
-  string(REGEX MATCH "^mistakes/[^/]+|^[^/]+" group ${name})
-  if(NOT group IN_LIST tested)
-    list(APPEND tested ${group})
-    quick(${name})
-  endif()
-endforeach()
+# Every submission of the repository is a test: self_test lists them with what they are.
+file(GLOB_RECURSE submissions CONFIGURE_DEPENDS autograder/submissions/*.cpp starter/*.cpp solutions/*.cpp)
+set(listed ${CMAKE_BINARY_DIR}/submissions.cmake)
+add_custom_command(OUTPUT ${listed} COMMAND self_test list > ${listed} DEPENDS self_test ${submissions}
+  COMMENT "Listing submissions")
+add_custom_target(listed_submissions ALL DEPENDS ${listed})
+set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listed})
 
 # Programs that lie: the solutions' answers, some of them replaced on the way (tests/fuzz). The
 # fuzzing wire comes before the labs' own in the include path.

@@ -1,7 +1,6 @@
 #include "grader/commands/command.hpp"
 
 #include <fcntl.h>
-#include <pwd.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -121,10 +120,9 @@ void require_own_files(const Layout& layout) {
       struct stat found {};
       if (lstat(entry.path().c_str(), &found) != 0 || found.st_uid == geteuid()) continue;
       if (!S_ISDIR(found.st_mode) || access(entry.path().c_str(), W_OK) == 0) continue;
-      const passwd* const owner = getpwuid(found.st_uid);
       throw MachineError(fmt::format(
           "{} belongs to {}, after a run as another user: remove {}, or sudo chown -R {} {}",
-          entry.path().string(), owner == nullptr ? std::to_string(found.st_uid) : owner->pw_name,
+          entry.path().string(), found.st_uid == 0 ? "root" : fmt::format("user {}", found.st_uid),
           layout.build.string(), geteuid(), layout.build.string()));
     }
   }

@@ -4,11 +4,13 @@
 //
 //   self_test load RUNS     all that run out of time or memory, under load: the same verdict
 //   self_test cost LAB      the cost of measurements of right answers, compiled for any x86-64
+//   self_test list          all of them, as tests for CTest
 //   self_test repository    the repository itself: task numbers, points, names
 //   self_test mutants LAB COUNT SEED    small changes to right answers: a check fails each of them
 
 #include <cstdlib>
 #include <exception>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -50,9 +52,44 @@ void prove(const Subject& subject) {
   complain("no such kind of submission: " + kind);
 }
 
+/// Prints the submissions as tests for CTest. Long ones start first, and the first of a catalog, which
+/// compiles it; --quick has the first of each kind, and a mistake of each lab.
+void print_list() {
+  const Layout layout = read_layout();
+  const std::string program = (layout.bin / "self_test").string();
+  std::set<std::string> groups;
+  const auto print = [&](const fs::path& file, const std::string& name, const Subject& subject,
+                         int cost, bool is_quick) {
+    fmt::print("add_test([=[{}]=] [=[{}]=] [=[{}]=]{})\n", name, program, file.string(),
+               subject.section.empty() ? "" : " " + subject.section);
+    fmt::print("set_tests_properties([=[{}]=] PROPERTIES COST {} SKIP_RETURN_CODE 77{})\n", name,
+               cost, is_quick ? " LABELS quick" : "");
+  };
+  for (const fs::path& place : {layout.starter(), layout.solutions(), layout.submissions()}) {
+    std::set<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(place)) {
+      if (entry.path().extension() == ".cpp") files.insert(entry.path());
+    }
+    for (const fs::path& file : files) {
+      const std::string kind = kind_of(file), folder = file.parent_path().filename().string();
+      const std::string lab = kind == folder ? "" : '/' + folder;
+      int cost = kind == folder ? 50 : kind == "alternatives" ? 40 : is_catalog(file) ? 11 : 10;
+      for (const Subject& subject : subjects_in(file)) {
+        const std::string last =
+            subject.section.empty() ? file.stem().string() : subject.section;
+        const bool is_first = groups.insert(kind == "mistakes" ? kind + lab : kind).second;
+        print(file, kind + lab + '/' + last, subject, cost, is_first);
+        if (is_catalog(file)) cost = 10;
+      }
+    }
+  }
+}
+
 int run(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
-  if (what == "repository") {
+  if (what == "list") {
+    print_list();
+  } else if (what == "repository") {
     prove_repository();
   } else if (what == "load" && argc > 2) {
     prove_under_load({argv + 3, argv + argc}, static_cast<unsigned>(std::atoi(argv[2])));
