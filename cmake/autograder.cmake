@@ -70,8 +70,11 @@ file(GLOB sources CONFIGURE_DEPENDS autograder/grader/*/*.cpp autograder/classes
 list(FILTER sources EXCLUDE REGEX "/submission/archive[.]cpp$|/bench/measurement[.]cpp$")
 add_library(judge OBJECT ${sources})
 own_target(judge)
-# The templates of the JSON library are compiled once: its users together.
+# Users wait for this: common headers are parsed once, and the templates of the JSON library are
+# compiled once, its users together.
 if(MC_UNITY)
+  target_precompile_headers(judge PRIVATE <algorithm> <filesystem> <functional> <map> <mutex>
+    <optional> <set> <sstream> <string> <thread> <vector> <fmt/format.h> <fmt/ranges.h>)
   set_target_properties(judge PROPERTIES UNITY_BUILD_MODE GROUP)
   set(count 0)
   foreach(source ${sources})
