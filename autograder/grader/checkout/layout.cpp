@@ -11,7 +11,7 @@
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
 #include "runner/text.hpp"
-#include "sandbox/process.hpp"
+#include "sandbox/programs.hpp"
 
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
@@ -67,7 +67,12 @@ fs::path writable_build_directory(const fs::path& root) {
 void find_surroundings(Layout& layout) {
   layout.root = layout.bin.parent_path().parent_path().parent_path();
   layout.build = writable_build_directory(layout.root);
-  fs::create_directories(layout.build);
+  std::error_code error;
+  fs::create_directories(layout.build, error);
+  if (error) {
+    throw MachineError(fmt::format("cannot write in {} or in {}: set MC_BUILD to another directory",
+                                   (layout.root / "build").string(), layout.build.string()));
+  }
   layout.compiler = find_compiler();
   if (layout.compiler.empty()) return;
   layout.is_clang = sandbox::run_process({layout.compiler, "--version"}).output.find("clang") !=
@@ -113,8 +118,8 @@ Layout read_layout() {
     layout.version = line;  // Gradescope's package with sources: its points are in it
     return layout;
   } else {
-    const auto commit = sandbox::run_process(
-        {"git", "-C", layout.root.string(), "describe", "--always", "--dirty", "--exclude=*"});
+    const auto commit =
+        sandbox::run_git(layout.root, {"describe", "--always", "--dirty", "--exclude=*"});
     if (commit.succeeded()) {
       layout.version += " (" + commit.output.substr(0, commit.output.find('\n')) + ")";
     }

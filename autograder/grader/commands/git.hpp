@@ -3,15 +3,11 @@
 
 #include "grader/commands/command.hpp"
 #include "runner/text.hpp"
-#include "sandbox/process.hpp"
+#include "sandbox/programs.hpp"
 
 namespace mc::grader {
 
-inline sandbox::ProcessResult run_git(const fs::path& directory, std::vector<std::string> words) {
-  // A rebase commits, and not every student has configured a name in git.
-  words.insert(words.begin(), {"git", "-C", directory.string(), "-c", "user.useConfigOnly=false"});
-  return sandbox::run_process(words);
-}
+using sandbox::run_git;
 
 /// Its output. Throws MachineError if it fails.
 inline std::string git(const fs::path& directory, const std::vector<std::string>& words) {

@@ -252,6 +252,7 @@ Verdict judge_entry(const Context& context, const IntakeEntry& entry, const std:
   verdict.seed = options.judge.seed;
   verdict.version = context.layout.version;
   verdict.jail_complete = sandbox::jail_is_complete();
+  verdict.reads_confined = sandbox::places_are_enforced();
   verdict.unreadable = entry.unreadable;
   if (verdict.absent.empty()) verdict.absent = absent_from(context, entry.submission);
   return verdict;

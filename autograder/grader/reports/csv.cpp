@@ -42,7 +42,8 @@ std::string status_of(const Verdict& verdict, const Lab& lab, const LabVerdict* 
 std::string reason_of(const Verdict& verdict) {
   if (!verdict.unreadable.empty()) return "unreadable: " + verdict.unreadable;
   if (!verdict.not_judged.empty()) return "not judged: " + verdict.not_judged;
-  return verdict.jail_complete ? "" : "judged without the sandbox: no seccomp on this machine";
+  if (!verdict.jail_complete) return "judged without the sandbox: no seccomp on this machine";
+  return verdict.reads_confined ? "" : "compiled without confinement: no Landlock on this machine";
 }
 
 }  // namespace

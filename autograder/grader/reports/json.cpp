@@ -79,6 +79,7 @@ std::string as_results(const Verdict& verdict, const GradescopeOptions& wanted) 
                        {"version", verdict.version},
                        {"flags", verdict.flags},
                        {"jail_complete", verdict.jail_complete},
+                       {"reads_confined", verdict.reads_confined},
                        {"speed", std::move(speed)}};
   if (wanted.leaderboard && !leaderboard.empty()) all["leaderboard"] = std::move(leaderboard);
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';

@@ -114,6 +114,7 @@ void fields(Verdict& verdict, Field field) {
   field("version", verdict.version);
   field("flags", verdict.flags);
   field("jail_complete", verdict.jail_complete);
+  field("reads_confined", verdict.reads_confined);
   field("not_judged", verdict.not_judged);
   field("unreadable", verdict.unreadable);
   field("absent", verdict.absent);

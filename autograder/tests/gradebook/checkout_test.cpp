@@ -7,7 +7,6 @@
 
 #include "grader/base/replace.hpp"
 #include "grader/commands/new_lab.hpp"
-#include "grader/submission/segments.hpp"
 #include "tests/gradebook/handout.hpp"
 
 namespace mc::tests::checkout {
@@ -129,7 +128,7 @@ TEST_CASE("a handout needs only a compiler", "[.handout]") {
         "\x7f"
         "ELF";
     if (file.is_regular_file() && read_text(file.path()).starts_with(program)) {
-      CHECK_FALSE(segments_of(file.path()).loader);
+      CHECK_FALSE(contains(read_text(file.path()), "/ld-linux"));  // it needs no loader
     }
   }
   handout.search_path = handout.path() / "programs";
