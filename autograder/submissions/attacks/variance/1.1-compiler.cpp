@@ -113,7 +113,7 @@ static double attack() {
 //// lines_of_others
 // attack: names its places so that messages begin like a command to GitHub, or a line of a report
 // says: | ::notice file=a
-// says: | passed? ##?error]
+// says: | passed ##?error]
 // never says: ##[
 
 #line 1 "::notice file=a"
