@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include "grader/base/errors.hpp"
-#include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 
 namespace mc::grader {
@@ -30,32 +29,26 @@ void add(const fs::path& place, const std::vector<fs::path>& closed, std::vector
   }
 }
 
-/// The directories that the compiler lists, and those below the same prefix.
+/// The compiler's own directories. Its headers are in PREFIX/lib/gcc/MACHINE/VERSION/include, or in
+/// PREFIX/lib/clang/VERSION/include; a wrapper is elsewhere.
 std::vector<fs::path> directories_of(const std::string& compiler) {
-  const auto listed = sandbox::run_process({compiler, "-print-search-dirs"});
-  if (!listed.succeeded()) {
-    throw MachineError(fmt::format("{} -print-search-dirs fails: {}", compiler,
-                                   sandbox::printable_line(listed.errors.substr(0, 200))));
+  const auto run = sandbox::run_process({compiler, "-print-file-name=include"});
+  const std::string headers = run.output.substr(0, run.output.find('\n'));
+  if (!run.succeeded()) {
+    throw MachineError(fmt::format("{} -print-file-name=include fails: {}", compiler,
+                                   sandbox::printable_line(run.errors.substr(0, 200))));
   }
-  const fs::path real = fs::canonical(compiler);
-  std::vector<fs::path> places{fs::path(compiler).parent_path(), real.parent_path()};
-  std::vector<fs::path> prefixes{real.parent_path().parent_path()};
-  for (const std::string_view line : text::split(listed.output, '\n')) {
-    const auto list = line.find(": ");
-    if (list == std::string_view::npos) continue;
-    for (std::string_view place : text::split(line.substr(list + 2), ':')) {
-      if (place.starts_with('=')) place.remove_prefix(1);
-      if (place.starts_with('/')) places.emplace_back(place);
-    }
-    // PREFIX/lib/gcc/MACHINE/VERSION/
-    if (line.starts_with("install: ")) prefixes.push_back(places.back() / "../../../..");
-  }
-  for (const fs::path& prefix : prefixes) {
-    for (const char* part : {"include", "lib", "lib64", "libexec"}) places.push_back(prefix / part);
-  }
-  const auto root = sandbox::run_process({compiler, "-print-sysroot"});  // clang knows none
-  if (root.succeeded() && root.output.starts_with('/') && root.output.size() > 2) {
-    places.emplace_back(root.output.substr(0, root.output.find('\n')));
+  std::vector<fs::path> places{fs::path(compiler).parent_path(),
+                               fs::canonical(compiler).parent_path()};
+  const auto below = std::min(headers.rfind("/gcc/"), headers.rfind("/clang/"));
+  const auto at = headers.rfind("/lib", below);
+  if (!headers.starts_with('/') || below == headers.npos || at == headers.npos) return places;
+  places.push_back(fs::path(headers).parent_path());
+  const fs::path prefix = headers.substr(0, at);
+  // A machine's directory has its linker and libraries: PREFIX/x86_64-conda-linux-gnu.
+  const std::string machine = fs::path(headers).parent_path().parent_path().filename();
+  for (const std::string part : {"bin", "include", "lib", "lib64", "libexec", machine.c_str()}) {
+    places.push_back(prefix / part);
   }
   return places;
 }
