@@ -54,8 +54,8 @@ std::string lowered_limit(double cpu_seconds, std::size_t memory, std::size_t fi
     rlimit now{};
     if (getrlimit(one.resource, &now) != 0 || now.rlim_max >= one.needed) continue;
     return fmt::format("the limit on {} here is {} {} (ulimit {}), and {} {} are needed: raise it",
-                       one.name, now.rlim_max / one.unit, one.in, one.option,
-                       one.needed / one.unit, one.in);
+                       one.name, now.rlim_max / one.unit, one.in, one.option, one.needed / one.unit,
+                       one.in);
   }
   return {};
 }

@@ -179,12 +179,12 @@ std::vector<std::string> places_in(const char* name) {
 Environment fixed_environment() {
   const auto path = places_in("PATH"), libraries = places_in("LD_LIBRARY_PATH");
   const auto temporary = places_in("TMPDIR");
-  Environment fixed{
-      {"PATH", path.empty() ? "/usr/local/bin:/usr/bin:/bin" : fmt::format("{}", fmt::join(path, ":"))},
-      {"LC_ALL", "C"},
-      {"TMPDIR", temporary.empty() ? "/tmp" : temporary[0]},
-      {"HOME", "/nonexistent"},
-      {"CCACHE_DISABLE", "1"}};
+  Environment fixed{{"PATH", path.empty() ? "/usr/local/bin:/usr/bin:/bin"
+                                          : fmt::format("{}", fmt::join(path, ":"))},
+                    {"LC_ALL", "C"},
+                    {"TMPDIR", temporary.empty() ? "/tmp" : temporary[0]},
+                    {"HOME", "/nonexistent"},
+                    {"CCACHE_DISABLE", "1"}};
   if (!libraries.empty()) {
     fixed.emplace_back("LD_LIBRARY_PATH", fmt::format("{}", fmt::join(libraries, ":")));
   }
@@ -214,9 +214,9 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   if (options.places != nullptr) ruleset = ruleset_for(*options.places);
   const Descriptor output = unnamed_file(), errors = unnamed_file();
   const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
-  const Launch launch{path.c_str(),  arguments.data(), environment.data(),
+  const Launch launch{path.c_str(),      arguments.data(), environment.data(),
                       directory.c_str(), nothing.get(),    output.get(),
-                      errors.get(),  getpid(),         ruleset};
+                      errors.get(),      getpid(),         ruleset};
   const pid_t pid = fork();
   if (pid < 0) fail("fork");
   if (pid == 0) become(launch, options);

@@ -141,12 +141,12 @@ TEST_CASE("a tool that was killed or found no room is the machine's fault, not t
   const std::string compiler = labs.layout.compiler;
   if (labs.layout.is_clang) return;  // it has the compiler in the same process
   labs.layout.compiler =
-      place.write_program("c++", "exec " + compiler + " -B " + (place.path() / "bin").string() +
-                                     "/ \"$@\"\n")
+      place
+          .write_program(
+              "c++", "exec " + compiler + " -B " + (place.path() / "bin").string() + "/ \"$@\"\n")
           .string();
   const auto real = [&](const std::string& name) {
-    const std::string path =
-        sandbox::run_process({compiler, "-print-prog-name=" + name}).output;
+    const std::string path = sandbox::run_process({compiler, "-print-prog-name=" + name}).output;
     return sandbox::found_in_path(path.substr(0, path.find('\n')));
   };
   const std::string cc1plus = real("cc1plus"), large = "grep -qs LARGE variance.cpp && ";

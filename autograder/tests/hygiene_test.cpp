@@ -137,15 +137,21 @@ TEST_CASE("a child inherits only what it is given") {
 }
 
 TEST_CASE("no environment of the person who types reaches a program") {
-  const std::pair<const char*, const char*> hostile[] = {
-      {"LC_ALL", "fr_FR.UTF-8"},     {"LANG", "fr_FR.UTF-8"},
-      {"LANGUAGE", "fr"},            {"CPATH", ":/x"},
-      {"CPLUS_INCLUDE_PATH", ":/x"}, {"CXXFLAGS", "-flto"},
-      {"GCC_COLORS", "error=1"},     {"CCACHE_DIR", "/x"},
-      {"GIT_DIR", "/x"},             {"GIT_CONFIG_COUNT", "1"},
-      {"GNUPLOT_LIB", "/x"},         {"LD_PRELOAD", ""},
-      {"HOME", "/x"},                {"XDG_CONFIG_HOME", "/x"},
-      {"LD_LIBRARY_PATH", "/a::b:/c"}};
+  const std::pair<const char*, const char*> hostile[] = {{"LC_ALL", "fr_FR.UTF-8"},
+                                                         {"LANG", "fr_FR.UTF-8"},
+                                                         {"LANGUAGE", "fr"},
+                                                         {"CPATH", ":/x"},
+                                                         {"CPLUS_INCLUDE_PATH", ":/x"},
+                                                         {"CXXFLAGS", "-flto"},
+                                                         {"GCC_COLORS", "error=1"},
+                                                         {"CCACHE_DIR", "/x"},
+                                                         {"GIT_DIR", "/x"},
+                                                         {"GIT_CONFIG_COUNT", "1"},
+                                                         {"GNUPLOT_LIB", "/x"},
+                                                         {"LD_PRELOAD", ""},
+                                                         {"HOME", "/x"},
+                                                         {"XDG_CONFIG_HOME", "/x"},
+                                                         {"LD_LIBRARY_PATH", "/a::b:/c"}};
   std::vector<std::pair<const char*, std::optional<std::string>>> before;
   for (const auto& [name, value] : hostile) {
     const char* const old = std::getenv(name);
@@ -170,7 +176,8 @@ TEST_CASE("git runs without anybody's configuration, and gnuplot without ~/.gnup
   REQUIRE_RUN(made, sandbox::run_git(place.path(), {"init", "-q"}));
   place.write("bin/x", "");
   place.write(".git/hooks/pre-commit", "#!/bin/sh\nexit 1\n");
-  std::filesystem::permissions(place.path() / ".git/hooks/pre-commit", std::filesystem::perms(0755));
+  std::filesystem::permissions(place.path() / ".git/hooks/pre-commit",
+                               std::filesystem::perms(0755));
   REQUIRE_RUN(added, sandbox::run_git(place.path(), {"add", "."}));
   REQUIRE_RUN(commit, sandbox::run_git(place.path(), {"commit", "-q", "-m", "x"}));
   CHECK(sandbox::run_git(place.path(), {"ls-files"}).output == "bin/x\n");
@@ -178,8 +185,8 @@ TEST_CASE("git runs without anybody's configuration, and gnuplot without ~/.gnup
 
 TEST_CASE("the CPU time of a program is that of all that it started, also of what it left") {
   const std::string burn = "i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done";
-  const auto left = run_process({"sh", "-c", "(" + burn + "; sleep 60) & sleep 60"},
-                                {.wall_seconds = 3});
+  const auto left =
+      run_process({"sh", "-c", "(" + burn + "; sleep 60) & sleep 60"}, {.wall_seconds = 3});
   CHECK(left.out_of_time);
   CHECK(left.cpu_seconds > 0.05);
 }

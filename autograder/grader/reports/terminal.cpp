@@ -191,7 +191,8 @@ Terminal this_terminal() {
 
 std::string jail_warning(const Verdict& verdict) {
   if (!verdict.reads_confined && verdict.jail_complete) {
-    return "WARNING: no Landlock on this machine (Linux 5.13). Compiling could read any file that the "
+    return "WARNING: no Landlock on this machine (Linux 5.13). Compiling could read any file that "
+           "the "
            "judge's\nuser can read: trust this grade no more than you trust its author.\n";
   }
   if (verdict.jail_complete) return {};

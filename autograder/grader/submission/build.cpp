@@ -66,7 +66,8 @@ void link_known_text(const Unit& unit, std::vector<fs::path> objects) {
   const ScratchDirectory scratch(unit.layout);
   compile_known_text(unit, scratch.path());
   objects.push_back(scratch.path() / "unit.o");
-  const std::vector<std::string> flags{"-Wl,--unresolved-symbols=ignore-all,--require-defined=main"};
+  const std::vector<std::string> flags{
+      "-Wl,--unresolved-symbols=ignore-all,--require-defined=main"};
   require({unit.layout, link_command(unit.layout, objects, flags), scratch.path(), objects, false});
 }
 

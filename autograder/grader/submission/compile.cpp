@@ -90,7 +90,8 @@ fs::path standard_headers(const Layout& layout) {
 std::vector<std::string> command_for(const Unit& unit) {
   std::vector<std::string> command{unit.layout.compiler};
   for (const auto& words :
-       {all_flags(unit.layout), include_flags(unit.layout, unit.trusted),
+       {all_flags(unit.layout),
+        include_flags(unit.layout, unit.trusted),
         {"-include", standard_headers(unit.layout).string(), "-c", unit.lab.file(), "-o", "unit.o",
          "-MD", "-MF", "unit.d", "-fdiagnostics-color=never"}}) {
     command.insert(command.end(), words.begin(), words.end());
@@ -194,11 +195,10 @@ std::string refusal_of(const Step& step, const std::string& name) {
   places.push_back(fs::canonical(step.directory));
   for (const fs::path& file : dependencies(read_whole_text(step.directory / "unit.d"))) {
     if (is_in(fs::weakly_canonical(step.directory / file), places)) continue;
-    return fmt::format(
-        "{} reads {}.\n{}", name,
-        sandbox::printable_line(sandbox::shortened(
-            without_places(step.layout, step.directory, file.string()), 200)),
-        what_may_be_included);
+    return fmt::format("{} reads {}.\n{}", name,
+                       sandbox::printable_line(sandbox::shortened(
+                           without_places(step.layout, step.directory, file.string()), 200)),
+                       what_may_be_included);
   }
   return {};
 }
@@ -236,8 +236,12 @@ std::string fault_of_machine(const std::string& errors, std::size_t memory) {
     if (!line.empty() && line != "compilation terminated.") last = line;
   }
   const auto says = [&](const char* word) { return last.find(word) != std::string::npos; };
-  constexpr const char* faults[] = {"Killed",           "No space left",         "Disk quota exceeded",
-                                    "Stale file handle", "Read-only file system", "Input/output error"};
+  constexpr const char* faults[] = {"Killed",
+                                    "No space left",
+                                    "Disk quota exceeded",
+                                    "Stale file handle",
+                                    "Read-only file system",
+                                    "Input/output error"};
   constexpr const char* lacks[] = {"Cannot allocate memory", "out of memory", "memory exhausted"};
   const bool is_fault = std::ranges::any_of(faults, says) ||
                         (std::ranges::any_of(lacks, says) && !has_memory(memory));
@@ -295,8 +299,10 @@ void require(const Step& step) {
   const auto run = run_confined(step);
   if (run.succeeded()) return;
   const std::string why = without_places(step.layout, step.directory, run.errors);
-  throw MachineError(fmt::format("the compiler fails on any file here: {}",
-                                 sandbox::printable_line(why.substr(0, why.find('\n')))));
+  throw MachineError(
+      fmt::format("the compiler fails on any file here: {}",
+                  why.empty() ? fmt::format("exit status {}, signal {}", run.exit_code, run.signal)
+                              : sandbox::printable_line(why.substr(0, why.find('\n')))));
 }
 
 void compile_known_text(const Unit& unit, const fs::path& directory) {
@@ -355,11 +361,11 @@ StepResult run_step(const Step& step, const std::function<void()>& probe,
     probe();
     const std::chrono::duration<double> probed = std::chrono::steady_clock::now() - start;
     // Nobody is blamed for one pause of the machine, or for one moment without processes.
-    const bool was_killed = run.result.signal == SIGKILL && run.result.cpu_seconds < limits.cpu_seconds;
+    const bool was_killed =
+        run.result.signal == SIGKILL && run.result.cpu_seconds < limits.cpu_seconds;
     const std::string fault = fault_of_machine(run.result.errors, limits.memory);
-    const bool is_text = run.stopped.empty()
-                             ? fault.empty() && is_text_at_fault(run.result.errors)
-                             : !run.result.out_of_time && !was_killed;
+    const bool is_text = run.stopped.empty() ? fault.empty() && is_text_at_fault(run.result.errors)
+                                             : !run.result.out_of_time && !was_killed;
     if (is_text) break;
     if (is_last) {
       if (!fault.empty()) throw MachineError(fault);
@@ -385,10 +391,10 @@ Object compile(const Unit& unit) {
   if (text.find_first_not_of(" \t\r\n\xef\xbb\xbf") == std::string::npos) {
     return {{}, fmt::format("{} is empty.", name)};
   }
-  const std::string key = fmt::format(
-      "{} {} {} {} {}", rules, fmt::join(all_flags(unit.layout), " "),
-      fmt::join(include_flags(unit.layout, unit.trusted), " "),
-      hash_of_surroundings(unit.layout, unit.trusted), text);
+  const std::string key =
+      fmt::format("{} {} {} {} {}", rules, fmt::join(all_flags(unit.layout), " "),
+                  fmt::join(include_flags(unit.layout, unit.trusted), " "),
+                  hash_of_surroundings(unit.layout, unit.trusted), text);
   const fs::path slot = slot_of(unit);
   if (const auto object = find_cached(slot, "o", key)) return {*object, {}, 0, key};
   // Other labs of this run use the same files.

@@ -201,7 +201,8 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
             : fmt::format("`{}` is defined twice.", name));
   }
   if (lines.empty()) {
-    return fmt::format("{} does not link:\n{}", lab.file(), joined(lines_of(diagnostics), lab.file()));
+    return fmt::format("{} does not link:\n{}", lab.file(),
+                       joined(lines_of(diagnostics), lab.file()));
   }
   if (lines.size() > most_lines) {
     lines[most_lines] = fmt::format("… and {} more lines", lines.size() - most_lines);

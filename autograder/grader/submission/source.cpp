@@ -74,7 +74,9 @@ SourceFile read_source(const fs::path& file) {
   if (length > longest_source) return too_long(length);
   source.text.resize(length);
   if (is_utf_16(source.text)) {
-    return {{}, fmt::format("{} is encoded in UTF-16, which compilers do not read. Save it as UTF-8.", name)};
+    return {{},
+            fmt::format("{} is encoded in UTF-16, which compilers do not read. Save it as UTF-8.",
+                        name)};
   }
   return source;
 }

@@ -81,16 +81,16 @@ const std::vector<fs::path>& toolchain(const Layout& layout) {
 }
 
 sandbox::Environment compiler_environment(const fs::path& directory) {
-  return {{"TMPDIR", directory.string()},
-          {"HOME", directory.string()},
-          {"COMPILER_PATH", fmt::format("{}", fmt::join(sandbox::places_in("COMPILER_PATH"), ":"))}};
+  return {
+      {"TMPDIR", directory.string()},
+      {"HOME", directory.string()},
+      {"COMPILER_PATH", fmt::format("{}", fmt::join(sandbox::places_in("COMPILER_PATH"), ":"))}};
 }
 
 std::string identity_of_compiler(const Layout& layout) {
   const fs::path real = fs::canonical(layout.compiler);
-  std::string identity =
-      fmt::format("{} {} {}", layout.compiler, fs::file_size(real),
-                  fs::last_write_time(real).time_since_epoch().count());
+  std::string identity = fmt::format("{} {} {}", layout.compiler, fs::file_size(real),
+                                     fs::last_write_time(real).time_since_epoch().count());
   for (const auto& [name, value] : sandbox::fixed_environment()) identity += ' ' + value;
   for (const auto& [name, value] : compiler_environment({})) identity += ' ' + value;
   return identity;

@@ -170,9 +170,9 @@ TEST_CASE("as the only user of a user namespace, and with a lower stack, it judg
     CAPTURE(how, run.output, run.errors);
     CHECK(contains(run.output, "100 of 100"));
   }
-  const auto low = sandbox::run_process(
-      joined({"prlimit", "--as=1000000000:1000000000"},
-             course.grade(course.build, "class/" + course.ids[0], {})));
+  const auto low =
+      sandbox::run_process(joined({"prlimit", "--as=1000000000:1000000000"},
+                                  course.grade(course.build, "class/" + course.ids[0], {})));
   CAPTURE(low.output, low.errors);
   CHECK((contains(low.output, "100 of 100") || contains(low.errors, "ulimit -Hv")));
 }
