@@ -7,7 +7,8 @@ option(MC_COVERAGE "count the lines of sandbox, protocol and grader that run (.c
 
 # with_warnings(<target>): the warnings that the project is free of.
 function(with_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion
+    -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)  # no program names the directory that it was built in
   if(MC_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

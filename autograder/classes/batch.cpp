@@ -54,6 +54,7 @@ Verdict blank_verdict(const Context& context, const IntakeEntry& entry,
   verdict.seed = options.seed;
   verdict.version = context.layout.version;
   verdict.jail_complete = sandbox::jail_is_complete();
+  verdict.reads_confined = sandbox::places_are_enforced();
   verdict.unreadable = entry.unreadable;
   verdict.others = entry.submission.others;
   for (const Lab& lab : context.labs) {

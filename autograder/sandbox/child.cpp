@@ -2,86 +2,18 @@
 
 #include <signal.h>
 #include <sys/syscall.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <utility>
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
 
 namespace mc::sandbox {
-namespace {
-
-/// In the watchman: positive numbers are groups to guard, negative ones to release; the end of the
-/// pipe means that the judge has ended. Must not allocate: its parent has threads.
-[[noreturn]] void watch(int notes) {
-  setsid();
-  // Do not keep the judge's streams open.
-  for (int descriptor = 0; descriptor < 1024; ++descriptor) {
-    if (descriptor != notes) close(descriptor);
-  }
-  for (const int ignored : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) signal(ignored, SIG_IGN);
-  static std::array<pid_t, 4096> groups;
-  std::size_t count = 0;
-  pid_t note = 0;
-  for (;;) {
-    const ssize_t got = read(notes, &note, sizeof note);
-    if (got < 0 && errno == EINTR) continue;
-    if (got != static_cast<ssize_t>(sizeof note)) break;
-    if (note > 0 && count < groups.size()) groups[count++] = note;
-    if (note < 0) {
-      const auto end = groups.begin() + static_cast<std::ptrdiff_t>(count);
-      const auto found = std::find(groups.begin(), end, -note);
-      if (found != end) *found = groups[--count];
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) kill(-groups[i], SIGKILL);
-  _exit(0);
-}
-
-/// The writing end of the watchman's pipe; -1 if there is no watchman.
-int notes() {
-  static const int descriptor = [] {
-    Pipe pipe = make_pipe();
-    const pid_t watchman = fork();
-    if (watchman == 0) {
-      // Forked twice, so that init adopts it and this process need not wait for it.
-      const pid_t grandchild = fork();
-      if (grandchild == 0) watch(pipe.read.get());
-      _exit(grandchild < 0 ? 1 : 0);
-    }
-    int status = 1;
-    if (watchman > 0) {
-      while (waitpid(watchman, &status, 0) < 0 && errno == EINTR) {
-      }
-    }
-    // No processes left: without a reader, a write would raise SIGPIPE.
-    if (status != 0) return -1;
-    static Descriptor kept;
-    kept = std::move(pipe.write);
-    return kept.get();
-  }();
-  return descriptor;
-}
-
-void send_note(pid_t note) {
-  const int descriptor = notes();
-  if (descriptor < 0) return;
-  // Writes are shorter than PIPE_BUF, so they are atomic.
-  while (write(descriptor, &note, sizeof note) < 0 && errno == EINTR) {
-  }
-}
-
-}  // namespace
-
 Descriptor end_of(pid_t pid) {
-#ifdef SYS_pidfd_open
   const int raw = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
-  if (raw >= 0) return Descriptor(raw, "pidfd");
-#endif
-  (void)pid;
-  return {};
+  return raw < 0 ? Descriptor() : Descriptor(raw, "pidfd");
 }
 
 void kill_group(pid_t leader) {
@@ -97,20 +29,47 @@ double cpu_seconds_of(const rusage& used) {
 }
 
 std::size_t peak_memory_of(const rusage& used) {
-#ifdef __APPLE__
-  constexpr std::size_t unit = 1;
-#else
-  constexpr std::size_t unit = 1024;
-#endif
-  return static_cast<std::size_t>(used.ru_maxrss) * unit;
+  return static_cast<std::size_t>(used.ru_maxrss) * 1024;
 }
 
-GroupGuard::GroupGuard(pid_t leader) : leader_(leader) {
-  send_note(leader_);
+bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
+  rlimit value{soft, hard};
+  if (setrlimit(resource, &value) == 0) return true;
+  rlimit now{};
+  if (getrlimit(resource, &now) != 0) return false;
+  value = {std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
+  return setrlimit(resource, &value) == 0;
 }
 
-GroupGuard::~GroupGuard() {
-  send_note(-leader_);
+std::string lowered_limit(double cpu_seconds, std::size_t memory, std::size_t file_size) {
+  const struct {
+    decltype(RLIMIT_CPU) resource;
+    rlim_t needed, unit;
+    const char *name, *option, *in;
+  } limits[] = {
+      {RLIMIT_CPU, static_cast<rlim_t>(std::ceil(cpu_seconds)), 1, "CPU time", "-Ht", "s"},
+      {RLIMIT_AS, memory, 1 << 20, "memory", "-Hv", "MB"},
+      {RLIMIT_FSIZE, file_size, 1 << 20, "file size", "-Hf", "MB"}};
+  for (const auto& one : limits) {
+    rlimit now{};
+    if (getrlimit(one.resource, &now) != 0 || now.rlim_max >= one.needed) continue;
+    return fmt::format("the limit on {} here is {} {} (ulimit {}), and {} {} are needed: raise it",
+                       one.name, now.rlim_max / one.unit, one.in, one.option, one.needed / one.unit,
+                       one.in);
+  }
+  return {};
+}
+
+bool may_become(uid_t user) {
+  if (geteuid() != 0) return false;
+  for (const char* map : {"/proc/self/uid_map", "/proc/self/gid_map"}) {
+    std::ifstream lines(map);
+    unsigned long first = 0, outside = 0, count = 0;
+    bool has_user = !lines;  // without /proc: as everywhere
+    while (lines >> first >> outside >> count) has_user |= user >= first && user - first < count;
+    if (!has_user) return false;
+  }
+  return true;
 }
 
 }  // namespace mc::sandbox

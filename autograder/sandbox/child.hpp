@@ -1,10 +1,11 @@
 #pragma once
-// Child processes: their end, what they used, and that none outlives the judge.
+// Child processes: their end, their limits, what they used.
 
 #include <sys/resource.h>
 #include <sys/types.h>
 
 #include <cstddef>
+#include <string>
 
 #include "sandbox/descriptor.hpp"
 
@@ -19,17 +20,14 @@ void kill_group(pid_t leader);
 double cpu_seconds_of(const rusage& used);
 std::size_t peak_memory_of(const rusage& used);  ///< in bytes
 
-/// Started processes lead their own groups. A watchman process, forked once, learns of each group
-/// and kills those that remain when this process has ended in any way, with all grandchildren.
-class GroupGuard {
- public:
-  /// Guards the group of `leader` until destruction.
-  explicit GroupGuard(pid_t leader);
-  ~GroupGuard();
-  GroupGuard(const GroupGuard&) = delete;
+/// Lowers a limit for good; a lower hard limit stays. Async-signal-safe.
+bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard);
 
- private:
-  pid_t leader_;
-};
+/// The first limit of this process (`ulimit -H`) that is below what a child needs, as a sentence
+/// with the remedy; empty if there is none. What a child exceeds is then not its fault.
+std::string lowered_limit(double cpu_seconds, std::size_t memory, std::size_t file_size);
+
+/// May this process become that user? Only root may, and only in a user namespace that has the user.
+bool may_become(uid_t user);
 
 }  // namespace mc::sandbox

@@ -1,94 +1,68 @@
 #include "sandbox/confinement.hpp"
 
 #include <fcntl.h>
+#include <linux/landlock.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstddef>
 #include <cstdint>
-#include <iterator>
-
-#ifdef __linux__
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
-#include <sys/syscall.h>
-#if __has_include(<linux/landlock.h>) && defined(SYS_landlock_create_ruleset)
-#include <linux/landlock.h>
-#define MC_HAVE_LANDLOCK 1
-#endif
-#endif
 
 namespace mc::sandbox {
 namespace {
 
-#ifdef MC_HAVE_LANDLOCK
-
-/// Every change to a file system that this kernel can forbid (landlock(7)).
-std::uint64_t forbidden_writes(long abi) {
-  std::uint64_t all = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
-                      LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
-                      LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
-                      LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
-                      LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
-#ifdef LANDLOCK_ACCESS_FS_REFER
-  if (abi >= 2) all |= LANDLOCK_ACCESS_FS_REFER;
-#endif
-#ifdef LANDLOCK_ACCESS_FS_TRUNCATE
-  if (abi >= 3) all |= LANDLOCK_ACCESS_FS_TRUNCATE;
-#endif
-  (void)abi;
-  return all;
+/// The version of Landlock; below 1 if the kernel has none, or if it is disabled.
+long landlock_version() {
+  return syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
 }
 
-#endif
+constexpr std::uint64_t on_files =
+    LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_READ_FILE;
+constexpr std::uint64_t reading =
+    LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+
+/// Every kind of access that this version can forbid: 13 in the first, then REFER, then TRUNCATE.
+std::uint64_t all_access(long version) {
+  return (std::uint64_t{1} << (version >= 3 ? 15 : version == 2 ? 14 : 13)) - 1;
+}
 
 }  // namespace
 
-Descriptor ruleset_for([[maybe_unused]] const std::filesystem::path& writable) {
-#ifdef MC_HAVE_LANDLOCK
-  const long abi =
-      syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
-  if (abi < 1) return {};
-  landlock_ruleset_attr handled{};
-  handled.handled_access_fs = forbidden_writes(abi);
-  const long raw = syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0);
-  if (raw < 0) return {};
-  Descriptor ruleset(static_cast<int>(raw), "landlock");
-  const auto allow = [&](const char* place, std::uint64_t access) {
-    const Descriptor parent(open(place, O_PATH | O_CLOEXEC), place);
-    const landlock_path_beneath_attr rule{access, parent.get()};
-    if (syscall(SYS_landlock_add_rule, ruleset.get(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0) {
-      fail("landlock");
-    }
-  };
-  allow(writable.c_str(), handled.handled_access_fs);
-  allow("/dev/null", LANDLOCK_ACCESS_FS_WRITE_FILE);
-  return ruleset;
-#else
-  return {};
-#endif
+bool places_are_enforced() {
+  static const bool are = landlock_version() >= 1;
+  return are;
 }
 
-bool confine([[maybe_unused]] const Descriptor& ruleset) {
-#ifdef __linux__
-  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
-#ifdef MC_HAVE_LANDLOCK
-  if (ruleset && syscall(SYS_landlock_restrict_self, ruleset.get(), 0) != 0) return false;
-#endif
-  // socket() fails with EACCES. If a container allows no filter, compilers run without one: they do
-  // not use the network, and run no untrusted code.
-  constexpr auto call = static_cast<std::uint32_t>(SYS_socket);
-  sock_filter rules[] = {
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | (EACCES & SECCOMP_RET_DATA)),
-      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+Descriptor ruleset_for(const Places& places) {
+  if (!places_are_enforced()) return {};
+  const std::uint64_t all = all_access(landlock_version());
+  const landlock_ruleset_attr handled{.handled_access_fs = all};
+  Descriptor ruleset(
+      static_cast<int>(syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0)),
+      "landlock");
+  const auto allow = [&](const std::filesystem::path& place, std::uint64_t access) {
+    const int raw = open(place.c_str(), O_PATH | O_CLOEXEC);
+    if (raw < 0 && (errno == ENOENT || errno == ENOTDIR || errno == EACCES)) return;
+    const Descriptor opened(raw, place.native());
+    struct stat status {};
+    if (fstat(opened.get(), &status) != 0) fail(place.native());
+    const landlock_path_beneath_attr rule{S_ISDIR(status.st_mode) ? access : access & on_files,
+                                          opened.get()};
+    if (syscall(SYS_landlock_add_rule, ruleset.get(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0) {
+      fail("landlock: " + place.native());
+    }
   };
-  const sock_fprog filter{static_cast<unsigned short>(std::size(rules)), rules};
-  prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter);
-#endif
-  return true;
+  for (const std::filesystem::path& place : places.readable) allow(place, reading);
+  allow(places.writable, all & ~std::uint64_t{LANDLOCK_ACCESS_FS_EXECUTE});
+  allow("/dev/null", LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE);
+  return ruleset;
+}
+
+bool confine(const Descriptor& ruleset) {
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         (!ruleset || syscall(SYS_landlock_restrict_self, ruleset.get(), 0) == 0);
 }
 
 }  // namespace mc::sandbox

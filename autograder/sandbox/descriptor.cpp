@@ -43,11 +43,7 @@ void Descriptor::reset() {
 
 Pipe make_pipe() {
   int ends[2];
-#ifdef __linux__
   if (pipe2(ends, O_CLOEXEC) != 0) fail("pipe");  // no child of another thread inherits them
-#else
-  if (pipe(ends) != 0) fail("pipe");
-#endif
   Descriptor read;
   try {
     read = Descriptor(ends[0], "pipe");
@@ -73,6 +69,12 @@ bool read_available(const Descriptor& from, std::string& to, std::size_t most) {
     }
   }
   return true;
+}
+
+void open_standard_streams() {
+  int raw = open("/dev/null", O_RDWR);
+  while (raw >= 0 && raw <= 2) raw = open("/dev/null", O_RDWR);
+  if (raw > 2) close(raw);
 }
 
 void make_nonblocking(const Descriptor& descriptor) {

@@ -45,35 +45,28 @@ class SharedFailure {
 };
 
 struct Start {
-  Executable program;
+  int program;
   Ends ends;
   const Limits& limits;
   LaunchFailure& failure;
 };
 
 /// Starts a process that locks itself down and becomes the program. Returns its pid; -1 if there is
-/// none. On Linux without a copy of the parent's memory: after a fork, each page that the parent
-/// writes is a fault, and one check starts dozens of programs. No signal handler of ours may run in
-/// the child.
+/// none. Without a copy of the parent's memory: after a fork, each page that the parent writes is a
+/// fault, and one check starts dozens of programs. No signal handler of ours may run in the child.
 [[gnu::noinline]] pid_t start(const Start& start) {
   const pid_t parent = getpid();
-#ifdef __linux__
   sigset_t all, before;
   sigfillset(&all);
   sigprocmask(SIG_BLOCK, &all, &before);
   const pid_t pid = vfork();
-#else
-  const pid_t pid = fork();
-#endif
   if (pid == 0) {
     lock_down_and_exec(start.program, start.ends, start.limits, parent, start.failure);
     _exit(127);
   }
-#ifdef __linux__
   const int error = errno;
   sigprocmask(SIG_SETMASK, &before, nullptr);
   errno = error;
-#endif
   return pid;
 }
 
@@ -178,6 +171,8 @@ Outcome interpret(const Watch& child, const Limits& limits) {
 
   // Which limit a runaway program reaches first depends on the machine; the report must not.
   const auto over_limit = [&] {
+    const std::string low = lowered_limit(limits.cpu_seconds, limits.memory, 0);
+    if (!low.empty()) throw std::system_error(EPERM, std::generic_category(), low);
     outcome.answered = false;
     outcome.failure = fmt::format("did not end within {} s of CPU time and {} MB of memory",
                                   limits.cpu_seconds, limits.memory >> 20);
@@ -220,12 +215,7 @@ std::string exception_text(std::string_view text) {
 }
 
 Program open_program(const std::string& path) {
-#ifdef O_PATH
-  const int raw = open(path.c_str(), O_PATH | O_CLOEXEC);
-#else
-  const int raw = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-#endif
-  return {Descriptor(raw, path), path};
+  return {Descriptor(open(path.c_str(), O_PATH | O_CLOEXEC), path), path};
 }
 
 Outcome run_jailed(const Program& program, std::string_view request, const Limits& limits) {
@@ -246,7 +236,7 @@ Outcome run_jailed(int descriptor, const std::string& path, std::string_view req
   for (const Descriptor* ours : {&to_child.write, &printed.read, &response.read}) {
     make_nonblocking(*ours);
   }
-  const pid_t pid = start({{descriptor, path.c_str()},
+  const pid_t pid = start({descriptor,
                            {to_child.read.get(), printed.write.get(), response.write.get()},
                            limits,
                            *launch});

@@ -1,9 +1,11 @@
 #include "sandbox/lockdown.hpp"
 
 #include <fcntl.h>
-#include <grp.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -18,14 +20,11 @@
 #include <system_error>
 #include <vector>
 
-#ifdef __linux__
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
-#endif
 #ifdef MC_HAVE_SECCOMP
 #include <seccomp.h>
 #endif
+
+#include "sandbox/child.hpp"
 
 namespace mc::sandbox {
 namespace {
@@ -33,14 +32,15 @@ namespace {
 constexpr int program_descriptor = 4;  // after request 0, printed 1 and 2, response 3
 
 /// The arguments of execveat, on one page at an unpredictable address. The filter allows exec only
-/// with pointers into this page; the page disappears with the exec, so no second one can follow.
+/// with pointers into this page; the page disappears with the exec, so no second one can follow. A
+/// filter cannot read a path, and an address that is known could be a section of the program.
 struct LaunchPage {
-  char empty_path[8];
-  char name[16];
-  char* arguments[2];
-  char* environment[1];
+  char empty_path[8] = "", name[16] = "submission";
+  char* arguments[2] = {name, nullptr};
+  char* environment[1] = {};
 };
 LaunchPage* launch_page = nullptr;
+bool can_become_nobody = false;
 
 #ifdef MC_HAVE_SECCOMP
 
@@ -50,25 +50,6 @@ constexpr std::uint32_t pid_placeholder = 0x5eedc0deu;  // no pid: those end at 
 
 [[noreturn]] void fail_with(int error, const char* action) {
   throw std::system_error(error < 0 ? -error : error, std::generic_category(), action);
-}
-
-LaunchPage* make_launch_page() {
-  std::random_device random;
-  const auto page_size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  for (int attempt = 0; attempt < 64; ++attempt) {
-    const std::uint64_t bits = std::uint64_t{random()} << 32 | random();
-    const std::uint64_t address = (bits & 0x3fff'ffff'0000u) + 0x1000'0000'0000u;
-    void* page = mmap(reinterpret_cast<void*>(address), page_size, PROT_READ | PROT_WRITE,
-                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
-    if (page == MAP_FAILED) continue;
-    if (page == reinterpret_cast<void*>(address)) {
-      auto* launch = new (page) LaunchPage{"", "submission", {}, {}};
-      launch->arguments[0] = launch->name;
-      return launch;
-    }
-    munmap(page, page_size);
-  }
-  fail_with(ENOMEM, "no page for the launch");
 }
 
 /// Allows `call` if all `conditions` on its arguments hold.
@@ -151,25 +132,14 @@ std::vector<sock_filter> export_filter() {
 
 #endif  // MC_HAVE_SECCOMP
 
-bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
-  const rlimit value{soft, hard};
-  return setrlimit(resource, &value) == 0;
-}
-
 /// Direct system calls: the C library's functions would involve the parent's threads.
 bool become_nobody() {
-#ifdef __linux__
   return syscall(SYS_setgroups, 0, nullptr) == 0 && syscall(SYS_setgid, jailed_user) == 0 &&
          syscall(SYS_setuid, jailed_user) == 0;
-#else
-  return setgroups(0, nullptr) == 0 && setgid(jailed_user) == 0 && setuid(jailed_user) == 0;
-#endif
 }
 
 void close_from(int first) {
-#ifdef SYS_close_range
-  if (syscall(SYS_close_range, first, ~0u, 0) == 0) return;
-#endif
+  if (syscall(SYS_close_range, first, ~0u, 0) == 0) return;  // Linux 5.9
   for (int descriptor = first; descriptor < 4096; ++descriptor) close(descriptor);
 }
 
@@ -184,18 +154,21 @@ bool jail_is_complete() {
 }
 
 void prepare_lockdown() {
+  can_become_nobody = may_become(jailed_user);
+  std::random_device random;
+  const std::uint64_t bits = std::uint64_t{random()} << 32 | random();
+  const std::uint64_t address = (bits & 0x3fff'ffff'0000u) + 0x1000'0000'0000u;  // a wish
+  void* const page = mmap(reinterpret_cast<void*>(address), sizeof(LaunchPage),
+                          PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) fail("mmap");
+  launch_page = new (page) LaunchPage;
 #ifdef MC_HAVE_SECCOMP
-  launch_page = make_launch_page();
   filter = export_filter();
-#else
-  static LaunchPage page{"", "submission", {}, {}};
-  page.arguments[0] = page.name;
-  launch_page = &page;
 #endif
 }
 
-void lock_down_and_exec(const Executable& program, const Ends& ends, const Limits& limits,
-                        pid_t parent, LaunchFailure& failure) {
+void lock_down_and_exec(int program, const Ends& ends, const Limits& limits, pid_t parent,
+                        LaunchFailure& failure) {
   const auto failed = [&](const char* action) {
     failure.action = action;
     failure.error = errno;
@@ -203,7 +176,7 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
 
   if (setsid() < 0) return failed("setsid");
   if (dup2(ends.request, 0) < 0 || dup2(ends.printed, 1) < 0 || dup2(ends.printed, 2) < 0 ||
-      dup2(ends.response, 3) < 0 || dup2(program.descriptor, program_descriptor) < 0) {
+      dup2(ends.response, 3) < 0 || dup2(program, program_descriptor) < 0) {
     return failed("dup2");
   }
   if (fcntl(program_descriptor, F_SETFD, FD_CLOEXEC) != 0) return failed("fcntl");
@@ -219,25 +192,19 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
   const auto cpu = static_cast<rlim_t>(std::ceil(limits.cpu_seconds));
   constexpr rlim_t stack = rlim_t{16} << 20;
   if (!limit(RLIMIT_CPU, cpu, cpu + 1) || !limit(RLIMIT_STACK, stack, stack) ||
-      !limit(RLIMIT_FSIZE, 0, 0) || !limit(RLIMIT_CORE, 0, 0)) {
+      !limit(RLIMIT_FSIZE, 0, 0) || !limit(RLIMIT_CORE, 0, 0) ||
+      !limit(RLIMIT_AS, limits.memory, limits.memory)) {
     return failed("setrlimit");
   }
-#ifdef __linux__
-  if (!limit(RLIMIT_AS, limits.memory, limits.memory)) return failed("setrlimit");
-#endif
 
-  if (geteuid() == 0 && !become_nobody()) return failed("becoming nobody");
+  if (can_become_nobody && !become_nobody()) return failed("becoming nobody");
   // After the user change: a limit of 0 before it would forbid the exec that follows it.
   if (!limit(RLIMIT_NPROC, 0, 0)) return failed("setrlimit");
 
-#ifdef __linux__
   // After the user change, which resets it.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return failed("prctl");
   if (getppid() != parent) _exit(127);  // the parent died before prctl took effect
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("no_new_privs");
-#else
-  (void)parent;
-#endif
 
 #ifdef MC_HAVE_SECCOMP
   sock_filter own[longest_filter];  // the parent's memory may be shared until the exec
@@ -250,12 +217,8 @@ void lock_down_and_exec(const Executable& program, const Ends& ends, const Limit
   if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &installed) != 0) return failed("seccomp");
 #endif
 
-#ifdef __linux__
   syscall(SYS_execveat, program_descriptor, launch_page->empty_path, launch_page->arguments,
           launch_page->environment, AT_EMPTY_PATH);
-#else
-  execve(program.path, launch_page->arguments, launch_page->environment);
-#endif
   failed("exec");
 }
 

@@ -8,12 +8,6 @@
 
 namespace mc::sandbox {
 
-/// The program: an open descriptor, or its path where there is no execveat.
-struct Executable {
-  int descriptor;
-  const char* path;
-};
-
 /// Descriptors of the child: these, in this order, and no others.
 struct Ends {
   int request, printed, response;
@@ -31,9 +25,9 @@ void prepare_lockdown();
 
 /// Runs in the child, which may share its memory with the parent until the exec (vfork): only
 /// async-signal-safe calls, and no writes except to its own stack and `failure`. Drops all rights
-/// and executes the program; returns only if that failed, with the reason in `failure`.
-void lock_down_and_exec(const Executable& program, const Ends& ends, const Limits& limits,
-                        pid_t parent, LaunchFailure& failure);
+/// and executes the open `program`; returns only if that failed, with the reason in `failure`.
+void lock_down_and_exec(int program, const Ends& ends, const Limits& limits, pid_t parent,
+                        LaunchFailure& failure);
 
 /// The user `nobody`, which runs programs when the judge is root.
 constexpr uid_t jailed_user = 65534;

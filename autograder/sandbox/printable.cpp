@@ -40,7 +40,8 @@ std::string printable(std::string_view text) {
         whole && point >= smallest[length] && point <= 0x10ffff &&
         !(point >= 0xd800 && point <= 0xdfff) && (point & 0xfffe) != 0xfffe &&
         !is_deceptive(point) &&
-        (point >= 0xa0 || (point >= 0x20 && point < 0x7f) || point == '\n' || point == '\t');
+        (point >= 0xa0 || (point >= 0x20 && point < 0x7f) || point == '\n' || point == '\t') &&
+        !(byte == '[' && clean.ends_with("##"));  // ##[ is a command to GitHub, anywhere in a line
     if (allowed) {
       clean.append(text.substr(i, length));
       i += length;
@@ -57,6 +58,16 @@ std::string printable_line(std::string_view text) {
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return line;
+}
+
+std::string marked(std::string_view text) {
+  std::string all;
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    all += "| " + std::string(text.substr(0, end)) + '\n';
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return all;
 }
 
 std::string shortened(std::string_view text, std::size_t most) {

@@ -2,8 +2,13 @@
 
 #include <fcntl.h>
 #include <grp.h>
+#include <linux/close_range.h>
 #include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,29 +21,23 @@
 #include <sstream>
 #include <system_error>
 
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sandbox/child.hpp"
-#include "sandbox/confinement.hpp"
 #include "sandbox/descriptor.hpp"
-
-extern char** environ;
 
 namespace mc::sandbox {
 namespace {
 
-std::vector<std::string> environment_with(
-    const std::vector<std::pair<std::string, std::string>>& changes) {
+std::vector<std::string> variables_of(const Environment& additions) {
   std::vector<std::string> all;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string text = *entry;
-    bool replaced = false;
-    for (const auto& [name, value] : changes) replaced |= text.starts_with(name + "=");
-    if (!replaced) all.push_back(text);
+  for (const auto& [name, value] : fixed_environment()) {
+    const bool is_replaced =
+        std::ranges::any_of(additions, [&](const auto& one) { return one.first == name; });
+    if (!is_replaced) all.push_back(name + '=' + value);
   }
-  for (const auto& [name, value] : changes) all.push_back(name + "=" + value);
+  for (const auto& [name, value] : additions) all.push_back(name + '=' + value);
   return all;
 }
 
@@ -60,65 +59,58 @@ struct Launch {
   const Descriptor& ruleset;  ///< of a confined program
 };
 
-bool limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
-  const rlimit both{value, value};
-  return setrlimit(resource, &both) == 0;
-}
-
 /// Runs in the child, between fork and exec: async-signal-safe calls only.
 [[noreturn]] void become(const Launch& launch, const ProcessOptions& options) {
   // In its own session: it is killed with all processes it started, and never reads a terminal.
   setsid();
-#ifdef __linux__
-  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != launch.parent) _exit(exit_not_started);
-#endif
   if (dup2(launch.input, 0) < 0 || dup2(launch.output, 1) < 0 || dup2(launch.errors, 2) < 0) {
     _exit(exit_not_started);
   }
+  // Also what we inherited ourselves. Before Linux 5.11 only our own, which close by themselves.
+  syscall(SYS_close_range, 3, ~0u, CLOSE_RANGE_CLOEXEC);
   // Our descriptors are all above those given to a child (descriptor.hpp): none overlap.
   for (const auto& [ours, theirs] : options.descriptors) {
     if (dup2(ours, theirs) < 0) _exit(exit_not_started);
   }
   if (*launch.directory != '\0' && chdir(launch.directory) != 0) _exit(exit_not_started);
   bool limited = true;
+  const auto both = [&](decltype(RLIMIT_CPU) resource, rlim_t value) {
+    limited &= limit(resource, value, value);
+  };
   if (options.cpu_seconds > 0) {
-    limited &= limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(options.cpu_seconds)));
+    both(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(options.cpu_seconds)));
   }
-  if (options.file_size > 0) limited &= limit(RLIMIT_FSIZE, options.file_size);
-  if (options.memory > 0) limited &= limit(RLIMIT_CORE, 0);
-#ifdef __linux__
-  if (options.memory > 0) limited &= limit(RLIMIT_AS, options.memory);
-#endif
+  if (options.file_size > 0) both(RLIMIT_FSIZE, options.file_size);
+  if (options.memory > 0) {
+    both(RLIMIT_CORE, 0);
+    both(RLIMIT_AS, options.memory);
+  }
   if (!limited) _exit(exit_not_started);
   signal(SIGPIPE, SIG_DFL);
   if (options.user != 0 &&
       (setgroups(0, nullptr) != 0 || setgid(options.user) != 0 || setuid(options.user) != 0)) {
     _exit(exit_not_started);
   }
-#ifdef __linux__
-  // Again, because the change of user resets it.
-  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) _exit(exit_not_started);
-#endif
-  if (options.confined && !confine(launch.ruleset)) _exit(exit_not_started);
+  // After the change of user, which resets it.
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != launch.parent) _exit(exit_not_started);
+  if (options.places != nullptr && !confine(launch.ruleset)) _exit(exit_not_started);
   execve(launch.path, launch.arguments, launch.environment);
   _exit(127);
 }
 
-/// An unnamed file in the working directory of a confined program.
-Descriptor unnamed_file(const std::string& directory) {
-  std::string name = directory + "/output-XXXXXX";
-  const int raw = mkostemp(name.data(), O_CLOEXEC);
-  Descriptor file(raw, "output");
-  unlink(name.c_str());
-  return file;
+/// For the output of a program. A pipe would let it wait: a text can make a compiler read its own
+/// output (/proc/self/fd/1), and a file has an end.
+Descriptor unnamed_file() {
+  return Descriptor(memfd_create("output", MFD_CLOEXEC), "memfd_create");
 }
 
 std::string text_in(const Descriptor& file, std::size_t most) {
-  std::string text(most, '\0');
+  const off_t end = lseek(file.get(), 0, SEEK_END);
+  std::string text(std::min(most, static_cast<std::size_t>(std::max<off_t>(end, 0))), '\0');
   std::size_t length = 0;
-  while (length < most) {
+  while (length < text.size()) {
     const ssize_t got =
-        pread(file.get(), text.data() + length, most - length, static_cast<off_t>(length));
+        pread(file.get(), text.data() + length, text.size() - length, static_cast<off_t>(length));
     if (got <= 0) break;
     length += static_cast<std::size_t>(got);
   }
@@ -126,132 +118,119 @@ std::string text_in(const Descriptor& file, std::size_t most) {
   return text;
 }
 
-/// How long the program may still run.
-class Patience {
- public:
-  explicit Patience(const ProcessOptions& options) : options_(options) {}
-
-  /// Milliseconds to wait for the next event, at most `most`.
-  int milliseconds(double most) const {
-    if (options_.stop != nullptr) most = std::min(most, 200.0);
-    if (options_.wall_seconds > 0 && !killed_) most = std::min(most, 1000 * seconds_left() + 1);
-    return std::max(1, static_cast<int>(most));
-  }
-
-  /// Kills the program's session when its time is up or a stop is requested.
-  void enforce(pid_t pid, ProcessResult& result) {
-    const bool late = options_.wall_seconds > 0 && seconds_left() <= 0;
-    const bool stopped = options_.stop != nullptr && *options_.stop;
-    if (killed_ || (!late && !stopped)) return;
-    killed_ = true;
-    result.out_of_time = late && !stopped;
-    kill_group(pid);
-  }
-
- private:
-  double seconds_left() const {
-    return options_.wall_seconds -
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-  const ProcessOptions& options_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool killed_ = false;
-};
-
-/// Reads both pipes to their end.
-void read_pipes(pid_t pid, Pipe& output, Pipe& errors, const ProcessOptions& options,
-                ProcessResult& result) {
-  Patience patience(options);
-  make_nonblocking(output.read);
-  make_nonblocking(errors.read);
-  Descriptor* const ends[] = {&output.read, &errors.read};
-  std::string* const texts[] = {&result.output, &result.errors};
-  while (*ends[0] || *ends[1]) {
-    pollfd watched[] = {{ends[0]->get(), POLLIN, 0}, {ends[1]->get(), POLLIN, 0}};
-    constexpr double day = 86'400'000;
-    if (poll(watched, 2, patience.milliseconds(day)) < 0 && errno != EINTR) fail("poll");
-    for (int i = 0; i < 2; ++i) {
-      if (!*ends[i]) continue;
-      std::string some;
-      if (!read_available(*ends[i], some, std::size_t{1} << 16)) ends[i]->reset();
-      if (texts[i]->size() < options.output) {
-        texts[i]->append(some, 0, options.output - texts[i]->size());
-      }
-    }
-    patience.enforce(pid, result);
-  }
-}
-
-/// Waits for the end of a program whose output goes to files, without reaping it.
+/// Waits for the end of a program without reaping it; kills it when its time is up or a stop is
+/// requested.
 void wait_for_end(pid_t pid, const ProcessOptions& options, ProcessResult& result) {
-  Patience patience(options);
+  const auto start = std::chrono::steady_clock::now();
   const Descriptor end = end_of(pid);
+  bool killed = false;
   for (;;) {
     siginfo_t ended{};
     if (waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
         ended.si_pid == pid) {
       return;
     }
+    const double left =
+        options.wall_seconds -
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const bool late = options.wall_seconds > 0 && left <= 0;
+    const bool stopped = options.stop != nullptr && *options.stop;
+    if (!killed && (late || stopped)) {
+      killed = true;
+      result.out_of_time = !stopped;
+      kill_group(pid);
+    }
+    double most = end ? 1000 : 2;  // milliseconds
+    if (options.stop != nullptr) most = std::min(most, 200.0);
+    if (options.wall_seconds > 0 && !killed) most = std::min(most, 1000 * left + 1);
     pollfd watched{end.get(), POLLIN, 0};
-    poll(&watched, 1, patience.milliseconds(end ? 1000 : 2));
-    patience.enforce(pid, result);
+    poll(&watched, 1, std::max(1, static_cast<int>(most)));
+  }
+}
+
+/// Reaps all that the program left, and adds what these processes used. They are our children
+/// because we adopt orphans (below).
+void reap_rest(pid_t leader, rusage& used) {
+  rusage more{};
+  for (;;) {
+    const pid_t one = wait4(-leader, nullptr, 0, &more);
+    if (one < 0 && errno == EINTR) continue;
+    if (one < 0) return;
+    timeradd(&used.ru_utime, &more.ru_utime, &used.ru_utime);
+    timeradd(&used.ru_stime, &more.ru_stime, &used.ru_stime);
+    used.ru_maxrss = std::max(used.ru_maxrss, more.ru_maxrss);
+    used.ru_oublock += more.ru_oublock;
   }
 }
 
 }  // namespace
 
+std::vector<std::string> places_in(const char* name) {
+  std::vector<std::string> places;
+  const char* const list = std::getenv(name);
+  std::istringstream parts(list == nullptr ? "" : list);
+  for (std::string place; std::getline(parts, place, ':');) {
+    // An empty or relative place is the working directory: a submission's.
+    if (place.starts_with('/')) places.push_back(place);
+  }
+  return places;
+}
+
+Environment fixed_environment() {
+  const auto path = places_in("PATH"), libraries = places_in("LD_LIBRARY_PATH");
+  const auto temporary = places_in("TMPDIR");
+  Environment fixed{{"PATH", path.empty() ? "/usr/local/bin:/usr/bin:/bin"
+                                          : fmt::format("{}", fmt::join(path, ":"))},
+                    {"LC_ALL", "C"},
+                    {"TMPDIR", temporary.empty() ? "/tmp" : temporary[0]},
+                    {"HOME", "/nonexistent"},
+                    {"CCACHE_DISABLE", "1"}};
+  if (!libraries.empty()) {
+    fixed.emplace_back("LD_LIBRARY_PATH", fmt::format("{}", fmt::join(libraries, ":")));
+  }
+  return fixed;
+}
+
 std::string found_in_path(const std::string& name) {
-  if (name.find('/') != std::string::npos) return name;
-  const char* const path = std::getenv("PATH");
-  std::istringstream places(path == nullptr ? "/usr/bin:/bin" : path);
+  if (name.empty() || name.find('/') != std::string::npos) return name;
+  std::istringstream places(fixed_environment()[0].second);
   for (std::string place; std::getline(places, place, ':');) {
     std::string file = place + '/' + name;
-    if (file[0] == '/' && access(file.c_str(), X_OK) == 0) return file;
+    if (access(file.c_str(), X_OK) == 0) return file;
   }
   return name;
 }
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+  // What a killed compiler leaves is adopted by us, not by init: so its CPU time is counted.
+  if (options.places != nullptr) prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
   auto words = command;
-  auto variables = environment_with(options.environment);
+  auto variables = variables_of(options.environment);
   const auto arguments = pointers(words), environment = pointers(variables);
   const std::string directory = options.directory.string(), path = found_in_path(command[0]);
 
   Descriptor ruleset;
-  Pipe output, errors;
-  if (options.confined) {
-    ruleset = ruleset_for(options.directory);
-    output.write = unnamed_file(directory);
-    errors.write = unnamed_file(directory);
-  } else {
-    output = make_pipe();
-    errors = make_pipe();
-  }
+  if (options.places != nullptr) ruleset = ruleset_for(*options.places);
+  const Descriptor output = unnamed_file(), errors = unnamed_file();
   const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
-  const Launch launch{path.c_str(),       arguments.data(), environment.data(),
-                      directory.c_str(),  nothing.get(),    output.write.get(),
-                      errors.write.get(), getpid(),         ruleset};
+  const Launch launch{path.c_str(),      arguments.data(), environment.data(),
+                      directory.c_str(), nothing.get(),    output.get(),
+                      errors.get(),      getpid(),         ruleset};
   const pid_t pid = fork();
   if (pid < 0) fail("fork");
   if (pid == 0) become(launch, options);
-  const GroupGuard guard(pid);  // a compiler starts more programs
 
   ProcessResult result;
-  if (options.confined) {
-    wait_for_end(pid, options, result);
-    result.output = text_in(output.write, options.output);
-    result.errors = text_in(errors.write, options.output);
-  } else {
-    output.write.reset();
-    errors.write.reset();
-    read_pipes(pid, output, errors, options, result);
-  }
+  wait_for_end(pid, options, result);
+  kill(-pid, SIGKILL);  // while its number cannot belong to another process
   int status = 0;
   rusage used{};
   while (wait4(pid, &status, 0, &used) < 0) {
     if (errno != EINTR) fail("wait4");
   }
+  reap_rest(pid, used);
+  result.output = text_in(output, options.output);
+  result.errors = text_in(errors, options.output);
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   if (result.exit_code == exit_not_started) {

@@ -1,5 +1,6 @@
 #pragma once
-// Runs a trusted program (a compiler, the checks, gnuplot) and waits for it.
+// Runs a trusted program (a compiler, the checks, git, gnuplot) and waits for it. Every external
+// program is started here, in an environment that does not depend on who types.
 
 #include <sys/types.h>
 
@@ -10,12 +11,24 @@
 #include <utility>
 #include <vector>
 
+#include "sandbox/confinement.hpp"
+
 namespace mc::sandbox {
 
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
+/// The environment of every program that run_process() starts: PATH and LD_LIBRARY_PATH of this
+/// process without relative places (a toolchain of environment modules needs both), LC_ALL=C,
+/// TMPDIR, a HOME that does not exist, CCACHE_DISABLE=1. Nothing else.
+Environment fixed_environment();
+
+/// The absolute places in a list such as PATH; those that the variable `name` has in this process.
+std::vector<std::string> places_in(const char* name);
+
 struct ProcessOptions {
-  std::filesystem::path directory = {};                               ///< working directory
-  std::vector<std::pair<std::string, std::string>> environment = {};  ///< added to our own
-  /// Our descriptors, and their numbers in the child, below 16.
+  std::filesystem::path directory = {};  ///< working directory
+  Environment environment = {};          ///< added to the fixed one; the same names are replaced
+  /// Our descriptors, and their numbers in the child, below 16. It has no others but 0, 1 and 2.
   std::vector<std::pair<int, int>> descriptors = {};
   double cpu_seconds = 0;  ///< limits, for each process it starts; 0: none
   double wall_seconds = 0;
@@ -23,10 +36,7 @@ struct ProcessOptions {
   std::size_t file_size = 0;                  ///< of each file that it writes
   std::size_t output = std::size_t{4} << 20;  ///< bytes of output kept; the rest is discarded
   const std::atomic<bool>* stop = nullptr;    ///< stops it soon after this becomes true
-  /// A program that reads untrusted text: it may write only in `directory` and has no network
-  /// (confinement.hpp). Its output goes to files, so that a text that makes it read its own output
-  /// (/proc/self/fd/1) reaches an end.
-  bool confined = false;
+  const Places* places = nullptr;             ///< confines it to these (confinement.hpp)
   uid_t user = 0;  ///< run as this user and group, with no others; 0: unchanged
 };
 
@@ -36,14 +46,14 @@ struct ProcessResult {
   bool out_of_time = false;     ///< exceeded its wall_seconds
   std::string output;           ///< standard output
   std::string errors;           ///< standard error
-  double cpu_seconds = 0;       ///< including the processes that it waited for
+  double cpu_seconds = 0;       ///< of all processes that it started
   std::size_t peak_memory = 0;  ///< resident, in bytes, of the largest
   std::size_t written = 0;      ///< bytes to disk, if the system counts them
   bool succeeded() const { return exit_code == 0; }
 };
 
 /// Runs `command`, a program and its arguments. Throws std::system_error if the machine has no
-/// process or descriptor left.
+/// process or descriptor left. What it started ends with it.
 ProcessResult run_process(const std::vector<std::string>& command,
                           const ProcessOptions& options = {});
 

@@ -46,7 +46,7 @@ TEST_CASE("errors of GCC and clang, with their source lines and their notes, wit
         "variance.cpp:4:9: error: use of undeclared identifier 'nothing'\n"
         "| \treturn nothing;\n"
         "| \t       ^\n"
-        "1 error generated.");
+        "| 1 error generated.");
   const std::string kept = first_errors(
       "variance.cpp:2:5: warning: unused variable 'unused' [-Wunused-variable]\n"
       "variance.cpp:2:5: note: of the warning\n"
@@ -87,7 +87,13 @@ TEST_CASE("positions outside the file are not quoted") {
     CHECK(first_errors(line + "\n", source) == line);
   }
   // The text of another file, which a #line may have named, is not known here.
-  CHECK(first_errors("/etc/passwd:1:1: error: x\n", source) == "/etc/passwd:1:1: error: x");
+  CHECK(first_errors("/etc/passwd:1:1: error: x\n", source) == "| /etc/passwd:1:1: error: x");
+}
+
+TEST_CASE("no line of a message can pass for a command to GitHub or for a line of a report") {
+  CHECK(first_errors("::notice file=x:1:2: error: y\n  passed  5/5\nvariance.cpp:9:9: error: z\n",
+                     source) ==
+        "| ::notice file=x:1:2: error: y\n|   passed  5/5\nvariance.cpp:9:9: error: z");
 }
 
 TEST_CASE("errors are few, short and printable") {
@@ -152,7 +158,7 @@ TEST_CASE("missing and duplicate definitions, as three linkers report them") {
 TEST_CASE("unknown linker messages are passed on, few and printable") {
   const std::string shown = grader::explain_link_errors(
       "ld: internal \x1b[31m trouble\n" + std::string(1 << 20, 'x'), lab, headers);
-  CHECK(shown.starts_with("variance.cpp does not link:\nld: internal ?[31m trouble"));
+  CHECK(shown.starts_with("variance.cpp does not link:\n| ld: internal ?[31m trouble"));
   CHECK(shown.size() < 1000);
 }
 

@@ -24,6 +24,12 @@ TEST_CASE("printable text") {
   CHECK(sandbox::printable("\u202e\u2066\u2028") == "?????????");  // other directions, other lines
 }
 
+TEST_CASE("no text is a command to GitHub, and marked lines begin with a bar") {
+  CHECK(sandbox::printable("a ##[error]x ###[b] #[c]") == "a ##?error]x ###?b] #[c]");
+  CHECK(sandbox::marked("::notice a\n\nb") == "| ::notice a\n| \n| b\n");
+  CHECK(sandbox::marked("").empty());
+}
+
 TEST_CASE("shortened text") {
   CHECK(sandbox::shortened("abc", 3) == "abc");
   CHECK(sandbox::shortened("abcd", 3) == "abc …");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "checks/support/catch.hpp"
+#include "checks/support/measure.hpp"
 #include "grader/checkout/layout.hpp"
 #include "grader/judging/check_process.hpp"
 #include "tests/text.hpp"
@@ -65,6 +66,27 @@ TEST_CASE("the record of a case says how it ended, for every kind of end in Catc
     CHECK(end(task).crashed == std::string("1.4 1.5 1.9").find(task) < 11);
   }
   CHECK(end("1.7").passed);
+}
+
+TEST_CASE("1.0 records much", "[.much]") {
+  const std::string much(std::size_t{1} << 20, 'x');
+  for (int i = 0; i < 40; ++i) {
+    checks::record(protocol::RecordKind::printed, much);
+    checks::record(protocol::RecordKind::call, much);
+  }
+  CHECK(true);
+}
+
+TEST_CASE("however much a case records, its end is not cut off") {
+  const auto program = grader::read_layout().build / "bin" / "grader_tests";
+  const auto checked = grader::run_check_program(program, "[.much]", {});
+  REQUIRE(checked.ends().size() == 1);
+  CHECK(checked.ends()[0].passed);
+  std::size_t printed = 0;
+  for (const auto& one : checked.records) {
+    if (one.kind == protocol::RecordKind::printed) printed += one.text.size();
+  }
+  CHECK(printed < (20u << 10));
 }
 
 TEST_CASE("a truncated record is ignored") {

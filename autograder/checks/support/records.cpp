@@ -8,6 +8,7 @@
 
 #include "checks/support/measure.hpp"
 #include "protocol/environment.hpp"
+#include "sandbox/printable.hpp"
 
 #if __has_include(<catch2/catch_test_macros.hpp>)
 #include <catch2/catch_test_case_info.hpp>
@@ -18,15 +19,34 @@
 #endif
 
 namespace mc::checks {
+namespace {
 
-void record(protocol::RecordKind kind, const std::string& text) {
+/// How many bytes a case may record: of printed text as much as a verdict keeps, and of all but its
+/// end less than the grader reads, so that the end is never cut off.
+constexpr std::size_t most_printed = std::size_t{16} << 10, most_of_case = std::size_t{24} << 20;
+std::size_t printed = 0, recorded = 0;
+
+}  // namespace
+
+void record(protocol::RecordKind kind, const std::string& whole) {
+  std::string text = whole;
+  if (kind == protocol::RecordKind::printed) {
+    if (printed >= most_printed) return;
+    text = sandbox::shortened(whole, most_printed - printed);
+    printed += text.size();
+  }
+  const std::string line = protocol::line_of({kind, text});
+  if (kind != protocol::RecordKind::ended) {
+    if (line.size() > most_of_case - recorded) return;
+    recorded += line.size();
+  }
   static std::FILE* const records = [] {
     const char* const descriptor = std::getenv(protocol::records_variable);
     return descriptor == nullptr || *descriptor == '\0' ? nullptr
                                                         : fdopen(std::stoi(descriptor), "w");
   }();
   if (records == nullptr) return;
-  fmt::print(records, "{}\n", protocol::line_of({kind, text}));
+  fmt::print(records, "{}\n", line);
   std::fflush(records);
 }
 
@@ -64,6 +84,7 @@ class RecordListener : public ListenerBase {
 
   void testCaseStarting(const Catch::TestCaseInfo& info) override {
     end_ = {info.name, info.tagsAsString(), false, false, {}};
+    printed = recorded = 0;
     has_failed_ = false;
   }
   AssertionResult assertionEnded(const Catch::AssertionStats& stats) override {

@@ -11,7 +11,7 @@
 
 #include "grader/base/errors.hpp"
 #include "grader/base/text_file.hpp"
-#include "sandbox/process.hpp"
+#include "sandbox/programs.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
@@ -89,8 +89,8 @@ Layout read_layout() {
     layout.version = line;  // Gradescope's package with sources: its points are in it
     return layout;
   } else {
-    const auto commit = sandbox::run_process(
-        {"git", "-C", layout.root.string(), "describe", "--always", "--dirty", "--exclude=*"});
+    const auto commit =
+        sandbox::run_git(layout.root, {"describe", "--always", "--dirty", "--exclude=*"});
     if (commit.succeeded()) {
       layout.version += " (" + commit.output.substr(0, commit.output.find('\n')) + ")";
     }

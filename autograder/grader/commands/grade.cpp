@@ -124,11 +124,10 @@ Verdict grade_one(const Context& context, const IntakeEntry& entry, const BatchO
 BatchOutcome grade_many(const Context& context, const std::vector<IntakeEntry>& entries,
                         const VerdictStore* store, const BatchOptions& options) {
   BatchOutcome outcome = run_batch(context, entries, store, options);
-  if (!sandbox::jail_is_complete()) {
-    Verdict without;
-    without.jail_complete = false;
-    fmt::print("{}", jail_warning(without));
-  }
+  Verdict here;
+  here.jail_complete = sandbox::jail_is_complete();
+  here.reads_confined = sandbox::places_are_enforced();
+  fmt::print("{}", jail_warning(here));
   fmt::print("{} submissions: {} judged", entries.size(), outcome.judged);
   if (outcome.known > 0) fmt::print(", {} already judged", outcome.known);
   if (outcome.unreadable > 0) fmt::print(", {} unreadable", outcome.unreadable);

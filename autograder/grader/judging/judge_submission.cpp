@@ -145,6 +145,7 @@ Verdict judge_submission(const Context& context, const Submission& submission,
   verdict.version = context.layout.version;
   verdict.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
   verdict.jail_complete = sandbox::jail_is_complete();
+  verdict.reads_confined = sandbox::places_are_enforced();
 
   JudgeOptions judge = options.judge;
   std::error_code none;

@@ -90,6 +90,7 @@ struct Verdict {
   std::uint64_t seed = 0;
   std::string version, flags;
   bool jail_complete = true;
+  bool reads_confined = true;  ///< does the kernel keep a compiler from other files (Landlock)?
   /// Why this is not a grade (the machine or the autograder failed); empty if it is one. Partial
   /// results may be shown, but they give neither points nor a zero.
   std::string not_judged;

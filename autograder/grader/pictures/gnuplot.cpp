@@ -7,7 +7,7 @@
 #include "grader/base/replace.hpp"
 #include "grader/base/text_file.hpp"
 #include "sandbox/printable.hpp"
-#include "sandbox/process.hpp"
+#include "sandbox/programs.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
@@ -30,8 +30,7 @@ std::string gnuplot_array(const std::string& name, const std::vector<std::string
 
 std::string run_gnuplot(const fs::path& script, const std::string& text) {
   write_text(script, "set encoding utf8\nset termoption noenhanced\n" + text);
-  const sandbox::ProcessResult drawn =
-      sandbox::run_process({"gnuplot", "-d", script.string()}, {.wall_seconds = 120});
+  const sandbox::ProcessResult drawn = sandbox::run_gnuplot(script);
   return drawn.succeeded() ? "" : "gnuplot failed: " + sandbox::printable(drawn.errors);
 }
 

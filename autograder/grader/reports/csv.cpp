@@ -66,6 +66,8 @@ std::string reason_of(const Verdict& verdict) {
   }
   if (!verdict.jail_complete) {
     reasons.emplace_back("judged without the sandbox: no seccomp on this machine");
+  } else if (!verdict.reads_confined) {
+    reasons.emplace_back("compiled without confinement: no Landlock on this machine");
   }
   return fmt::format("{}", fmt::join(reasons, "; "));
 }

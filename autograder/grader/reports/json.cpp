@@ -73,6 +73,7 @@ std::string results_json(const Verdict& verdict) {
                        {"version", verdict.version},
                        {"flags", verdict.flags},
                        {"jail_complete", verdict.jail_complete},
+                       {"reads_confined", verdict.reads_confined},
                        {"speed", std::move(speed)}};
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }

@@ -190,6 +190,11 @@ Terminal this_terminal() {
 }
 
 std::string jail_warning(const Verdict& verdict) {
+  if (!verdict.reads_confined && verdict.jail_complete) {
+    return "WARNING: no Landlock on this machine (Linux 5.13). Compiling could read any file that "
+           "the "
+           "judge's\nuser can read: trust this grade no more than you trust its author.\n";
+  }
   if (verdict.jail_complete) return {};
   return "WARNING: no seccomp on this machine. The submission ran without the sandbox: trust this "
          "grade\nno more than you trust its author.\n";

@@ -1,6 +1,9 @@
 #include "grader/submission/build.hpp"
 
+#include <elf.h>
+
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 #include <fmt/format.h>
@@ -13,13 +16,60 @@
 #include "grader/submission/diagnostics.hpp"
 #include "grader/submission/from_source.hpp"
 #include "grader/submission/scratch.hpp"
-#include "grader/submission/segments.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_static_memory = std::size_t{400} << 20;
+
+/// Why the sandbox cannot start a linked program; empty if it can.
+std::string refusal_of(const fs::path& program, const Lab& lab) {
+  const std::string bytes = read_whole_text(program);
+  const auto read = [&](std::size_t offset, auto& to) {
+    return offset <= bytes.size() && bytes.size() - offset >= sizeof to &&
+           std::memcpy(&to, bytes.data() + offset, sizeof to) != nullptr;
+  };
+  Elf64_Ehdr file;
+  if (!read(0, file)) return {};
+  std::size_t memory = 0;
+  for (std::size_t i = 0; i < file.e_phnum; ++i) {
+    Elf64_Phdr segment;
+    if (!read(file.e_phoff + i * file.e_phentsize, segment)) break;
+    if (segment.p_type == PT_LOAD || segment.p_type == PT_TLS) memory += segment.p_memsz;
+    // The kernel would open the loader for the program, even in the sandbox.
+    if (segment.p_type == PT_INTERP) {
+      return fmt::format("{} names its own loader (a section .interp).", lab.file());
+    }
+  }
+  if (memory <= most_static_memory) return {};
+  return fmt::format("The global variables of {} take {} MB; {} MB is the most.", lab.file(),
+                     memory >> 20, most_static_memory >> 20);
+}
+
+/// The command that links the objects to `program`, where it runs.
+std::vector<std::string> link_command(const Layout& layout, const std::vector<fs::path>& objects,
+                                      const std::vector<std::string>& more) {
+  // For an object that looks like link-time optimization, the linker would start a compiler.
+  std::vector<std::string> command{layout.compiler, "-s", "-fno-lto"};
+  if (!layout.is_clang) command.push_back("-fno-use-linker-plugin");
+  command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());
+  for (const fs::path& object : objects) command.push_back(object.string());
+  command.insert(command.end(), more.begin(), more.end());
+  command.insert(command.end(), {"-o", "program"});
+  return command;
+}
+
+/// Links a text that only includes the lab's header with the lab's own objects, whose functions need
+/// not be defined. Throws MachineError if the machine cannot.
+void link_known_text(const Unit& unit, std::vector<fs::path> objects) {
+  const ScratchDirectory scratch(unit.layout);
+  compile_known_text(unit, scratch.path());
+  objects.push_back(scratch.path() / "unit.o");
+  const std::vector<std::string> flags{
+      "-Wl,--unresolved-symbols=ignore-all,--require-defined=main"};
+  require({unit.layout, link_command(unit.layout, objects, flags), scratch.path(), objects, false});
+}
 
 }  // namespace
 
@@ -71,18 +121,12 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
 
   const ScratchDirectory scratch(layout);
   const fs::path temporary = scratch.path() / "program";
-  std::vector<std::string> command{layout.compiler, "-s"};
-  // For an object that looks like link-time optimization, the linker would start a compiler, whose
-  // includes are not checked.
-  command.push_back("-fno-lto");
-  if (!layout.is_clang) command.push_back("-fno-use-linker-plugin");
-  command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());
-  for (const fs::path& object : objects) command.push_back(object.string());
-  for (const fs::path& object : trusted_objects) command.push_back(object.string());
-  command.insert(command.end(), submission.libraries.begin(), submission.libraries.end());
-  command.insert(command.end(), {"-o", temporary.string()});
-  const CompilerRun run =
-      run_compiler(layout, command, scratch.path(), [](const std::string& errors) {
+  objects.insert(objects.end(), trusted_objects.begin(), trusted_objects.end());
+  const StepResult run = run_step(
+      {layout, link_command(layout, objects, submission.libraries), scratch.path(), objects,
+       submission.trusted},
+      [&] { link_known_text(units.back(), trusted_objects); },
+      [](const std::string& errors) {
         return errors.find("undefined") != std::string::npos ||
                errors.find("multiple definition") != std::string::npos;
       });
@@ -104,19 +148,11 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     built.failure = explain_link_errors(linked.errors, lab, headers);
     return built;
   }
-  const Segments segments = segments_of(temporary);
-  if (segments.memory > most_static_memory) {
-    built.failure = fmt::format("The global variables of {} take {} MB; {} MB is the most.",
-                                lab.file(), segments.memory >> 20, most_static_memory >> 20);
-    return built;
-  }
-  // The kernel would open the loader for the program, even in the jail.
-  if (segments.loader) {
-    built.failure = fmt::format("{} names its own loader (a section .interp).", lab.file());
-    return built;
-  }
-  fs::permissions(temporary, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                                 fs::perms::others_read | fs::perms::others_exec);
+  built.failure = refusal_of(temporary, lab);
+  if (!built.failure.empty()) return built;
+  // Where this is refused (SMB, FAT), the bits are set for everyone, or starting it fails.
+  std::error_code refused;
+  fs::permissions(temporary, fs::perms(0755), refused);
   sandbox::Program program = sandbox::open_program(temporary.string());  // immune to later renames
   program.path = keep_cached(slot, "program", key, temporary).string();
   built.program = std::move(program);

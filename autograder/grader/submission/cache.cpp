@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "grader/base/text_file.hpp"
+#include "grader/submission/scratch.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
@@ -49,12 +50,14 @@ std::optional<fs::path> find_cached(const fs::path& slot, std::string_view kind,
 
 fs::path keep_cached(const fs::path& slot, std::string_view kind, const std::string& key,
                      const fs::path& made) {
-  fs::create_directories(slot);
-  sweep(slot);
   // The scratch directory that it was made in has a unique name.
   const std::string name = fmt::format("{}.{}", made.parent_path().filename().string(), kind);
-  fs::rename(made, slot / name);
-  write_text(entry_of(slot, kind, key), name + '\n' + key);
+  write_or_explain(slot, [&] {
+    fs::create_directories(slot);
+    sweep(slot);
+    fs::rename(made, slot / name);
+    write_text(entry_of(slot, kind, key), name + '\n' + key);
+  });
   return slot / name;
 }
 

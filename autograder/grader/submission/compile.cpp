@@ -1,12 +1,15 @@
 #include "grader/submission/compile.hpp"
 
-#include <sys/types.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <set>
@@ -20,9 +23,10 @@
 #include "grader/base/text_file.hpp"
 #include "grader/submission/cache.hpp"
 #include "grader/submission/diagnostics.hpp"
-#include "grader/submission/include_policy.hpp"
 #include "grader/submission/scratch.hpp"
 #include "grader/submission/source.hpp"
+#include "grader/submission/toolchain.hpp"
+#include "sandbox/child.hpp"
 #include "sandbox/jail.hpp"
 #include "sandbox/printable.hpp"
 
@@ -32,7 +36,7 @@ namespace {
 
 /// Increment when the rules for what a submission may read change: objects made by older rules are
 /// then not taken from the cache.
-constexpr int rules = 3;
+constexpr int rules = 4;
 
 /// Everything else that a compilation reads, as one hash.
 std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
@@ -48,76 +52,72 @@ std::uint64_t hash_of_surroundings(const Layout& layout, bool trusted) {
       }
     }
   }
-  std::uint64_t hash = hash_text(layout.compiler);
+  std::uint64_t hash = hash_text(identity_of_compiler(layout));
   for (const fs::path& file : files) hash = hash_text(read_whole_text(file), hash);
   return hash;
 }
 
+/// The flags of every submission here: messages and programs name no directory of this machine.
+std::vector<std::string> all_flags(const Layout& layout) {
+  std::vector<std::string> flags = compile_flags();
+  for (const fs::path& place : {layout.root, layout.build}) {
+    flags.push_back(fmt::format("-ffile-prefix-map={}/=", place.string()));
+  }
+  return flags;
+}
+
 /// A header that includes the standard headers that nearly every file needs. If it was precompiled,
 /// a file takes half the time. Every file includes it in any case.
-fs::path standard_headers(const Layout& layout, const std::vector<std::string>& flags) {
+fs::path standard_headers(const Layout& layout) {
   const std::string text = read_whole_text(layout.labs() / "runner" / "standard_headers.hpp");
   const std::string key =
-      fmt::format("{} {} {}", layout.compiler, fmt::join(flags, " "),
-                  fs::last_write_time(layout.compiler).time_since_epoch().count());
+      fmt::format("{} {}", identity_of_compiler(layout), fmt::join(all_flags(layout), " "));
   const fs::path place =
       layout.build / "precompiled" / fmt::format("{:016x}", hash_text(text, hash_text(key)));
   fs::path header = place / "standard_headers.hpp";
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   if (!fs::exists(header)) {
-    fs::create_directories(place);
-    write_text(header, text);
+    write_or_explain(place, [&] {
+      fs::create_directories(place);
+      write_text(header, text);
+    });
   }
   return header;
 }
 
-/// A file's path relative to the checkout: students need not see where the checkout is.
-std::string shown(const Unit& unit, const fs::path& file) {
-  std::string name = file.string();
-  const std::string root = unit.layout.root.string() + '/';
-  if (name.starts_with(root)) name.erase(0, root.size());
-  return sandbox::printable_line(sandbox::shortened(name, 200));
-}
-
-Object refused(const Unit& unit, const fs::path& file) {
-  return {
-      {},
-      fmt::format("{} reads {}.\nIt may include its lab's headers, those of labs/common and the "
-                  "standard library's, and nothing else.",
-                  unit.lab.file(), shown(unit, file))};
-}
-
-/// The command that compiles `name` and lists what it reads: -H names each file on opening it, even
-/// if the compilation fails later; -MD and --MD write their lists only if it succeeds, but those
-/// are complete.
-std::vector<std::string> command_for(const Unit& unit, const std::vector<std::string>& flags,
-                                     const std::vector<std::string>& includes,
-                                     const std::string& name) {
+/// The command that compiles the lab's file, which is in the directory where it runs.
+std::vector<std::string> command_for(const Unit& unit) {
   std::vector<std::string> command{unit.layout.compiler};
-  const std::vector<std::string> header{"-include", standard_headers(unit.layout, flags).string()};
-  for (const auto* words : {&flags, &includes, &header}) {
-    command.insert(command.end(), words->begin(), words->end());
+  for (const auto& words :
+       {all_flags(unit.layout),
+        include_flags(unit.layout, unit.trusted),
+        {"-include", standard_headers(unit.layout).string(), "-c", unit.lab.file(), "-o", "unit.o",
+         "-MD", "-MF", "unit.d", "-fdiagnostics-color=never"}}) {
+    command.insert(command.end(), words.begin(), words.end());
   }
-  command.insert(command.end(), {"-c", name, "-o", "unit.o", "-H", "-MD", "-MF", "preprocessor.d",
-                                 "-Wa,--MD,assembler.d", "-fdiagnostics-color=never"});
   // No source lines in the messages: GCC would quote whatever file a #line names.
   if (unit.layout.is_clang) {
-    command.insert(command.end(),
-                   {"-fno-integrated-as", "-ferror-limit=3", "-fno-caret-diagnostics"});
+    command.insert(command.end(), {"-ferror-limit=3", "-fno-caret-diagnostics"});
   } else {
-    command.insert(command.end(), {"-fmax-errors=3", "-fno-diagnostics-show-caret",
-                                   "-fno-canonical-system-headers"});
+    command.insert(command.end(), {"-fmax-errors=3", "-fno-diagnostics-show-caret"});
   }
   return command;
+}
+
+Step step_for(const Unit& unit, const fs::path& directory) {
+  return {unit.layout,
+          command_for(unit),
+          directory,
+          {fs::canonical(unit.layout.labs()), fs::canonical(unit.layout.build / "precompiled")},
+          unit.trusted};
 }
 
 /// The limits of a compiler or linker for one file of a submission.
 sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
   sandbox::ProcessOptions options;
   options.directory = directory;
-  options.environment = {{"LC_ALL", "C"},                  // the messages parsed below
-                         {"TMPDIR", directory.string()}};  // the assembler's input is there too
+  options.environment = compiler_environment(directory);
   options.cpu_seconds = 20;
   options.wall_seconds = 120;
   options.memory = std::size_t{1536} << 20;
@@ -128,33 +128,31 @@ sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
 /// Compilers run as a separate user when the judge is root.
 constexpr uid_t compiler_user = 65533;
 
-/// Can that user read the labs and work in the directory? Not if the checkout is in a directory
-/// that is closed to other users.
-bool can_read_labs(const Layout& layout, const fs::path& directory) {
-  static std::mutex mutex;
-  static std::map<fs::path, bool> known;
-  const std::lock_guard lock(mutex);
-  const auto [found, is_new] = known.emplace(layout.build, false);
-  if (is_new) {
-    const std::string header = standard_headers(layout, compile_flags()).string();
-    const auto run = sandbox::run_process(
-        {"test", "-r", (layout.labs() / "runner" / "standard_headers.hpp").string(), "-a", "-r",
-         header, "-a", "-w", directory.string()},
-        {.user = compiler_user});
-    found->second = run.succeeded();
+/// Can other users enter the directory? Not if one above it is closed to them.
+bool is_open(const fs::path& directory) {
+  for (fs::path at = fs::canonical(directory); at != at.root_path(); at = at.parent_path()) {
+    if ((fs::status(at).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
   }
-  return found->second;
+  return true;
 }
 
-sandbox::ProcessResult run_confined(const Layout& layout, const std::vector<std::string>& command,
-                                    const fs::path& directory) {
-  sandbox::ProcessOptions options = compiler_limits(directory);
-  options.confined = true;
-  if (geteuid() == 0 && chown(directory.c_str(), compiler_user, compiler_user) == 0 &&
-      can_read_labs(layout, directory)) {
+sandbox::Places places_of(const Step& step) {
+  if (step.trusted) return {{"/"}, step.directory};
+  sandbox::Places places{toolchain(step.layout), step.directory};
+  places.readable.insert(places.readable.end(), step.readable.begin(), step.readable.end());
+  return places;
+}
+
+sandbox::ProcessResult run_confined(const Step& step) {
+  sandbox::ProcessOptions options = compiler_limits(step.directory);
+  const sandbox::Places places = places_of(step);
+  options.places = &places;
+  if (sandbox::may_become(compiler_user) && is_open(step.layout.labs()) &&
+      is_open(step.directory.parent_path()) &&
+      chown(step.directory.c_str(), compiler_user, compiler_user) == 0) {
     options.user = compiler_user;
   }
-  return sandbox::run_process(command, options);
+  return sandbox::run_process(step.command, options);
 }
 
 /// Does the compiler report a position in the file?
@@ -162,31 +160,92 @@ bool blames(const std::string& errors, const std::string& name) {
   return errors.starts_with(name + ':') || errors.find('\n' + name + ':') != std::string::npos;
 }
 
+/// A message without this machine's directories: students need not see where the checkout is.
+std::string without_places(const Layout& layout, const fs::path& directory,
+                           const std::string& text) {
+  std::string shown = text;
+  for (const fs::path& place : {directory, layout.build, layout.root}) {
+    shown = with_replacements(shown, {{place.string() + '/', ""}});
+  }
+  return shown;
+}
+
+constexpr const char* what_may_be_included =
+    "It may include its lab's headers, those of labs/common and the standard library's, and "
+    "nothing else.";
+
 /// The student's message for a failed compilation.
 std::string failure_of(const Unit& unit, const std::string& text, const fs::path& directory,
-                       const sandbox::ProcessResult& compiled) {
+                       const std::string& errors) {
   const std::string name = unit.lab.file();
-  auto [opened, messages] = parse_compiler_output(compiled.errors);
-  for (const fs::path& place : {directory, unit.layout.build, unit.layout.root}) {
-    // Students need not see where the checkout is.
-    messages = with_replacements(messages, {{place.string() + '/', ""}});
-  }
-  // Messages must not show files that are off limits. The text itself may add lines to the list:
-  // they hide its own messages and do no other harm.
-  if (const auto file = forbidden(unit.layout, unit.trusted, directory, opened)) {
-    return fmt::format(
-        "{} does not compile, and its errors are not shown: its compilation reads {}, which is not "
-        "a header of a lab or of the standard library.",
-        name, shown(unit, *file));
-  }
-  // The assembler quotes files that .include reads, and does not list them.
-  if (compiled.errors.find("Assembler messages:") != std::string::npos) {
+  // The assembler quotes files that .include reads.
+  if (errors.find("Assembler messages:") != std::string::npos) {
     return fmt::format("The assembler rejects an asm statement in {}.", name);
   }
-  if (may_embed(text)) {  // -H does not list embedded files
-    return fmt::format("{} does not compile. Remove the word embed from it to see why.", name);
+  const std::string shown = without_places(unit.layout, directory, errors);
+  const bool is_refused = errors.find("Permission denied") != std::string::npos;
+  return fmt::format("{} does not compile:\n{}{}{}", name, first_errors(shown, {name, text}),
+                     is_refused ? "\n" : "", is_refused ? what_may_be_included : "");
+}
+
+/// Where the kernel cannot enforce the places: why a compiled file is refused; empty if it is not.
+std::string refusal_of(const Step& step, const std::string& name) {
+  if (sandbox::places_are_enforced() || step.trusted) return {};
+  std::vector<fs::path> places = places_of(step).readable;
+  places.push_back(fs::canonical(step.directory));
+  for (const fs::path& file : dependencies(read_whole_text(step.directory / "unit.d"))) {
+    if (is_in(fs::weakly_canonical(step.directory / file), places)) continue;
+    return fmt::format("{} reads {}.\n{}", name,
+                       sandbox::printable_line(sandbox::shortened(
+                           without_places(step.layout, step.directory, file.string()), 200)),
+                       what_may_be_included);
   }
-  return fmt::format("{} does not compile:\n{}", name, first_errors(messages, {name, text}));
+  return {};
+}
+
+/// Throws MachineError if the disk has no room for what a compiler may write: it may be full, or
+/// the quota used up.
+void require_disk(const Layout& layout, rlim_t bytes) {
+  rlimit allowed{};
+  getrlimit(RLIMIT_FSIZE, &allowed);
+  const ScratchDirectory scratch(layout);
+  const sandbox::Descriptor file(
+      open((scratch.path() / "room").c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600), "open");
+  const int error =
+      posix_fallocate(file.get(), 0, static_cast<off_t>(std::min(bytes, allowed.rlim_cur)));
+  if (error == 0) return;
+  throw MachineError(error == ENOSPC ? fmt::format("the disk of {} is full", layout.build.string())
+                                     : fmt::format("cannot write in {}: {}", layout.build.string(),
+                                                   std::strerror(error)));
+}
+
+/// Would the machine give a process that much memory? Where it does, a compiler that got none has met
+/// its own limit.
+bool has_memory(std::size_t bytes) {
+  void* const place =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return place != MAP_FAILED && munmap(place, bytes) == 0;
+}
+
+/// What a tool (never the text) says last if it was killed or lacked something; empty otherwise. The
+/// text may print such words, but not without a position, and not after collect2.
+std::string fault_of_machine(const std::string& errors, std::size_t memory) {
+  std::string last;
+  for (const std::string_view line : text::split(errors, '\n')) {
+    if (line == "Assembler messages:" || is_error(line)) return {};
+    if (!line.empty() && line != "compilation terminated.") last = line;
+  }
+  const auto says = [&](const char* word) { return last.find(word) != std::string::npos; };
+  constexpr const char* faults[] = {"Killed",
+                                    "No space left",
+                                    "Disk quota exceeded",
+                                    "Stale file handle",
+                                    "Read-only file system",
+                                    "Input/output error"};
+  constexpr const char* lacks[] = {"Cannot allocate memory", "out of memory", "memory exhausted"};
+  const bool is_fault = std::ranges::any_of(faults, says) ||
+                        (std::ranges::any_of(lacks, says) && !has_memory(memory));
+  return is_fault ? sandbox::printable_line(last.substr(0, 200)) : "";
 }
 
 }  // namespace
@@ -221,75 +280,53 @@ std::vector<std::string> include_flags(const Layout& layout, bool with_repositor
 
 void precompile_headers(const Layout& layout) {
   if (layout.is_clang) return;
-  const auto flags = compile_flags();
-  const fs::path header = standard_headers(layout, flags);
+  const fs::path header = standard_headers(layout);
   const fs::path compiled = header.string() + ".gch";
   if (fs::exists(compiled)) return;
   const ScratchDirectory scratch(layout);
   const fs::path temporary = scratch.path() / "gch";
   std::vector<std::string> command{layout.compiler};
+  const auto flags = all_flags(layout);
   command.insert(command.end(), flags.begin(), flags.end());
   command.insert(command.end(), {"-x", "c++-header", header.string(), "-o", temporary.string()});
-  if (sandbox::run_process(command).succeeded()) fs::rename(temporary, compiled);
+  // Without it, files only take longer.
+  const auto run =
+      sandbox::run_process(command, {.environment = compiler_environment(scratch.path())});
+  if (run.succeeded()) fs::rename(temporary, compiled);
 }
 
-namespace {
-
-/// Throws MachineError if the compiler fails on a text that is known to be right.
-void compile_known_program(const Layout& layout, const fs::path& directory,
-                           const std::vector<std::string>& more) {
-  write_text(directory / "known.cpp", "int main() { return 0; }\n");
-  std::vector<std::string> command{layout.compiler, "known.cpp", "-o", "known.out"};
-  command.insert(command.end(), more.begin(), more.end());
-  const auto run = run_confined(layout, command, directory);
-  if (!run.succeeded()) {
-    const std::string why = sandbox::printable_line(run.errors.substr(0, run.errors.find('\n')));
-    throw MachineError(fmt::format("the compiler fails on any file here: {}", why));
-  }
+void require(const Step& step) {
+  const auto run = run_confined(step);
+  if (run.succeeded()) return;
+  const std::string why = without_places(step.layout, step.directory, run.errors);
+  throw MachineError(
+      fmt::format("the compiler fails on any file here: {}",
+                  why.empty() ? fmt::format("exit status {}, signal {}", run.exit_code, run.signal)
+                              : sandbox::printable_line(why.substr(0, why.find('\n')))));
 }
 
-}  // namespace
-
-void require_working_machine(const Layout& layout) {
-  std::error_code unknown;
-  const auto space = fs::space(layout.build, unknown);
-  constexpr std::uintmax_t enough = std::uintmax_t{64} << 20;
-  if (!unknown && space.available < enough) {
-    throw MachineError(fmt::format("the disk of {} is full", layout.build.string()));
-  }
-  const ScratchDirectory scratch(layout);
-  compile_known_program(layout, scratch.path(), {"-c"});
+void compile_known_text(const Unit& unit, const fs::path& directory) {
+  require_disk(unit.layout, compiler_limits(directory).file_size);
+  write_text(directory / unit.lab.file(), fmt::format("#include \"{}\"\n", unit.lab.header()));
+  require(step_for(unit, directory));
 }
 
 void probe_machine(const Layout& layout) {
-  require_working_machine(layout);
   const ScratchDirectory scratch(layout);
-  compile_known_program(layout, scratch.path(), {});
-  const fs::path program = scratch.path() / "known.out";
-  fs::permissions(program, fs::perms(0755));
+  require_disk(layout, compiler_limits(scratch.path()).file_size);
+  write_text(scratch.path() / "known.cpp", "int main() { return 0; }\n");
+  std::vector<std::string> command{layout.compiler, "known.cpp", "-o", "known.out"};
+  command.insert(command.end(), layout.link_flags.begin(), layout.link_flags.end());
+  require({layout, command, scratch.path(), {}, false});
   // Its exit status is irrelevant: what matters is that the sandbox can start it.
-  sandbox::run_jailed(sandbox::open_program(program.string()), "");
+  sandbox::run_jailed(sandbox::open_program((scratch.path() / "known.out").string()), "");
 }
 
 namespace {
 
 /// Why a compiler or linker was stopped, from its signal and its resource use; empty if it was not.
 /// Its output is not used: it can come from the text.
-std::string stopped(const Layout& layout, const sandbox::ProcessResult& run,
-                    const sandbox::ProcessOptions& limits) {
-  if (run.succeeded()) return {};
-  if (run.out_of_time) {
-    // It was blocked if it used nearly no CPU time while the same compiler, on a known text,
-    // finishes in a tenth of the time.
-    const auto start = std::chrono::steady_clock::now();
-    require_working_machine(layout);
-    const std::chrono::duration<double> probe = std::chrono::steady_clock::now() - start;
-    if (run.cpu_seconds < 1 && probe.count() < limits.wall_seconds / 10) {
-      return fmt::format("was stopped after waiting {} s", limits.wall_seconds);
-    }
-    throw MachineError(fmt::format("the machine is too busy: a compiler did not finish in {} s",
-                                   limits.wall_seconds));
-  }
+std::string stopped(const sandbox::ProcessResult& run, const sandbox::ProcessOptions& limits) {
   if (run.signal == SIGXCPU || run.cpu_seconds >= limits.cpu_seconds) {
     return fmt::format("was stopped after {} s of CPU time", limits.cpu_seconds);
   }
@@ -300,29 +337,49 @@ std::string stopped(const Layout& layout, const sandbox::ProcessResult& run,
   if (run.peak_memory >= limits.memory / 2) {
     return fmt::format("tried to use more than {} MB of memory", limits.memory >> 20);
   }
+  if (run.out_of_time) return fmt::format("was stopped after waiting {} s", limits.wall_seconds);
   if (run.signal != 0) return fmt::format("crashed (signal {})", run.signal);
   constexpr int gcc_lost_a_program =
       4;  // the driver's exit code if the compiler or assembler died of a signal
-  if (run.exit_code == gcc_lost_a_program) return "crashed";
-  return {};
+  return run.exit_code == gcc_lost_a_program ? "crashed" : "";
 }
 
 }  // namespace
 
-CompilerRun run_compiler(const Layout& layout, const std::vector<std::string>& command,
-                         const fs::path& directory,
-                         const std::function<bool(const std::string& errors)>& is_text_at_fault) {
-  const sandbox::ProcessOptions limits = compiler_limits(directory);
-  CompilerRun run{run_confined(layout, command, directory), {}};
-  run.stopped = stopped(layout, run.result, limits);
-  if (run.result.succeeded() || !run.stopped.empty()) return run;
-  require_working_machine(layout);
-  if (is_text_at_fault(run.result.errors)) return run;
-  // The machine may have been out of processes for a moment.
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  run.result = run_confined(layout, command, directory);
-  run.stopped = stopped(layout, run.result, limits);
-  if (!run.result.succeeded() && run.stopped.empty()) require_working_machine(layout);
+StepResult run_step(const Step& step, const std::function<void()>& probe,
+                    const std::function<bool(const std::string& errors)>& is_text_at_fault) {
+  const sandbox::ProcessOptions limits = compiler_limits(step.directory);
+  StepResult run{run_confined(step)};
+  double used = run.result.cpu_seconds;
+  for (const bool is_last : {false, true}) {
+    if (run.result.succeeded()) break;
+    run.stopped = stopped(run.result, limits);
+    const std::string low =
+        sandbox::lowered_limit(limits.cpu_seconds, limits.memory, limits.file_size);
+    if (!run.stopped.empty() && !low.empty()) throw MachineError(low);
+    const auto start = std::chrono::steady_clock::now();
+    probe();
+    const std::chrono::duration<double> probed = std::chrono::steady_clock::now() - start;
+    // Nobody is blamed for one pause of the machine, or for one moment without processes.
+    const bool was_killed =
+        run.result.signal == SIGKILL && run.result.cpu_seconds < limits.cpu_seconds;
+    const std::string fault = fault_of_machine(run.result.errors, limits.memory);
+    const bool is_text = run.stopped.empty() ? fault.empty() && is_text_at_fault(run.result.errors)
+                                             : !run.result.out_of_time && !was_killed;
+    if (is_text) break;
+    if (is_last) {
+      if (!fault.empty()) throw MachineError(fault);
+      if (run.result.out_of_time ? probed.count() >= limits.wall_seconds / 10 : was_killed) {
+        throw MachineError(fmt::format("the machine is too busy: a compiler {}", run.stopped));
+      }
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    run.result = run_confined(step);
+    used += run.result.cpu_seconds;
+  }
+  if (run.result.succeeded()) run.stopped.clear();
+  run.result.cpu_seconds = used;
   return run;
 }
 
@@ -334,38 +391,41 @@ Object compile(const Unit& unit) {
   if (text.find_first_not_of(" \t\r\n\xef\xbb\xbf") == std::string::npos) {
     return {{}, fmt::format("{} is empty.", name)};
   }
-  const auto flags = compile_flags();
-  const auto includes = include_flags(unit.layout, unit.trusted);
   const std::string key =
-      fmt::format("{} {} {} {} {}", rules, fmt::join(flags, " "), fmt::join(includes, " "),
+      fmt::format("{} {} {} {} {}", rules, fmt::join(all_flags(unit.layout), " "),
+                  fmt::join(include_flags(unit.layout, unit.trusted), " "),
                   hash_of_surroundings(unit.layout, unit.trusted), text);
   const fs::path slot = slot_of(unit);
   if (const auto object = find_cached(slot, "o", key)) return {*object, {}, 0, key};
+  // Other labs of this run use the same files.
+  static std::mutex mutex;
+  static std::map<std::string, std::string> failures;
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto known = failures.find(key); known != failures.end()) return {{}, known->second};
+  }
 
-  // Compiled in a directory that holds nothing else. What counts is what this very run opened: the
-  // text could detect a second run that only lists (by the precompiled header, by /proc) and behave
-  // differently in it.
+  // Compiled in a directory that holds nothing else.
   const ScratchDirectory scratch(unit.layout);
   const fs::path& directory = scratch.path();
   write_text(directory / name, text);
-  const auto command = command_for(unit, flags, includes, name);
-  const CompilerRun run =
-      run_compiler(unit.layout, command, directory,
-                   [&](const std::string& errors) { return blames(errors, name); });
-  const sandbox::ProcessResult& compiled = run.result;
-  if (!run.stopped.empty()) {
-    return {{}, fmt::format("The compiler {} on {}.", run.stopped, name), compiled.cpu_seconds};
+  const Step step = step_for(unit, directory);
+  const auto probe = [&] {
+    const ScratchDirectory known(unit.layout);
+    compile_known_text(unit, known.path());
+  };
+  const StepResult run =
+      run_step(step, probe, [&](const std::string& errors) { return blames(errors, name); });
+  const auto failed = [&](const std::string& why) {
+    const std::lock_guard lock(mutex);
+    return Object{{}, failures[key] = why, run.result.cpu_seconds};
+  };
+  if (!run.stopped.empty()) return failed(fmt::format("The compiler {} on {}.", run.stopped, name));
+  if (!run.result.succeeded()) {
+    return failed(failure_of(unit, text, directory, run.result.errors));
   }
-  if (!compiled.succeeded()) {
-    return {{}, failure_of(unit, text, directory, compiled), compiled.cpu_seconds};
-  }
-  for (const char* list : {"preprocessor.d", "assembler.d"}) {  // the latter lists .incbin
-    if (const auto file = forbidden(unit.layout, unit.trusted, directory,
-                                    dependencies(read_whole_text(directory / list)))) {
-      return refused(unit, *file);
-    }
-  }
-  return {keep_cached(slot, "o", key, directory / "unit.o"), {}, compiled.cpu_seconds, key};
+  if (const std::string why = refusal_of(step, name); !why.empty()) return failed(why);
+  return {keep_cached(slot, "o", key, directory / "unit.o"), {}, run.result.cpu_seconds, key};
 }
 
 }  // namespace mc::grader

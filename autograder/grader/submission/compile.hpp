@@ -18,7 +18,7 @@ struct Unit {
   const Layout& layout;
   const Lab& lab;
   std::filesystem::path file;
-  bool trusted;  ///< may include any file of the repository
+  bool trusted;  ///< may include any file
 };
 
 struct Object {
@@ -28,7 +28,8 @@ struct Object {
   std::string key = {};    ///< the full text that it depends on
 };
 
-/// Compiles the file unless it is cached. Throws MachineError if the machine fails.
+/// Compiles the file unless it is cached, or is known to fail. Throws MachineError if the machine
+/// fails.
 Object compile(const Unit& unit);
 
 /// Precompiles the standard headers, once, which halves the time of later files. It takes as long
@@ -42,23 +43,35 @@ std::vector<std::string> compile_flags();
 /// if wanted.
 std::vector<std::string> include_flags(const Layout& layout, bool with_repository);
 
-/// How a compiler or linker ended.
-struct CompilerRun {
-  sandbox::ProcessResult result;
-  /// What stopped it early, for the student; empty if it ended by itself.
-  std::string stopped;
+/// A run of a compiler or linker on untrusted text.
+struct Step {
+  const Layout& layout;
+  std::vector<std::string> command;
+  std::filesystem::path directory;              ///< where it runs; it writes only there
+  std::vector<std::filesystem::path> readable;  ///< besides the toolchain and `directory`
+  bool trusted;                                 ///< may read any file
 };
 
-/// Runs a compiler or linker on untrusted text, within limits: it writes only in `directory`, has
-/// no network, no readable input, and a separate user when the judge is root. Retries once if it
-/// fails and the text is not at fault. Throws MachineError if the machine fails.
-CompilerRun run_compiler(const Layout& layout, const std::vector<std::string>& command,
-                         const std::filesystem::path& directory,
-                         const std::function<bool(const std::string& errors)>& is_text_at_fault);
+/// How a step ended.
+struct StepResult {
+  sandbox::ProcessResult result;  ///< of the last attempt, with the CPU time of all
+  /// What stopped it early, for the student; empty if it ended by itself.
+  std::string stopped = {};
+};
 
-/// Throws MachineError if the machine, not the text, made a compilation fail: then the same
-/// compiler fails on a text that is known to be right, or the disk is full.
-void require_working_machine(const Layout& layout);
+/// Runs the step within limits: its places only, no readable input, and a separate user when the
+/// judge is root. If it fails, runs `probe`, which repeats the step with a known text and throws
+/// MachineError if that fails, too; then, unless `is_text_at_fault`, tries once more. Throws
+/// MachineError if the machine fails.
+StepResult run_step(const Step& step, const std::function<void()>& probe,
+                    const std::function<bool(const std::string& errors)>& is_text_at_fault);
+
+/// Runs a step that must succeed. Throws MachineError if it fails.
+void require(const Step& step);
+
+/// Compiles a text that only includes the lab's header, as `unit` is compiled, to unit.o in
+/// `directory`. Throws MachineError if the machine cannot.
+void compile_known_text(const Unit& unit, const std::filesystem::path& directory);
 
 /// Compiles, links and starts a known program in the sandbox. Throws if the machine cannot.
 void probe_machine(const Layout& layout);

@@ -45,9 +45,14 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::string joined(const std::vector<std::string>& lines) {
+/// Lines of a message from the text. They are marked, except for positions in the file `name`: these
+/// are what editors look for.
+std::string joined(const std::vector<std::string>& lines, const std::string& name) {
   std::string all;
-  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) all += lines[i] + '\n';
+  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) {
+    const bool is_safe = lines[i].starts_with(name + ':') || lines[i].starts_with("| ");
+    all += (is_safe ? "" : "| ") + lines[i] + '\n';
+  }
   if (lines.size() > most_lines)
     all += fmt::format("… and {} more lines\n", lines.size() - most_lines);
   if (!all.empty()) all.pop_back();
@@ -100,6 +105,10 @@ std::optional<std::string> quoted_after(std::string_view line, std::string_view 
 
 }  // namespace
 
+bool is_error(std::string_view line) {
+  return severity(line) == "error" || severity(line) == "fatal";
+}
+
 std::string first_errors(const std::string& diagnostics, const NamedText& file) {
   const std::vector<std::string> source = lines_of(file.text);
   // Warnings come first but matter less: drop each with its continuation lines.
@@ -115,7 +124,7 @@ std::string first_errors(const std::string& diagnostics, const NamedText& file) 
     kept.push_back(line);
     if (line.starts_with(file.name + ':')) quote(line, source, kept);
   }
-  return joined(kept);
+  return joined(kept, file.name);
 }
 
 std::string missing_include(const NamedText& file) {
@@ -192,10 +201,14 @@ std::string explain_link_errors(const std::string& diagnostics, const Lab& lab,
             : fmt::format("`{}` is defined twice.", name));
   }
   if (lines.empty()) {
-    lines = lines_of(diagnostics);
-    lines.insert(lines.begin(), fmt::format("{} does not link:", lab.file()));
+    return fmt::format("{} does not link:\n{}", lab.file(),
+                       joined(lines_of(diagnostics), lab.file()));
   }
-  return sandbox::printable(joined(lines));
+  if (lines.size() > most_lines) {
+    lines[most_lines] = fmt::format("… and {} more lines", lines.size() - most_lines);
+    lines.resize(most_lines + 1);
+  }
+  return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 }  // namespace mc::grader

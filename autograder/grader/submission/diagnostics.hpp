@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "grader/checkout/labs.hpp"
 
@@ -11,6 +12,9 @@ namespace mc::grader {
 struct NamedText {
   std::string name, text;  ///< of a source file
 };
+
+/// Is this a compiler's line about an error at a place: "file:12:5: error: …"?
+bool is_error(std::string_view line);
 
 /// The first errors of a compilation with their lines. The compiler is run without quoting source
 /// lines (see compile.cpp); this inserts those of `file`.

@@ -15,7 +15,7 @@
 #include "grader/base/side_by_side.hpp"
 #include "grader/base/text_file.hpp"
 #include "grader/submission/compile.hpp"
-#include "grader/submission/include_policy.hpp"
+#include "grader/submission/toolchain.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 
@@ -183,7 +183,8 @@ std::vector<fs::path> shared_objects(const Layout& layout, const Lab& lab) {
   const std::lock_guard lock(one_at_a_time);
   static std::map<std::string, std::vector<fs::path>> done;
   if (const auto found = done.find(lab.name); found != done.end()) return found->second;
-  const auto command = command_for(layout, {});
+  const auto command =
+      command_for(layout, {fmt::format("-ffile-prefix-map={}/=", layout.root.string())});
   require_static_libraries(layout);
   std::vector<Source> sources = shared_sources(layout, lab, layout.build / "objects");
   for (Source& source : sources) source.flags = {"-O1"};

@@ -1,32 +1,52 @@
 #include "grader/submission/scratch.hpp"
 
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "grader/base/errors.hpp"
+#include "sandbox/descriptor.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;
 
+void write_or_explain(const fs::path& place, const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const std::system_error& error) {
+    if (error.code().value() != EACCES && error.code().value() != EPERM) throw;
+    fs::path at = place;
+    while (!fs::exists(at)) at = at.parent_path();
+    struct stat status {};
+    if (stat(at.c_str(), &status) != 0 || status.st_uid == geteuid()) throw;
+    throw MachineError(fmt::format(
+        "cannot write in {}: it belongs to another user (id {}), after a run as that user. Remove "
+        "it, or: sudo chown -R {} {}",
+        at.string(), status.st_uid, geteuid(), at.parent_path().string()));
+  }
+}
+
 ScratchDirectory::ScratchDirectory(const Layout& layout) {
   const fs::path parent = layout.build / "tmp";
-  std::error_code error;
-  fs::create_directories(parent, error);
   // The name begins with its owner, for sweep_scratch().
   std::string pattern = (parent / fmt::format("{}-XXXXXX", getpid())).string();
-  if (error || mkdtemp(pattern.data()) == nullptr) {
-    throw MachineError(fmt::format("cannot write in {}: {}", parent.string(),
-                                   error ? error.message() : std::strerror(errno)));
+  try {
+    write_or_explain(parent, [&] {
+      fs::create_directories(parent);
+      if (mkdtemp(pattern.data()) == nullptr) sandbox::fail(parent.string());
+    });
+  } catch (const std::system_error& error) {
+    throw MachineError(
+        fmt::format("cannot write in {}: {}", parent.string(), error.code().message()));
   }
   path_ = pattern;
 }

@@ -2,6 +2,7 @@
 // Temporary directories, removed with their owner.
 
 #include <filesystem>
+#include <functional>
 #include <set>
 
 #include "grader/checkout/layout.hpp"
@@ -19,6 +20,10 @@ class ScratchDirectory {
  private:
   std::filesystem::path path_;
 };
+
+/// Calls `write`. If it may not write, throws MachineError that names the owner of `place` (another
+/// user, after a run as root) and the remedy; other exceptions pass.
+void write_or_explain(const std::filesystem::path& place, const std::function<void()>& write);
 
 /// Removes the least recently used programs until at most `most_bytes` are left, but none that a
 /// build may be about to link, except those of files in `done_with`.

@@ -4,7 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -22,16 +25,18 @@ std::string size_in_words(std::uintmax_t bytes) {
   return fmt::format("{} GB", bytes >> 30);
 }
 
+/// As Windows writes "Unicode": a byte order mark, or two letters with a zero byte each.
+bool is_utf_16(std::string_view text) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+  return text.size() > 3 && text[0] != text[1] &&
+         ((text[0] == 0 && text[2] == 0) || (text[1] == 0 && text[3] == 0));
+}
+
 }  // namespace
 
 bool is_machine_fault(const std::error_code& code) {
-  for (const std::errc one :
-       {std::errc::too_many_files_open, std::errc::too_many_files_open_in_system,
-        std::errc::not_enough_memory, std::errc::io_error, std::errc::no_space_on_device,
-        std::errc::resource_unavailable_try_again}) {
-    if (code == one) return true;
-  }
-  return false;
+  constexpr int faults[] = {EMFILE, ENFILE, ENOMEM, EIO, ENOSPC, EAGAIN, EDQUOT, ESTALE, EROFS};
+  return std::ranges::find(faults, code.value()) != std::end(faults);
 }
 
 SourceFile read_source(const fs::path& file) {
@@ -68,6 +73,11 @@ SourceFile read_source(const fs::path& file) {
   }
   if (length > longest_source) return too_long(length);
   source.text.resize(length);
+  if (is_utf_16(source.text)) {
+    return {{},
+            fmt::format("{} is encoded in UTF-16, which compilers do not read. Save it as UTF-8.",
+                        name)};
+  }
   return source;
 }
 

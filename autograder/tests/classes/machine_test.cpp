@@ -146,6 +146,38 @@ TEST_CASE("where seccomp, execveat or setgroups is refused, nothing is judged", 
   }
 }
 
+TEST_CASE("without Landlock there is a grade, which says so, and no other file is included",
+          "[.machine]") {
+  Course course(1);
+  course.hand_in("thief", "#include \"common/../../solutions/variance.cpp\"\n");
+  for (const std::string& id : course.ids) {
+    const auto run = course.with({"--refuse", "landlock_create_ruleset"},
+                                 course.grade(course.build, "class/" + id, {}));
+    if (run.exit_code == 77) return;
+    CAPTURE(id, run.output, run.errors);
+    CHECK(contains(run.output, "no Landlock on this machine"));
+    CHECK(contains(run.output, id == "thief" ? "reads " : "100 of 100"));
+    if (id == "thief") CHECK(contains(run.output, "0 of 100 points"));
+  }
+}
+
+TEST_CASE("as the only user of a user namespace, and with a lower stack, it judges", "[.machine]") {
+  const Course course(1);
+  for (const Words& how : {Words{"unshare", "--user", "--map-root-user"},
+                           Words{"prlimit", "--stack=8388608:8388608"}}) {
+    const auto run =
+        sandbox::run_process(joined(how, course.grade(course.build, "class/" + course.ids[0], {})));
+    if (contains(run.errors, "unshare")) continue;  // not allowed here
+    CAPTURE(how, run.output, run.errors);
+    CHECK(contains(run.output, "100 of 100"));
+  }
+  const auto low =
+      sandbox::run_process(joined({"prlimit", "--as=1000000000:1000000000"},
+                                  course.grade(course.build, "class/" + course.ids[0], {})));
+  CAPTURE(low.output, low.errors);
+  CHECK((contains(low.output, "100 of 100") || contains(low.errors, "ulimit -Hv")));
+}
+
 TEST_CASE("without processes or descriptors there is a full grade or none", "[.machine]") {
   const Course course(1);
   const std::string user = std::to_string(700'000 + getpid());

@@ -1,15 +1,5 @@
 // What it asks of the kernel, and how it ends. Sections: see CONTRIBUTING.md.
 
-//// abort_in_task
-// attack: aborts
-// says: crashed: aborted
-
-#include <cstdlib>
-
-static double attack() {
-  std::abort();
-}
-
 //// catches_signal
 // attack: computes on after the signal that says its time is over
 // says: did not end within 2 s of CPU time and 512 MB of memory
@@ -27,16 +17,6 @@ static double attack() {
   for (const auto start = std::clock(); std::clock() - start < CLOCKS_PER_SEC / 2;) {
   }
   return 1.5;
-}
-
-//// endless_loop
-// attack: never ends
-// says: did not end within 2 s of CPU time and 512 MB of memory
-// limit: time
-
-static double attack() {
-  for (volatile int i = 0;; i = i + 1) {
-  }
 }
 
 //// executes
@@ -82,16 +62,6 @@ static double attack() {
   return 0;
 }
 
-//// exit_in_task
-// attack: ends with success inside a task
-// says: called exit(0) instead of returning
-
-#include <unistd.h>
-
-static double attack() {
-  _exit(0);
-}
-
 //// fork_bomb
 // attack: doubles itself without end
 // says: made a system call a lab never needs
@@ -101,63 +71,6 @@ static double attack() {
 
 static double attack() {
   for (;;) syscall(SYS_clone, 17, 0, 0, 0, 0);
-}
-
-//// io_uring
-// attack: has the kernel open files on its behalf
-// says: made a system call a lab never needs
-
-#include <unistd.h>
-
-static double attack() {
-  char parameters[120] = {};
-  return static_cast<double>(syscall(425, 8, parameters));
-}
-
-//// kills_all
-// attack: kills everything it may
-// says: made a system call a lab never needs
-
-#include <signal.h>
-
-static double attack() {
-  return kill(-1, SIGKILL);
-}
-
-//// kills_parent
-// attack: kills its parent
-// says: made a system call a lab never needs
-
-#include <signal.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-static double attack() {
-  return kill(static_cast<pid_t>(syscall(SYS_getppid)), SIGKILL);
-}
-
-//// kills_thread
-// attack: kills by tgkill, which abort needs: with another signal, and another process
-// says: made a system call a lab never needs
-
-#include <signal.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-static double attack() {
-  const auto self = static_cast<int>(syscall(SYS_getpid));
-  return static_cast<double>(syscall(SYS_tgkill, self - 1, self - 1, SIGABRT));
-}
-
-//// limits_parent
-// attack: takes its parent's CPU time away
-// says: made a system call a lab never needs
-
-#include <sys/resource.h>
-
-static double attack() {
-  const rlimit none{0, 0};
-  return prlimit(1, RLIMIT_CPU, &none, nullptr);
 }
 
 //// memory_bomb
@@ -170,19 +83,6 @@ static double attack() {
     volatile char* const block = new char[1 << 20];
     for (int i = 0; i < 1 << 20; i += 4096) block[i] = 1;
   }
-}
-
-//// opens_memory
-// attack: opens its own memory, and its parent's
-// says: made a system call a lab never needs
-
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <string>
-
-static double attack() {
-  return open(("/proc/" + std::to_string(getppid()) + "/mem").c_str(), O_RDWR);
 }
 
 //// opens_solution
@@ -228,59 +128,6 @@ static double attack() {
   return answer;
 }
 
-//// own_filter
-// attack: puts its own filter over the jail's
-// says: made a system call a lab never needs
-
-#include <sys/prctl.h>
-
-static double attack() {
-  return prctl(PR_SET_SECCOMP, 2, nullptr);
-}
-
-//// own_limits
-// attack: gives itself more CPU time
-// says: made a system call a lab never needs
-
-#include <sys/resource.h>
-
-static double attack() {
-  const rlimit more{RLIM_INFINITY, RLIM_INFINITY};
-  return setrlimit(RLIMIT_CPU, &more);
-}
-
-//// reads_memory
-// attack: looks for the answer above itself on the stack
-// says: crashed: segmentation fault
-
-static double attack() {
-  volatile double local = 0;
-  for (const volatile double* at = &local;; ++at) local = *at;
-}
-
-//// reads_request
-// attack: reads its request a second time
-// says: ) = 0
-
-#include <unistd.h>
-
-static double attack() {
-  double answer = 0;
-  while (read(0, &answer, sizeof answer) > 0) {
-  }
-  return answer;
-}
-
-//// sleeps
-// attack: waits without using CPU time
-// says: made a system call a lab never needs
-
-#include <unistd.h>
-
-static double attack() {
-  return sleep(1000);
-}
-
 //// stack_overflow
 // attack: recursion without an end
 // says: crashed: segmentation fault
@@ -293,28 +140,6 @@ int down(volatile int* above) {
 static double attack() {
   int start = 1;
   return down(&start);
-}
-
-//// thread
-// attack: computes in a second thread
-// says: made a system call a lab never needs
-
-#include <thread>
-
-static double attack() {
-  double answer = 0;
-  std::thread([&] { answer = 1; }).join();
-  return answer;
-}
-
-//// traces_parent
-// attack: traces its parent
-// says: made a system call a lab never needs
-
-#include <sys/ptrace.h>
-
-static double attack() {
-  return static_cast<double>(ptrace(PTRACE_ATTACH, 1, nullptr, nullptr));
 }
 
 //// waits_on_futex
