@@ -1,6 +1,7 @@
 #include "6-sampler/experiments.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -162,6 +163,33 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
   return values;
 }
 
+std::vector<double> against_independent(std::string kind, std::uint64_t pairs,
+                                        std::vector<std::uint64_t> sizes, std::uint64_t seeds) {
+  const Scene checkerboard{"next2", [=](Sampler& from) {
+                             double product = 1;
+                             for (std::uint64_t k = 0; k < pairs; ++k) {
+                               const Point2 point = from.next2();
+                               const auto quarters =
+                                   static_cast<int>(4 * point.x) + static_cast<int>(4 * point.y);
+                               if (quarters % 2 == 1) product = -product;
+                             }
+                             return product;
+                           }};
+  const auto sampler = mc::make_sampler(kind);
+  std::vector<double> ratios;
+  for (const std::uint64_t samples : sizes) {
+    double squares = 0;  // the mean is 0, the variance of a sample 1
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const double value = mc::integrate(checkerboard, *sampler, samples, seed);
+      squares += value * value;
+    }
+    const double mean_square = squares / static_cast<double>(seeds);
+    ratios.push_back(std::round(1000 * std::sqrt(mean_square * static_cast<double>(samples))) /
+                     1000);
+  }
+  return ratios;
+}
+
 double integrate_keyed(std::uint64_t key, double low, double high, std::uint64_t samples,
                        std::uint64_t seed) {
   FunctionSampler sampler([=](std::uint64_t n, std::uint64_t of, std::uint64_t i) {
@@ -199,8 +227,8 @@ std::vector<std::uint64_t> pixel_seeds(std::uint64_t width, std::uint64_t height
     const Image image = mc::render(scene, sampler, 1, seed);
     seeds.resize(image.pixels.size());
     for (std::size_t k = 0; k < seeds.size(); ++k) {
-      seeds[k] |= static_cast<std::uint64_t>(std::clamp(image.pixels[k], 0.0, 1.0) * 0x1p32)
-                  << shift;
+      const double pixel = image.pixels[k] >= 0 ? std::min(image.pixels[k], 1.0) : 1;
+      seeds[k] |= static_cast<std::uint64_t>(pixel * 0x1p32) << shift;
     }
   }
   return seeds;
@@ -299,6 +327,9 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(sobol_columns, "dimensions samples seeds",
                     "6.3  dimensions of the Sobol' sequence, scrambled",
                     {.points = "samples", .sets = "seeds"}),
+      MC_EXPERIMENT(against_independent, "kind pairs sizes seeds",
+                    "the RMSE by that of independent samples, for a checkerboard of quarters",
+                    {.columns = "ratio", .index = "samples", .row_labels = "sizes"}),
       MC_EXPERIMENT(integrate_keyed, "key low high samples seed",
                     "6.5  the integral of a scene that is a function of a key"),
       MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture",

@@ -117,12 +117,9 @@ std::string hint_for_orders(const std::vector<Orders>& sets) {
 
 // Swaps with any other of three values give a distribution that is 1/27 off: 20,000 sets show 1/40.
 using Shape = std::tuple<std::size_t, Uses, std::size_t>;
-const std::vector<Shape> shapes{{12, repeated(6, {1, 2}), 300},
-                                {3, repeated(17, {2, 1}), 300},
-                                {10007, {1, 2, 1}, 1},
-                                {131072, {1, 2}, 1},
-                                {3, {1}, 20000},
-                                {2, repeated(3, {1, 2}), 300}};
+const std::vector<Shape> shapes{{12, repeated(6, {1, 2}), 300}, {3, repeated(17, {2, 1}), 300},
+                                {10007, {1, 2, 1}, 1},          {3, {1}, 20000},
+                                {2, repeated(3, {1, 2}), 300},  {131072, {1, 2}, 1}};
 
 CHECK_CASE("6.2 each sample dimension has its own permutation", "[6.2][points:6][needs:3]") {
   for (const auto& [n, uses, sets] : shapes) {

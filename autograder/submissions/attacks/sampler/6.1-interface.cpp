@@ -1,6 +1,7 @@
 // What is called through the interface. Sections: see CONTRIBUTING.md.
 
 #include <unistd.h>
+#include <stdexcept>
 #include <vector>
 
 #include "runner/wire.hpp"
@@ -143,6 +144,50 @@ double integrate(const Scene& scene, Sampler&, std::size_t, std::uint64_t) {
 }
 }  // namespace mc
 
+//// goes_through_the_motions
+// attack: makes all calls of the loop and evaluates the scene as often as it should, but elsewhere
+// earns: 0
+// says: evaluate the scene once
+// says: pixel (column, row) has the index
+
+#include "common/todo.hpp"
+
+namespace mc {
+std::unique_ptr<Sampler> make_sampler(std::string_view) {
+  throw todo("6.1");
+}
+
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  if (samples == 0) throw std::invalid_argument("samples: must be positive");
+  sampler.generate(samples, seed);
+  Half half;
+  double sum = 0;
+  for (std::size_t i = 0; i < samples; ++i, sampler.advance()) {
+    sampler.next();
+    sum += scene.sample(half);
+  }
+  return sum / static_cast<double>(samples);
+}
+
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (spp == 0) throw std::invalid_argument("spp: must be positive");
+  if (scene.width > 0 && scene.height > most_samples / scene.width) {
+    throw std::invalid_argument("scene: too many pixels");
+  }
+  Image image{scene.width, scene.height, {}};
+  Half half;
+  for (std::size_t k = 0; k < scene.width * scene.height; ++k) {
+    sampler.generate(spp, mix_bits(mix_bits(seed) + k));
+    double sum = 0;
+    for (std::size_t i = 0; i < spp; ++i, sampler.advance()) {
+      sum += scene.sample(k % scene.width, k / scene.width, half);
+    }
+    image.pixels.push_back(sum / static_cast<double>(spp));
+  }
+  return image;
+}
+}  // namespace mc
+
 //// jumps_out_of_next
 // attack: leaves next() for a function that has returned long ago
 // says: called exit(0) instead of returning
@@ -168,7 +213,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view) {
 
 //// other_virtual_table
 // attack: gives the judge's sampler its own virtual table
-// says: 0 calls of generate()
+// says: evaluate the scene once
 
 #include <cstring>
 
@@ -248,8 +293,8 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 
 //// solves_the_scene
 // attack: integrate() looks at the scene through its own sampler, as often as it likes
-// earns: 8
-// says: the scene was evaluated 4096 times
+// earns: 10
+// says: evaluate the scene once
 
 #include "common/todo.hpp"
 
