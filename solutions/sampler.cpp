@@ -35,8 +35,8 @@ struct Places {
   std::size_t round = 0, next = 0, half = 0;  ///< half: the unused half of a pair, or 0 (6.8)
 };
 
-/// How requests take the dimensions of a sequence (6.3): `take` returns the first of `count` places
-/// and begins another round if none is left; `order` makes the order of its points.
+/// How requests take the dimensions of a sequence (6.3): `take` returns the first of `count` places,
+/// perhaps of another round; `order` makes the order of the points in that.
 struct Sequence {
   std::span<const unsigned> dimensions;
   std::size_t (*take)(Places&, std::size_t count);
@@ -95,7 +95,7 @@ std::vector<double> random_order(std::size_t samples, Rng& rng) {
   return order;
 }
 
-/// Writes the points to x in the order of the round. `fill(column)` writes them in sequence.
+/// Writes to x, in the order of the round, the points that fill(column) writes in sequence.
 template <class Fill>
 void in_order(const SampleDimension& dim, std::span<double> x, Fill fill) {
   if (dim.order.empty()) return fill(x);
@@ -146,13 +146,12 @@ void dimensions_of(const SampleDimension& dim, std::span<double> x, std::span<do
   if (!y.empty()) fill(dim, dim.place + 1, y, rng());
 }
 
-/// All that 6.3 asks for. `kinds` has the blocks of 6.8 instead.
 constexpr Sequence one_sequence{{}, in_turn, random_order};
 [[maybe_unused]] constexpr Kind plain_kinds[] = {
     {"halton", dimensions_of<fill_halton>, &one_sequence},
     {"sobol", dimensions_of<fill_sobol>, &one_sequence}};
 
-// 6.8 ---------------------------------------------------------------------------------------------
+// 6.8  (`kinds` has these blocks instead) -----------------------------------------------------------
 
 // Rounds of eight dimensions, in four pairs that leave no cell of a square grid of N cells empty at
 // N = 4, 16, 64, 256 and 1024. Every next2() gets one of them, whatever calls of next() came
@@ -181,17 +180,18 @@ std::vector<double> nested_order(std::size_t samples, Rng& rng) {
 }
 
 /// The radical inverse phi is dimension 0 of the Sobol' sequence. It has at most 32 bits, so its
-/// products with z are exact.
+/// products with z are exact. The vector's first pair is its worst at some N, so it is used last.
+template <bool folds>
 void fill_lattice(const SampleDimension& dim, std::size_t place, std::span<double> x,
                   std::uint64_t seed) {
   in_order(dim, x, [&](auto all) { sobol_points(0, all, dim.tables); });
-  const auto z = static_cast<double>(lattice_vector[place]), shift = to_unit(Rng(seed)());
+  const auto z = static_cast<double>(lattice_vector[(place + 2) % 8]), shift = to_unit(Rng(seed)());
   for (double& value : x) {
     value *= z;
     value -= static_cast<double>(static_cast<int>(value));  // exact: the shift is not yet added
     value += shift;
     if (value >= 1) value -= 1;
-    value = std::min(1 - 0x1p-53, 2 * std::min(value, 1 - value));
+    if (folds) value = std::min(1 - 0x1p-53, 2 * std::min(value, 1 - value));
   }
 }
 
@@ -209,14 +209,14 @@ constexpr Kind kinds[] = {{"independent", independent},
                           {"blue_noise", blue_noise},
                           {"halton", dimensions_of<fill_halton>, &blocks},
                           {"sobol", dimensions_of<fill_sobol>, &blocks},
-                          {"lattice", dimensions_of<fill_lattice>, &blocks}};
+                          {"lattice", dimensions_of<fill_lattice<true>>, &blocks},
+                          {"lattice_unfolded", dimensions_of<fill_lattice<false>>, &blocks}};
 
 // 6.4 ---------------------------------------------------------------------------------------------
 
-// 6.8  After its column is filled, a number costs its virtual call, one comparison and two loads
-// (by data(), since a vector may check every index). `ready_` is the number of columns, or 0 if
-// there is no current sample: one comparison covers both cases. Rare work is in separate functions,
-// so that next() saves no registers for it. Columns keep their memory from pixel to pixel.
+// 6.8  A number costs its virtual call, one comparison and two loads (by data(), since a vector may
+// check every index). `ready_` is the number of columns, or 0 if there is no current sample: one
+// comparison covers both. Rare work is in separate functions, so that next() saves no registers.
 
 class ColumnSampler final : public Sampler {
  public:
@@ -283,9 +283,7 @@ class ColumnSampler final : public Sampler {
   }
 
   void require_sample() const {
-    if (sample_ < samples_) return;
-    throw std::out_of_range(samples_ == 0 ? "no samples yet: call generate() first"
-                                          : "no samples left: call generate() for new ones");
+    if (sample_ >= samples_) throw std::out_of_range("no sample is left: call generate() first");
   }
 
   const Kind& requested_kind_;

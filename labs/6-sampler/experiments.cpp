@@ -362,7 +362,8 @@ std::vector<mc::runner::Choice> mc::runner::choices() {
   for (const auto& picture : experiments::pictures) pictures.emplace_back(picture.name);
   return {{"kind",
            "is one of",
-           {"independent", "stratified", "blue_noise", "halton", "sobol", "lattice"}},
+           {"independent", "stratified", "blue_noise", "halton", "sobol", "lattice",
+            "lattice_unfolded"}},
           {"picture", "is one of", pictures},
           {"scene", "is one of these, with its --parameters in this order, or \"\"", scenes}};
 }

@@ -77,22 +77,23 @@ class Sampler {
 /// 3.7: so a prime N stratifies both axes). The samples of each next() and of each next2() are in
 /// an independent random permutation.
 ///
-/// 6.3  "halton" and "sobol": the sample dimensions are dimensions of one sequence, in its own order
-/// (sample i has point i, from 0 on). The first request takes the first dimension, or the first
-/// two if it is a next2(); the next request takes the next. Each dimension is randomized by a seed
-/// of its own: Sobol' by nested scrambling (5.8), Halton by permuted digits (5.9), but in base 2 by
-/// nested scrambling too. Past the last dimension (32 of Sobol', at least 8 of Halton) start again
-/// at the first, with new seeds and another random order of the points, which the dimensions until
-/// the next start share. Both dimensions of a next2() come from between the same two starts. Another
-/// order of the dimensions is right, too, and so is starting again after eight (6.8).
+/// 6.3  "halton" and "sobol": dimensions of one sequence, in its own order: sample i has point i.
+/// The first request takes the first dimension, or the first two if it is a next2(); the next
+/// request takes the next. Each dimension is randomized by a seed of its own: Sobol' by nested
+/// scrambling (5.8), Halton by permuted digits (5.9), but in base 2 by nested scrambling too. Past
+/// the last dimension (32 of Sobol', 8 or more of Halton) they start again at the first, with new
+/// seeds and another random order of the points, the same for all of them. Both dimensions of a
+/// next2() are from before a start, or both from after it. Another order of the dimensions is
+/// right, too, and so is starting again after eight (6.8).
 ///
 /// 6.7  "blue_noise": the first next2() is a blue-noise pattern of exactly N points, as blue as
 /// best_candidate with c = 1. Everything else is as in "stratified".
 ///
-/// 6.8  *Stretch*, no points: "sobol" with good pairs, and a number that costs little more than the
-/// call that asks for it. No next2() leaves more than a quarter of the cells of a square grid of N
-/// cells empty, N = 4, 16, 64, 256, 1024, nor do the first 16, 64 or 256 of 1,024 samples. Optional:
-/// "lattice", points of 5.10 for every N. docs/sampler-blocks.md explains one way to do both.
+/// 6.8  (Stretch: no points.) No next2() of "sobol" leaves more than a quarter of the cells of a
+/// square grid of N cells empty, N = 4, 16, 64, 256, 1024, nor do the first 16, 64 or 256 of 1,024
+/// samples. A number costs little more than the call that asks for it. Optional:
+/// "lattice", with the points of 5.10, and "lattice_unfolded", the same without the tent transform.
+/// docs/sampler-blocks.md explains one way to do all of this.
 ///
 /// throws: std::invalid_argument for any other kind, with a message that lists the known kinds.
 /// source: Pharr, Jakob, Humphreys 2023, "Physically based rendering", section 8.3 (interface);

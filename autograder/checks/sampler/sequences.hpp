@@ -37,7 +37,8 @@ class Dimension {
   Dimension(const std::string& kind, unsigned number)
       : base(kind == "halton" ? prime(number) : 2),
         directions_(sobol_directions(kind == "sobol" ? number : 0)),
-        z_(kind == "lattice" ? lattice_vector[number] : 0) {}
+        z_(kind.starts_with("lattice") ? lattice_vector[number] : 0),
+        is_folded_(kind == "lattice") {}
 
   unsigned base;
 
@@ -45,7 +46,7 @@ class Dimension {
   /// leading digits that they share, a shift their distance.
   bool may_be(double a, double b, std::size_t i, std::size_t j) const {
     if (i == j) return false;
-    if (z_ > 0) return may_be_folded(a, b, (value(i) - value(j)) * static_cast<double>(z_));
+    if (z_ > 0) return may_be_shifted(a, b, (value(i) - value(j)) * static_cast<double>(z_));
     if (base == 2) {
       return shared_bits(a, b) == std::countl_zero(sobol_word(directions_, i ^ j));
     }
@@ -101,28 +102,30 @@ class Dimension {
     return true;
   }
 
-  /// Whether a and b may be folded points of a lattice that are `apart` modulo 1: each has two
+  /// Whether a and b may be points of a lattice that are `apart` modulo 1; a folded point has two
   /// origins. Within 2^-40, far above rounding errors and far below differences by chance.
-  static bool may_be_folded(double a, double b, double apart) {
+  bool may_be_shifted(double a, double b, double apart) const {
     const double fraction = std::remainder(apart, 1.0);
     const auto fits = [=](double from, double to) {
       const double off = from - to - fraction;  // above -2
       return std::abs(off - (static_cast<int>(off + 2.5) - 2)) < 0x1p-40;
     };
+    if (!is_folded_) return fits(a, b);
     return fits(a / 2, b / 2) || fits(-a / 2, b / 2) || fits(a / 2, -b / 2) || fits(-a / 2, -b / 2);
   }
 
   std::array<std::uint32_t, 32> directions_;
   std::uint64_t z_;
+  bool is_folded_;
 };
 
 /// The dimensions of a sequence that an answer may use: of Halton's more than anybody does.
 inline const std::vector<Dimension>& dimensions_of(const std::string& kind) {
   static std::map<std::string, std::vector<Dimension>> known;
   auto& all = known[kind];
-  const std::size_t count = kind == "halton"    ? most_primes
-                            : kind == "lattice" ? lattice_vector.size()
-                                                : 32;
+  const std::size_t count = kind == "halton"              ? most_primes
+                            : kind.starts_with("lattice") ? lattice_vector.size()
+                                                          : 32;
   while (all.size() < count) all.emplace_back(kind, static_cast<unsigned>(all.size()));
   return all;
 }

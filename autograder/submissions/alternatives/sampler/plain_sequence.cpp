@@ -12,7 +12,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   for (const Kind& plain : plain_kinds) {
     if (plain.name == kind) return std::make_unique<ColumnSampler>(plain);
   }
-  if (kind == "lattice") throw std::invalid_argument("kind: lattice is optional");
+  if (kind.starts_with("lattice")) throw std::invalid_argument("kind: lattices are optional");
   return right_make_sampler(kind);
 }
 

@@ -175,7 +175,7 @@ MAKE_SAMPLER(make_wrong<shuffled>("sobol", kind))
 }  // namespace mc::first_round_shuffled
 
 // mistake: pads with dimensions 0 and 1 again and again
-// hint: this is a dimension that another coordinate has
+// hint: a dimension that another one has
 namespace mc::pairs_of_the_first_two {
 void first_two(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   dimensions_of<fill_sobol>({dim.number, 0, {}, {}, dim.tables}, x, y, rng);

@@ -139,3 +139,11 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
   return right_integrate(scene, sampler, samples, 0);
 }
 }  // namespace mc::ignores_the_seed
+
+// mistake: returns the sum
+// hint: divide by the number of samples
+namespace mc::returns_the_sum {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  return right_integrate(scene, sampler, samples, seed) * static_cast<double>(samples);
+}
+}  // namespace mc::returns_the_sum

@@ -47,8 +47,8 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 namespace mc::one_shift_for_all {
 void shifted_alike(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   const std::uint64_t seed = rng();
-  fill_lattice(dim, dim.place, x, seed);
-  if (!y.empty()) fill_lattice(dim, dim.place + 1, y, seed);
+  fill_lattice<true>(dim, dim.place, x, seed);
+  if (!y.empty()) fill_lattice<true>(dim, dim.place + 1, y, seed);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
