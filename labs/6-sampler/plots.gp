@@ -16,7 +16,8 @@ array scenes[4] = ["rect_light", "pixel_edge", "motion_edge", "pixel_time_lens"]
 array what[4] = ["under a lamp (smooth, 2D)", "an edge in a pixel (2D)", "a moving edge (1D + 1D)", "pixel, time and lens (5D)"]
 array rate[4] = [1.5, 0.75, 0.75, 0.5]
 array rates[4] = ["N^{-3/2}", "N^{-3/4}", "N^{-3/4}", ""]
-array least[4] = [3e-7, 2e-4, 2e-4, 8e-4]
+array below[4] = [0.4, 0.15, 0.15, 0]
+array least[4] = [1e-7, 2e-4, 2e-4, 8e-4]
 do for [against=1:2] {
   name = against == 1 ? "error" : "time"; width = 620 * count; height = 900
   load draw
@@ -36,18 +37,18 @@ do for [against=1:2] {
   do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
     set title what[i].who(s)
     set ylabel (i % 2 == 1 && s == 1 ? "RMSE" : "")
-    set yrange [least[i]:0.3]
+    set yrange [least[i]:0.5]
     file = data[s]."/error-".scenes[i].".tsv"
     if (i == 4 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 4 spacing 1.1 } else { unset key }
     unset label
     if (against == 1) {
-      set label 1 "N^{-1/2}" at 5500, 0.55*4096**-0.5 right textcolor rgb ink
-      if (i < 4) { set label 2 rates[i] at 180, 0.22*180**-rate[i] right textcolor rgb ink }
+      set label 1 "N^{-1/2}" at 700, 1.6*700**-0.5 left textcolor rgb ink
+      if (i < 4) { set label 2 rates[i] at (i == 1 ? 180 : 70), (i == 1 ? 0.3 : 0.55)*below[i]*(i == 1 ? 180 : 70)**-rate[i] right textcolor rgb ink }
     }
     plot for [k=1:6] file using (column(against == 1 ? "N" : ways[k]."_us")):(column(ways[k])) with linespoints ls style(k) lw width_of(k) notitle, \
          for [k=1:6] keyentry with linespoints ls style(k) lw width_of(k) title is(ways[k]).(k == 6 ? " (stretch)" : ""), \
-         (against == 1 ? 0.4*x**-0.5 : NaN) with lines ls theory notitle, \
-         (against == 1 && i < 4 ? 0.4*x**-rate[i] : NaN) with lines ls theory+1 notitle
+         (against == 1 ? 1.1*x**-0.5 : NaN) with lines ls theory notitle, \
+         (against == 1 && i < 4 ? below[i]*x**-rate[i] : NaN) with lines ls theory+1 notitle
   } } }
   unset multiplot
 }
@@ -110,7 +111,7 @@ do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
   if (i < 4) {
     set logscale y
     set format y "10^{%L}"
-    set yrange [0.3:3000]
+    set yrange [0.2:3000]
     set xrange [0.4:6.6]
     set xtics ("independent" 1, "stratified" 2, "blue noise" 3, "Halton" 4, "Sobol'" 5, "lattice" 6) rotate by 40 right
     set xlabel ""
@@ -132,14 +133,14 @@ do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
     set xtics norotate autofreq 2,2,8
     set xlabel "dimensions"
     set title "256 samples".who(s)
-    set ylabel (s == 1 ? "ns per coordinate" : "")
+    set ylabel (s == 1 ? "ns per coordinate" : "") offset 0.5,0
     if (s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 4 spacing 1.1 } else { unset key }
     file = data[s]."/speed-dims.tsv"
-    plot for [k in "1 2 4 5 6"] file using "dims":ways[k+0]."_2" with linespoints ls style(k+0) notitle, \
-         for [k in "1 2 4 5 6"] file using "dims":ways[k+0]."_1" with lines ls style(k+0) lw 1 notitle, \
+    plot for [k in "1 2 4 5"] file using "dims":ways[k+0]."_2" with linespoints ls style(k+0) notitle, \
+         for [k in "1 2 4 5"] file using "dims":ways[k+0]."_1" with lines ls style(k+0) lw 1 notitle, \
          for [k=1:6] keyentry with linespoints ls style(k) title is(ways[k]).(k == 6 ? " (stretch)" : ""), \
-         keyentry with points pt 1 ps 1.6 lw 2 lc rgb ink title "+ filling columns; symbol: total", \
-         keyentry with lines lw 1 lc rgb ink title "thin lines, last panel: next()"
+         keyentry with points pt 1 ps 1.6 lw 2 lc rgb ink title "filling the columns", \
+         keyentry with lines lw 1 lc rgb ink title "by next()"
   }
 } } }
 unset multiplot
