@@ -1,8 +1,6 @@
 // 6.3: the dimensions of one randomized Halton or Sobol' sequence. 6.8: good pairs of dimensions,
 // good first samples, lattices.
 
-#include <map>
-
 #include "checks/sampler/sequences.hpp"
 
 namespace mc::checks {

@@ -3,6 +3,7 @@
 // columns, however they are randomized: exactly, by the number of leading digits that two points
 // share, or by their distance. Which dimension a request takes is up to the answer.
 
+#include <map>
 #include <set>
 
 #include "checks/sampler/samplers.hpp"
