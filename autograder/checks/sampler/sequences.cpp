@@ -19,7 +19,7 @@ std::size_t first_wrong(const std::string& kind, const SampleSets& got, const Us
 
 /// What so many samples show that chance does not.
 std::string likely_of(const std::string& kind, const Uses& uses, Rng& rng) {
-  const SampleSets got = columns_of(kind, 61, {fresh_seed(rng)}, uses);
+  const SampleSets got = columns_of(kind, 1025, {fresh_seed(rng)}, uses);
   if (first_round(kind, got, uses).size() >= 7) return {};
   const View x = got.column(0, first_wrong(kind, got, uses));
   if (dimension_in(kind, x, {})) {

@@ -274,7 +274,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view) {
 
 //// recognises_scenes
 // attack: integrate() asks which scene it has got, and knows the answer
-// says: every value is 1.5
+// says: every value is 0.5
 
 #include <typeinfo>
 
