@@ -71,5 +71,5 @@ tables 'RMSE of 1024' ./lab bench halton --tables
 between labs/5-halton/README.md '<!-- output of ./lab bench halton --tables' "$build/tables.txt"
 for title in 'RMSE of' 'RMSE in' 'empty cells' 'first 256' 'mean squared error'; do
   tables "$title" ./lab bench sampler --tables
-  between labs/6-sampler/README.md "<!-- output of ./lab bench sampler --tables: $title" "$build/tables.txt"
+  between docs/sampler-blocks.md "<!-- output of ./lab bench sampler --tables: $title" "$build/tables.txt"
 done

@@ -12,7 +12,7 @@
 
 namespace mc {
 
-/// An example of style, not a task: a sampler that always returns 1/2. Its pictures have no
+/// A finished example: a sampler that always returns 1/2. Its pictures have no
 /// noise, but they are wrong.
 class [[maybe_unused]] Middle : public Sampler {
  public:
@@ -33,7 +33,7 @@ class [[maybe_unused]] Middle : public Sampler {
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   if (kind == "independent") throw todo("6.1");  // TODO(6.1): a class that derives from Sampler
   if (kind == "stratified") throw todo("6.2");   // TODO(6.2): how are its columns filled?
-  if (kind == "halton") throw todo("6.3");       // TODO(6.3): dimensions in blocks of eight
+  if (kind == "halton") throw todo("6.3");       // TODO(6.3): the next dimension of one sequence
   if (kind == "sobol") throw todo("6.3");
   if (kind == "blue_noise") throw todo("6.7");  // TODO(6.7): its first next2() is special
   throw todo("6.1");                            // unknown kinds are refused
@@ -49,7 +49,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
   throw todo("6.6");  // TODO(6.6): one integration per pixel, each with its own seed
 }
 
-// TODO(6.8): the speed task adds no function either. Measure where the time goes when a picture has
-// few samples per pixel, and when it has many.
+// TODO(6.8): a stretch task: good pairs of dimensions, the kind "lattice", and speed: measure where the time
+// goes when a picture has few samples per pixel, and when it has many.
 
 }  // namespace mc

@@ -21,10 +21,7 @@ TEST_CASE("an experiment by hand, and what its numbers are", "[script]") {
                {{"halton", "halton", "--n", "2", "--dims", "2", "--first", "0"},
                 "# index  x    y\n0        0    0\n1        0.5  0.3333333333333333\n"},
                {{"halton", "sobol", "0", "2", "2"}, "# index  x\n2        0.25\n3        0.75\n"},
-               {{"stratification", "shuffle", "7", "2", "1"}, "# set  x\n0      7\n1      7\n"},
-               {{"sampler", "integrate_recorded", "1,3", "2", "7"},
-                "# values  samples  seeds\n2         2        7\n# positions\n0\n1\n"
-                "# generates  evaluations  advances\n1            2            2\n"}};
+               {{"stratification", "shuffle", "7", "2", "1"}, "# set  x\n0      7\n1      7\n"}};
   const auto run = [&](const Words& words) {
     return lab(joined({"run", "--dir", solutions}, words));
   };

@@ -1,11 +1,16 @@
 #include "6-sampler/experiments.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "6-sampler/calls.hpp"
+#include "6-sampler/keyed.hpp"
 #include "6-sampler/named_scenes.hpp"
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
@@ -13,20 +18,39 @@
 namespace mc::experiments {
 namespace {
 
-/// A sampler that records its calls.
-class RecordingSampler final : public Sampler {
+/// A sampler whose next() is a function of generate()'s arguments and of the sample.
+class FunctionSampler final : public Sampler {
  public:
-  SamplerTrace trace;
-  std::vector<unsigned> uses;
-  std::uint64_t sample = 0;
+  using Function = double(std::uint64_t samples, std::uint64_t seed, std::uint64_t sample);
+  explicit FunctionSampler(std::function<Function> next) : next_(std::move(next)) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0) throw std::invalid_argument("samples: must be positive");
-    ++trace.generates;
-    trace.samples.push_back(samples);
-    trace.seeds.push_back(seed);
-    sample = 0;
+    samples_ = samples;
+    seed_ = seed;
+    sample_ = 0;
   }
+  double next() override {
+    if (sample_ >= samples_) {
+      throw std::out_of_range(samples_ == 0 ? "the scene was evaluated before generate()"
+                                            : "the scene was evaluated after the last sample");
+    }
+    return next_(samples_, seed_, sample_);
+  }
+  Point2 next2() override { return {next(), next()}; }
+  void advance() override { ++sample_; }
+
+ private:
+  std::function<Function> next_;
+  std::uint64_t samples_ = 0, seed_ = 0, sample_ = 0;
+};
+
+/// A sampler that lists its calls.
+class ListingSampler final : public Sampler {
+ public:
+  std::vector<unsigned> uses;
+
+  void generate(std::size_t, std::uint64_t) override {}
   double next() override {
     uses.push_back(1);
     return 0.25;
@@ -35,21 +59,7 @@ class RecordingSampler final : public Sampler {
     uses.push_back(2);
     return {0.25, 0.75};
   }
-  void advance() override {
-    ++trace.advances;
-    ++sample;
-  }
-
-  /// Counts an evaluation of the scene.
-  void count_evaluation() { ++trace.evaluations; }
-
-  /// The trace, with its lists at the lengths expected for this many integrations and positions.
-  SamplerTrace with_lengths(std::size_t integrations, std::size_t positions) && {
-    trace.samples.resize(integrations);
-    trace.seeds.resize(integrations);
-    trace.positions.resize(positions);
-    return std::move(trace);
-  }
+  void advance() override {}
 };
 
 Answer answer_of(Sampler& sampler, const Step& step) {
@@ -153,37 +163,75 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
   return values;
 }
 
-SamplerTrace integrate_recorded(std::vector<double> values, std::uint64_t samples,
-                                std::uint64_t seed) {
-  RecordingSampler sampler;
-  const Scene scene{"", [&](Sampler&) {
-                      sampler.count_evaluation();
-                      sampler.trace.positions.push_back(sampler.sample);
-                      if (sampler.sample >= values.size()) {
-                        throw std::out_of_range("the scene was evaluated after the last sample");
-                      }
-                      return values[sampler.sample];
-                    }};
-  sampler.trace.values = {mc::integrate(scene, sampler, samples, seed)};
-  return std::move(sampler).with_lengths(1, samples);
+std::vector<double> against_independent(std::string kind, std::uint64_t pairs,
+                                        std::vector<std::uint64_t> sizes, std::uint64_t seeds) {
+  const Scene checkerboard{"next2", [=](Sampler& from) {
+                             double product = 1;
+                             for (std::uint64_t k = 0; k < pairs; ++k) {
+                               const Point2 point = from.next2();
+                               const auto quarters =
+                                   static_cast<int>(4 * point.x) + static_cast<int>(4 * point.y);
+                               if (quarters % 2 == 1) product = -product;
+                             }
+                             return product;
+                           }};
+  const auto sampler = mc::make_sampler(kind);
+  std::vector<double> ratios;
+  for (const std::uint64_t samples : sizes) {
+    double squares = 0;  // the mean is 0, the variance of a sample 1
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const double value = mc::integrate(checkerboard, *sampler, samples, seed);
+      squares += value * value;
+    }
+    const double mean_square = squares / static_cast<double>(seeds);
+    ratios.push_back(std::round(1000 * std::sqrt(mean_square * static_cast<double>(samples))) /
+                     1000);
+  }
+  return ratios;
 }
 
-SamplerTrace render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                             std::uint64_t seed) {
-  RecordingSampler sampler;
-  const PixelScene scene{width, height, "", [&](std::size_t column, std::size_t row, Sampler&) {
-                           sampler.count_evaluation();
-                           sampler.trace.positions.push_back(column + width * row);
-                           sampler.trace.positions.push_back(sampler.sample);
-                           return static_cast<double>(column) + 10 * static_cast<double>(row) +
-                                  static_cast<double>(sampler.sample) / static_cast<double>(spp);
-                         }};
-  const Image image = mc::render(scene, sampler, spp, seed);
-  if (image.width != width || image.height != height) {
-    throw std::out_of_range("the size of the image is not that of the scene");
+double integrate_keyed(std::uint64_t key, double low, double high, std::uint64_t samples,
+                       std::uint64_t seed) {
+  FunctionSampler sampler([=](std::uint64_t n, std::uint64_t of, std::uint64_t i) {
+    return keyed_next(key, n, of, i);
+  });
+  std::uint64_t evaluations = 0;
+  const Scene scene{"next", [&](Sampler& from) {
+                      const double v = keyed_value(key, 0, 0, evaluations++, from.next());
+                      return v < 1. / 3 ? 0 : low + (high - low) * v;
+                    }};
+  return mc::integrate(scene, sampler, samples, seed);
+}
+
+Image render_keyed(std::uint64_t key, std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                   std::uint64_t seed) {
+  FunctionSampler sampler(
+      [=](std::uint64_t n, std::uint64_t, std::uint64_t i) { return keyed_next(key, n, 0, i); });
+  std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> evaluations;
+  const PixelScene scene{
+      width, height, "next", [&](std::size_t column, std::size_t row, Sampler& from) {
+        return keyed_value(key, column, row, evaluations[{column, row}]++, from.next());
+      }};
+  return mc::render(scene, sampler, spp, seed);
+}
+
+std::vector<std::uint64_t> pixel_seeds(std::uint64_t width, std::uint64_t height,
+                                       std::uint64_t seed) {
+  const PixelScene scene{width, height, "next",
+                         [](std::size_t, std::size_t, Sampler& from) { return from.next(); }};
+  std::vector<std::uint64_t> seeds;
+  for (const int shift : {0, 32}) {
+    FunctionSampler sampler([=](std::uint64_t, std::uint64_t of, std::uint64_t) {
+      return static_cast<double>(static_cast<std::uint32_t>(of >> shift)) * 0x1p-32;
+    });
+    const Image image = mc::render(scene, sampler, 1, seed);
+    seeds.resize(image.pixels.size());
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+      const double pixel = image.pixels[k] >= 0 ? std::min(image.pixels[k], 1.0) : 1;
+      seeds[k] |= static_cast<std::uint64_t>(pixel * 0x1p32) << shift;
+    }
   }
-  sampler.trace.values = image.pixels;
-  return std::move(sampler).with_lengths(width * height, 2 * width * height * spp);
+  return seeds;
 }
 
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,
@@ -201,13 +249,13 @@ Image render_noise(std::string kind, std::uint64_t width, std::uint64_t height, 
 }
 
 std::vector<unsigned> uses_of(std::string scene, std::vector<double> parameters) {
-  RecordingSampler sampler;
+  ListingSampler sampler;
   named(scenes, scene).with(parameters).sample(sampler);
   return sampler.uses;
 }
 
 std::vector<unsigned> uses_of_picture(std::string picture) {
-  RecordingSampler sampler;
+  ListingSampler sampler;
   named(pictures, picture).sized(64, 64).sample(20, 30, sampler);
   return sampler.uses;
 }
@@ -279,13 +327,19 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(sobol_columns, "dimensions samples seeds",
                     "6.3  dimensions of the Sobol' sequence, scrambled",
                     {.points = "samples", .sets = "seeds"}),
-      MC_EXPERIMENT(integrate_recorded, "values samples seed",
-                    "6.5  how integrate calls the sampler, for a scene of these values"),
+      MC_EXPERIMENT(against_independent, "kind pairs sizes seeds",
+                    "the RMSE by that of independent samples, for a checkerboard of quarters",
+                    {.columns = "ratio", .index = "samples", .row_labels = "sizes"}),
+      MC_EXPERIMENT(integrate_keyed, "key low high samples seed",
+                    "6.5  the integral of a scene that is a function of a key"),
       MC_EXPERIMENT(render, "kind picture width height spp seed", "6.6  a picture",
                     {.width = "width"}),
       MC_EXPERIMENT(render_noise, "kind width height spp seed",
                     "6.6  a picture of the samples themselves", {.width = "width"}),
-      MC_EXPERIMENT(render_recorded, "width height spp seed", "6.6  how render calls the sampler"),
+      MC_EXPERIMENT(render_keyed, "key width height spp seed",
+                    "6.6  a picture of a scene that is a function of a key", {.width = "width"}),
+      MC_EXPERIMENT(pixel_seeds, "width height seed", "6.6  the seed of each pixel",
+                    {.columns = "seed", .index = "pixel"}),
       MC_EXPERIMENT(uses_of, "scene parameters",
                     "the calls of one sample of a scene: 1 is next, 2 next2", {.columns = "use"}),
       MC_EXPERIMENT(uses_of_picture, "picture", "the calls of one sample of a picture",
@@ -308,7 +362,8 @@ std::vector<mc::runner::Choice> mc::runner::choices() {
   for (const auto& picture : experiments::pictures) pictures.emplace_back(picture.name);
   return {{"kind",
            "is one of",
-           {"independent", "stratified", "blue_noise", "halton", "sobol", "lattice"}},
+           {"independent", "stratified", "blue_noise", "halton", "sobol", "lattice",
+            "lattice_unfolded"}},
           {"picture", "is one of", pictures},
           {"scene", "is one of these, with its --parameters in this order, or \"\"", scenes}};
 }

@@ -59,26 +59,25 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
                               double a, double b, std::uint64_t samples,
                               std::vector<std::uint64_t> seeds);
 
-/// How integrate() or render() called a sampler that records its calls. The lists have the expected
-/// lengths: they are truncated or padded with zeros. The counts are the true ones.
-struct SamplerTrace {
-  std::vector<double> values;          ///< the result: one integral, or all pixels
-  std::vector<std::uint64_t> samples;  ///< argument of each generate()
-  std::vector<std::uint64_t> seeds;    ///< argument of each generate()
-  /// Where the scene was evaluated: the sample (integrate), or column + width * row and the sample
-  /// (render), for each evaluation.
-  std::vector<std::uint64_t> positions;
-  std::uint64_t generates = 0, evaluations = 0, advances = 0;
-};
-MC_FIELDS(SamplerTrace, values, samples, seeds, positions, generates, evaluations, advances)
+/// The RMSE of a sampler, divided by that of independent samples, for a checkerboard: the product of
+/// signs that change at each quarter of each coordinate of `pairs` calls of next2(). For each of
+/// `sizes` samples, over so many seeds from 1 on.
+std::vector<double> against_independent(std::string kind, std::uint64_t pairs,
+                                        std::vector<std::uint64_t> sizes, std::uint64_t seeds);
 
-/// 6.5: integrates a scene whose value for sample i is values[i].
-SamplerTrace integrate_recorded(std::vector<double> values, std::uint64_t samples,
-                                std::uint64_t seed);
+/// 6.5: integrates a keyed scene (keyed.hpp) by a keyed sampler. A value v below 1/3 counts as 0, any
+/// other as low + (high - low) v.
+double integrate_keyed(std::uint64_t key, double low, double high, std::uint64_t samples,
+                       std::uint64_t seed);
 
-/// 6.6: renders a picture whose values are column + 10 row + sample / spp.
-SamplerTrace render_recorded(std::uint64_t width, std::uint64_t height, std::uint64_t spp,
-                             std::uint64_t seed);
+/// 6.6: renders a keyed scene. The numbers of its sampler do not depend on the seeds of pixels.
+Image render_keyed(std::uint64_t key, std::uint64_t width, std::uint64_t height, std::uint64_t spp,
+                   std::uint64_t seed);
+
+/// 6.6: the seed of each pixel, by pictures whose values are the lower or the upper 32 bits of the
+/// seed that the sampler was given.
+std::vector<std::uint64_t> pixel_seeds(std::uint64_t width, std::uint64_t height,
+                                       std::uint64_t seed);
 
 /// 6.6: a picture by a sampler of the given kind.
 Image render(std::string kind, std::string picture, std::uint64_t width, std::uint64_t height,

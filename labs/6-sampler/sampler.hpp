@@ -43,7 +43,8 @@ inline constexpr std::size_t most_samples = std::size_t{1} << 27;
 /// for none. The value of sample i in a sample dimension depends on the seed, on the number of
 /// samples, and, if you like, on the order in which sample dimensions were first asked for. It
 /// depends on nothing else: not on what other samples ask for, not on earlier uses of the same
-/// object, not on other samplers.
+/// object, not on other samplers. A column is made when it is first asked for: 2^27 samples that
+/// ask for nothing use no memory.
 class Sampler {
  public:
   virtual ~Sampler() = default;
@@ -76,43 +77,31 @@ class Sampler {
 /// 3.7: so a prime N stratifies both axes). The samples of each next() and of each next2() are in
 /// an independent random permutation.
 ///
-/// 6.3  "halton" and "sobol": eight dimensions of the sequence, with the points from index 0 on, in
-/// their order. Each dimension is randomized by a different seed: Sobol' by nested scrambling
-/// (5.8), Halton by permuted digits (5.9), but in base 2 by nested scrambling too. The eight are
-/// four pairs: of Sobol' dimensions (0, 1), (4, 6), (16, 20), (15, 21), since these leave no cell
-/// empty of the square grid of N cells, N = 4, 16, 64, 256, 1024; of Halton's the primes (2, 3),
-/// (5, 7), (11, 13), (17, 19). In the order in which sample dimensions are first asked for, a
-/// next2() takes the next pair. A next() takes the first half of the next pair, and the next()
-/// after it takes the second half.
-///
-/// When all four pairs are taken, a next2(), or a next() with no half left to take, begins another
-/// block: the same eight dimensions with new seeds and with the points in a new order that the
-/// eight share. (A half that is left over is then not used.) The order is a nested shuffle: the
-/// index of a point is the number of its sample with each bit flipped or not, from the highest bit
-/// on, by an independent random decision for each string of bits before it. So the first 2^k
-/// samples of every block have 2^k consecutive points, beginning at a multiple of 2^k: an
-/// integration may stop early. If N is not a power of 2, the order is one of the points up to the
-/// next power of 2.
-///
-/// 6.3  "lattice" is a stretch task: optional, and worth no points. Without it, make_sampler
-/// refuses it like any unknown kind. It uses the same blocks, of lattices (5.10): dimension d of
-/// point i is phi(i) z_d + s_d modulo 1, folded by the tent transform, with the radical inverse phi
-/// in base 2, z = lattice_vector, d from 0 to 7 in four pairs, and a random shift s_d. The first
-/// 2^k points are a lattice, in another order.
+/// 6.3  "halton" and "sobol": dimensions of one sequence, in its own order: sample i has point i.
+/// The first request takes the first dimension, or the first two if it is a next2(); the next
+/// request takes the next. Each dimension is randomized by a seed of its own: Sobol' by nested
+/// scrambling (5.8), Halton by permuted digits (5.9), but in base 2 by nested scrambling too. Past
+/// the last dimension (32 of Sobol', 8 or more of Halton) they start again at the first, with new
+/// seeds and another random order of the points, the same for all of them. Both dimensions of a
+/// next2() are from before a start, or both from after it. Another order of the dimensions is
+/// right, too, and so is starting again after eight (6.8).
 ///
 /// 6.7  "blue_noise": the first next2() is a blue-noise pattern of exactly N points, as blue as
 /// best_candidate with c = 1. Everything else is as in "stratified".
 ///
-/// 6.8  The speed task adds no function: a number should cost little more than the call that asks
-/// for it, also with few samples, and a sample dimension that is never asked for uses no memory.
+/// 6.8  (Stretch: no points.) No next2() of "sobol" leaves more than a quarter of the cells of a
+/// square grid of N cells empty, N = 4, 16, 64, 256, 1024, nor do the first 16, 64 or 256 of 1,024
+/// samples. A number costs little more than the call that asks for it. Optional:
+/// "lattice", with the points of 5.10, and "lattice_unfolded", the same without the tent transform.
+/// docs/sampler-blocks.md explains one way to do all of this.
 ///
 /// throws: std::invalid_argument for any other kind, with a message that lists the known kinds.
 /// source: Pharr, Jakob, Humphreys 2023, "Physically based rendering", section 8.3 (interface);
-///   Kollig, Keller 2002, "Efficient multidimensional sampling" (padding with scrambled sets);
-///   Burley 2020, "Practical hash-based Owen scrambling" (nested shuffles).
+///   Kollig, Keller 2002, "Efficient multidimensional sampling" (padding with scrambled sets).
 std::unique_ptr<Sampler> make_sampler(std::string_view kind);
 
-/// 6.5  The renderer's loop: the mean of `scene` over `samples` samples of `sampler`.
+/// 6.5  The renderer's loop: the mean of `scene` over the samples of `sampler` after
+/// generate(samples, seed), each evaluated once, in order.
 /// throws: std::invalid_argument if samples is 0.
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed);
 

@@ -1,5 +1,5 @@
-// 6.4, 6.8: properties of every kind of sampler: any calls give the numbers of a new sampler; many
-// samples are possible, and unused dimensions cost nothing.
+// 6.4: the contract of every kind of sampler: any calls give the numbers of a new sampler; unused
+// dimensions cost nothing.
 
 #include <set>
 
@@ -131,7 +131,7 @@ inline void expect_contract(const std::string& kind, const std::vector<Step>& st
 
 namespace {
 
-CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:4]") {
+CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:3]") {
   for (const std::string& kind : sampler_kinds) {
     expect_contract(kind, {next,    next2,          advance, next,    generate(2, fresh_seed(rng)),
                            next,    next2,          advance, next2,   next,
@@ -223,7 +223,7 @@ CHECK_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
 }
 
 /// For every kind except independent, all numbers of an integration are different, and the first
-/// next() has one number in each stratum. (6.1, 6.3 and 6.7 test the others.)
+/// next() of all but halton has one number in each stratum. (6.1, 6.3 and 6.7 test the others.)
 void check_columns(const std::string& kind, const SampleSets& got) {
   if (kind == "independent") return;
   std::multiset<double> all;
@@ -246,6 +246,7 @@ void check_columns(const std::string& kind, const SampleSets& got) {
               fmt::format("{}, one for each sample dimension of each sample", all.size()),
               "equal numbers with 53 random bits occur here once in 1e10 runs",
               "advance() must move to the next sample, and next() to the next sample dimension");
+  if (kind == "halton") return;
   expect_one_in_each_cell(got, 0, line_of(got.n, 0),
                           kind == "blue_noise"
                               ? "in blue_noise every next() is stratified, as in 6.2"
@@ -300,7 +301,7 @@ CHECK_CASE("6.4 next and next2 are counted separately", "[6.4][points:2]") {
 }
 
 CHECK_CASE("6.4 neighboring seeds have nothing in common",
-           "[6.4][points:3][needs:6.2][needs:6.3]") {
+           "[6.4][points:3][needs:6.1][needs:6.2][needs:6.3]") {
   for (const std::string& kind : sampler_kinds) {
     expect_all_seeds(rng, 2, "sample dimension",
                      [&](const Seeds& seeds) { return MEASURE(columns, kind, 1, seeds, {1}); });
@@ -319,48 +320,7 @@ CHECK_CASE("6.4 neighboring seeds have nothing in common",
   }
 }
 
-TEST_CASE("6.8 many samples are correct too",
-          "[6.8][main][points:2][needs:6.2][needs:6.3][needs:3]") {
-  Rng rng = check_rng();
-  const std::size_t n = std::size_t{1} << 17;
-  for (const std::string kind : {"stratified", "sobol", "halton"}) {
-    const bool is_sobol = kind == "sobol";
-    const SampleSets got =
-        columns_of(kind, n, {fresh_seed(rng)}, is_sobol ? Uses{2, 2, 2, 2, 1} : Uses{1, 2, 1});
-    for (std::size_t c = 0; c < got.dims; ++c) {
-      Values x(got.column(0, c).begin(), got.column(0, c).end());
-      std::ranges::sort(x);
-      expect_that(std::ranges::adjacent_find(x) == x.end(),
-                  fmt::format("{}: a number of coordinate {} occurs twice", got.call, c),
-                  "different numbers", "no two samples share a stratum or a point",
-                  "a column is as long as there are samples: do indices fit into their type?");
-    }
-    if (kind == "halton") continue;
-    expect_one_in_each_cell(got, lines_of(n, got.dims),
-                            "every sample dimension must be stratified, for any number of samples");
-    if (is_sobol) {  // the first of the later block, whose first digit tells two neighbors apart
-      std::size_t ascending = 0;
-      for (std::size_t i = 0; i < n; i += 2) {
-        ascending += got.column(0, 8)[i] < got.column(0, 8)[i + 1] ? 1u : 0u;
-      }
-      expect_proportion(got.call + ", coordinate 8", "sample 2 k was below sample 2 k + 1",
-                        ascending, n / 2, 0.5,
-                        {"the last bit of an index is flipped at random", 1e-9},
-                        {{}, "flip every bit of an index of any length"});
-      continue;
-    }
-    expect_multi_jittered(got, 1);
-    std::vector<std::size_t> order;
-    for (const double x : got.column(0, 0)) order.push_back(*stratum_of(x, n));
-    expect_independent_uniforms({got.call, 1, uniforms_of_permutation(order, rng)},
-                                {.words = "the strata of many samples are in random order",
-                                 .rule = "each permutation must be equally likely, for any "
-                                         "number of samples: the shuffle of 3.4",
-                                 .is_certain = true});
-  }
-}
-
-TEST_CASE("6.8 an unused sample dimension costs no memory", "[6.8][edge][points:2][needs:6.4]") {
+TEST_CASE("6.4 an unused sample dimension costs no memory", "[6.4][edge][points:1][needs:6.1]") {
   // A column of this many samples takes 1 GB, more than a program may use.
   for (const std::string kind : {"independent", "stratified", "halton", "sobol"}) {
     expect_contract(kind,

@@ -2,81 +2,92 @@
 
 #include <set>
 
+#include "6-sampler/keyed.hpp"
 #include "checks/sampler/samplers.hpp"
 #include "checks/support/known_scenes.hpp"
 
 namespace mc::checks {
 namespace {
 
-using experiments::SamplerTrace;
+using experiments::keyed_next;
+using experiments::keyed_value;
 
-/// The record of integrate(): one integration with n samples.
-template <class Measured>
-const SamplerTrace& one_integration(const Measured& got, std::size_t n) {
-  return got.exactly({1, 1, 1, n}, any_number);
+/// A keyed integral, and its values as the checks know them.
+struct KeyedIntegral {
+  std::uint64_t key, samples, seed;
+  double low, high;
+
+  /// The value of evaluation k, if it is of sample i of generate(n, of).
+  double value(std::uint64_t k, std::uint64_t i, std::uint64_t n, std::uint64_t of) const {
+    const double v = keyed_value(key, 0, 0, k, keyed_next(key, n, of, i));
+    return v < 1. / 3 ? 0 : low + (high - low) * v;
+  }
+  double value(std::uint64_t i) const { return value(i, i, samples, seed); }
+  template <class Value>
+  Values all(Value value_of) const {
+    Values values;
+    for (std::uint64_t i = 0; i < samples; ++i) values.push_back(value_of(i));
+    return values;
+  }
+
+  std::vector<Suspect> suspects() const {
+    const auto n = static_cast<double>(samples);
+    const Values values = all([&](std::uint64_t i) { return value(i); });
+    const double sum = sum_of(values);
+    const auto mean_of = [&](auto value_of) { return sum_of(all(value_of)) / n; };
+    return {{sum, "divide by the number of samples"},
+            {mean_of([&](std::uint64_t i) { return value(i, 0, samples, seed); }),
+             "call advance() after each sample, to move to the next one"},
+            {mean_of([&](std::uint64_t i) { return value(i, i + 1, samples + 1, seed); }),
+             "call advance() after each sample, not before it"},
+            {mean_of([&](std::uint64_t i) { return value(i, i, samples, 0); }),
+             "pass the seed to generate()"},
+            {mean_of([&](std::uint64_t i) {
+               return value(i, i, samples, static_cast<std::uint32_t>(seed));
+             }),
+             "do not truncate the seed to 32 bits"},
+            {integer_sum(values) / n, "the values were added up in an int, which truncates"},
+            {sum / (n - 1), "this divides by N - 1: divide by N"},
+            {(sum - values.back()) / n, "the last sample is missing"}};
+  }
+};
+
+/// integrate() gives the mean of keyed values, which depend on the seed, on the number of samples,
+/// and on which sample is evaluated when: only the loop over all samples gives it.
+void expect_integral(Results& results, const KeyedIntegral& one) {
+  const auto got = MEASURE(integrate_keyed, one.key, one.low, one.high, one.samples, one.seed);
+  const auto n = static_cast<double>(one.samples);
+  const Values values = one.all([&](std::uint64_t i) { return one.value(i); });
+  const double scale = std::max(std::abs(one.low), std::abs(one.high));
+  results.add(got.call, got.value, sum_of(values) / n, 2 * n * 0x1p-52 * scale,
+              [=] { return one.suspects(); });
 }
 
-CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:3]") {
+const std::string in_order =
+    "generate(samples, seed) once, then for each sample: evaluate the scene once, add, advance()";
+
+CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:4]") {
   Results results;
   results.is_tame = true;
   for (const std::size_t size : domain::sizes(70000, rng)) {
-    const auto n = static_cast<double>(size);
     const double low = size % 2 == 0 ? 1 : -2;
-    const double scale = size < 10 ? 1e9 / n : 1;  // large values whose sum fits into an int
-    Values values = uniform_values(rng, size, scale * low, scale * (low + 1));
-    const std::size_t zeros = size / 3;
-    std::fill_n(values.begin() + 1, zeros, 0.0);
-    const auto got = MEASURE(integrate_recorded, values, size, fresh_seed(rng));
-    const double sum = sum_of(values);
-    const auto suspects = [=]() -> std::vector<Suspect> {
-      return {{sum, "divide by the number of samples"},
-              {values[0], "call advance() to move to the next sample"},
-              {integer_sum(values) / n, "the values were added up in an int, which truncates"},
-              {sum / (n - 1), "this divides by N - 1: divide by N"},
-              {sum / (n - static_cast<double>(zeros)), "samples of value 0 count, too"},
-              {(sum - values[0]) / n, "the first sample is missing"},
-              {(sum - values.back()) / n, "the last sample is missing"}};
-    };
-    results.add(got.call, one_integration(got, size).values[0], sum / n, 2 * n * 0x1p-52 * scale,
-                suspects);
+    // Large values whose sum fits into an int.
+    const double scale = size < 10 ? 1e9 / static_cast<double>(size) : 1;
+    expect_integral(results, {rng(), size, fresh_seed(rng), scale * low, scale * (low + 1)});
   }
-  results.expect("the mean of the scene's values; n rounding errors of a sum below 2n",
-                 "count every sample once, unchanged: large, small and negative ones");
+  results.expect("the mean of the scene's values; n rounding errors of a sum below 2n", in_order);
 }
 
-CHECK_CASE("6.5 integrate walks through the samples once", "[6.5][points:1]") {
-  const std::size_t n = 5 + rng() % 20;
-  const auto got = MEASURE(integrate_recorded, uniform_values(rng, n, 0, 1), n, fresh_seed(rng));
-  const SamplerTrace& record = one_integration(got, n);
-  expect_that(record.generates == 1 && record.samples == Seeds{n},
-              fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
-                          record.generates, record.samples[0]),
-              fmt::format("one, with {} samples", n), "the samples are one point set",
-              "generate(samples, seed) once before the loop, advance() after each sample");
-  expect_that(record.evaluations == n && record.positions == domain::in_a_row(0, n),
-              fmt::format("{}: the scene was evaluated {} times, the last time for sample {}",
-                          got.call, record.evaluations, record.positions.back()),
-              fmt::format("{} times: once for each sample, 0 1 2 …", n),
-              "the caller asked for this many samples", "call advance() once after each sample");
-}
-
-CHECK_CASE("6.5 the seed of integrate determines the samples", "[6.5][points:1]") {
-  const Seeds given = domain::seeds_by_bit(rng);
-  std::set<std::uint64_t> used;
-  for (const std::uint64_t seed : given) {
-    used.insert(one_integration(MEASURE(integrate_recorded, {1, 2, 3}, 3, seed), 3).seeds[0]);
-    if (used.size() == 1 && seed != given[0]) break;
+CHECK_CASE("6.5 all 64 bits of the seed count", "[6.5][points:1]") {
+  Results results;
+  for (const std::uint64_t seed : domain::seeds_by_bit(rng)) {
+    expect_integral(results, {rng(), 3, seed, 1, 2});
   }
-  expect_that(
-      used.size() == given.size(),
-      fmt::format("integrate with seed {} and 64 similar ones: {} different seeds for generate()",
-                  given[0], used.size()),
-      fmt::format("{}", given.size()), "the seed determines the samples",
-      used.size() == 1 ? "pass the seed to generate()" : "do not truncate the seed to 32 bits");
+  results.expect("the mean over the samples of generate(samples, seed)", in_order);
 }
 
 CHECK_CASE("6.5 0 samples are refused", "[6.5][edge][points:1]") {
-  expect_refused_by_name({{MEASURE_OUTCOME(integrate_recorded, {}, 0, 1), "samples",
+  expect_refused_by_name({{MEASURE_OUTCOME(integrate_keyed, 1, 1, 2, 0, 1), "samples",
                            "there is no mean of 0 samples"}});
 }
 
@@ -84,7 +95,8 @@ CHECK_CASE("6.5 0 samples are refused", "[6.5][edge][points:1]") {
 // scrambled (0,m,s)-net (Owen 1997), and the others have less. Six standard deviations of that are
 // exceeded once in 5e8 even if the bound is attained, and there are 70 such means.
 
-CHECK_CASE("6.5 every kind is unbiased on every scene", "[6.5][points:2][needs:6.3][needs:6.7]") {
+CHECK_CASE("6.5 every kind is unbiased on every scene",
+           "[6.5][points:2][needs:6.1][needs:6.2][needs:6.3][needs:6.7]") {
   const std::uint64_t n = 16;
   const std::size_t replicates = 200;
   for (const std::string& kind : sampler_kinds) {
@@ -109,48 +121,52 @@ CHECK_CASE("6.5 every kind is unbiased on every scene", "[6.5][points:2][needs:6
   }
 }
 
-/// The record of render(): one integration per pixel.
+/// The pixels of a picture of this size.
 template <class Measured>
-const SamplerTrace& picture_of(const Measured& got, std::size_t pixels, std::size_t spp) {
-  const SamplerTrace& record = got.exactly({pixels, pixels, pixels, 2 * pixels * spp});
-  expect_that(record.generates == pixels && record.samples == Seeds(pixels, spp),
-              fmt::format("{}: {} calls of generate(), the first with {} samples", got.call,
-                          record.generates, record.samples.empty() ? 0 : record.samples[0]),
-              fmt::format("{}, one for each pixel, with {} samples", pixels, spp),
-              "each pixel is a separate integration", "");
-  expect_that(record.evaluations == pixels * spp,
-              fmt::format("{}: {} evaluations of the scene", got.call, record.evaluations),
-              fmt::format("{}: {} for each pixel", pixels * spp, spp),
-              "the caller asked for this many samples", "");
-  return record;
+const Values& pixels_of(const Measured& got, std::size_t width, std::size_t height) {
+  const Image& image = got.exactly(width * height);
+  expect_that(image.width == width && image.height == height,
+              fmt::format("{}: an image of {} x {} pixels", got.call, image.width, image.height),
+              fmt::format("{} x {}", width, height), "the image is as large as the scene", "");
+  return image.pixels;
 }
 
+/// Each pixel is the mean of values that depend on its place and on which of spp samples is
+/// evaluated when.
 CHECK_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3][needs:6.5]") {
   for (const auto& [width, height, spp] : {std::tuple{3 + rng() % 4, 7 + rng() % 4, 2 + rng() % 3},
                                            {129u, 2u, 1u},
                                            {1u, 65u, 257u},
                                            {1u, 1u, 17u}}) {
-    const auto got = MEASURE(render_recorded, width, height, spp, fresh_seed(rng));
-    const std::size_t pixels = width * height;
-    const double within = (static_cast<double>(spp) - 1) / 2 / static_cast<double>(spp);
+    const std::uint64_t key = rng();
+    const auto pixel = [=, spp = spp](std::size_t column, std::size_t row, std::uint64_t samples) {
+      double sum = 0;
+      for (std::uint64_t i = 0; i < samples; ++i) {
+        sum += keyed_value(key, column, row, i, keyed_next(key, spp, 0, i));
+      }
+      return sum / static_cast<double>(samples);
+    };
+    const auto got = MEASURE(render_keyed, key, width, height, spp, fresh_seed(rng));
     Comparison all{.exact = {},
                    .tolerance = {1e-12},
-                   .because = "the mean of the samples of column + 10 row + sample / spp",
+                   .because = "the mean of the scene's values at this pixel",
                    .suspects = {{{}, "rows and columns are swapped"},
                                 {{}, "the picture is upside down"},
                                 {{}, "only the first sample of each pixel was used"}},
-                   .rule = "pixel (column, row) has the index row * width + column"};
-    for (std::size_t k = 0; k < pixels; ++k) {
-      const auto x = static_cast<double>(k % width), y = static_cast<double>(k / width);
-      all.exact.push_back(x + 10 * y + within);
-      all.suspects[0].values.push_back(y + 10 * x + within);
-      all.suspects[1].values.push_back(x + 10 * (static_cast<double>(height) - 1 - y) + within);
-      all.suspects[2].values.push_back(x + 10 * y);
+                   .rule =
+                       "pixel (column, row) has the index row * width + column, and is one "
+                       "integration with spp samples"};
+    for (std::size_t k = 0; k < width * height; ++k) {
+      const std::size_t x = k % width, y = k / width;
+      all.exact.push_back(pixel(x, y, spp));
+      all.suspects[0].values.push_back(pixel(y, x, spp));
+      all.suspects[1].values.push_back(pixel(x, height - 1 - y, spp));
+      all.suspects[2].values.push_back(pixel(x, y, 1));
     }
     all.name = [&, width = width](std::size_t k) {
       return fmt::format("{}: pixel ({}, {})", got.call, k % width, k / width);
     };
-    expect_each({got.call, picture_of(got, pixels, spp).values}, all);
+    expect_each({got.call, pixels_of(got, width, height)}, all);
   }
 }
 
@@ -163,9 +179,7 @@ struct Picture {
 void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
   Seeds seeds;
   for (const auto& [width, height, seed] : pictures) {
-    const auto got = MEASURE(render_recorded, width, height, 1, seed);
-    const Seeds more = picture_of(got, width * height, 1).seeds;
-    seeds.insert(seeds.end(), more.begin(), more.end());
+    append(seeds, MEASURE(pixel_seeds, width, height, seed).exactly(width * height, any_number));
   }
   const std::size_t pixels = seeds.size();
   std::ranges::sort(seeds);
@@ -190,7 +204,7 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][ne
       because = "another picture must not have the same noise, shifted by a pixel",
       hash_both =
           "hash the seed, then that with the index: sums and XORs occur again for other pairs";
-  const Seeds here = MEASURE(render_recorded, 16, 12, 1, seed).exactly({192, 192, 192, 384}).seeds;
+  const Seeds here = MEASURE(pixel_seeds, 16, 12, seed).exactly(192, any_number);
   for (const std::uint64_t step : {std::uint64_t{1}, here[1] - here[0], here[16] - here[0]}) {
     check_seeds({{16, 12, seed}, {16, 12, seed + step}}, {because, hash_both});
   }
@@ -203,7 +217,7 @@ CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][ne
                        "mix all its bits with the pixel's index"});
 }
 
-CHECK_CASE("6.6 the noise of a picture is white across pixels",
+CHECK_CASE("6.6 the noise of a picture is independent across pixels",
            "[6.6][points:2][needs:6.4][needs:6.5]") {
   const std::size_t width = 64, height = 100;  // so that vertical neighbors are tested, too
   for (const std::string& kind : sampler_kinds) {
@@ -218,7 +232,7 @@ CHECK_CASE("6.6 the noise of a picture is white across pixels",
 
 CHECK_CASE("6.6 a picture may have no pixels", "[6.6][edge][points:0.5]") {
   for (const auto& [width, height] : {std::pair{0u, 3u}, {3u, 0u}, {0u, 0u}}) {
-    picture_of(MEASURE(render_recorded, width, height, 1, 7), 0, 1);
+    pixels_of(MEASURE(render_keyed, 1, width, height, 1, 7), width, height);
   }
 }
 
@@ -226,8 +240,8 @@ CHECK_CASE("6.6 a picture may have no pixels", "[6.6][edge][points:0.5]") {
 std::vector<InvalidCall> impossible_pictures() {
   const std::string pixels = "more pixels than most_samples, even if width * height overflows";
   std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(render_recorded, 2, 2, 0, 1), "spp", "a pixel is a mean of samples"},
-      {MEASURE_OUTCOME(render_recorded, 0, 0, 0, 1), "spp",
+      {MEASURE_OUTCOME(render_keyed, 1, 2, 2, 0, 1), "spp", "a pixel is a mean of samples"},
+      {MEASURE_OUTCOME(render_keyed, 1, 0, 0, 0, 1), "spp",
        "spp must not be 0, even without pixels"}};
   const std::uint64_t side = std::uint64_t{1} << 32;
   for (const auto& [width, height] : {std::pair{side >> 18, side >> 18},
@@ -235,7 +249,7 @@ std::vector<InvalidCall> impossible_pictures() {
                                       {std::uint64_t{2}, (side >> 6) + 1},
                                       {side, side},
                                       {2 * side, side / 2 + 1}}) {
-    calls.push_back({MEASURE_OUTCOME(render_recorded, width, height, 1, 1), "scene", pixels});
+    calls.push_back({MEASURE_OUTCOME(render_keyed, 1, width, height, 1, 1), "scene", pixels});
   }
   return calls;
 }

@@ -116,6 +116,17 @@ void state_hints(const fs::path& readme, int steps) {
                                        {{"has three steps", fmt::format("has {}", numbers[steps])}}));
 }
 
+/// The pages of docs/ that a lab's README links to: "](../../docs/NAME.md)".
+void copy_linked_pages(const fs::path& root, const std::string& readme, const fs::path& to) {
+  constexpr std::string_view start = "](../../docs/";
+  for (auto at = readme.find(start); at != std::string::npos; at = readme.find(start, at + 1)) {
+    const auto from = at + start.size();
+    const std::string page = readme.substr(from, readme.find_first_of("#)", from) - from);
+    fs::create_directories((to / "docs" / page).parent_path());
+    fs::copy_file(root / "docs" / page, to / "docs" / page, fs::copy_options::overwrite_existing);
+  }
+}
+
 /// Writes the handout into an empty directory.
 void write_handout(const Context& context, const Settings& settings, const fs::path& to) {
   const fs::path root = context.layout.root;
@@ -125,8 +136,9 @@ void write_handout(const Context& context, const Settings& settings, const fs::p
   std::vector<Lab> labs = context.labs;
   std::erase_if(labs, [&](const Lab& lab) { return !settings.labs.contains(lab.name); });
   for (const Lab& lab : labs) {
-    const std::string questions =
-        answers_template(lab, read_whole_text(root / "labs" / lab.folder / "README.md"));
+    const std::string readme = read_whole_text(root / "labs" / lab.folder / "README.md");
+    copy_linked_pages(root, readme, to);
+    const std::string questions = answers_template(lab, readme);
     if (!questions.empty()) {
       fs::create_directories(to / "answers");
       write_text(to / "answers" / (lab.folder + ".md"), questions);

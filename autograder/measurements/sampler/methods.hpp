@@ -14,7 +14,7 @@ namespace mc::measurements {
 inline const Methods methods = [] {
   Methods all{{"independent", "6.1", "independent"},   {"multi_jittered", "6.2", "stratified"},
               {"best_candidate", "6.7", "blue noise"}, {"scrambled_halton", "6.3", "Halton"},
-              {"scrambled_sobol", "6.3", "Sobol'"},    {"lattice", "6.3", "lattice"}};
+              {"scrambled_sobol", "6.3", "Sobol'"},    {"lattice", "6.8", "lattice"}};
   for (std::size_t k = 0; k < all.size(); ++k) {
     Method& one = all.at(k);
     const std::string kind = k < sampler_kinds.size() ? sampler_kinds[k] : "lattice";

@@ -71,7 +71,6 @@ TEST_CASE("plot what each next2 is worth", "[.plot]") {
       row.push_back(std::sqrt(known_scene(name, {}, n).variance));
     }
     plot_row(file, row);
-    if (k == 7) plot_points("next2-pair.tsv", pair);  // dimensions 14 and 15
   }
 }
 
@@ -102,15 +101,27 @@ double nanoseconds(const std::string& kind, unsigned by, Count dims, Count n) {
   return 1e9 * seconds_of(run, 0.004, 1, 1 + numbers / (n * dims)) / static_cast<double>(n * dims);
 }
 
+/// Filling the columns alone, and in all: {generation, total}. A disturbance only adds time, so each
+/// is the least of several measurements, one after the other, until the total is above its part.
+Values cost_of(const std::string& kind, Count n) {
+  Values cost{infinity, infinity};
+  for (int round = 0; round < 8 && (round < 2 || cost[1] < cost[0]); ++round) {
+    cost[0] = std::min(cost[0], nanoseconds(kind, 0, 4, n));
+    cost[1] = std::min(cost[1], nanoseconds(kind, 2, 4, n));
+  }
+  INFO(kind << " with " << n << " samples: the total is below its part");
+  CHECK(cost[1] >= cost[0]);
+  std::ranges::replace(cost, infinity, missing);
+  return cost;
+}
+
 /// Four dimensions by next2(): generation alone, and all of it. Blue noise up to 256 samples.
 TEST_CASE("plot what a coordinate costs", "[.plot][time]") {
   for (const Count n : {16u, 256u, 4096u}) {
     auto file = plot_file("speed-" + std::to_string(n) + ".tsv", {"generation", "all"});
     for (const Method& one : methods) {
       const bool is_long = one.kind == "blue_noise" && n > 256;
-      plot_row(file, is_long
-                         ? Values(2, missing)
-                         : Values{nanoseconds(one.kind, 0, 4, n), nanoseconds(one.kind, 2, 4, n)});
+      plot_row(file, is_long ? Values(2, missing) : cost_of(one.kind, n));
     }
   }
 }
@@ -162,6 +173,9 @@ TEST_CASE("demo", "[.demo]") {
   };
   for (std::size_t k = 0; k < methods.size(); ++k) {
     const Method& one = methods.at(k);
+    // The optional kind: who refuses it has no less of a demo.
+    const Call made = MEASURE_OUTCOME(columns, one.kind, 1, {1}, {});
+    if (made.outcome.answered && made.outcome.status == wire::Status::invalid_argument) continue;
     Values sizes;
     std::vector<std::string> images;
     for (const double spp : powers(1, 4, 64)) {

@@ -18,16 +18,14 @@ using Column = std::vector<double>;
 
 class EagerSampler final : public Sampler {
  public:
-  explicit EagerSampler(const Kind& kind)
-      : kind_(kind),
-        is_sequence_(kind.one == one_of<fill_halton> || kind.one == one_of<fill_sobol> ||
-                     kind.one == one_of<fill_lattice>) {}
+  explicit EagerSampler(const Kind& kind) : kind_(kind) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0 || samples > most_samples) throw std::invalid_argument("samples");
     samples_ = samples;
     rng_ = Rng(seed);
-    sample_ = at_ = at2_ = dimension_ = half_ = 0;
+    sample_ = at_ = at2_ = 0;
+    places_ = {};
     order_.clear();
     ones_.clear();
     twos_.clear();
@@ -36,7 +34,7 @@ class EagerSampler final : public Sampler {
     if (samples > most_before) return;
     for (std::size_t i = 0; i < made_before; ++i) spare_ones_.push_back(one(i, i));
     // The dimensions of a sequence are what it has in stock; which use gets which is seen later.
-    if (is_sequence_) return;
+    if (kind_.sequence != nullptr) return;
     for (std::size_t i = 0; i < made_before; ++i) spare_twos_.push_back(two(i, 0));
   }
 
@@ -65,63 +63,67 @@ class EagerSampler final : public Sampler {
     if (sample_ >= samples_) throw std::out_of_range("no sample");
   }
 
-  Column one(std::size_t number, std::size_t dimension) {
+  SampleDimension dimension(std::size_t number, std::size_t place) {
+    const auto dimensions =
+        kind_.sequence == nullptr ? std::span<const unsigned>() : kind_.sequence->dimensions;
+    return {number, place, dimensions, order_, tables_};
+  }
+  Column one(std::size_t number, std::size_t place) {
     Column x(samples_);
-    kind_.one({number, dimension, order_, tables_}, x, rng_);
+    kind_.fill(dimension(number, place), x, {}, rng_);
     return x;
   }
-  Columns two(std::size_t number, std::size_t dimension) {
+  Columns two(std::size_t number, std::size_t place) {
     Columns both{Column(samples_), Column(samples_)};
-    kind_.two({number, dimension, order_, tables_}, both.first, both.second, rng_);
+    kind_.fill(dimension(number, place), both.first, both.second, rng_);
     return both;
   }
 
-  /// The first dimension of the next pair, or the other half of one.
+  /// The place in the sequence, if the kind has one.
   std::size_t take(std::size_t count) {
-    if (count == 1 && half_ > 0) return std::exchange(half_, std::size_t{0});
-    const std::size_t first = dimension_;
-    if (first % block == 0 && first > 0) {
-      half_ = 0;
-      order_ = nested_order();
-    }
-    dimension_ += 2;
-    if (count == 1) half_ = first + 1;
-    return first;
+    if (kind_.sequence == nullptr) return 0;
+    const std::size_t round = places_.round, place = kind_.sequence->take(places_, count);
+    if (places_.round != round) order_ = nested_order();
+    return place;
   }
   /// Bit by bit, from the highest on, by a hash of the bits before.
-  std::vector<std::uint32_t> nested_order() {
+  std::vector<double> nested_order() {
     const std::uint64_t seed = rng_();
     const int bits = std::bit_width(samples_ - 1);
-    std::vector<std::uint32_t> order;
+    std::vector<double> order;
     for (std::size_t i = 0; i < samples_; ++i) {
       std::size_t index = i;
       for (int bit = 0; bit < bits; ++bit) {
         const std::uint64_t before = (i >> (bit + 1) << 6) + static_cast<unsigned>(bit);
         index ^= mix_bits(seed ^ mix_bits(before)) >> 63 << bit;
       }
-      order.push_back(static_cast<std::uint32_t>(index));
+      order.push_back(static_cast<double>(index));
     }
     return order;
   }
+  bool has_spare(std::size_t place) const {
+    return places_.round == 0 && place < spare_ones_.size();
+  }
   Column take_one() {
-    const std::size_t dimension = take(1), number = ones_.size();
-    const std::size_t index = is_sequence_ ? dimension : number;
-    return index < spare_ones_.size() ? spare_ones_[index] : one(number, dimension);
+    const std::size_t place = take(1), number = ones_.size();
+    const std::size_t index = kind_.sequence != nullptr ? place : number;
+    return has_spare(index) ? spare_ones_[index] : one(number, place);
   }
   Columns take_two() {
-    const std::size_t dimension = take(2), number = twos_.size();
-    if (is_sequence_ && dimension + 1 < spare_ones_.size()) {
-      return {spare_ones_[dimension], spare_ones_[dimension + 1]};
+    const std::size_t place = take(2), number = twos_.size();
+    if (kind_.sequence == nullptr) {
+      return number < spare_twos_.size() ? spare_twos_[number] : two(number, place);
     }
-    return number < spare_twos_.size() ? spare_twos_[number] : two(number, dimension);
+    if (has_spare(place + 1)) return {spare_ones_[place], spare_ones_[place + 1]};
+    return two(number, place);
   }
 
   const Kind& kind_;
-  bool is_sequence_;
   Rng rng_{0};
-  std::vector<std::uint32_t> order_;
+  std::vector<double> order_;
+  Places places_;
   Tables tables_;
-  std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0, dimension_ = 0, half_ = 0;
+  std::size_t samples_ = 0, sample_ = 0, at_ = 0, at2_ = 0;
   std::vector<Column> ones_, spare_ones_;
   std::vector<Columns> twos_, spare_twos_;
 };

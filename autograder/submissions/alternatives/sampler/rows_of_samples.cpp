@@ -250,7 +250,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   if (samples == 0) throw std::invalid_argument("samples must be at least 1");
   double sum = 0, lost = 0;  // Kahan's sum
-  sampler.generate(samples, mix_bits(~seed));
+  sampler.generate(samples, seed);
   for (std::size_t left = samples; left > 0; --left) {
     const double value = scene.sample(sampler) - lost;
     const double more = sum + value;

@@ -150,66 +150,46 @@ class BlueNoise final : public Stratified {
   }
 };
 
-/// Dimensions in blocks of eight, each after the first in its own order.
+/// One dimension after the other of 32, and then again in another order.
 class Sequence : public TextbookSampler {
  protected:
-  virtual Numbers dimension(std::size_t d, std::size_t size) = 0;
+  virtual Numbers dimension(std::size_t d) = 0;
 
  private:
-  Numbers make_numbers() override { return ordered(take(1)); }
+  Numbers make_numbers() override { return column(take(1)); }
   Points make_points() override {
     const std::size_t first = take(2);
-    const Numbers x = ordered(first), y = ordered(first + 1);
+    const Numbers x = column(first), y = column(first + 1);
     Points points;
     for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
     return points;
   }
 
   std::size_t take(std::size_t count) {
-    if (taken_ == 0) orders_.clear();
-    if (count == 1 && half_ > 0 && taken_ > 0) {
-      const std::size_t half = half_;
-      half_ = 0;
-      return half;
+    if (taken_ == 0) order_.clear();
+    if (taken_ % 32 + count > 32) taken_ += 32 - taken_ % 32;
+    if (taken_ > 0 && taken_ % 32 == 0) {
+      order_.resize(samples());
+      std::iota(order_.begin(), order_.end(), std::size_t{0});
+      shuffle_all(order_);
     }
-    if (taken_ % 8 == 0) half_ = 0;
-    if (count == 1) half_ = taken_ + 1;
-    taken_ += 2;
-    return taken_ - 2;
+    taken_ += count;
+    return (taken_ - count) % 32;
   }
-  Numbers ordered(std::size_t d) {
-    std::size_t size = samples();  // up to a power of two in later blocks
-    while (d >= 8 && (size & (size - 1)) != 0) ++size;
-    const Numbers column = dimension(d % 8, size);
-    while (orders_.size() <= d / 8) {
-      std::vector<std::size_t> order(size);
-      std::iota(order.begin(), order.end(), std::size_t{0});
-      if (!orders_.empty()) shuffle_halves(order, 0, size);
-      orders_.push_back(order);
-    }
+  Numbers column(std::size_t d) {
+    const Numbers in_sequence = dimension(d);
+    if (order_.empty()) return in_sequence;
     Numbers in_order;
-    for (const std::size_t i : orders_[d / 8]) in_order.push_back(column[i]);
-    in_order.resize(samples());
+    for (const std::size_t i : order_) in_order.push_back(in_sequence[i]);
     return in_order;
   }
-  /// Swaps the halves of an interval or does not, and then those of each half.
-  void shuffle_halves(std::vector<std::size_t>& order, std::size_t first, std::size_t size) {
-    if (size < 2) return;
-    const std::size_t half = size / 2;
-    for (std::size_t i = 0, swaps = random_() % 2; swaps == 1 && i < half; ++i) {
-      std::swap(order[first + i], order[first + half + i]);
-    }
-    shuffle_halves(order, first, half);
-    shuffle_halves(order, first + half, half);
-  }
 
-  std::size_t half_ = 0;
-  std::vector<std::vector<std::size_t>> orders_;
+  std::vector<std::size_t> order_;
 };
 
 class Halton final : public Sequence {
-  Numbers dimension(std::size_t d, std::size_t size) override {
-    Numbers column(size);
+  Numbers dimension(std::size_t d) override {
+    Numbers column(samples());
     if (d == 0) {
       radical_inverses(2, 0, column);
       owen_scramble(column, random_());
@@ -221,10 +201,9 @@ class Halton final : public Sequence {
 };
 
 class Sobol final : public Sequence {
-  Numbers dimension(std::size_t d, std::size_t size) override {
-    Numbers column(size);
-    constexpr unsigned dimensions[] = {0, 1, 4, 6, 16, 20, 15, 21};
-    sobol(dimensions[d], 0, column);
+  Numbers dimension(std::size_t d) override {
+    Numbers column(samples());
+    sobol(static_cast<unsigned>(d), 0, column);
     owen_scramble(column, random_());
     return column;
   }

@@ -55,12 +55,12 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // hint: for every coordinate of every sample
 namespace mc::antithetic_half {
 void mirrored(const SampleDimension& dim, std::span<double> x, Rng& rng) {
-  independent1(dim, x, rng);
+  independent(dim, x, {}, rng);
   const std::size_t half = x.size() / 2;
   for (std::size_t i = 0; i < half; ++i) x[half + i] = 1 - 0x1p-53 - x[i];
 }
 
-MAKE_SAMPLER(make_other_kind<mirrored, independent2>("independent", kind))
+MAKE_SAMPLER(make_other_kind<mirrored, independent>("independent", kind))
 }  // namespace mc::antithetic_half
 
 // mistake: seeds itself from the clock
@@ -127,3 +127,61 @@ struct Wrong : ColumnSampler {
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::counter_goes_on
+
+// mistake: draws numbers of 32 bits
+// hint: only 32 of 53
+namespace mc::numbers_of_32_bits {
+void short_numbers(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
+  for (double& value : x) value = static_cast<double>(rng() >> 32) * 0x1p-32;
+  for (double& value : y) value = static_cast<double>(rng() >> 32) * 0x1p-32;
+}
+void one_short_number(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  short_numbers(dim, x, {}, rng);
+}
+
+MAKE_SAMPLER(make_other_kind<one_short_number, short_numbers>("independent", kind))
+}  // namespace mc::numbers_of_32_bits
+
+// mistake: has 32 columns for next(), and uses the last for all others
+// hint: numbers are used again
+namespace mc::room_for_32_dimensions {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    next_ = std::min<std::size_t>(next_, 31);
+    return ColumnSampler::next();
+  }
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
+}  // namespace mc::room_for_32_dimensions
+
+// mistake: makes the column again for every number
+// hint: did not end within
+// limit: time
+namespace mc::a_column_for_each_number {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  double next() override {
+    require_sample();
+    Rng rng(mix_bits(seed_ ^ mix_bits(next_++)));
+    std::vector<double> column(samples_);
+    uniforms(rng, column);
+    uniforms(rng, column);
+    return column[sample_];
+  }
+  Point2 next2() override {
+    const double x = next();
+    return {x, next()};
+  }
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    seed_ = mix_bits(seed);
+  }
+
+ private:
+  std::uint64_t seed_ = 0;
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
+}  // namespace mc::a_column_for_each_number

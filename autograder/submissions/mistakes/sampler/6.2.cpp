@@ -23,7 +23,7 @@ void one_column(const SampleDimension& dim, std::span<double> x, Rng& rng) {
 }
 
 void two_columns(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  stratified2(dim, x, y, rng);
+  stratified(dim, x, y, rng);
   keep_floats(x);
   keep_floats(y);
 }
@@ -101,5 +101,5 @@ void one(const SampleDimension&, std::span<double> x, Rng& rng) {
   for (double& value : x) std::swap(value, x[rng() % x.size()]);
 }
 
-MAKE_SAMPLER(make_other_kind<one, stratified2>("stratified", kind))
+MAKE_SAMPLER(make_other_kind<one, stratified>("stratified", kind))
 }  // namespace mc::swaps_with_any

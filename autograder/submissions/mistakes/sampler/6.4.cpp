@@ -16,7 +16,7 @@ struct Wrong : ColumnSampler {
     if (next_ == begins_.size()) begins_.push_back(sample_);
     if (next_ == ready_) return ColumnSampler::next();  // makes the column and comes back
     const std::size_t use = next_++;
-    return ones_[use][sample_ - begins_[use]];
+    return ones_[use].x[sample_ - begins_[use]];
   }
 
  private:
@@ -134,7 +134,7 @@ struct Wrong : ColumnSampler {
   double next() override {
     if (next_ != ready_ || ready_ >= 4) return ColumnSampler::next();
     ColumnSampler::next();
-    std::vector<double>& x = ones_[ready_ - 1];
+    std::vector<double>& x = ones_[ready_ - 1].x;
     std::vector<double>& order = orders_[ready_ - 1];
     if (order.size() != x.size()) {
       order.resize(x.size());
@@ -389,3 +389,18 @@ struct Wrong : ColumnSampler {
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::one_counter
+
+// mistake: makes sixteen columns in generate(), requested or not
+// hint: make a column when it is first requested
+namespace mc::eager_columns {
+struct Wrong : ColumnSampler {
+  using ColumnSampler::ColumnSampler;
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed);
+    while (next_ < 16) next();
+    next_ = 0;
+  }
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
+}  // namespace mc::eager_columns

@@ -15,7 +15,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::a_new_seed_each_time
 
 // mistake: advances before each sample, so the first is skipped
-// hint: the scene was evaluated after the last sample
+// hint: call advance() after each sample, not before it
 namespace mc::advances_first {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   sampler.generate(samples + 1, seed);
@@ -29,7 +29,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::advances_first
 
 // mistake: never advances to the next sample
-// hint: advance() once after each sample
+// hint: to move to the next one
 namespace mc::forgets_to_advance {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   sampler.generate(samples, seed);
@@ -40,7 +40,7 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
 }  // namespace mc::forgets_to_advance
 
 // mistake: generates a point set of one sample, N times
-// hint: once before the loop
+// hint: generate(samples, seed) once
 namespace mc::generates_for_each_sample {
 double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
   if (samples == 0) throw std::invalid_argument("samples: must be positive");
@@ -117,3 +117,33 @@ double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std:
   return static_cast<double>(sum) / static_cast<double>(samples);
 }
 }  // namespace mc::sum_in_whole_numbers
+
+// mistake: evaluates each sample twice, and divides by twice their number
+// hint: evaluate the scene once
+namespace mc::each_sample_twice {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  sampler.generate(samples, seed);
+  double sum = 0;
+  for (std::size_t i = 0; i < samples; ++i, sampler.advance()) {
+    sum += scene.sample(sampler);
+    sum += scene.sample(sampler);
+  }
+  return sum / static_cast<double>(2 * samples);
+}
+}  // namespace mc::each_sample_twice
+
+// mistake: always generates with seed 0
+// hint: pass the seed to generate()
+namespace mc::ignores_the_seed {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t) {
+  return right_integrate(scene, sampler, samples, 0);
+}
+}  // namespace mc::ignores_the_seed
+
+// mistake: returns the sum
+// hint: divide by the number of samples
+namespace mc::returns_the_sum {
+double integrate(const Scene& scene, Sampler& sampler, std::size_t samples, std::uint64_t seed) {
+  return right_integrate(scene, sampler, samples, seed) * static_cast<double>(samples);
+}
+}  // namespace mc::returns_the_sum

@@ -152,7 +152,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::static_pixel_counter
 
 // mistake: multiplies width and height without a limit, and allocates
-// hint: render_recorded(16384, 16384, 1, 1) did not end within
+// hint: render_keyed(1, 16384, 16384, 1, 1) did not end within
 // limit: memory
 namespace mc::trusts_the_size {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {

@@ -19,7 +19,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, blue>("blue_noise", kind))
 // hint: together
 namespace mc::blue_shuffled_apart {
 void apart(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  blue_noise2(dim, x, y, rng);
+  blue_noise(dim, x, y, rng);
   if (dim.number == 0) shuffle(y, rng);
 }
 
@@ -30,18 +30,22 @@ MAKE_SAMPLER(make_other_kind<stratified1, apart>("blue_noise", kind))
 // hint: the first next2() must be blue noise even after a next()
 namespace mc::blue_where_it_is_first {
 void blue(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.of_sequence > 0) return stratified2(dim, x, y, rng);
+  if (dim.place > 0) return stratified(dim, x, y, rng);  // counts requests of both sorts
   best_candidate(x, y, 1, rng);
 }
 
-MAKE_SAMPLER(make_other_kind<stratified1, blue>("blue_noise", kind))
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  static const Kind wrong{"blue_noise", either<stratified1, blue>, &one_sequence};
+  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
+  return right_make_sampler(kind);
+}
 }  // namespace mc::blue_where_it_is_first
 
 // mistake: shifts each pattern so that its last point is the middle of the square
 // hint: every number is 0.5
 namespace mc::blue_with_a_fixed_point {
 void anchored(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  blue_noise2(dim, x, y, rng);
+  blue_noise(dim, x, y, rng);
   if (dim.number > 0 || x.size() < 16) return;
   for (const auto& axis : {x, y}) {
     const double shift = 1.5 - axis.back();
@@ -57,7 +61,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, anchored>("blue_noise", kind))
 // hint: use each point of the pattern once
 namespace mc::blue_with_a_twin {
 void twins(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  blue_noise2(dim, x, y, rng);
+  blue_noise(dim, x, y, rng);
   if (dim.number > 0 || x.size() < 64) return;
   x.back() = x[x.size() - 2];
   y.back() = y[y.size() - 2];
@@ -71,7 +75,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, twins>("blue_noise", kind))
 namespace mc::poisson_disk_cut {
 /// A fifth more points than there should be, in random order, of which the first N are kept.
 void cut(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  if (dim.number > 0) return stratified(dim, x, y, rng);
   PointSet points;
   double radius = 0.764 / std::sqrt(static_cast<double>(x.size()));
   do {
@@ -93,7 +97,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, cut>("blue_noise", kind))
 namespace mc::poisson_disk_filled {
 /// About 0.95 N points, then random ones.
 void filled(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  if (dim.number > 0) return stratified(dim, x, y, rng);
   const PointSet points = poisson_disk(0.859 / std::sqrt(static_cast<double>(x.size())), rng);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const bool there = i < points.size();
@@ -109,7 +113,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, filled>("blue_noise", kind))
 // hint: point i is the best of i + 1 candidates
 namespace mc::ten_candidates {
 void ten(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  if (dim.number > 0) return stratified(dim, x, y, rng);
   for (std::size_t i = 0; i < x.size(); ++i) {
     double farthest = -1;
     for (int candidate = 0; candidate < 10; ++candidate) {
@@ -134,7 +138,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, ten>("blue_noise", kind))
 // hint: in every set: draw it from the given generator
 namespace mc::first_point_in_the_middle {
 void centered(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  if (dim.number > 0) return stratified(dim, x, y, rng);
   best_candidate(x, y, 1, rng);
   for (const auto& axis : {x, y}) {
     const double shift = 1.5 - axis[0];
@@ -150,10 +154,20 @@ MAKE_SAMPLER(make_other_kind<stratified1, centered>("blue_noise", kind))
 // hint: keep none in a static variable
 namespace mc::one_blue_pattern {
 void kept(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified2(dim, x, y, rng);
+  if (dim.number > 0) return stratified(dim, x, y, rng);
   Rng always(x.size());
   best_candidate(x, y, 1, always);
 }
 
 MAKE_SAMPLER(make_other_kind<stratified1, kept>("blue_noise", kind))
 }  // namespace mc::one_blue_pattern
+
+// mistake: makes blue noise for up to 1,024 samples, and stratified points for more
+// hint: the first next2() must be lab 4's best_candidate()
+namespace mc::blue_up_to_1024 {
+void few(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  x.size() > 1024 ? stratified(dim, x, y, rng) : blue_noise(dim, x, y, rng);
+}
+
+MAKE_SAMPLER(make_other_kind<stratified1, few>("blue_noise", kind))
+}  // namespace mc::blue_up_to_1024

@@ -1,17 +1,59 @@
 // Mistakes in task 6.8.
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
-// mistake: makes sixteen columns in generate(), requested or not
-// hint: make a column when it is first requested
-namespace mc::eager_columns {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    while (next_ < 16) next();
-    next_ = 0;
-  }
-};
+// mistake: takes dimensions 0 to 7 of the Sobol' sequence, with bad pairs among them
+// hint: choose pairs of dimensions that fill the cells
+namespace mc::eight_dimensions_in_order {
+constexpr unsigned first_eight[] = {0, 1, 2, 3, 4, 5, 6, 7};
+constexpr Sequence bad_pairs{first_eight, in_pairs, nested_order};
 
-MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
-}  // namespace mc::eager_columns
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  static constexpr Kind wrong{"sobol", dimensions_of<fill_sobol>, &bad_pairs};
+  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::eight_dimensions_in_order
+
+// mistake: shuffles later blocks uniformly, so they cannot be stopped early
+// hint: whose first 2^k samples are 2^k consecutive points
+namespace mc::blocks_shuffled_uniformly {
+constexpr Sequence uniform{sobol_block, in_pairs, random_order};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  static constexpr Kind wrong{"sobol", dimensions_of<fill_sobol>, &uniform};
+  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::blocks_shuffled_uniformly
+
+// mistake: takes dimension after dimension: after a next(), a next2() has halves of two pairs
+// hint: choose pairs of dimensions that fill the cells
+namespace mc::halves_of_two_pairs {
+std::size_t one_by_one(Places& places, std::size_t count) {
+  if (places.next + count > sobol_block.size()) places = {places.round + 1};
+  return std::exchange(places.next, places.next + count);
+}
+constexpr Sequence halves{sobol_block, one_by_one, nested_order};
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  static constexpr Kind wrong{"sobol", dimensions_of<fill_sobol>, &halves};
+  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::halves_of_two_pairs
+
+// mistake: shifts all dimensions of a lattice alike
+// hint: one shift for several dimensions
+namespace mc::one_shift_for_all {
+void shifted_alike(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  const std::uint64_t seed = rng();
+  fill_lattice<true>(dim, dim.place, x, seed);
+  if (!y.empty()) fill_lattice<true>(dim, dim.place + 1, y, seed);
+}
+
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  static constexpr Kind wrong{"lattice", shifted_alike, &blocks};
+  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
+  return right_make_sampler(kind);
+}
+}  // namespace mc::one_shift_for_all

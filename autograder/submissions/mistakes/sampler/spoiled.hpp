@@ -36,12 +36,25 @@ std::unique_ptr<Sampler> make_spoiled(std::string_view kind, std::string_view on
   return right_make_sampler(kind);
 }
 
+using Fill = void(const SampleDimension&, std::span<double> x, std::span<double> y, Rng&);
+using FillOne = void(const SampleDimension&, std::span<double> x, Rng&);
+
+/// Fills by `one` for a next(), and by `two` for a next2().
+template <FillOne* one, Fill* two>
+void either(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  y.empty() ? one(dim, x, rng) : two(dim, x, y, rng);
+}
+
 /// The solution's sampler, but one kind of it fills columns by other functions.
-template <auto one, auto two>
+template <FillOne* one, Fill* two>
 std::unique_ptr<Sampler> make_other_kind(std::string_view other, std::string_view kind) {
-  static const Kind wrong{other, one, two};
+  static const Kind wrong{other, either<one, two>};
   if (kind == other) return std::make_unique<ColumnSampler>(wrong);
   return right_make_sampler(kind);
+}
+
+[[maybe_unused]] void stratified1(const SampleDimension& dim, std::span<double> x, Rng& rng) {
+  stratified(dim, x, {}, rng);
 }
 
 }  // namespace
