@@ -310,11 +310,10 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // * Two words that agree in exactly k bits differ by 2^k times an odd number. z -> m z + s with a
 //   random odd m makes that *any* odd number with equal probability, and a random s moves the pair
 //   anywhere, as nested scrambling does. A variance depends on pairs only, so it is Owen's.
-// * The fixed steps z -> z ^ z c with an even c break up the lattice on which three or more words
-//   would otherwise lie (Vegdahl 2021; the handout shows the kurtosis). Four words are still not
-//   quite independent: the product of the signs with which their fourth bits are flipped has mean
-//   -1/4 in the worst case, not 0. This affects no variance, only the fourth moment of the error of
-//   few points.
+// * The low k bits of m z + s contain 2 k - 1 random bits, but they should show 2^k - 1 independent
+//   decisions. So there is a second random step, after a fixed one, z -> z ^ z c with c = 2 mod 4:
+//   it adds each bit to the next one. Now any three of the decisions about the first five bits are
+//   independent, exactly. The other fixed step, with any even c, helps larger groups.
 // * Vector registers multiply 32 bits at a time. So the first 32 bits are scrambled like this, and
 //   a hash of them flips the remaining 21 bits, which are zero in Sobol' points.
 
@@ -325,20 +324,27 @@ static constexpr std::uint32_t mirrored(std::uint32_t word) {
   return __builtin_bswap32(word);
 }
 
+namespace {
+/// Scrambles mirrored words by two random words.
+struct NestedHash {
+  std::uint64_t one, two;
+
+  std::uint32_t operator()(std::uint32_t z) const {
+    z ^= z * 0x3d20adeau;
+    z = z * (lower_half(one) | 1) + upper_half(one);
+    z ^= z * 0x05526c56u;
+    return z * (lower_half(two) | 1) + upper_half(two);
+  }
+};
+}  // namespace
+
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
-  const std::uint64_t one = rng(), two = rng();
-  const std::uint32_t m = lower_half(one) | 1, s = upper_half(one);
-  const std::uint32_t a = lower_half(two) | 1, b = upper_half(two);
-  const auto scrambled = [=](std::uint32_t z) {  // z is the first 32 bits, mirrored
-    z ^= z * 0x3d20adeau;
-    z = z * m + s;
-    z ^= z * 0x05526c56u;
-    return z ^ z * 0x53a22864u;
-  };
+  const std::uint64_t one = rng(), two = rng(), three = rng();
+  const NestedHash scrambled{one, two};
   const auto hash = [=](std::uint32_t z) {  // its upper 21 bits flip the lower 21 of a value
-    z = (z ^ z >> 16) * a;
-    return (z ^ z >> 15) * 0x846ca68bu + b;
+    z = (z ^ z >> 16) * (lower_half(three) | 1);
+    return (z ^ z >> 15) * 0x846ca68bu + upper_half(three);
   };
   // x minus x rounded to 32 bits. It is negative if x was rounded up.
   const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };
@@ -357,11 +363,10 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) words[i] = scrambled(words[i]);
     for (std::size_t i = 0; i < size; ++i) flips[i] = hash(words[i]);
-    for (std::size_t i = 0; i < rests; ++i) {  // nested, too
+    for (std::size_t i = 0; i < rests; ++i) {  // nested, too: by a hash for each first 32 bits
       const std::uint32_t last = mirrored(lower_half(bits(rest(x[i]) + 0.75)) << 11);
-      const std::uint64_t random = mix_bits(words[i] ^ one);
-      const std::uint32_t odd = lower_half(random) | 1, add = upper_half(random);
-      flips[i] ^= mirrored((last * odd + add) ^ add);
+      const NestedHash of_string{mix_bits(words[i] ^ one), mix_bits(words[i] ^ two)};
+      flips[i] ^= mirrored(of_string(last) ^ of_string(0));
     }
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) {
