@@ -192,3 +192,13 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   }
 }
 }  // namespace mc::steps_by_length
+
+// mistake: refuses base 65,536, which is allowed
+// hint: it may overflow, be rounded or be off by one
+namespace mc::refuses_65536 {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  if (base >= 65536) throw std::invalid_argument("base: must be below 2^16");
+  right_radical_inverses_scrambled(base, first, column, seed);
+}
+}  // namespace mc::refuses_65536
