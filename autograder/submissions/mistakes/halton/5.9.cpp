@@ -125,7 +125,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::no_digit_stays
 
 // mistake: uses the same permutation at every position
-// hint: one permutation is used for all positions
+// hint: use a different permutation for each position
 namespace mc::one_permutation {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -137,7 +137,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::one_permutation
 
 // mistake: seeds the generator of a position with seed + position
-// hint: seed + position is the same
+// hint: mix both by a hash, do not add them
 namespace mc::position_added_to_seed {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
