@@ -189,8 +189,9 @@ constexpr auto sobol_tables = [] {
   for (std::size_t d = 0; d < all.size(); ++d) {
     auto& [v, words] = all[d];
     v = definition::directions_of(joe_kuo[d]);
-    for (std::size_t i = 0; i < words.size(); ++i)
-      words[i] = bits(1) | wide(definition::sobol_word(v, i));
+    words[0] = bits(1);
+    for (std::size_t i = 1; i < words.size(); ++i)  // that without the lowest bit is known
+      words[i] = words[i & (i - 1)] ^ wide(v[std::countr_zero(i)]);
   }
   return all;
 }();
@@ -363,8 +364,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   const std::uint64_t hashed = mix_bits(seed ^ mix_bits(base));
   const std::uint64_t value_of_zero = Rng(hashed)();
 
-  // On the stack: for few points, an allocation would cost more than everything else.
-  std::array<std::byte, 16384> stack;
+  std::array<std::byte, 16384> stack;  // an allocation would cost more than a few points
   std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
   std::pmr::vector<std::uint64_t> moves(&memory);  // a row of `base` entries per position
   moves.reserve(4 * base);
