@@ -201,3 +201,11 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
   }
 }
 }  // namespace mc::unmixed
+
+// mistake: takes the seed for a signed number and drops its sign
+// hint: a seed s and ~s or -s give the same numbers
+namespace mc::seed_without_sign {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  right_owen_scramble(column, std::min(seed, ~seed + 1));
+}
+}  // namespace mc::seed_without_sign
