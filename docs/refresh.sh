@@ -62,13 +62,9 @@ tables() {
   "$@" --rounds 1 | awk -v RS= -v ORS='\n\n' -v beginning="$beginning" '
     index($0, beginning) == 1 { rest = 2; $0 = $0 ":" } rest-- > 0' >"$build/tables.txt"
 }
-tables kurtosis ./lab bench halton autograder/submissions/mistakes/halton/pairs_only.cpp --tables
-between labs/5-halton/README.md '<!-- output of ./lab bench halton autograder' "$build/tables.txt"
 definitions=autograder/submissions/alternatives/stratification/plain_definitions.cpp
 tables 'kurtosis of the error of exp' ./lab bench stratification "$definitions" --tables
 between docs/answers/3-stratification.md '<!-- output of ./lab bench stratification' "$build/tables.txt"
-tables 'RMSE of 1024' ./lab bench halton --tables
-between labs/5-halton/README.md '<!-- output of ./lab bench halton --tables' "$build/tables.txt"
 for title in 'RMSE of' 'RMSE in' 'empty cells' 'first 256' 'mean squared error'; do
   tables "$title" ./lab bench sampler --tables
   between docs/sampler-blocks.md "<!-- output of ./lab bench sampler --tables: $title" "$build/tables.txt"

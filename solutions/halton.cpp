@@ -1,5 +1,4 @@
-// Lab 5 · Halton and quasi-Monte Carlo: the reference solution. A speed task has its definition
-// first, then a faster version with the reason why it is faster.
+// Lab 5, the reference solution. A speed task has its definition first, then a faster version.
 
 #include "halton.hpp"
 #include "common/choices.hpp"
@@ -22,9 +21,8 @@ void require_base(unsigned base) {
 }
 
 void require_indices(std::uint64_t first, std::size_t count, std::uint64_t last) {
-  if (first > last || (count > 0 && count - 1 > last - first)) {
+  if (first > last || (count > 0 && count - 1 > last - first))
     throw std::invalid_argument("first: the indices run past the end of the sequence");
-  }
 }
 
 void require_points(std::span<const double> x, const std::string& name) {
@@ -38,9 +36,8 @@ void require_points(std::span<const double> x, const std::string& name) {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);
   if (index == 0) return 0;
-  // The last digit becomes the first digit of the result, followed by the radical inverse of the
-  // other digits. Small terms are added first, and each division shrinks the earlier rounding
-  // errors, so the total error is below 2 * 2^-53. In base 2, an index of 54 ones would round to 1.
+  // The last digit comes first, followed by the radical inverse of the others. Each division shrinks
+  // the earlier rounding errors: the error is below 2 * 2^-53. An index of 54 ones would round to 1.
   const double others = radical_inverse(base, index / base);
   return std::min(below_one, (static_cast<double>(index % base) + others) / base);
 }
@@ -52,20 +49,17 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }
 }  // namespace definition
 
-// The definition divides once per digit. But k digits in base b are one digit in base b^k, so the
-// step of 5.1 can process k digits at once: (digits + others) / b^k, where `digits` is the integer
-// that the k last digits form when they are mirrored. A table holds all b^k of these integers. A
-// block of b^k consecutive indices uses the whole table with one value of `others`. The values of
-// `others` of consecutive blocks are radical inverses of consecutive indices: the same problem, b^k
-// times smaller.
+// The definition divides once per digit. But k digits in base b are one digit in base b^k: a table
+// holds the integers that the k last digits form when they are mirrored. A block of b^k consecutive
+// indices uses the whole table with one value of `others`, and those of consecutive blocks are
+// radical inverses of consecutive indices: the same problem, b^k times smaller.
 
 namespace {
 /// Entries of the table of a block: at most 8 KB, a quarter of the first-level cache.
 constexpr std::size_t largest_table = 1024;
 
-/// Extends a table from `size` entries, one for each string of k digits, to strings of k + 1
-/// digits. `append(digit)` maps an entry to that of its string with `digit` added at the front. The
-/// digit 0 is last, because it overwrites the entries that the others are computed from.
+/// Extends a table of `size` entries, one for each string of digits, to strings with one digit more
+/// at the front. The digit 0 is last: it overwrites what the others are computed from.
 template <class Entry>
 void append_digit(Entry* table, std::size_t size, unsigned base, auto append) {
   for (unsigned digit = base; digit-- > 0;) {
@@ -73,10 +67,8 @@ void append_digit(Entry* table, std::size_t size, unsigned base, auto append) {
   }
 }
 
-/// Writes the values of consecutive indices to `column`, by blocks of table.size() indices. The
-/// first index has the position `start` in its block. `value_in(k)` is called once for block k = 0,
-/// 1, …, in this order; it returns the function that maps an entry of the table to the value of its
-/// index.
+/// Writes the values of consecutive indices, by blocks of table.size(); the first is at `start` in
+/// its block. value_in(k), called for block k = 0, 1, … in this order, maps an entry to a value.
 template <class Entry>
 void fill_by_blocks(std::span<double> column, std::size_t start, std::span<const Entry> table,
                     auto value_in) {
@@ -86,32 +78,13 @@ void fill_by_blocks(std::span<double> column, std::size_t start, std::span<const
     column = column.subspan(part.size());
   }
 }
-
-/// The step of 5.1 with `size` in place of the base. The sum must not be rounded up to `size`,
-/// hence the minimum. It changes a value by 2 * 2^-53 at most; the roundings of sum, scale and
-/// product add 2 * 2^-53.
-auto step_of(double size, double others) {
-  return [rest = std::min(others, 1 - 0x1p-52 * size), scale = 1 / size](double digits) {
-    return (digits + rest) * scale;
-  };
-}
-
-/// The steps of a column by blocks, with the mirrored `digits` of the indices of a block, and one
-/// value of `others` for each block.
-void step(std::span<double> column, std::size_t start, std::span<const double> digits,
-          std::span<const double> others) {
-  fill_by_blocks(column, start, digits,
-                 [next = others.begin(), size = static_cast<double>(digits.size())](
-                     std::size_t) mutable { return step_of(size, *next++); });
-}
 }  // namespace
 
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
   require_base(base);
   require_indices(first, column.size(), last_index);
-  if (column.size() <= 2 || base > largest_table) {
+  if (column.size() <= 2 || base > largest_table)
     return definition::radical_inverses(base, first, column);
-  }
   std::array<double, largest_table> table;
   std::iota(table.begin(), table.begin() + base, 0);
   std::size_t size = base;
@@ -123,7 +96,14 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
   // `others` is stored at the end of the column: each value is read before it is overwritten.
   const auto others = column.last((first % size + column.size() - 1) / size + 1);
   radical_inverses(base, first / size, others);
-  step(column, first % size, std::span(table).first(size), others);
+  // The step of 5.1 with `size` in place of the base. The sum must not be rounded up to `size`, hence
+  // the minimum: it changes a value by 2 * 2^-53 at most. Sum, scale and product add 2 * 2^-53.
+  const auto digits = std::span<const double>(table).first(size);
+  fill_by_blocks(column, first % size, digits,
+                 [next = others.begin(), whole = static_cast<double>(size)](std::size_t) mutable {
+                   return [rest = std::min(*next++, 1 - 0x1p-52 * whole),
+                           scale = 1 / whole](double last) { return (last + rest) * scale; };
+                 });
 }
 
 // 5.3 --------------------------------------------------------------------------------------------
@@ -139,28 +119,25 @@ std::vector<unsigned> primes(std::size_t count) {
 void halton(PointSet& points, std::uint64_t first) {
   require_indices(first, points.size(), last_index);
   const auto bases = primes(points.dims());
-  for (std::size_t d = 0; d < points.dims(); ++d) {
+  for (std::size_t d = 0; d < points.dims(); ++d)
     radical_inverses(bases[d], first, points.column(d));
-  }
 }
 
 // 5.4 --------------------------------------------------------------------------------------------
 void hammersley(PointSet& points) {
   const auto x = points.column(0);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] = static_cast<double>(i) / static_cast<double>(x.size());
+  std::iota(x.begin(), x.end(), 0.0);
+  for (double& value : x) value /= static_cast<double>(x.size());
   const auto bases = primes(points.dims() - 1);
-  for (std::size_t d = 1; d < points.dims(); ++d) {
+  for (std::size_t d = 1; d < points.dims(); ++d)
     radical_inverses(bases[d - 1], 0, points.column(d));
-  }
 }
 
 // 5.5 --------------------------------------------------------------------------------------------
 namespace definition {
 using Directions = std::array<std::uint32_t, 32>;
 
-/// Direction number k is the contribution of bit k of the index (Bratley, Fox 1988, "Algorithm
-/// 659", equations 2 and 3).
+/// What bit k of the index contributes (Bratley, Fox 1988, "Algorithm 659", equations 2 and 3).
 constexpr Directions directions_of(const JoeKuo& given) {
   Directions v{};
   const unsigned s = given.degree;
@@ -188,19 +165,16 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 }
 }  // namespace definition
 
-// As in 5.2, a table covers the 8 lowest bits of the index, and the bits above them contribute one
-// word per block. A double in [1, 2) consists of the exponent of 1, the 32 bits of the coordinate
-// and 20 zeros. So a value costs one load, one XOR, one subtraction of 1 and one store.
+// As in 5.2, a table covers the 8 lowest bits of the index, and the others contribute one word per
+// block. A double in [1, 2) is the exponent of 1, the 32 bits of the coordinate, and 20 zeros.
 
 namespace {
 constexpr auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
 constexpr auto number = [](std::uint64_t word) { return std::bit_cast<double>(word); };
 constexpr auto upper_half = [](std::uint64_t w) { return static_cast<std::uint32_t>(w >> 32); };
 constexpr auto lower_half = [](std::uint64_t w) { return static_cast<std::uint32_t>(w); };
-/// A coordinate's bits, moved to the top of the mantissa.
 constexpr auto wide = [](std::uint32_t word) { return std::uint64_t{word} << 20; };
-/// The double in [0, 1) whose first 32 bits after the point are `upper`, and whose next 21 bits are
-/// `lower`.
+/// The double in [0, 1) whose first 32 bits after the point are `upper`, and the next 21 `lower`.
 constexpr auto joined = [](std::uint64_t upper, std::uint64_t lower) {
   return number(bits(1) | upper << 20) - 1.5 + number(bits(0.5) | lower);
 };
@@ -216,10 +190,8 @@ constexpr auto sobol_tables = [] {
     auto& [v, words] = all[d];
     v = definition::directions_of(joe_kuo[d]);
     words[0] = bits(1);
-    for (std::size_t i = 1; i < words.size(); ++i) {
-      const int lowest = std::countr_zero(i);  // a bit; words[i] without it is known
-      words[i] = words[i & (i - 1)] ^ wide(v[lowest]);
-    }
+    for (std::size_t i = 1; i < words.size(); ++i)  // that without the lowest bit is known
+      words[i] = words[i & (i - 1)] ^ wide(v[std::countr_zero(i)]);
   }
   return all;
 }();
@@ -242,8 +214,7 @@ double star_discrepancy(std::span<const double> x) {
   std::vector<double> sorted(x.begin(), x.end());
   std::sort(sorted.begin(), sorted.end());
   const auto n = static_cast<double>(x.size());
-  // The worst interval ends at a point x_i: either it is [0, x_i), with i points inside, or [0,
-  // x_i], with i + 1 points.
+  // The worst interval ends at a point: [0, x_i) contains i points, [0, x_i] contains i + 1.
   double worst = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     worst = std::max({worst, sorted[i] - static_cast<double>(i) / n,
@@ -259,10 +230,9 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   std::vector<std::array<double, 2>> points{{1, 1}};  // the corner of the square
   for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
   std::sort(points.begin(), points.end());
-  // Each side of the worst box ends at a coordinate of a point, or at 1. Sweep from left to right;
-  // `ys` holds the y coordinates of the points so far, sorted, after a 0 and before a 1. The closed
-  // box up to (here, ys[k]) contains at least k points; the open box up to (next, ys[k + 1])
-  // contains at most k. (Both contain exactly k if all coordinates differ.)
+  // Sweep from left to right; `ys` holds the y coordinates of the points so far, sorted, after a 0
+  // and before a 1. The closed box up to (here, ys[k]) contains at least k points; the open box up
+  // to (next, ys[k + 1]) contains at most k. (Both contain exactly k if all coordinates differ.)
   std::vector<double> ys{0, 1};
   double worst = 0, here = 0;
   for (const auto& [next, value] : points) {
@@ -304,41 +274,41 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace definition
 
 // The definition evaluates two hashes for each of 53 bits. In a mirrored word, where the first bit
-// is the lowest, additions and multiplications do the same at once: carries propagate upward, so
-// each bit is flipped depending on the bits before it (Laine, Karras 2011).
-//
-// * Two words that agree in exactly k bits differ by 2^k times an odd number. z -> m z + s with a
-//   random odd m makes that *any* odd number with equal probability, and a random s moves the pair
-//   anywhere, as nested scrambling does. A variance depends on pairs only, so it is Owen's.
-// * The fixed steps z -> z ^ z c with an even c break up the lattice on which three or more words
-//   would otherwise lie (Vegdahl 2021; the handout shows the kurtosis). Four words are still not
-//   quite independent: the product of the signs with which their fourth bits are flipped has mean
-//   -1/4 in the worst case, not 0. This affects no variance, only the fourth moment of the error of
-//   few points.
-// * Vector registers multiply 32 bits at a time. So the first 32 bits are scrambled like this, and
-//   a hash of them flips the remaining 21 bits, which are zero in Sobol' points.
+// is the lowest, sums and products flip all bits at once, each depending on the bits before it,
+// because carries propagate upward (Laine, Karras 2011). One step z -> m z + s with random m and s
+// makes all pairs of decisions independent, so the variance is Owen's; two of them, with a fixed
+// step z -> z ^ z c between, c = 2 mod 4, all triples of the first five bits. The other fixed step
+// helps larger groups (Vegdahl 2021). docs/going-faster.md says why. Vector registers multiply 32
+// bits at a time: a hash of the first 32 flips the other 21, which are zero in Sobol' points.
 
-static constexpr std::uint32_t mirrored(std::uint32_t word) {
+namespace {
+constexpr std::uint32_t mirrored(std::uint32_t word) {
   word = (word >> 1 & 0x55555555u) | (word & 0x55555555u) << 1;
   word = (word >> 2 & 0x33333333u) | (word & 0x33333333u) << 2;
   word = (word >> 4 & 0x0f0f0f0fu) | (word & 0x0f0f0f0fu) << 4;
   return __builtin_bswap32(word);
 }
 
+/// Scrambles mirrored words by two random words.
+struct NestedHash {
+  std::uint64_t one, two;
+
+  std::uint32_t operator()(std::uint32_t z) const {
+    z ^= z * 0x3d20adeau;
+    z = z * (lower_half(one) | 1) + upper_half(one);
+    z ^= z * 0x05526c56u;
+    return z * (lower_half(two) | 1) + upper_half(two);
+  }
+};
+}  // namespace
+
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
-  const std::uint64_t one = rng(), two = rng();
-  const std::uint32_t m = lower_half(one) | 1, s = upper_half(one);
-  const std::uint32_t a = lower_half(two) | 1, b = upper_half(two);
-  const auto scrambled = [=](std::uint32_t z) {  // z is the first 32 bits, mirrored
-    z ^= z * 0x3d20adeau;
-    z = z * m + s;
-    z ^= z * 0x05526c56u;
-    return z ^ z * 0x53a22864u;
-  };
+  const std::uint64_t one = rng(), two = rng(), three = rng();
+  const NestedHash scrambled{one, two};
   const auto hash = [=](std::uint32_t z) {  // its upper 21 bits flip the lower 21 of a value
-    z = (z ^ z >> 16) * a;
-    return (z ^ z >> 15) * 0x846ca68bu + b;
+    z = (z ^ z >> 16) * (lower_half(three) | 1);
+    return (z ^ z >> 15) * 0x846ca68bu + upper_half(three);
   };
   // x minus x rounded to 32 bits. It is negative if x was rounded up.
   const auto rest = [](double x) { return x - ((x + 0x1p20) - 0x1p20); };
@@ -357,39 +327,31 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
     for (std::size_t i = 0; i < size; ++i) words[i] = scrambled(words[i]);
     for (std::size_t i = 0; i < size; ++i) flips[i] = hash(words[i]);
-    for (std::size_t i = 0; i < rests; ++i) {  // nested, too
+    for (std::size_t i = 0; i < rests; ++i) {  // nested, too: by a hash for each first 32 bits
       const std::uint32_t last = mirrored(lower_half(bits(rest(x[i]) + 0.75)) << 11);
-      const std::uint64_t random = mix_bits(words[i] ^ one);
-      const std::uint32_t odd = lower_half(random) | 1, add = upper_half(random);
-      flips[i] ^= mirrored((last * odd + add) ^ add);
+      const NestedHash of_string{mix_bits(words[i] ^ one), mix_bits(words[i] ^ two)};
+      flips[i] ^= mirrored(of_string(last) ^ of_string(0));
     }
     for (std::size_t i = 0; i < size; ++i) words[i] = mirrored(words[i]);
-    for (std::size_t i = 0; i < size; ++i) {
-      x[i] = joined(words[i], flips[i] >> 11);
-    }
+    for (std::size_t i = 0; i < size; ++i) x[i] = joined(words[i], flips[i] >> 11);
   }
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
-// A value is a sum of integers, in units of 2^-64 and modulo 1: the value of index 0, which is a
-// random word, and the change that each nonzero digit of the index makes to it. A sum of integers
-// does not depend on the order of its terms, so an index has the same value, to the last bit, in
-// every column. The digits of the random word are the images of 0 under the permutations, for all
-// positions down to 2^-64.
+// A value is a sum of integers in units of 2^-64, modulo 1: that of index 0, which is a random word,
+// and the change that each nonzero digit makes to it. Its digits are the images of 0. Sums of
+// integers do not depend on the order of their terms, so an index has one value in all columns.
 
 namespace {
-/// For one position of the digits: `row[digit]` becomes the change that `digit` makes to the value
-/// of index 0, in units of 2^-64. A digit at this position is worth `unit` (in units of 2^-128),
-/// and a random permutation maps 0 to `zero`.
+/// For one position: `row[digit]` becomes the change that `digit` makes, in units of 2^-64. A digit
+/// there is worth `unit` (in units of 2^-128), and a random permutation maps 0 to `zero`.
 void fill_moves(std::span<std::uint64_t> row, std::size_t zero, unsigned __int128 unit, Rng rng) {
   std::iota(row.begin(), row.end(), 0u);
   std::swap(row[0], row[zero]);
   Choices any(rng);
   for (std::size_t k = row.size() - 1; k > 1; --k) std::swap(row[k], row[1 + any.below(k)]);
-  const auto units = [=](std::uint64_t digit) {
-    return static_cast<std::uint64_t>(digit * unit >> 64);
-  };
-  for (std::uint64_t& digit : row) digit = units(digit) - units(zero);
+  const auto of_zero = static_cast<std::uint64_t>(zero * unit >> 64);
+  for (auto& digit : row) digit = static_cast<std::uint64_t>(digit * unit >> 64) - of_zero;
 }
 }  // namespace
 
@@ -402,8 +364,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   const std::uint64_t hashed = mix_bits(seed ^ mix_bits(base));
   const std::uint64_t value_of_zero = Rng(hashed)();
 
-  // Memory on the stack: for few points, an allocation would cost more than everything else.
-  std::array<std::byte, 16384> stack;
+  std::array<std::byte, 16384> stack;  // an allocation would cost more than a few points
   std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
   std::pmr::vector<std::uint64_t> moves(&memory);  // a row of `base` entries per position
   moves.reserve(4 * base);
@@ -417,8 +378,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
                Rng(hashed + moves.size() / base));
   }
 
-  // As in 5.2, a table has the sums of the last digits: of the last one in any case, and of more
-  // while the table stays small.
+  // As in 5.2, a table of the last digit, and of more digits while it stays small.
   std::pmr::vector<std::uint64_t> table({value_of_zero}, &memory);
   auto rows = std::span<const std::uint64_t>(moves);  // of the digits before those in the table
   while (table.size() < column.size() &&
@@ -442,14 +402,12 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 
 // 5.10 -------------------------------------------------------------------------------------------
 void lattice(PointSet& points, std::uint64_t seed) {
-  if (points.dims() > lattice_vector.size()) {
+  if (points.dims() > lattice_vector.size())
     throw std::invalid_argument("points: more than 16 dimensions");
-  }
   const std::uint64_t n = points.size();
   for (std::size_t d = 0; d < points.dims(); ++d) {
-    const auto x = points.column(d);
-    for (std::uint64_t i = 0; i < n; ++i)
-      x[i] = static_cast<double>(i * lattice_vector[d] % n) / static_cast<double>(n);
+    for (std::uint64_t i = 0; double& x : points.column(d))
+      x = static_cast<double>(i++ * lattice_vector[d] % n) / static_cast<double>(n);
   }
   Rng rng(seed);
   random_shift(points, rng);

@@ -13,7 +13,7 @@
 
 namespace mc {
 
-/// An example of style, not a task: the digits of the index, the last one first; none for 0.
+/// A finished example: the digits of the index, the last one first; none for 0.
 [[maybe_unused]] static std::vector<unsigned> digits(unsigned base, std::uint64_t index) {
   if (base < 2) throw std::invalid_argument("base: must be at least 2");
   std::vector<unsigned> result;
@@ -26,7 +26,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }
 
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
-  throw todo("5.2");  // TODO(5.2): consecutive indices; a loop over 5.1 is correct, but slow
+  throw todo("5.2");  // TODO(5.2): consecutive indices, fast (a stretch task)
 }
 
 std::vector<unsigned> primes(std::size_t count) {

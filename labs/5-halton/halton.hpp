@@ -28,7 +28,7 @@ namespace mc {
 double radical_inverse(unsigned base, std::uint64_t index);
 
 /// 5.2  The radical inverses of first, first + 1, …, one for each value of `column`, with the error
-/// bound of 5.1. A speed task.
+/// bound of 5.1. A stretch task, for speed: judged and shown, but worth no points.
 /// throws: std::invalid_argument if base < 2; if the last index is above 2^64 - 1.
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column);
 
@@ -37,7 +37,7 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 std::vector<unsigned> primes(std::size_t count);
 
 /// 5.3  Points first, first + 1, … of the Halton sequence: coordinate d is the radical inverse in
-/// the d-th prime, d from 0, within the bound of 5.1.
+/// the d-th prime, d from 0, within the bound of 5.1. Call 5.1, or 5.2 if you wrote it.
 /// requires: at least one point and one dimension.
 /// throws: std::invalid_argument if the last index is above 2^64 - 1.
 /// source: Halton 1960, "On the efficiency of certain quasi-random sequences of points in
@@ -90,10 +90,10 @@ void random_shift(PointSet& points, Rng& rng);
 /// stay equal in any column, and a column may be computed in parts. Use a different seed for each
 /// axis: decisions of different seeds are unrelated, also those for different strings.
 ///
-/// How random the hash must be: any two values are scrambled independently after the first bit in
-/// which they differ (then the variance is Owen's), and three values up to what 1,500 seeds can
-/// show. Larger groups are nearly independent: for 1,024 points in one dimension, the error of
-/// exp(x) is close to Gaussian, with a kurtosis near 3.
+/// How random the decisions must be: any two are independent, so that the variance is that of
+/// independent decisions (Owen's); so are any three, wherever they are, as far as 1,500 seeds show.
+/// Larger groups are nearly independent: for 1,024 points in one dimension, the error of exp(x) is
+/// close to Gaussian.
 /// requires: values in [0,1), integer multiples of 2^-53.
 /// source: Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences".
 void owen_scramble(std::span<double> column, std::uint64_t seed);

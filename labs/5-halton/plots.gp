@@ -5,11 +5,10 @@
 
 ways(s) = "independent jittered halton hammersley sobol scrambled_sobol"
 
-# The lecture's points, and others, over elementary intervals -------------------------------------
-# Each set has one shape of interval, with as many intervals as there are points.
+# The lecture's points, and others, over as many elementary intervals as there are points ----------
 array points[6] = [256, 256, 216, 256, 256, 256]
-array columns[6] = [1, 16, 8, 32, 16, 4]
-array rows[6] = [1, 16, 27, 8, 16, 64]
+array columns[6] = [16, 16, 8, 16, 16, 16]
+array rows[6] = [16, 16, 27, 16, 16, 16]
 name = "points"; width = 600 * count; height = 1010
 load draw
 set multiplot layout 3,2*count margins 5./width, 1 - 5./width, 5./height, 1 - 52./height spacing 12./width, 58./height
@@ -22,41 +21,47 @@ unset key
 do for [row=0:2] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
   set xtics 0,1./columns[i] scale 0
   set ytics 0,1./rows[i] scale 0
-  set title sprintf("%s%s\n%d points%s", is(word(ways(s), i)), who(s), points[i], i > 1 ? sprintf(" in %d × %d", columns[i], rows[i]) : "")
+  set title sprintf("%s%s\n%d points, %d × %d boxes", is(word(ways(s), i)), who(s), points[i], columns[i], rows[i])
   plot data[s]."/points-".word(ways(s), i).".tsv" using "x":"y" with points pt 7 ps 0.5 lc rgb dot
 } } }
 unset multiplot
 
-# Discrepancy against N ---------------------------------------------------------------------------
-name = "discrepancy"; width = 80 + 460 * count; height = 590
+# Discrepancy against N, in units of the rate of a set ----------------------------------------------
+name = "discrepancy"; width = 80 + 540 * count; height = 620
 load draw
 set termoption enhanced
-eval panels(80, 80, 195)
+eval panels(75, 75, 165)
 set logscale xy
-set xrange [9:5500]
-set yrange [0.0005:0.7]
-set format y "10^{%L}"
+set xrange [14:4600]
+set yrange [0.25:40]
 set xtics (16, 64, 256, 1024, 4096)
-set xlabel "N"
-set ylabel "star discrepancy D*"
-set key at screen 10./width,0.01 left bottom vertical maxrows 5 Left reverse samplen 3
+set ytics (0.3, 0.5, 1, 2, 5, 10, 20)
+set xlabel "N: powers of two, and between them"
+set ylabel "N D* / ln N"
+set key at screen 10./width,0.01 left bottom vertical maxrows 4 Left reverse samplen 3
 do for [s=1:count] {
-  set title heading("At N = 2ᵏ and between", s)
-  plot for [m in ways(s)] data[s]."/discrepancy.tsv" using "N":m with linespoints ls value(m) notitle, \
+  set title heading("Star discrepancy, divided by ln N / N", s)
+  set label 1 "N^{-1/2}" at 1500,3.6 rotate by 24 center tc rgb ink
+  set label 2 "(ln N)^2 / N" at 2000,1.72 rotate by 6 center tc rgb ink
+  plot for [m in ways(s)] data[s]."/discrepancy.tsv" using "N":(column("N") * column(m) / log(column("N"))) with linespoints ls value(m) notitle, \
        for [m in ways(s)] keyentry with linespoints ls value(m) title is(m), \
-       0.85/sqrt(x) with lines ls theory title "N^{-1/2}", \
-       0.16*log(x)**2/x with lines ls theory+2 title "(log N)^2 / N", \
-       0.65*log(x)/x with lines ls theory+1 title "log N / N"
+       0.85 * sqrt(x) / log(x) with lines ls theory notitle, \
+       0.2 * log(x) with lines ls theory+2 notitle
   unset key
   unset ylabel
 }
 unset multiplot
 
-# Error against N ---------------------------------------------------------------------------------
+# Error against N: thin lines are single errors, of deterministic points ----------------------------
 array of[5] = ["line", "plane", "four", "kinks", "edge"]
 array what[5] = ["exp(x)", "exp(x + y)", "exp(x + y + z + w)", "two kinks", "an edge: a quarter of a disk"]
 array rate[5] = [1.5, 1.5, 1.5, 1.5, 0.75]
 array rates[5] = ["N^{-3/2}", "N^{-3/2}", "N^{-3/2}", "N^{-3/2}", "N^{-3/4}"]
+array start[5] = [0.5, 2, 30, 1, 0.5]   # of the lines of theory at N = 1
+array low[5] = [5e-9, 5e-9, 5e-7, 5e-8, 5e-6]
+array high[5] = [1, 1, 10, 1, 1]
+array at[5] = [60, 60, 60, 60, 2000]    # where the slope is written, below its line
+thin(m) = m eq "halton" || m eq "hammersley" || m eq "sobol" ? 1 : 2
 name = "convergence"; width = 620 * count; height = 1080
 load draw
 set termoption enhanced
@@ -71,41 +76,17 @@ do for [row=0:2] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
     set title what[i].who(s)
     set xlabel "N"
     set ylabel (i % 2 == 1 ? "error" : "")
-    set label 1 rates[i] at graph 0.04, graph 0.07 left tc rgb ink
+    set yrange [low[i]:high[i]]
+    set label 1 rates[i] at at[i],0.25 * start[i] * at[i]**-rate[i] right tc rgb ink
+    set label 2 "N^{-1/2}" at 60000,2.2 * start[i] * 60000**-0.5 right tc rgb ink
     # The legend is to the right of the last panel.
     if (i == 5) { set key at graph 1.2, 0.95 left top Left reverse samplen 3 } else { unset key }
-    plot for [m in ways(s)] data[s]."/convergence-".of[i].".tsv" using "N":m with linespoints ls value(m) ps 0.8 notitle, \
-         for [m in ways(s)] keyentry with linespoints ls value(m) ps 0.8 title is(m), \
-         0.5*x**-0.5 with lines ls theory title "N^{-1/2}", \
-         0.5*x**-rate[i] with lines ls theory+1 title "the rate in the corner"
+    plot for [m in ways(s)] data[s]."/convergence-".of[i].".tsv" using "N":m with linespoints ls value(m) lw thin(m) ps 0.8 notitle, \
+         for [m in ways(s)] keyentry with linespoints ls value(m) lw thin(m) ps 0.8 title is(m), \
+         start[i] * x**-0.5 with lines ls theory notitle, \
+         start[i] * x**-rate[i] with lines ls theory+1 notitle
   }
 } } }
-unset multiplot
-
-# The same points, randomized in four ways --------------------------------------------------------
-array wave[2] = ["exp(x)", "cos(2πNx)"]
-array waves[2] = ["smooth", "wave"]
-how(m) = is(m).(m eq "scrambled_halton" ? " (base 2: a digital shift)" : m eq "scrambled_sobol" ? " (nested)" : "")
-name = "randomized"; width = 620 * count; height = 430
-load draw
-set termoption enhanced
-set multiplot layout 1,2*count margins 80./width, 1 - 25./width, 145./height, 1 - 32./height spacing 70./width, 0
-set logscale xy
-set format "10^{%L}"
-set xrange [3:6000]
-set xlabel "N"
-set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 3
-do for [s=1:count] {
-  do for [i=1:2] {
-    set title wave[i].who(s)
-    set ylabel (i == 1 ? "RMSE, base 2, on the line" : "")
-    set yrange [(i == 1 ? 1e-7 : 5e-3):(i == 1 ? 1 : 2)]
-    plot for [m in "independent rotated scrambled_halton scrambled_sobol"] data[s]."/randomized-".waves[i].".tsv" using "N":m \
-      with linespoints ls value(m) notitle, \
-      for [m in "independent rotated scrambled_halton scrambled_sobol"] keyentry with linespoints ls value(m) title how(m)
-    unset key
-  }
-}
 unset multiplot
 
 # The kurtosis of the error of exp(x) --------------------------------------------------------------
@@ -121,7 +102,7 @@ set xlabel "N"
 set ylabel "kurtosis of the error of exp(x)"
 set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3
 do for [s=1:count] {
-  set title heading("Kurtosis, with its standard error", s)
+  set title heading("Kurtosis of the error, ± its standard error", s)
   file = data[s]."/tails.tsv"
   plot 3 with lines ls theory title "Gaussian errors", \
        file using "N":"scrambled_sobol":"standard_error" with yerrorlines ls scrambled_sobol dt 1 notitle, \
@@ -145,7 +126,7 @@ set xtics (2, 4, 8, 16, 32, 64)
 set xlabel "R replicates of 4096/R points"
 do for [s=1:count] {
   file = data[s]."/replicates.tsv"
-  set title "With the true value".who(s)
+  set title "Intervals that contain the true value".who(s)
   set ylabel (s == 1 ? "fraction of 400 intervals of 95 %" : "")
   set yrange [0.6:1.02]
   unset key
@@ -153,7 +134,7 @@ do for [s=1:count] {
        for [i=1:3] file using "R":"t_".integrand[i] with points ls other+i ps 1.2 notitle, \
        file using "R":"z_smooth" with points ls textbook ps 0.8 notitle, \
        file using "R":"z_exact" with lines lt 1 lw 1 lc rgb ink notitle
-  set title "Half of their mean length".who(s)
+  set title "Mean half-length".who(s)
   set ylabel ""
   set logscale y
   set format y "10^{%L}"
@@ -163,8 +144,8 @@ do for [s=1:count] {
        for [i=1:3] file using "R":"independent_".integrand[i] with lines ls other+i lw 1 notitle, \
        for [i=1:3] keyentry with linespoints ls other+i title held[i].", Student's t", \
        keyentry with points ls textbook ps 0.8 title "exp(x + y), z of 2.5", \
-       keyentry with lines lt 1 lw 1 lc rgb ink title "the same, Gaussian", \
-       for [i=1:3] keyentry with lines ls other+i lw 1 title held[i].", as if independent"
+       keyentry with lines lt 1 lw 1 lc rgb ink title "Gaussian errors, z of 2.5", \
+       for [i=1:3] keyentry with lines ls other+i lw 1 title held[i].", independent"
   unset logscale y
   set format y "%g"
 }

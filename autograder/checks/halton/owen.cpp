@@ -36,29 +36,46 @@ std::string flips_hint(const Uniforms& of_zero) {
   if (all_are([](double u) { return u * 0x1p32 == std::floor(u * 0x1p32); })) {
     return "only 32 bits were scrambled; scramble all 53";
   }
+  const std::size_t different = std::set(of_zero.values.begin(), of_zero.values.end()).size();
+  if (different < of_zero.values.size() / 2) {
+    return fmt::format(
+        "{} seeds flip the bits of 0 in only {} ways: mix seed, position and bits "
+        "by a hash, such as mix_bits of common/rng.hpp",
+        of_zero.values.size(), different);
+  }
   return {};
+}
+
+/// Scrambled a and b share k bits, as a and b do.
+void check_pair(const std::string& call, double a, double b, double to_a, double to_b, int k) {
+  const auto is_multiple = [&](double unit) {
+    return std::fmod(to_a, unit) + std::fmod(to_b, unit) == 0;
+  };
+  expect_that(shared_bits(to_a, to_b) == k && is_multiple(half_ulp),
+              fmt::format("{}: {:.17g} and {:.17g} became {:.17g} and {:.17g}, which share {} bits",
+                          call, a, b, to_a, to_b, shared_bits(to_a, to_b)),
+              fmt::format("{} bits, of 53, as the values themselves", k),
+              "the flip of a bit depends only on the bits before it, which are the same here",
+              !is_multiple(half_ulp)            ? "there is no bit after the 53rd"
+              : k >= 31 && is_multiple(0x1p-32) ? "only 32 bits were scrambled; scramble all 53"
+              : to_a == to_b ? "two values became equal: their last bits were lost"
+                             : "the flip of a bit must not depend on the bits after it");
 }
 
 CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][points:2][main]") {
   const Values x = pairs_that_share(rng);
-  const SampleSets got = scrambled(x, domain::seeds(rng, 3));
+  const auto seeds = domain::seeds(rng, 3);
+  const SampleSets got = scrambled(x, seeds);
   for (std::size_t set = 0; set < 3; ++set) {
     const View column = got.column(set, 0);
-    for (std::size_t k = 0; k < 53; ++k) {
-      const double a = column[2 * k], b = column[2 * k + 1];
-      const auto is_multiple = [&](double unit) {
-        return std::fmod(a, unit) + std::fmod(b, unit) == 0;
-      };
-      expect_that(
-          shared_bits(a, b) == static_cast<int>(k) && is_multiple(half_ulp),
-          fmt::format("{}: {:.17g} and {:.17g} became {:.17g} and {:.17g}, which share {} bits",
-                      got.call, x[2 * k], x[2 * k + 1], a, b, shared_bits(a, b)),
-          fmt::format("{} bits, of 53, as the values themselves", k),
-          "the flip of a bit depends only on the bits before it, which are the same here",
-          !is_multiple(half_ulp)            ? "there is no bit after the 53rd"
-          : k >= 31 && is_multiple(0x1p-32) ? "only 32 bits were scrambled; scramble all 53"
-          : a == b                          ? "two values became equal: their last bits were lost"
-                   : "the flip of a bit must not depend on the bits after it");
+    for (int k = 0; k < 53; ++k) {
+      const std::size_t i = 2 * static_cast<std::size_t>(k);
+      const double a = column[i], b = column[i + 1];
+      if (shared_bits(a, b) != k || std::fmod(a, half_ulp) + std::fmod(b, half_ulp) != 0) {
+        const SampleSets alone = scrambled({x[i], x[i + 1]}, {seeds[set]});  // easier to repeat
+        check_pair(alone.call, x[i], x[i + 1], alone.values()[0], alone.values()[1], k);
+      }
+      check_pair(got.call, x[i], x[i + 1], a, b, k);
     }
   }
   // Unscrambled values pass this, too.
@@ -71,14 +88,86 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
                               true);
 }
 
-CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8][points:4]") {
+CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][needs:5.8][points:2][edge]") {
+  const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
+    return MEASURE(owen_scramble, {0}, seeds);
+  };
+  expect_all_seeds(rng, 2, "level", of_zero);
+  // Numbers that depend on 32 bits of a hash have ten repeats among this many seeds.
+  const Uniforms many = numbers_of(domain::seeds(rng, 300'000), 50'000, of_zero);
+  expect_independent_uniforms(
+      many, {.words = "different seeds give independent numbers",
+             .rule = "different seeds have different states of 64 bits: do not truncate a hash"});
+}
+
+/// Any three of the 15 decisions about four bits after the first `depth` bits are independent: the
+/// number of flips among the three is odd for half of all seeds. (A multiplication by a random
+/// number and an addition decide about three bits with five random bits instead of seven. Four of
+/// the eight results of three such decisions never occur.)
+void check_triples(int depth, Rng& rng) {
+  constexpr std::size_t decisions = 15, seeds = 1500;
+  constexpr double alpha = 1e-8 / 455 / 4;  // 455 triples, four depths: |odd - 750| >= 134
+  const double before = std::ldexp(std::floor(std::ldexp(uniform(rng), depth)), -depth);
+  Values x = steps(16);
+  for (double& value : x) value = before + std::ldexp(value, -depth);
+  const SampleSets got = scrambled(x, domain::in_a_row(rng() >> 1, seeds));
+  std::vector<std::vector<bool>> is_flipped(decisions, std::vector<bool>(seeds));
+  const auto first_of = [](std::size_t i) {  // a value that shows decision i: level by level
+    return (i + 1 - std::bit_floor(i + 1)) * 16 / std::bit_floor(i + 1);
+  };
+  const auto bit_of = [&](std::size_t i) {
+    return depth + static_cast<int>(std::bit_width(i + 1)) - 1;
+  };
+  for (std::size_t i = 0; i < decisions; ++i) {
+    const std::size_t k = first_of(i);
+    for (std::size_t set = 0; set < seeds; ++set) {
+      const std::uint64_t flips = bits_of(x[k]) ^ bits_of(got.column(set, 0)[k]);
+      is_flipped[i][set] = flips >> (52 - bit_of(i)) & 1;
+    }
+  }
+  using Triple = std::array<std::size_t, 3>;
+  const auto odd = [&](const Triple& three) {
+    std::uint64_t count = 0;
+    for (std::size_t set = 0; set < seeds; ++set) {
+      count +=
+          is_flipped[three[0]][set] != (is_flipped[three[1]][set] != is_flipped[three[2]][set]);
+    }
+    return count;
+  };
+  // The worst triple if it fails; otherwise any triple, whose p-value is uniform.
+  std::vector<std::pair<double, Triple>> all;
+  for (std::size_t i = 0; i < decisions; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const Triple three{k, j, i};
+        all.emplace_back(std::abs(static_cast<double>(odd(three)) - seeds / 2.), three);
+      }
+    }
+  }
+  const Triple worst = std::ranges::max_element(all)->second;
+  const bool fails = binomial_tails(odd(worst), seeds, 0.5).two_sided() < alpha;
+  const Triple shown = fails ? worst : all[side_rng()() % all.size()].second;
+  const auto name = [&](std::size_t i) {
+    return fmt::format("bit {} of {:.17g}", bit_of(i) + 1, x[first_of(i)]);
+  };
+  expect_proportion(
+      got.call,
+      fmt::format("of {}, {} and {}, one or all three were flipped", name(shown[0]), name(shown[1]),
+                  name(shown[2])),
+      odd(shown), seeds, 0.5, {"any three decisions of 5.8 are independent", alpha},
+      {{},
+       "pairs of decisions are independent, but not triples: a decision must be random for each "
+       "string of bits before. One random multiplication and addition is too little; add a second "
+       "one, with a step of another kind in between"});
+}
+
+CHECK_CASE("5.8 each bit is flipped at random for each string before it",
+           "[5.8][needs:5.8][points:5]") {
   constexpr std::size_t count = 1500;
-  const std::string nested =
-      "a separate flip for each string of bits before a bit, for each seed; any three are "
-      "independent";
+  const std::string nested = "a separate flip for each string of bits before a bit, for each seed";
   const std::string independent = "flips after different strings are independent";
   // The flips of the bits after bit k, of two values that differ in bit k. Each pair is tested
-  // separately: four values need only be nearly independent.
+  // separately: larger groups need only be nearly independent.
   const Values pairs = pairs_that_share(rng);
   const SampleSets got = scrambled(pairs, domain::in_a_row(rng() >> 1, count));
   for (std::size_t k = 0; k < 52; ++k) {
@@ -103,6 +192,7 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
                              : fmt::format("the flips after bit {} do not depend on that bit", k);
                 }});
   }
+  for (const int depth : {0, 20, 31, 44}) check_triples(depth, rng);
   // All flips that the first 32 points show.
   const Values points = sobol_points(0, 0, 32);
   const SampleSets all = scrambled(points, domain::in_a_row(rng() >> 1, count));
@@ -118,9 +208,25 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it", "[5.8]
                                .rule = nested,
                                .repeated = "a flip is repeated for another seed, level or string: "
                                            "mix all three by a hash, do not add them"});
+  // Two of 455 random strings of 46 bits are equal with probability 1.5e-9.
+  Values x{0};
+  for (int k = 1; k < 7; ++k) x.push_back(std::ldexp(1, -k));
+  const SampleSets by_bit = scrambled(x, domain::seeds_by_bit(rng));
+  std::set<std::uint64_t> seen;
+  for (std::size_t i = 0; i < by_bit.values().size(); ++i) {
+    const double value = x[i % x.size()];
+    const std::uint64_t flips = bits_of(by_bit.values()[i]) ^ bits_of(value);
+    expect_that(seen.insert(flips % (std::uint64_t{1} << 46)).second,
+                fmt::format("{}: seed {} of the list flips the last 46 bits of {} as other bits "
+                            "were flipped",
+                            by_bit.call, i / x.size(), value),
+                "different flips for each seed and value", "",
+                "hash the seed and then the string, not their exclusive or or sum");
+  }
 }
 
-CHECK_CASE("5.8 a value is scrambled the same way in any column", "[5.8][points:1][edge]") {
+CHECK_CASE("5.8 a value is scrambled the same way in any column",
+           "[5.8][needs:5.8][points:1][edge]") {
   for (const std::size_t n : domain::sizes(65537, rng)) {
     Values x(n);
     for (double& value : x) {  // on average every 7th has bits after the 32nd
@@ -145,33 +251,6 @@ CHECK_CASE("5.8 a value is scrambled the same way in any column", "[5.8][points:
         {.exact = {exact.begin(), exact.end()},
          .because = "a function of value and seed only: a part of the column of " + got.call,
          .rule = "the result must not depend on the length of a column"});
-  }
-}
-
-CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][points:2][edge]") {
-  const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
-    return MEASURE(owen_scramble, {0}, seeds);
-  };
-  expect_all_seeds(rng, 2, "level", of_zero);
-  // Numbers that depend on 32 bits of a hash have ten repeats among this many seeds.
-  const Uniforms many = numbers_of(domain::seeds(rng, 300'000), 50'000, of_zero);
-  expect_independent_uniforms(
-      many, {.words = "different seeds give independent numbers",
-             .rule = "different seeds have different states of 64 bits: do not truncate a hash"});
-  // Two of 455 random strings of 46 bits are equal with probability 1.5e-9.
-  Values x{0};
-  for (int k = 1; k < 7; ++k) x.push_back(std::ldexp(1, -k));
-  const SampleSets all = scrambled(x, domain::seeds_by_bit(rng));
-  std::set<std::uint64_t> seen;
-  for (std::size_t i = 0; i < all.values().size(); ++i) {
-    const double value = x[i % x.size()];
-    const std::uint64_t flips = bits_of(all.values()[i]) ^ bits_of(value);
-    expect_that(seen.insert(flips % (std::uint64_t{1} << 46)).second,
-                fmt::format("{}: seed {} of the list flips the last 46 bits of {} as other bits "
-                            "were flipped",
-                            all.call, i / x.size(), value),
-                "different flips for each seed and value", "",
-                "hash the seed and then the string, not their exclusive or or sum");
   }
 }
 
@@ -215,13 +294,13 @@ void judge_errors_of_a_net(int depth, Rng& rng) {
        below <= replicates / 2
            ? "each point must be random in its stratum, independently of the others"
            : fmt::format(
-                 "pairs of values are scrambled independently, but not triples and quadruples: {} "
+                 "pairs and triples of decisions are independent, but larger groups are not: {} "
                  "errors are above 5 standard deviations (1 in 1,700,000 for a Gaussian), and the "
-                 "others are small; mix more, before and after using the seed",
+                 "others are small; a decision must not be a sum of the bits before it",
                  huge)});
 }
 
-CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][points:3]") {
+CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][needs:5.8][points:2]") {
   for (const int depth : {0, 20}) judge_errors_of_a_net(depth, rng);
 }
 

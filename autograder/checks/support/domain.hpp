@@ -81,6 +81,16 @@ inline std::vector<std::uint64_t> seeds_by_bit(Rng& rng, std::size_t times = 1) 
   return all;
 }
 
+/// A random seed and those that careless mixing makes equal to it: ~s and -s; `times` times.
+inline std::vector<std::uint64_t> seeds_and_opposites(Rng& rng, std::size_t times) {
+  std::vector<std::uint64_t> all;
+  for (std::size_t i = 0; i < times; ++i) {
+    const std::uint64_t seed = rng();
+    all.insert(all.end(), {seed, ~seed, ~seed + 1});
+  }
+  return all;
+}
+
 inline std::vector<std::uint64_t> seeds(Rng& rng, std::size_t count) {
   std::vector<std::uint64_t> all(count);
   for (auto& seed : all) seed = rng();

@@ -21,7 +21,7 @@ Uniforms numbers_of(std::span<const std::uint64_t> seeds, std::size_t most, Meas
 }
 
 /// `measure(seeds)` returns one number per seed; if a construction scrambles digits in `base`, its
-/// scrambled 0. Consecutive seeds, and seeds that differ in one bit, give independent numbers.
+/// scrambled 0. Consecutive seeds, seeds that differ in one bit, and s, ~s, -s are independent.
 template <class Measurement>
 void expect_all_seeds(Rng& rng, double base, const std::string& level, Measurement measure) {
   const Uniforms row = numbers_of(domain::in_a_row(rng() >> 1, 6400), 2000, measure);
@@ -48,6 +48,16 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
       numbers, {.words = "all 64 bits of the seed count",
                 .rule = rule,
                 .same = "a bit of the seed has no effect; do not truncate the seed to 32 bits"});
+  Uniforms opposites = numbers_of(domain::seeds_and_opposites(rng, 300), 2000, measure);
+  opposites.positions = 3;
+  opposites.name = [](std::size_t k) {
+    constexpr const char* names[] = {"s", "~s", "-s"};
+    return fmt::format("the number of the seed {}", names[k]);
+  };
+  expect_independent_uniforms(
+      opposites, {.words = "the seeds s, ~s and -s give independent numbers",
+                  .rule = rule,
+                  .same = "a seed s and ~s or -s give the same numbers: mix all bits of the seed"});
 }
 
 }  // namespace mc::checks

@@ -72,18 +72,22 @@ void run_checks(const Layout& layout, const Lab& lab, const sandbox::Program& pr
 }
 
 /// A check that fails after a task it needs has failed is waiting: one fault is shown once. A
-/// task's misuse and edge cases do not hold up other tasks.
+/// task's misuse and edge cases do not hold up other tasks. A check that needs its own task waits
+/// for the checks of this task above it.
 void find_waiting(std::vector<CheckResult>& results) {
   const auto passed_basics = [&](const std::string& task) {
     return std::ranges::all_of(results, [&](auto& other) {
       return other.check.task != task || other.check.is_edge || other.status == Status::passed;
     });
   };
+  std::set<std::string> failed_above;
   for (CheckResult& result : results) {
-    const auto& needs = result.check.needs;
-    if (result.status == Status::failed && !std::ranges::all_of(needs, passed_basics)) {
-      result.status = Status::waiting;
-    }
+    if (result.status != Status::failed) continue;
+    const auto is_met = [&](const std::string& need) {
+      return need == result.check.task ? !failed_above.contains(need) : passed_basics(need);
+    };
+    if (!std::ranges::all_of(result.check.needs, is_met)) result.status = Status::waiting;
+    failed_above.insert(result.check.task);
   }
 }
 

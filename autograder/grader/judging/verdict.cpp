@@ -66,6 +66,7 @@ std::string describe(const CheckResult& result, const LabVerdict& verdict) {
       return "passed; counts once the main check of " + result.check.task + " passes";
     case Status::waiting:
       for (const std::string& need : result.check.needs) {
+        if (need == result.check.task) return "wrong, too, probably for the same reason";
         if (is_unfinished(need)) return "waiting for " + lab_or_task(need);
         if (is_not_passed(need)) return "waiting for " + need;
       }

@@ -41,7 +41,7 @@ inline Sets scrambled(const Sets& one, Count count, Count seed) {
 /// Radical inverses in these bases, plain and scrambled.
 inline Sets halton_sets(Count n, const std::vector<unsigned>& bases) {
   return sets_by_columns(n, bases.size(), 1, 0, [&](unsigned d, const Seeds&) {
-    return TRY_MEASURE(radical_inverses, bases[d], 0, n);
+    return TRY_MEASURE(radical_inverse, bases[d], domain::in_a_row(0, n));
   });
 }
 inline Sets scrambled_halton_sets(Count n, const std::vector<unsigned>& bases, Count count,

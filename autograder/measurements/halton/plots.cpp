@@ -2,7 +2,6 @@
 // are bad for each other, errors against N and against time, error bars from replicates.
 
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -48,7 +47,7 @@ TEST_CASE("plot the bad pairs", "[.plot]") {
 /// An RMSE of 32 sets is right to an eighth of itself: a third of a mark's height.
 void plot_convergence(const Names& names, const std::vector<Integrand>& of) {
   plot_errors(names, of, methods.of(shown), powers(16, 4, 65536),
-              [](Count n) -> Count { return n > 10000 ? 8 : 32; });
+              [](Count) -> Count { return 32; });
 }
 TEST_CASE("plot error against N on the line", "[.plot]") {
   plot_convergence({"line"}, {integrand("smooth 1D")});
@@ -59,21 +58,6 @@ TEST_CASE("plot error against N in the plane", "[.plot]") {
 }
 TEST_CASE("plot error against N in four dimensions", "[.plot]") {
   plot_convergence({"four"}, {integrand("smooth 4D")});
-}
-
-/// The same column of base 2, randomized in every way of this lab; for exp(x), and for a wave of
-/// frequency N.
-TEST_CASE("plot error of randomized points", "[.plot]") {
-  const auto some = methods.of({"independent", "rotated", "scrambled_halton", "scrambled_sobol"});
-  const Axis sizes{"N", powers(4, 4, 4096)};
-  plot_table("randomized-smooth.tsv", sizes, some, [](Count n, const Method& method) {
-    return errors_of(method, integrand("smooth 1D"), n, 256, 1).rmse();
-  });
-  plot_table("randomized-wave.tsv", sizes, some, [](Count n, const Method& method) {
-    const double frequency = 2 * std::numbers::pi * static_cast<double>(n);
-    const Integrand wave{"wave", 1, 0, [=](View x) { return std::cos(frequency * x[0]); }};
-    return errors_of(method, wave, n, 256, 1).rmse();
-  });
 }
 
 /// The kurtosis: what the RMSE does not tell.

@@ -2,8 +2,10 @@
 #include "halton.hpp"
 
 #define radical_inverse right_radical_inverse
+#define radical_inverses right_radical_inverses
 #include "solutions/halton.cpp"
 #undef radical_inverse
+#undef radical_inverses
 
 // mistake: sums in a float
 // hint: only the digits of a float are correct
@@ -47,6 +49,29 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }
 }  // namespace mc::mirrors_in_32_bits
 
+// mistake: mirrors the digits in 64 bits, which overflow, and multiplies by a power of 1 / base
+// hint: the mirrored digits do not fit in 64 bits
+namespace mc::mirrors_in_64_bits {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  std::uint64_t mirrored = 0;
+  double part = 1;
+  for (; index > 0; index /= base, part /= base) mirrored = mirrored * base + index % base;
+  return std::min(below_one, static_cast<double>(mirrored) * part);
+}
+}  // namespace mc::mirrors_in_64_bits
+
+// mistake: mirrors the digits in 64 bits and divides by a power of the base, which overflows, too
+// hint: the mirrored digits do not fit in 64 bits
+namespace mc::mirrors_and_divides_in_64_bits {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  std::uint64_t mirrored = 0, size = 1;
+  for (; index > 0; index /= base, size *= base) mirrored = mirrored * base + index % base;
+  return std::min(below_one, static_cast<double>(mirrored) / static_cast<double>(size));
+}
+}  // namespace mc::mirrors_and_divides_in_64_bits
+
 // mistake: does not mirror the digits: writes them after the point in the order of the index
 // hint: the digits are not mirrored
 namespace mc::not_mirrored {
@@ -68,6 +93,22 @@ double radical_inverse(unsigned base, std::uint64_t index) {
   return (last + mc::radical_inverse(base, index / base)) / base;
 }
 }  // namespace mc::rounds_to_one
+
+// mistake: rounds an index of more than 53 ones up to 1, and so does its loop in 5.2
+// hint: the upper end is not in the range
+namespace mc::rounds_to_one_in_a_loop {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  if (index == 0) return 0;
+  return (static_cast<double>(index % base) + radical_inverse(base, index / base)) / base;
+}
+
+void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
+  require_base(base);
+  require_indices(first, column.size(), last_index);
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = radical_inverse(base, first + i);
+}
+}  // namespace mc::rounds_to_one_in_a_loop
 
 // mistake: limits values to 1 - 1e-10
 // hint: no value is above 0.9999999999

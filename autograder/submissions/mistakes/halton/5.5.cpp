@@ -56,3 +56,27 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
   }
 }
 }  // namespace mc::sobol_without_the_origin
+
+// mistake: takes m_k for m_(k+1): in dimension 1 that looks like Gray-code order
+// hint: m_k is used in place of m_(k+1)
+namespace mc::m_one_too_early {
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  right_sobol(dimension, first, column);
+  auto v = definition::directions_of(joe_kuo[dimension]);
+  for (std::size_t k = 31; k > 0; --k) v[k] = v[k - 1] >> 1;
+  for (std::size_t i = 0; i < column.size(); ++i)
+    column[i] = definition::sobol_word(v, first + i) * 0x1p-32;
+}
+}  // namespace mc::m_one_too_early
+
+// mistake: loops over 31 bits of the index only
+// hint: the result is off by v_31, that of bit 31, which is 1 here
+namespace mc::index_of_31_bits {
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  right_sobol(dimension, first, column);
+  const auto v = definition::directions_of(joe_kuo[dimension]);
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    column[i] = definition::sobol_word(v, (first + i) & 0x7fffffffu) * 0x1p-32;
+  }
+}
+}  // namespace mc::index_of_31_bits

@@ -43,7 +43,7 @@ double star_discrepancy(std::span<const double> x, std::span<const double> y) {
 }  // namespace mc::corners_are_points
 
 // mistake: looks only at every fourth corner if there are more than 260 points
-// hint: leave no box out
+// hint: each side of a box ends at 1 or at any point
 namespace mc::every_fourth_box {
 double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   if (x.size() <= 260) return right_star_discrepancy(x, y);
@@ -121,3 +121,42 @@ double star_discrepancy(std::span<const double> x) {
   return worst;
 }
 }  // namespace mc::interval_by_interval
+
+// mistake: looks at boxes that end at 1 above, but at none that ends at 1 on the right
+// hint: boxes that end at 1 count, too
+namespace mc::no_box_to_the_right_edge {
+double star_discrepancy(std::span<const double> x, std::span<const double> y) {
+  right_star_discrepancy(x, y);
+  const auto n = static_cast<double>(x.size());
+  std::vector<double> tops(y.begin(), y.end());
+  tops.push_back(1);
+  double worst = 0;
+  for (const double right : x) {
+    for (const double top : tops) {
+      double open = 0, closed = 0;
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        open += x[i] < right && y[i] < top ? 1 : 0;
+        closed += x[i] <= right && y[i] <= top ? 1 : 0;
+      }
+      worst = std::max({worst, right * top - open / n, closed / n - right * top});
+    }
+  }
+  return worst;
+}
+}  // namespace mc::no_box_to_the_right_edge
+
+// mistake: counts one point too few in a closed interval
+// hint: count the points inside
+namespace mc::one_point_too_few {
+double star_discrepancy(std::span<const double> x) {
+  right_star_discrepancy(x);
+  std::vector<double> sorted(x.begin(), x.end());
+  std::sort(sorted.begin(), sorted.end());
+  double worst = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double inside = static_cast<double>(i) / static_cast<double>(x.size());
+    worst = std::max(worst, std::abs(sorted[i] - inside));
+  }
+  return worst;
+}
+}  // namespace mc::one_point_too_few

@@ -64,3 +64,18 @@ void random_shift(PointSet& points, Rng& rng) {
   }
 }
 }  // namespace mc::shifts_by_thousandths
+
+// mistake: has an array of 32 shifts and begins again at the 33rd axis
+// hint: the same shift on every axis
+namespace mc::shifts_of_32_axes {
+void random_shift(PointSet& points, Rng& rng) {
+  std::array<double, 32> shifts;
+  for (double& shift : shifts) shift = static_cast<double>(rng() >> 11) * 0x1p-53;
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    for (double& value : points.column(d)) {
+      value += shifts[d % shifts.size()];
+      value -= std::floor(value);
+    }
+  }
+}
+}  // namespace mc::shifts_of_32_axes

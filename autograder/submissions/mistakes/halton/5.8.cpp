@@ -63,8 +63,8 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 }  // namespace mc::level_added_to_seed
 
-// mistake: uses Matousek's random linear scrambling: correct for pairs, not for triples
-// hint: pairs of values are scrambled independently, but not triples
+// mistake: uses Matousek's random linear scrambling: correct for two and three decisions, not for four
+// hint: pairs and triples of decisions are independent, but larger groups are not
 namespace mc::linear_scrambling {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   Rng rng(seed);
@@ -135,7 +135,7 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }  // namespace mc::string_without_its_length
 
 // mistake: from the 16th bit on, a flip is the parity of some of the bits before
-// hint: pairs of values are scrambled independently, but not triples
+// hint: pairs and triples of decisions are independent, but larger groups are not
 namespace mc::linear_from_bit_16 {
 void owen_scramble(std::span<double> column, std::uint64_t seed) {
   const std::uint64_t hashed = mix_bits(mix_bits(seed) + 1);
@@ -168,3 +168,44 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
   }
 }
 }  // namespace mc::seed_xor_string
+
+// mistake: the hash of Vegdahl with one random multiplication and addition: correct in pairs
+// hint: pairs of decisions are independent, but not triples
+namespace mc::one_multiplication {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  const std::uint64_t add = mix_bits(mix_bits(seed) ^ 0x5bf03635u);
+  const std::uint64_t multiply = mix_bits(add + 1) | 1;
+  for (double& value : column) {
+    std::uint64_t z = mirrored_64(static_cast<std::uint64_t>(value * 0x1p53) << 11);
+    z ^= z * 0x3d20adea3d20adeau;
+    z = z * multiply + add;
+    z ^= z * 0x05526c5605526c56u;
+    z ^= z * 0x53a2286453a22864u;
+    value = static_cast<double>(mirrored_64(z) >> 11) * 0x1p-53;
+  }
+}
+}  // namespace mc::one_multiplication
+
+// mistake: does not mix: a flip is the lowest bit of a sum
+// hint: mix seed, position and bits by a hash
+namespace mc::unmixed {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  for (double& value : column) {
+    const auto word = static_cast<std::uint64_t>(value * 0x1p53) << 11;
+    std::uint64_t flips = 0;
+    for (unsigned k = 0; k < 53; ++k) {
+      const std::uint64_t before = k == 0 ? 0 : word >> (64 - k);
+      flips |= (seed + k + 3 * before) % 2 << (63 - k);
+    }
+    value = static_cast<double>((word ^ flips) >> 11) * 0x1p-53;
+  }
+}
+}  // namespace mc::unmixed
+
+// mistake: takes the seed for a signed number and drops its sign
+// hint: a seed s and ~s or -s give the same numbers
+namespace mc::seed_without_sign {
+void owen_scramble(std::span<double> column, std::uint64_t seed) {
+  right_owen_scramble(column, std::min(seed, ~seed + 1));
+}
+}  // namespace mc::seed_without_sign

@@ -125,7 +125,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::no_digit_stays
 
 // mistake: uses the same permutation at every position
-// hint: one permutation is used for all positions
+// hint: use a different permutation for each position
 namespace mc::one_permutation {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -137,7 +137,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 }  // namespace mc::one_permutation
 
 // mistake: seeds the generator of a position with seed + position
-// hint: seed + position is the same
+// hint: mix both by a hash, do not add them
 namespace mc::position_added_to_seed {
 void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
                                 std::uint64_t seed) {
@@ -192,3 +192,13 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   }
 }
 }  // namespace mc::steps_by_length
+
+// mistake: refuses base 65,536, which is allowed
+// hint: it may overflow, be rounded or be off by one
+namespace mc::refuses_65536 {
+void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
+                                std::uint64_t seed) {
+  if (base >= 65536) throw std::invalid_argument("base: must be below 2^16");
+  right_radical_inverses_scrambled(base, first, column, seed);
+}
+}  // namespace mc::refuses_65536

@@ -1,6 +1,6 @@
 // mistake: a hash that scrambles pairs independently (Owen's variance), but not triples
 // fails: 5.8
-// hint: pairs of values are scrambled independently, but not triples
+// hint: pairs of decisions are independent, but not triples
 #include "halton.hpp"
 
 #define owen_scramble right_owen_scramble
