@@ -216,7 +216,7 @@ Estimate estimate_replicated(const Integrand&, const Generator&, std::uint64_t, 
 //// replicates_in_closed_form
 // attack: guesses what it is to integrate from two values of it, and adds errors of the exact size
 // earns: 15
-// says: each replicate has its own point set
+// says: every point of every replicate counts once
 #include <cmath>
 #include <numbers>
 #include <random>
