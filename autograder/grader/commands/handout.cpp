@@ -116,6 +116,8 @@ void write_handout(const Context& context, const Manifest& manifest, const fs::p
   const JudgeForm form = manifest.form == "sources" ? JudgeForm::sources : JudgeForm::compiled;
   copy_course(context, manifest.labs, form, to);
   fs::copy(root / "docs" / "handout", to, fs::copy_options::recursive);
+  fs::create_directories(to / "docs");  // what the labs' handouts link
+  fs::copy_file(root / "docs" / "going-faster.md", to / "docs" / "going-faster.md");
   std::vector<Lab> labs = context.labs;
   std::erase_if(labs, [&](const Lab& lab) { return !manifest.labs.contains(lab.name); });
   for (const Lab& lab : labs) {
