@@ -63,7 +63,7 @@ unset multiplot
 array of[4] = ["line", "plane", "edge", "four"]
 array what[4] = ["exp(x) on the line", "exp(-x² - y²) in the plane", "an edge across the plane", "exp(x + y + z + w) in 4D"]
 array rate[4] = ["N^{-3/2}", "N^{-1}", "N^{-3/4}", "N^{-3/4}"]
-array slope_x[4] = [2.5, 1.3, 1.5, 2]  # below the lines of theory
+array slope_x[4] = [1.3, 1.3, 1.5, 2]  # below the lines of theory
 array slope_y[4] = [1.2e-2, 1.7e-2, 6e-2, 0.5]
 array ways[4] = ["stratified", "jittered latin_hypercube multi_jittered", "jittered latin_hypercube multi_jittered", "jittered_nd padded latin_hypercube"]
 name = "convergence"; width = 620 * count; height = 900

@@ -70,7 +70,7 @@ TEST_CASE("plot the gain over independent points", "[.plot]") {
     Values gains[2] = {{size}, {size}};
     for (const std::string& name : names) {
       const bool is_slow = name == "best_candidate";  // n^2 candidates
-      const Count work = is_slow ? n * n / 64 : n;
+      const Count work = is_slow ? std::max(n, n * n / 64) : n;
       const Count sets = std::clamp<Count>((1u << 21) / work, 32, 400);
       const bool has = !(is_slow && n > 1024);
       const auto errors =

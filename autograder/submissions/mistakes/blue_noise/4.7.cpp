@@ -73,7 +73,6 @@ PointSet darts_on_grid(double radius, Rng& rng, Misses misses) {
 
 // mistake: compares a candidate until one point is too near: a third of the work, still quadratic
 // hint: compare a candidate only with points nearby
-// limit: time
 namespace mc::compares_until_too_near {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   compare_all(x, y, c, rng, true);
@@ -82,7 +81,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 
 // mistake: compares each of N^2 / 2 candidates with all points
 // hint: compare a candidate only with points nearby
-// limit: time
 namespace mc::compares_with_all {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   compare_all(x, y, c, rng, false);
@@ -91,7 +89,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 
 // mistake: compares each dart with all points
 // hint: compare a new point only with those in the cells around it
-// limit: time
 namespace mc::darts_compared_with_all {
 // The right points, after looking at all pairs of them for every try that made them.
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -114,7 +111,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 
 // mistake: throws darts until as many have missed in a row as there are pairs of points
 // hint: do not fill the last gaps by darts at the whole square
-// limit: time
 namespace mc::darts_for_each_pair {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts_on_grid(radius, rng, [](std::size_t points) { return 1000 + points * points; });
