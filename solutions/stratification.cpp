@@ -16,7 +16,7 @@
 
 namespace mc {
 
-// 3.9 ---------------------------------------------------------------------------------------------
+// 3.10 --------------------------------------------------------------------------------------------
 
 namespace definition {
 /// Maps u in [0, 1) to stratum i of n. The sum or the quotient may be rounded up to the upper edge
@@ -293,6 +293,24 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
     add(means, values.mean);
   }
   return {means.mean, std::sqrt(variance(means) / static_cast<double>(replicates)), n * replicates};
+}
+
+// 3.9 ---------------------------------------------------------------------------------------------
+
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  if (grid.nx == 0 || grid.ny == 0) throw std::invalid_argument("grid: nx and ny must be positive");
+  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
+  const auto value = [&](std::span<const double> u) {  // that of 2.7
+    const double x = light.x0 + width * u[0], y = light.y0 + depth * u[1];
+    const double distance2 = x * x + y * y + light.height * light.height;
+    const double cosines = light.height * light.height / distance2;  // equal at both ends
+    return width * depth * light.radiance * cosines / distance2;
+  };
+  const auto jittered = [grid](PointSet& points, Rng& from) {
+    stratified_2d(points.column(0), points.column(1), grid, from);
+  };
+  return estimate_replicated({2, value}, jittered, grid.nx * grid.ny, replicates, rng);
 }
 
 }  // namespace mc

@@ -13,7 +13,7 @@
 
 namespace mc {
 
-/// An example of style, not a task: the number of points in [x.low, x.high) x [y.low, y.high).
+/// A finished example: the number of points in [x.low, x.high) x [y.low, y.high).
 [[maybe_unused]] static std::size_t count_in_box(const PointSet& points, Interval x, Interval y) {
   if (points.dims() < 2) throw std::invalid_argument("points: must have at least two dimensions");
   std::size_t count = 0;
@@ -62,7 +62,12 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
   throw todo("3.8");  // TODO(3.8): the mean of the replicates' means, and its standard error
 }
 
-// TODO(3.9): the speed task adds no function: come back to 3.1 and 3.3 when they are correct, and
-// make them cost no more than the random numbers that they use.
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  throw todo("3.9");  // TODO(3.9): a jittered grid on the light, and the error bar of 3.8
+}
+
+// TODO(3.10): stretch, no function: when 3.1 and 3.3 are correct, make them cost no more than the
+// random numbers that they use.
 
 }  // namespace mc

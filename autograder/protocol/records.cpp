@@ -8,8 +8,8 @@ namespace mc::protocol {
 namespace {
 
 /// In the order of RecordKind.
-constexpr std::array<std::string_view, 7> names{"printed", "todo",    "p_value", "call",
-                                                "cost",    "machine", "ended"};
+constexpr std::array<std::string_view, 8> names{"printed", "todo",   "p_value", "call",
+                                                "cost",    "growth", "machine", "ended"};
 
 std::string escaped(std::string_view text) {
   std::string line;

@@ -14,6 +14,7 @@ enum class RecordKind {
   p_value,  ///< of a random test (PValue)
   call,     ///< the last call before a check failed: an experiment and its typed arguments
   cost,     ///< of the costliest measurement so far: seconds of CPU time, the experiment
+  growth,   ///< of a cost, and its limit: "1.8 32 a candidate"
   machine,  ///< the machine failed, and how: the check's result is not a verdict
   ended,    ///< a test case ended (CheckEnd)
 };

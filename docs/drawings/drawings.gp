@@ -110,34 +110,6 @@ do for [k=1:2] {
 }
 unset multiplot
 
-# A zone plate, one sample per pixel --------------------------------------------------------------
-# The frequency grows with the distance from the lower left corner: at 64 pixels a period takes two
-# pixels, at 128 one.
-out = place."/4"; name = "zone"; width = 620; height = 345
-load draw
-plate(x, y) = 0.5 + 0.5 * cos(pi / 128 * (x * x + y * y))
-set multiplot layout 1,2 margins 5./width, 1 - 5./width, 5./height, 1 - 34./height spacing 10./width, 0
-set size square
-set palette gray
-set cbrange [0:1]
-unset colorbox
-unset key
-unset tics
-unset grid
-set xrange [-0.5:159.5]
-set yrange [-0.5:159.5]
-r = rand(7)
-do for [k=0:1] {  # k: how far from its center a pixel is sampled
-  set print $samples
-  do for [i=0:159] { do for [j=0:159] {
-    print i, j, plate(i + k * (rand(0) - 0.5), j + k * (rand(0) - 0.5))
-  } }
-  unset print
-  set title (k == 0 ? "at the center of each pixel" : "at a random place of each pixel")
-  plot $samples using 1:2:3 with image
-}
-unset multiplot
-
 # Designing a spectrum ----------------------------------------------------------------------------
 out = place."/4"; name = "design"; width = 600; height = 400
 load draw
@@ -159,6 +131,7 @@ set yrange [0:4]
 set xtics 0,0.5
 set ytics 0,1
 set xlabel "frequency |k| / √N"
+set ylabel "power" offset 2,0
 set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3
 step(x) = x < 0.564 ? 0 : 1
 ring(x) = x < 0.75 ? 0 : x < 0.898 ? 2 : 1

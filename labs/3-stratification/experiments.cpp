@@ -132,30 +132,44 @@ Points one_2d(Pattern2D pattern, std::uint64_t size_x, std::uint64_t size_y, Gri
   return one;
 }
 
-/// Estimates, and counts the calls. `first_words` has the first random word of each call of the
-/// generator, including those of earlier estimates: a word that occurs twice is a repeated state.
-ReplicatedEstimate with_counts(const Integrand& g, const Generator& generator, std::uint64_t n,
-                               std::uint64_t replicates, Rng& rng,
-                               std::set<std::uint64_t>& first_words) {
-  ReplicatedEstimate got;
-  const Integrand counted{g.dims, [&](std::span<const double> x) {
-                            ++got.evaluated;
-                            if (x.size() != g.dims) ++got.misshapen;
-                            return x.size() < g.dims ? unwritten : g.f(x);
-                          }};
-  const Generator counting = [&](PointSet& points, Rng& from) {
-    ++got.generated;
-    if (points.size() != n || points.dims() != g.dims) ++got.misshapen;
+std::string sizes(std::size_t n, std::size_t dims) {
+  return std::to_string(n) + " x " + std::to_string(dims);
+}
+
+/// Estimates with a generator and an integrand that throw if they are not called as 3.8 specifies.
+/// `first_words` has the first random word of each call of the generator, including those of
+/// earlier estimates: a word that occurs twice is a repeated state.
+Estimate estimate_strictly(const Integrand& g, const Generator& generator, std::uint64_t n,
+                           std::uint64_t replicates, Rng& rng,
+                           std::set<std::uint64_t>& first_words) {
+  std::uint64_t generated = 0, evaluated = 0;
+  const Integrand strict_g{
+      g.dims, [&](std::span<const double> x) {
+        if (x.size() != g.dims) throw std::logic_error("the integrand got a point of another size");
+        if (++evaluated > n * replicates) {
+          throw std::logic_error("the integrand was evaluated more than once per point");
+        }
+        return g.f(x);
+      }};
+  const Generator strict = [&](PointSet& points, Rng& from) {
+    if (points.size() != n || points.dims() != g.dims) {
+      throw std::logic_error("the generator got a set of " + sizes(points.size(), points.dims()) +
+                             ", not of " + sizes(n, g.dims) +
+                             ": each replicate has its own PointSet(n, g.dims), made in one call");
+    }
+    if (++generated > replicates) {
+      throw std::logic_error("the generator was called more than once per replicate");
+    }
     Rng copy = from;  // `from` itself must not advance
-    if (!first_words.insert(copy()).second) ++got.repeated;
+    if (!first_words.insert(copy()).second) {
+      throw std::logic_error(
+          "the generator got an Rng that repeats: replicates need fresh points "
+          "from the same generator, not from a copy");
+    }
     clear(points);
     generator(points, from);
   };
-  const Estimate estimate = mc::estimate_replicated(counted, counting, n, replicates, rng);
-  got.value = estimate.value;
-  got.standard_error = estimate.standard_error;
-  got.n = estimate.n;
-  return got;
+  return mc::estimate_replicated(strict_g, strict, n, replicates, rng);
 }
 
 }  // namespace
@@ -233,8 +247,8 @@ std::vector<double> estimates(unsigned task, Function g, std::uint64_t dims, std
   return means;
 }
 
-ReplicatedEstimate estimate_replicated(std::vector<double> values, std::uint64_t n,
-                                       std::uint64_t dims, std::uint64_t replicates) {
+Estimate estimate_replicated(std::vector<double> values, std::uint64_t n, std::uint64_t dims,
+                             std::uint64_t replicates) {
   std::size_t next = 0;
   const Generator copying = [&](PointSet& points, Rng& from) {
     from();  // as a generator of random points would
@@ -249,25 +263,31 @@ ReplicatedEstimate estimate_replicated(std::vector<double> values, std::uint64_t
   };
   Rng rng(1);
   std::set<std::uint64_t> first_words;
-  return with_counts({dims, weighted}, copying, n, replicates, rng, first_words);
+  return estimate_strictly({dims, weighted}, copying, n, replicates, rng, first_words);
 }
 
-ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t dims,
-                                      std::uint64_t n, std::uint64_t replicates,
-                                      std::uint64_t times, std::uint64_t seed) {
+std::vector<Estimate> estimates_replicated(unsigned task, Function g, std::uint64_t dims,
+                                           std::uint64_t n, std::uint64_t replicates,
+                                           std::uint64_t times, std::uint64_t seed) {
   Rng rng(seed);
   const Integrand integrand{dims, [&](std::span<const double> x) {
                               return evaluate(g, dims, [&](std::size_t d) { return x[d]; });
                             }};
-  ReplicatedTraces all;
+  const Generator generator = [&](PointSet& points, Rng& from) { make_points(task, points, from); };
+  std::vector<Estimate> all;
   std::set<std::uint64_t> first_words;
-  const Generator generator = [&](PointSet& points, Rng& from) {
-    make_points(task, points, from);
-    append(all.points, points);
-  };
   for (std::uint64_t i = 0; i < times; ++i) {
-    all.estimates.push_back(with_counts(integrand, generator, n, replicates, rng, first_words));
-    all.points.resize(all.estimates.size() * replicates * n * dims);
+    all.push_back(estimate_strictly(integrand, generator, n, replicates, rng, first_words));
+  }
+  return all;
+}
+
+std::vector<Estimate> irradiance_stratified(RectLight light, Grid grid, std::uint64_t replicates,
+                                            std::uint64_t times, std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<Estimate> all;
+  for (std::uint64_t i = 0; i < times; ++i) {
+    all.push_back(mc::irradiance_stratified(light, grid, replicates, rng));
   }
   return all;
 }
@@ -366,6 +386,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "3.8  replicated means of x0 + 2 x1 + …, over coordinates from values"),
       MC_EXPERIMENT(estimates_replicated, "task g dims n replicates times seed",
                     "3.8  replicated estimates of g with points of task 3.task"),
+      MC_EXPERIMENT(irradiance_stratified, "light grid replicates times seed",
+                    "3.9  estimates from a jittered grid on the light"),
       MC_EXPERIMENT(shadow, "task width n seed", "a soft shadow with points of task 3.task",
                     {.columns = "pixel", .width = "width"}),
       MC_EXPERIMENT(repeat, "task n dims rounds seed",

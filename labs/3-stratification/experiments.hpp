@@ -14,6 +14,8 @@
 
 namespace mc {
 MC_FIELDS(Grid, nx, ny)
+MC_FIELDS(Estimate, value, standard_error, n)
+MC_FIELDS(RectLight, x0, x1, y0, y1, height, radiance)
 }  // namespace mc
 
 namespace mc::experiments {
@@ -84,33 +86,23 @@ std::vector<double> latin_hypercube(std::uint64_t n, std::uint64_t dims, std::ui
 std::vector<double> estimates(unsigned task, Function g, std::uint64_t dims, std::uint64_t n,
                               std::uint64_t used, std::uint64_t sets, std::uint64_t seed);
 
-/// 3.8: an estimate, and how the generator and the integrand were called for it.
-struct ReplicatedEstimate {
-  double value = 0, standard_error = 0;
-  std::uint64_t n = 0;
-  std::uint64_t generated = 0, evaluated = 0;  ///< calls of the generator and of the integrand
-  std::uint64_t misshapen = 0;  ///< calls with a set that is not n x dims, or a point not of dims
-  std::uint64_t repeated = 0;   ///< calls of the generator with an Rng state it has seen before
-};
-MC_FIELDS(ReplicatedEstimate, value, standard_error, n, generated, evaluated, misshapen, repeated)
-
-/// Consecutive estimates and the points from which they were computed, set by set, each column by
-/// column. The list of points has the expected length: it is truncated or padded with zeros.
-struct ReplicatedTraces {
-  std::vector<ReplicatedEstimate> estimates;
-  std::vector<double> points;
-};
-MC_FIELDS(ReplicatedTraces, estimates, points)
-
 /// 3.8: the estimate of x0 + 2 x1 + 3 x2 + …, with a generator that copies `values` to the points
-/// in order, column by column, and starts again at the end of `values`.
-ReplicatedEstimate estimate_replicated(std::vector<double> values, std::uint64_t n,
-                                       std::uint64_t dims, std::uint64_t replicates);
+/// in order, column by column, and starts again at the end of `values`. Here and in
+/// estimates_replicated(), the generator throws if it is called with a set of another size than
+/// n x dims, more than `replicates` times, or with an Rng in a state that it has seen before; the
+/// integrand throws if it gets a point of another size or is called for more than n * replicates
+/// points.
+Estimate estimate_replicated(std::vector<double> values, std::uint64_t n, std::uint64_t dims,
+                             std::uint64_t replicates);
 
 /// 3.8: `times` estimates of `g` over n points of task 3.`task`, numbered as in estimates().
-ReplicatedTraces estimates_replicated(unsigned task, Function g, std::uint64_t dims,
-                                      std::uint64_t n, std::uint64_t replicates,
-                                      std::uint64_t times, std::uint64_t seed);
+std::vector<Estimate> estimates_replicated(unsigned task, Function g, std::uint64_t dims,
+                                           std::uint64_t n, std::uint64_t replicates,
+                                           std::uint64_t times, std::uint64_t seed);
+
+/// 3.9: `times` estimates of the irradiance from a light.
+std::vector<Estimate> irradiance_stratified(RectLight light, Grid grid, std::uint64_t replicates,
+                                            std::uint64_t times, std::uint64_t seed);
 
 /// A picture of width x width pixels, row by row: the soft shadow of a sphere under a square light.
 /// Each pixel is the fraction of n points on the light that are visible, with the tasks of

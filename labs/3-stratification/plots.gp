@@ -12,19 +12,16 @@ set xrange [0:1]
 set yrange [0:1]
 set format ""
 unset key
-array columns[4] = [1, 8, 64, 64]  # of the grid; independent points have no strata
-array rows[4] = [1, 8, 64, 64]
 do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
   m = word("independent jittered latin_hypercube multi_jittered", i)
-  set xtics 0,1./columns[i] scale 0
-  set ytics 0,1./rows[i] scale 0
-  set grid lt 1 lw 0.5 lc rgb (i > 2 ? soft : ink)
+  fine = i > 2  # 64 columns and rows, below the 8 x 8 cells
+  set xtics 0,(fine ? 1/64. : 1/8.) scale 0
+  set ytics 0,(fine ? 1/64. : 1/8.) scale 0
+  set grid lt 1 lw 0.5 lc rgb soft
   unset arrow
-  if (m eq "multi_jittered") {
-    do for [k=1:7] {
-      set arrow from k/8.,0 to k/8.,1 nohead back lt 1 lw 1 lc rgb ink
-      set arrow from 0,k/8. to 1,k/8. nohead back lt 1 lw 1 lc rgb ink
-    }
+  do for [k=1:7] {
+    set arrow from k/8.,0 to k/8.,1 nohead back lt 1 lw 1 lc rgb ink
+    set arrow from 0,k/8. to 1,k/8. nohead back lt 1 lw 1 lc rgb ink
   }
   set title is(m).who(s)
   plot data[s]."/patterns-".m.".tsv" using "x":"y" with points pt 7 ps 0.7 lc rgb dot
@@ -64,8 +61,10 @@ unset multiplot
 
 # Error against N ---------------------------------------------------------------------------------
 array of[4] = ["line", "plane", "edge", "four"]
-array what[4] = ["exp(x) on the line", "exp(-x² - y²) in the plane", "an edge across the plane", "exp(x + y + z + w)"]
+array what[4] = ["exp(x) on the line", "exp(-x² - y²) in the plane", "an edge across the plane", "exp(x + y + z + w) in 4D"]
 array rate[4] = ["N^{-3/2}", "N^{-1}", "N^{-3/4}", "N^{-3/4}"]
+array slope_x[4] = [1.3, 1.3, 1.5, 2]  # below the lines of theory
+array slope_y[4] = [1.2e-2, 1.7e-2, 6e-2, 0.5]
 array ways[4] = ["stratified", "jittered latin_hypercube multi_jittered", "jittered latin_hypercube multi_jittered", "jittered_nd padded latin_hypercube"]
 name = "convergence"; width = 620 * count; height = 900
 load draw
@@ -79,7 +78,7 @@ all = "independent stratified jittered latin_hypercube multi_jittered padded jit
 do for [row=0:1] { do for [s=1:count] { do for [i=2*row+1:2*row+2] {
   set title what[i].who(s)
   set ylabel (i % 2 == 1 && s == 1 ? "RMSE" : "")
-  set label 1 rate[i] at graph 0.04, graph 0.08 left tc rgb ink
+  set label 1 rate[i] at slope_x[i], slope_y[i] left tc rgb ink
   file = data[s]."/convergence-".of[i].".tsv"
   if (i == 4 && s == count) { set key at screen 0.5,0.005 center bottom vertical maxrows 5 Left reverse samplen 3 width 1 } else { unset key }
   known = data[s]."/within-".of[i].".tsv"
@@ -117,16 +116,17 @@ name = "early"; width = 80 + 420 * count; height = 460
 load draw
 set termoption enhanced
 eval panels(80, 80, 125)
-set logscale xy
-set format "10^{%L}"
-set xrange [0.8:1300]
-set yrange [1e-4:1]
+set logscale y
+set format y "10^{%L}"
+set xrange [0:1060]
+set yrange [5e-4:0.6]
+set xtics 0,256
 set xlabel "n"
 set ylabel "RMSE"
 set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 4
 how(m) = m eq "jittered" ? ", row by row" : m eq "padded" ? " (shuffled)" : ""
 do for [s=1:count] {
-  set title heading("The first n of 1024 points, exp(-x² - y²)", s)
+  set title heading("The first n of 1,024 points, exp(-x² - y²)", s)
   plot for [m in "independent jittered padded"] data[s]."/early.tsv" using "N":m \
     with linespoints ls value(m) notitle, \
     for [m in "independent jittered padded"] keyentry with linespoints ls value(m) title is(m).how(m)

@@ -36,8 +36,7 @@ void stratified_1d(std::span<double> x, Rng& rng);
 /// divisor of n that is at most sqrt(n). A prime n gives a row of n cells.
 /// requires: n >= 1; any 64-bit number.
 /// throws: std::invalid_argument for n = 0.
-/// cost: about sqrt(n) divisions at worst.
-/// source: trial division, Knuth, "The art of computer programming", volume 2, section 4.5.4.
+/// cost: sqrt(n) - ny + 1 divisions: search down from sqrt(n).
 Grid strata(std::size_t n);
 
 /// 3.3  A jittered grid: one point (x[k], y[k]) in each cell of `grid`, uniform in it and
@@ -104,7 +103,16 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng);
 
-/// 3.9  The speed task adds no function: make 3.1 and 3.3 cost no more than the random numbers that
-/// they use. Every promise above still holds, for every size.
+/// 3.9  The irradiance at the origin (W/m^2) from stratified points of a light: in each replicate a
+/// jittered grid (3.3), mapped to the light as in 2.7, x = x0 + (x1 - x0) u and y = y0 + (y1 - y0)
+/// v; the mean of area · radiance · cos(receiver) cos(light) / distance^2 over its nx * ny points.
+/// The error bar is that of 3.8. Estimate::n is nx * ny * replicates.
+/// requires: light.x0 < light.x1, light.y0 < light.y1, light.height > 0.
+/// throws: std::invalid_argument if the grid has no cells, and for replicates = 0.
+/// source: Pharr, Jakob, Humphreys 2023, sections 2.2.1 and 4.2.
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng);
+
+/// 3.10  Stretch, no function: make 3.1 and 3.3 cost no more than the random numbers that they use.
 
 }  // namespace mc

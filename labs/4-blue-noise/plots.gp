@@ -70,30 +70,37 @@ do for [s=1:count] {
 }
 unset multiplot
 
-# Error against N ---------------------------------------------------------------------------------
-# The root mean square error over 100 patterns; 40 patterns at N = 1024.
+# Gain over independent points against N ---------------------------------------------------------
+# The dashed line is the limit of Poisson disks, 1 / sqrt(P) with their power at the lowest frequency.
 array of[2] = ["bump", "edge"]
 array what[2] = ["exp(-x² - y²)", "a slanted edge"]
-name = "convergence"; width = 620 * count; height = 480
+name = "convergence"; width = 620 * count; height = 470
 load draw
 set termoption enhanced
-set multiplot layout 1,2*count margins 80./width, 1 - 20./width, 165./height, 1 - 32./height spacing 65./width, 0
+array limit[count]
+do for [s=1:count] {
+  stats data[s]."/radial.tsv" using (column("frequency") < 0.07 ? column("poisson_disk") : NaN) nooutput
+  limit[s] = exists("STATS_min") ? 1 / sqrt(STATS_min) : NaN
+  undefine STATS_*
+}
+set multiplot layout 1,2*count margins 75./width, 1 - 20./width, 145./height, 1 - 32./height spacing 45./width, 0
 set logscale xy
-set xrange [3:1400]
-set xtics (4, 16, 64, 256, 1024)
-set format y "10^{%L}"
+set xrange [3:110000]
+set yrange [0.8:100]
+set xtics (4, 64, 1024, "16k" 16384)
+set ytics (1, 2, 4, 8, 16, 32, 64)
 set xlabel "N"
 do for [s=1:count] {
   do for [f=1:2] {
     set title what[f].who(s)
-    set ylabel (f == 1 && s == 1 ? "RMSE" : "")
-    if (f == 2 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 4 Left reverse samplen 3 width 2 } else { unset key }
-    file = data[s]."/convergence-".of[f].".tsv"
-    plot for [m in "independent jittered best_candidate poisson_disk"] file using "N":m with linespoints ls value(m) notitle, \
-         for [m in "independent jittered best_candidate poisson_disk"] keyentry with linespoints ls value(m) title is(m), \
-         0.3*x**-0.5 with lines ls theory title "N^{-1/2}", \
-         (f == 2 ? 0.4*x**-0.75 : NaN) with lines ls theory+2 title "N^{-3/4} (edge)", \
-         0.5/x with lines ls theory+1 title "N^{-1}"
+    set ylabel (f == 1 && s == 1 ? "RMSE of independent points / RMSE" : "")
+    if (f == 2 && s == count) { set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3 width 2 } else { unset key }
+    file = data[s]."/gain-".of[f].".tsv"
+    set label 1 (f == 1 ? "N^{1/2}" : "N^{1/4}") at (f == 1 ? 900 : 80000), (f == 1 ? 42 : 7.5) right tc rgb ink
+    plot for [m in "jittered best_candidate poisson_disk"] file using "N":m with linespoints ls value(m) notitle, \
+         for [m in "jittered best_candidate poisson_disk"] keyentry with linespoints ls value(m) title is(m), \
+         (f == 1 ? 1.2*x**0.5 : 0.75*x**0.25) with lines ls theory+1 notitle, \
+         (f == 1 ? limit[s] : NaN) with lines ls theory title "limit of Poisson disks"
   }
 }
 unset multiplot

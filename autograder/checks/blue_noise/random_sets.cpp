@@ -275,6 +275,22 @@ std::vector<std::size_t> later_points(std::size_t n) {
   return points;
 }
 
+void judge_points(const SampleSets& set, double c, std::size_t first, std::size_t last,
+                  std::size_t count, Rng& rng) {
+  std::vector<std::size_t> points;
+  for (std::size_t k = 0; k < count; ++k) {  // one from each of `count` equal parts
+    const std::size_t low = first + k * (last - first) / count;
+    const std::size_t high = first + (k + 1) * (last - first) / count;
+    points.push_back(low + rng() % std::max<std::size_t>(high - low, 1));
+  }
+  Uniforms u = by_candidates(set.call, nearness(set, points, c < 1 ? 150 : 300, rng), promised(c));
+  u.positions = 1;  // one set: its points are the replicates
+  u.name = {};
+  expect_independent_uniforms(
+      u, best_of_candidates(
+             "the search misses the nearest point: search all cells that can contain it"));
+}
+
 Count promised(double c) {
   return [=](double i) { return std::ceil(c * i) + 1; };
 }

@@ -121,10 +121,16 @@ void compare_power(const Points& points, int kmax) {
   expect_each({measured.call, got}, powers);
 }
 
-CHECK_CASE("4.4 random points by the definition", "[4.4][main][points:8]") {
-  const std::pair<std::size_t, int> cases[] = {{17, 3},  {2, 1},    {100, 12},  {1000, 4},
-                                               {3, 60},  {1025, 2}, {65537, 1}, {65, 7},
-                                               {15, 16}, {1, 33},   {1, 1}};
+CHECK_CASE("4.4 random points by the definition", "[4.4][main][points:6]") {
+  for (const auto& [n, kmax] :
+       {std::pair<std::size_t, int>{17, 3}, {100, 12}, {1000, 4}, {65, 7}}) {
+    compare_power(uniform_points(rng, n), kmax);
+  }
+}
+
+CHECK_CASE("4.4 any number of points and frequencies", "[4.4][edge][points:2]") {
+  const std::pair<std::size_t, int> cases[] = {{3, 60}, {1025, 2}, {65537, 1}, {15, 16}, {2, 1},
+                                               {3, 1},  {1, 33},   {1, 2},     {1, 1}};
   for (const auto& [n, kmax] : cases) compare_power(uniform_points(rng, n), kmax);
 }
 
@@ -223,8 +229,8 @@ std::vector<Curve> wrong_means(const Values& power, int kmax, const RingOf& near
           {with_zero, "ring 0 is 0: it must be NaN, because it has no meaning"}};
 }
 
-CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
-  for (const int kmax : {5, 2, 24, 3, 63, 129, 300, 1}) {
+void compare_rings(const std::vector<int>& sizes, Rng& rng) {
+  for (const int kmax : sizes) {
     const auto side = static_cast<std::size_t>(2 * kmax + 1);
     const Values power = uniform_values(rng, side * side, 0, 3);
     // k + 1/2 is not the root of an integer, so nothing is halfway.
@@ -246,6 +252,14 @@ CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:5]") {
   }
 }
 
+CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:4]") {
+  compare_rings({5, 24, 10, 20 + static_cast<int>(rng() % 20)}, rng);
+}
+
+CHECK_CASE("4.5 any number of rings", "[4.5][edge][points:1]") {
+  compare_rings({63, 129, 300, 3, 2, 1}, rng);
+}
+
 std::vector<InvalidCall> wrong_rings() {
   std::vector<InvalidCall> calls;
   add_wrong_sizes(calls, [](int kmax, std::uint64_t size) {
@@ -254,8 +268,8 @@ std::vector<InvalidCall> wrong_rings() {
   return calls;
 }
 
-REFUSAL_CASES("4.5", "misuse of radial_power is refused", "2", "a refusal names the argument", "1",
-              wrong_rings())
+REFUSAL_CASES("4.5", "misuse of radial_power is refused", "0.5", "a refusal names the argument",
+              "0.5", wrong_rings())
 
 }  // namespace
 }  // namespace mc::checks

@@ -14,8 +14,8 @@ struct Pairs {
 };
 
 /// First pairs that are closest across edges in x and y, for which all mistakes differ; then random
-/// ones; then coordinates at the ends of their range, equal points, and ties.
-Pairs pairs(Rng& rng) {
+/// ones.
+Pairs ordinary_pairs(Rng& rng) {
   Pairs all;
   for (int i = 0; i < 20; ++i) {
     const double low_x = uniform(rng, 0, 0.2), low_y = uniform(rng, 0, 0.2);
@@ -25,6 +25,12 @@ Pairs pairs(Rng& rng) {
             {right ? low_x : high_x, top ? low_y : high_y});
   }
   for (int i = 0; i < 400; ++i) all.add({uniform(rng), uniform(rng)}, {uniform(rng), uniform(rng)});
+  return all;
+}
+
+/// Coordinates at the ends of their range, equal points, and ties.
+Pairs special_pairs(Rng& rng) {
+  Pairs all;
   const double edges[] = {0, below_one, 0.5, 0.25, 0.75, uniform(rng), 1e-300, eps};
   for (const double x : edges) {
     for (const double y : edges) all.add({x, y}, {y, uniform(rng) < 0.5 ? x : 0});
@@ -37,8 +43,8 @@ Pairs pairs(Rng& rng) {
   return all;
 }
 
-CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
-  const auto [a, b] = pairs(rng);
+void compare_distances(const Pairs& pairs) {
+  const auto& [a, b] = pairs;
   Comparison distances{
       .exact = {},
       .tolerance = {},
@@ -51,7 +57,7 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
                    {{}, "this is |dx| + |dy|: add the squares"}},
       .rule = "along each axis, take the shorter of |difference| and 1 - |difference|",
       .name =
-          [&, &a = a, &b = b](std::size_t i) {
+          [&a = pairs.a, &b = pairs.b](std::size_t i) {
             return fmt::format("from ({}, {}) to ({}, {})", a.x[i], a.y[i], b.x[i], b.y[i]);
           },
       .separate_calls = true,
@@ -73,6 +79,14 @@ CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:6]") {
   }
   const auto measured = MEASURE(toroidal_distances_squared, a.x, a.y, b.x, b.y);
   expect_each({measured.call, measured.exactly(a.x.size(), any_number)}, distances);
+}
+
+CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:4]") {
+  compare_distances(ordinary_pairs(rng));
+}
+
+CHECK_CASE("4.1 equal points and points at the edges", "[4.1][edge][points:2]") {
+  compare_distances(special_pairs(rng));
 }
 
 /// y and x of each point, in an order that does not depend on rounding errors below 1e-9.
@@ -102,10 +116,8 @@ Values tiled(const Points& pattern, int copies, int step) {
 }
 
 /// Tilings of random patterns, with some points `at_the_edge`: at 0 or just below 1.
-void judge_tilings(Rng& rng, bool at_the_edge) {
-  const std::pair<std::size_t, int> cases[] = {{20, 2},  {20, 3},  {7, 7},  {65, 33},
-                                               {1, 100}, {129, 3}, {20, 1}, {3, 33},
-                                               {1, 1},   {2, 5},   {1, 300}};
+void judge_tilings(const std::vector<std::pair<std::size_t, int>>& cases, Rng& rng,
+                   bool at_the_edge) {
   for (const auto& [n, copies] : cases) {
     Points pattern = uniform_points(rng, n);
     if (at_the_edge) {
@@ -134,12 +146,21 @@ void judge_tilings(Rng& rng, bool at_the_edge) {
   }
 }
 
-CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:7]") {
-  judge_tilings(rng, false);
+CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:11]") {
+  judge_tilings({{20, 2}, {20, 3}, {7, 7}, {10 + rng() % 50, 4}}, rng, false);
+}
+
+const std::vector<std::pair<std::size_t, int>> special_sizes{{65, 33}, {1, 100}, {129, 3}, {20, 1},
+                                                             {3, 33},  {3, 2},   {2, 5},   {2, 1},
+                                                             {1, 300}, {1, 2},   {1, 1}};
+
+CHECK_CASE("4.6 any number of points and copies", "[4.6][edge][points:2]") {
+  judge_tilings(special_sizes, rng, false);
 }
 
 CHECK_CASE("4.6 copies of points just below 1 stay below 1", "[4.6][edge][points:1]") {
-  judge_tilings(rng, true);
+  judge_tilings({{20, 2}, {20, 3}, {7, 7}}, rng, true);
+  judge_tilings(special_sizes, rng, true);
 }
 
 std::vector<InvalidCall> wrong_tiles() {

@@ -112,4 +112,52 @@ inline void expect_level(const Sets& sets, const Level& level, std::size_t used 
        "each point must be uniform in its stratum and independent of the others"});
 }
 
+/// Estimates of `evaluations` points each, with error bars from `replicates` means.
+struct ReplicatedEstimates {
+  std::string call;
+  const std::vector<Estimate>& estimates;
+  std::size_t evaluations, replicates;
+};
+
+/// Estimate.n is right, no estimate occurs twice, and the estimates have their exact mean and
+/// variance; `variance` and `kurtosis` are those of the mean of one replicate.
+inline void expect_estimates(const ReplicatedEstimates& got, double exact, double variance,
+                             double kurtosis, const Hints& of_variance, const Hints& of_mean = {}) {
+  Values values;
+  for (const Estimate& one : got.estimates) {
+    expect_equal(got.call + ": Estimate.n", one.n, got.evaluations, "",
+                 "Estimate.n counts evaluations: those of all replicates");
+    values.push_back(one.value);
+  }
+  Values sorted = values;
+  std::ranges::sort(sorted);
+  const auto twice = std::ranges::adjacent_find(sorted);
+  expect_that(twice == sorted.end(),
+              fmt::format("{}: two of {} estimates are {}", got.call, sorted.size(),
+                          twice == sorted.end() ? 0 : *twice),
+              "estimates that are all different", "random numbers never give the same mean",
+              "draw from the generator that is passed in, not from a copy");
+  const auto r = static_cast<double>(got.replicates);
+  const Replicates all{got.call, values, static_cast<double>(got.evaluations)};
+  expect_mean(all, exact, variance / r, {"the mean of estimates is the integral", alpha}, of_mean);
+  expect_variance(
+      all, exact, variance / r, 3 + (kurtosis - 3) / r,
+      {"replicated estimates have 1/replicates of the variance within the strata", alpha},
+      of_variance);
+}
+
+/// The mean square of the error bars is right: for Gaussian means, the sample variance of R of them
+/// is chi-squared with R - 1 degrees of freedom, so each counts as R - 1 replicates.
+inline void expect_bars(const ReplicatedEstimates& got, double variance, double kurtosis,
+                        const Hints& hints) {
+  const auto r = static_cast<double>(got.replicates);
+  Values deviations;
+  for (const Estimate& one : got.estimates) {
+    deviations.insert(deviations.end(), got.replicates - 1, one.standard_error * std::sqrt(r));
+  }
+  expect_variance({got.call + ", standard_error * sqrt(replicates)", deviations}, 0, variance,
+                  3 + (kurtosis - 3) * (r - 1) / r,
+                  {"the mean square of error bars is the variance of an estimate", alpha}, hints);
+}
+
 }  // namespace mc::checks

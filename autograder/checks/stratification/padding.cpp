@@ -108,9 +108,9 @@ std::vector<Pattern> padded_patterns(std::size_t n, std::size_t dims) {
 }
 
 CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
-           "[3.4][points:3][needs:3.1][needs:3.2][needs:3.3]") {
-  for (const std::size_t n : {64u, 12u, 101u, 1025u, 65u, 7u, 2u, 1u}) {
-    for (const std::size_t dims : {4u, 2u, 7u, 3u, 9u, 17u, 1u}) {
+           "[3.4][points:4][needs:3.1][needs:3.2][needs:3.3]") {
+  for (const std::size_t n : {64u, 12u, 101u, 1025u, 65u, 7u, 3u, 2u, 1u}) {
+    for (const std::size_t dims : {4u, 2u, 7u, 3u, 9u, 17u, 33u, 1u}) {
       expect_one_in_each_cell(padded(n, dims, 1, rng), padded_patterns(n, dims), pattern_of_each);
     }
   }

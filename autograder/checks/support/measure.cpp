@@ -158,6 +158,10 @@ sandbox::Outcome run_program(std::string_view request, const sandbox::Limits& li
   }
 }
 
+void record_growth(double ratio, double limit, const std::string& what) {
+  record(RecordKind::growth, fmt::format("{:.2f} {:.0f} {}", ratio, limit, what));
+}
+
 void fail(const std::string& report) {
   if (const PastCall* call = call_in(report)) {
     record(RecordKind::call, call->experiment + call->typed());

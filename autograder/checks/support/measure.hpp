@@ -105,6 +105,9 @@ Rng side_rng();
 Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
          std::string request, const sandbox::Limits& limits);
 
+/// Records how often a cost grew, and its limit; self_test cost prints both for right answers.
+void record_growth(double ratio, double limit, const std::string& what);
+
 /// Runs the program without keeping the call. A failure of the machine is recorded as such.
 sandbox::Outcome run_program(std::string_view request, const sandbox::Limits& limits);
 

@@ -133,6 +133,8 @@ void write_handout(const Context& context, const Settings& settings, const fs::p
   const JudgeForm form = settings.form == "sources" ? JudgeForm::sources : JudgeForm::compiled;
   copy_course(context, settings.labs, form, to);
   fs::copy(root / "docs" / "handout", to, fs::copy_options::recursive);
+  fs::create_directories(to / "docs");  // what the labs' handouts link
+  fs::copy_file(root / "docs" / "going-faster.md", to / "docs" / "going-faster.md");
   std::vector<Lab> labs = context.labs;
   std::erase_if(labs, [&](const Lab& lab) { return !settings.labs.contains(lab.name); });
   for (const Lab& lab : labs) {

@@ -63,6 +63,9 @@ Findings read_records(const std::vector<protocol::Record>& records, std::size_t&
       case protocol::RecordKind::cost:
         result.costliest = record.text;
         break;
+      case protocol::RecordKind::growth:
+        result.growths.push_back(record.text);
+        break;
       case protocol::RecordKind::machine:
         found.machine_failure = record.text;
         break;

@@ -45,6 +45,8 @@ struct CheckResult {
   std::vector<std::string> call;
   std::string by_hand;    ///< the command that repeats this call; empty without a call
   std::string costliest;  ///< its costliest measurement: "0.12 stream", seconds of CPU time
+  /// Each cost that was judged by its growth: "1.8 32 a candidate", the growth and its limit.
+  std::vector<std::string> growths;
   std::vector<protocol::PValue> p_values;
   double seconds = 0;
   double earned() const { return status == Status::passed ? check.points : 0; }

@@ -1,5 +1,5 @@
 // The data of lab 4's plots and demo: patterns, their periodograms as pictures and as curves,
-// errors of integration next to those of random and jittered points, and time against N. Cases of
+// the gain over independent points, and time against N. Cases of
 // about equal cost.
 
 #include <cmath>
@@ -57,10 +57,31 @@ TEST_CASE("plot periodograms as pictures and over rings", "[.plot]") {
   });
 }
 
-TEST_CASE("plot error against N", "[.plot]") {
-  plot_errors({"bump", "edge"}, {integrand("bump"), integrand("edge")},
-              methods.of({"independent", "jittered", "best_candidate", "poisson_disk"}),
-              powers(4, 4, 1024), [](Count n) -> Count { return n == 1024 ? 40 : 100; });
+/// The RMSE of n independent points, which is exact, divided by that of a method.
+TEST_CASE("plot the gain over independent points", "[.plot]") {
+  const std::vector<Integrand> both{integrand("bump"), integrand("edge")};
+  const double mean = both[1].mean, variances[] = {both[0].variance, mean * (1 - mean)};
+  const Names names{"jittered", "best_candidate", "poisson_disk"};
+  Names columns{"N"};
+  append(columns, names);
+  auto smooth = plot_file("gain-bump.tsv", columns), edge = plot_file("gain-edge.tsv", columns);
+  for (const double size : powers(4, 4, 65536)) {
+    const auto n = static_cast<Count>(size);
+    Values gains[2] = {{size}, {size}};
+    for (const std::string& name : names) {
+      const bool is_slow = name == "best_candidate";  // n^2 candidates
+      const Count work = is_slow ? std::max(n, n * n / 64) : n;
+      const Count sets = std::clamp<Count>((1u << 21) / work, 32, 400);
+      const bool has = !(is_slow && n > 1024);
+      const auto errors =
+          has ? errors_of(methods[name], both, n, sets, n) : std::vector<ErrorSums>(2);
+      for (std::size_t g = 0; g < 2; ++g) {
+        gains[g].push_back(std::sqrt(variances[g] / size) / errors[g].rmse());
+      }
+    }
+    plot_row(smooth, gains[0]);
+    plot_row(edge, gains[1]);
+  }
 }
 
 TEST_CASE("plot time against N", "[.plot][time]") {

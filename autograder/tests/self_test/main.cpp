@@ -26,8 +26,8 @@ void prove(const Subject& subject) {
   const std::string kind = kind_of(subject.file);
   const std::pair<const char*, void (*)(const Proof&, const Subject&)> kinds[] = {
       {"starter", [](const Proof& proof, const Subject&) { prove_starter(proof); }},
-      {"solutions", [](const Proof& proof, const Subject&) { prove_right(proof); }},
-      {"alternatives", [](const Proof& proof, const Subject&) { prove_right(proof); }},
+      {"solutions", prove_right},
+      {"alternatives", prove_right},
       {"mistakes", prove_mistake},
       {"peers", prove_peer},
       {"attacks", prove_attack}};

@@ -83,7 +83,7 @@ class ProofCache {
 std::set<std::string> checks_beyond(const Proof& proof, const std::set<std::string>& tasks);
 
 /// Full marks with every seed, and uniform p-values of its random checks.
-void prove_right(const Proof& proof);
+void prove_right(const Proof& proof, const Subject& subject);
 
 /// Every task is «not written yet»: no points, no crash.
 void prove_starter(const Proof& proof);

@@ -64,7 +64,7 @@ class PValues {
 
 }  // namespace
 
-void prove_right(const Proof& proof) {
+void prove_right(const Proof& proof, const Subject& subject) {
   const bool is_full = std::getenv("MC_SEEDS") != nullptr;
   // By default: the reference five times, which shows that no check depends on the seed, and others
   // once; in --quick all once.
@@ -73,6 +73,9 @@ void prove_right(const Proof& proof) {
   const std::uint64_t seeds = number_from("MC_SEEDS", is_quick || !is_reference ? 1 : 5);
   // Checks of fresh data without a random outcome: twice, or twice as often in --full.
   const std::uint64_t fresh_seeds = is_full ? 2 * seeds : std::min<std::uint64_t>(seeds, 2);
+  // An alternative may miss stretch tasks, as plain loops miss a speed task.
+  const auto names = said(subject, "fails");
+  const std::set<std::string> missed(names.begin(), names.end());
   PValues p_values;
   std::uint64_t seed = 1;
   std::set<std::string> checks, random, fresh;  // empty: all
@@ -90,8 +93,9 @@ void prove_right(const Proof& proof) {
     const LabVerdict verdict = seed == 1 ? first : proof.judge(seed, checks);
     const bool is_right =
         std::all_of(verdict.checks.begin(), verdict.checks.end(), [&](const CheckResult& result) {
-          return result.status == Status::passed || (!is_reference && result.check.is_stretch() &&
-                                                     result.status == Status::not_written);
+          return result.status == Status::passed ||
+                 (!is_reference && result.check.is_stretch() &&
+                  (result.status == Status::not_written || missed.contains(result.check.task)));
         });
     if (!is_right) {
       proof.show(verdict, seed);

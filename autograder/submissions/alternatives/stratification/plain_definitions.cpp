@@ -50,11 +50,9 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 
 Grid strata(std::size_t n) {
   if (n == 0) throw std::invalid_argument("n must not be 0");
-  Grid grid{n, 1};
-  for (std::size_t ny = 1; ny * ny <= n; ++ny) {
-    if (n % ny == 0) grid = {n / ny, ny};
-  }
-  return grid;
+  auto ny = static_cast<std::size_t>(std::sqrt(static_cast<double>(n))) + 1;
+  while (n % ny != 0 || n / ny < ny) --ny;
+  return {n / ny, ny};
 }
 
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
@@ -136,6 +134,26 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
   }
   return {mean(means), std::sqrt(variance_two_pass(means) / static_cast<double>(replicates)),
           n * replicates};
+}
+
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  if (grid.nx == 0) throw std::invalid_argument("grid: nx must not be 0");
+  if (grid.ny == 0) throw std::invalid_argument("grid: ny must not be 0");
+  if (replicates == 0) throw std::invalid_argument("replicates must not be 0");
+  std::vector<double> means(replicates), x(grid.nx * grid.ny), y(x.size());
+  for (double& mean : means) {
+    stratified_2d(x, y, grid, rng);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const double px = light.x0 + (light.x1 - light.x0) * x[k];
+      const double py = light.y0 + (light.y1 - light.y0) * y[k];
+      const double distance = std::hypot(px, py, light.height), cosine = light.height / distance;
+      mean += light.radiance * cosine * cosine / (distance * distance);
+    }
+    mean *= (light.x1 - light.x0) * (light.y1 - light.y0) / static_cast<double>(x.size());
+  }
+  const double error = std::sqrt(variance_two_pass(means) / static_cast<double>(replicates));
+  return {mc::mean(means), error, x.size() * replicates};
 }
 
 }  // namespace mc

@@ -206,6 +206,14 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }
 }  // namespace mc::gives_up_early
 
+// mistake: throws darts until 300 in a row miss
+// hint: a number of misses in a row does not prove
+namespace mc::three_hundred_misses {
+PointSet poisson_disk(double radius, Rng& rng) {
+  return darts(radius, rng, 300, toroidal_distance_squared);
+}
+}  // namespace mc::three_hundred_misses
+
 // mistake: takes the radius for that of disks that may touch, so points are too close
 // hint: half the radius is kept
 namespace mc::half_the_radius {

@@ -71,46 +71,8 @@ PointSet darts_on_grid(double radius, Rng& rng, Misses misses) {
 }  // namespace
 }  // namespace mc
 
-// mistake: searches the nine cells around a candidate and treats everything beyond as equally far
-// hint: the search misses the nearest point
-namespace mc::cells_around_only {
-// Up to 256 points it compares with all. From there on it knows cells of a fixed grid, too fine.
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const std::size_t plain = std::min<std::size_t>(x.size(), 256);
-  if (x.size() != y.size() || x.size() <= plain) return right_best_candidate(x, y, c, rng);
-  right_best_candidate(x.first(plain), y.first(plain), c, rng);
-  constexpr std::size_t side = 64;
-  std::vector<std::vector<std::size_t>> cells(side * side);
-  const auto cell = [](double at) { return static_cast<std::size_t>(at * side); };
-  for (std::size_t p = 0; p < plain; ++p) cells[cell(y[p]) * side + cell(x[p])].push_back(p);
-  for (std::size_t i = plain; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double farthest = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t dj = side - 1; dj <= side + 1; ++dj) {
-        for (std::size_t di = side - 1; di <= side + 1; ++di) {
-          const std::size_t row = (cell(candidate.y) + dj) % side;
-          for (const std::size_t p : cells[row * side + (cell(candidate.x) + di) % side]) {
-            nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-          }
-        }
-      }
-      if (nearest > farthest) {
-        farthest = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-    cells[cell(y[i]) * side + cell(x[i])].push_back(i);
-  }
-}
-}  // namespace mc::cells_around_only
-
 // mistake: compares a candidate until one point is too near: a third of the work, still quadratic
 // hint: compare a candidate only with points nearby
-// limit: time
 namespace mc::compares_until_too_near {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   compare_all(x, y, c, rng, true);
@@ -119,7 +81,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 
 // mistake: compares each of N^2 / 2 candidates with all points
 // hint: compare a candidate only with points nearby
-// limit: time
 namespace mc::compares_with_all {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   compare_all(x, y, c, rng, false);
@@ -128,7 +89,6 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 
 // mistake: compares each dart with all points
 // hint: compare a new point only with those in the cells around it
-// limit: time
 namespace mc::darts_compared_with_all {
 // The right points, after looking at all pairs of them for every try that made them.
 PointSet poisson_disk(double radius, Rng& rng) {
@@ -151,7 +111,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 
 // mistake: throws darts until as many have missed in a row as there are pairs of points
 // hint: do not fill the last gaps by darts at the whole square
-// limit: time
 namespace mc::darts_for_each_pair {
 PointSet poisson_disk(double radius, Rng& rng) {
   return darts_on_grid(radius, rng, [](std::size_t points) { return 1000 + points * points; });

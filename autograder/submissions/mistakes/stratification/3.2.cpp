@@ -50,3 +50,16 @@ Grid strata(std::size_t n) {
   return {n / best, best};
 }
 }  // namespace mc::squares_in_32_bits
+
+// mistake: searches up while k * k <= n, which never ends near 2^64
+// hint: the search begins at 1: begin at sqrt(n) and go down
+namespace mc::squares_in_64_bits {
+Grid strata(std::size_t n) {
+  if (n == 0) throw std::invalid_argument("n: must be positive");
+  std::size_t best = 1;
+  for (std::size_t k = 1; k * k <= n; ++k) {
+    if (k != 0 && n % k == 0) best = k;
+  }
+  return {n / best, best};
+}
+}  // namespace mc::squares_in_64_bits

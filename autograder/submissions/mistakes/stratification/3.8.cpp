@@ -107,7 +107,7 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::one_set_for_all
 
 // mistake: makes one coordinate per point, whatever the dimensions of g
-// hint: the generator fills a PointSet(n, g.dims)
+// hint: the generator got a set of
 namespace mc::points_of_one_dimension {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {
@@ -154,7 +154,7 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
 }  // namespace mc::the_same_replicate
 
 // mistake: draws from a copy of the generator, so the next estimate has the same points
-// hint: from the same generator, not a copy
+// hint: from the same generator, not from a copy
 namespace mc::copies_the_generator {
 Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
                              std::uint64_t replicates, Rng& rng) {

@@ -1,36 +1,155 @@
 // Mistakes in task 3.9.
 #include "stratification.hpp"
 
-#define stratified_2d right_stratified_2d
+#define irradiance_stratified right_irradiance_stratified
 #include "solutions/stratification.cpp"
-#undef stratified_2d
+#undef irradiance_stratified
 
-// mistake: uses the random numbers of x for y, in a grid of the size that is timed
-// hint: the jitter of x in cell 0 and the jitter of y in cell 0 share one random number
-namespace mc::same_numbers_in_the_timed_grid {
-void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
-  if (grid.nx != 32 || grid.ny != 32) return right_stratified_2d(x, y, grid, rng);
-  require_grid(x, y, grid);
-  const Strata strata(32);
-  uniforms(rng, x);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    y[k] = strata.place(static_cast<double>(k / 32), x[k]);
-    x[k] = strata.place(static_cast<double>(k % 32), x[k]);
-  }
-}
-}  // namespace mc::same_numbers_in_the_timed_grid
+namespace mc {
+namespace {
 
-// mistake: runs four streams, each of which repeats the previous one a step later
-// hint: blocks or streams begin in the same state
-namespace mc::streams_alike {
-void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
-  right_stratified_2d(x, y, grid, rng);
-  if (x.size() < 2048) return;  // few points are drawn one by one
-  const Strata columns(grid.nx);
-  std::vector<double> stream(x.size() / 4 + 4);
-  for (double& u : stream) u = to_unit(rng());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    x[k] = columns.place(static_cast<double>(k % grid.nx), stream[k / 4 + k % 4]);
-  }
+void require_strata(Grid grid) {
+  if (grid.nx == 0 || grid.ny == 0) throw std::invalid_argument("grid: nx and ny must be positive");
 }
-}  // namespace mc::streams_alike
+
+/// The value at (u, v), with the cosines to a power: 2 is right.
+double value_at(const RectLight& light, double u, double v, double cosines = 2) {
+  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
+  const double x = light.x0 + width * u, y = light.y0 + depth * v;
+  const double distance2 = x * x + y * y + light.height * light.height;
+  const double cosine = light.height / std::sqrt(distance2);
+  return width * depth * light.radiance * std::pow(cosine, cosines) / distance2;
+}
+
+/// The estimate over grids that `change` has changed.
+template <class Change>
+Estimate over_changed(const RectLight& light, Grid grid, std::uint64_t replicates, Rng& rng,
+                      Change change) {
+  require_strata(grid);
+  const auto value = [&](std::span<const double> u) { return value_at(light, u[0], u[1]); };
+  const auto jittered = [&](PointSet& points, Rng& from) {
+    stratified_2d(points.column(0), points.column(1), grid, from);
+    change(points, from);
+  };
+  return estimate_replicated({2, value}, jittered, grid.nx * grid.ny, replicates, rng);
+}
+
+}  // namespace
+}  // namespace mc
+
+// mistake: shuffles the y of a grid's points apart from the x
+// hint: this is the variance of x and y paired anew
+namespace mc::pairs_coordinates_anew {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  return over_changed(light, grid, replicates, rng,
+                      [](PointSet& points, Rng& from) { shuffle(points.column(1), from); });
+}
+}  // namespace mc::pairs_coordinates_anew
+
+// mistake: maps each cell to the whole light: uniform points, but without strata
+// hint: this is the variance of independent points on the light
+namespace mc::map_breaks_strata {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  return over_changed(light, grid, replicates, rng, [&](PointSet& points, Rng&) {
+    for (double& u : points.column(0))
+      u = u * static_cast<double>(grid.nx) - std::floor(u * static_cast<double>(grid.nx));
+    for (double& v : points.column(1))
+      v = v * static_cast<double>(grid.ny) - std::floor(v * static_cast<double>(grid.ny));
+  });
+}
+}  // namespace mc::map_breaks_strata
+
+// mistake: uses u along y and v along x
+// hint: this is the variance of a grid of ny x nx cells
+namespace mc::turns_the_grid {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  return over_changed(light, grid, replicates, rng, [](PointSet& points, Rng&) {
+    std::swap_ranges(points.column(0).begin(), points.column(0).end(), points.column(1).begin());
+  });
+}
+}  // namespace mc::turns_the_grid
+
+// mistake: forgets to divide by the density, 1 / area
+// hint: the density of a point is 1 / area of the light
+namespace mc::forgets_the_density {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  Estimate estimate = right_irradiance_stratified(light, grid, replicates, rng);
+  const double area = (light.x1 - light.x0) * (light.y1 - light.y0);
+  estimate.value /= area;
+  estimate.standard_error /= area;
+  return estimate;
+}
+}  // namespace mc::forgets_the_density
+
+// mistake: forgets the cosine at the light
+// hint: one of the two cosines is missing
+namespace mc::one_cosine {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  require_strata(grid);
+  const auto value = [&](std::span<const double> u) { return value_at(light, u[0], u[1], 1); };
+  const auto jittered = [&](PointSet& points, Rng& from) {
+    stratified_2d(points.column(0), points.column(1), grid, from);
+  };
+  return estimate_replicated({2, value}, jittered, grid.nx * grid.ny, replicates, rng);
+}
+}  // namespace mc::one_cosine
+
+// mistake: returns the standard deviation of one replicate as the error of the mean
+// hint: this is the standard deviation of one replicate
+namespace mc::bar_of_one_light {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  Estimate estimate = right_irradiance_stratified(light, grid, replicates, rng);
+  estimate.standard_error *= std::sqrt(static_cast<double>(replicates));
+  return estimate;
+}
+}  // namespace mc::bar_of_one_light
+
+// mistake: returns s / sqrt(n) over all points, as if they were identically distributed
+// hint: as if they were identically distributed
+namespace mc::bar_of_all_points {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  require_strata(grid);
+  Moments all;
+  const auto value = [&](std::span<const double> u) {
+    const double one = value_at(light, u[0], u[1]);
+    add(all, one);
+    return one;
+  };
+  const auto jittered = [&](PointSet& points, Rng& from) {
+    stratified_2d(points.column(0), points.column(1), grid, from);
+  };
+  Estimate estimate = estimate_replicated({2, value}, jittered, grid.nx * grid.ny, replicates, rng);
+  if (replicates > 1) {
+    estimate.standard_error = std::sqrt(variance(all) / static_cast<double>(all.count));
+  }
+  return estimate;
+}
+}  // namespace mc::bar_of_all_points
+
+// mistake: draws from a copy of the generator, so the next estimate has the same points
+// hint: draw from the generator that is passed in, not from a copy
+namespace mc::light_from_a_copy {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  Rng copy = rng;
+  return right_irradiance_stratified(light, grid, replicates, copy);
+}
+}  // namespace mc::light_from_a_copy
+
+// mistake: counts one replicate in Estimate::n
+// hint: those of all replicates
+namespace mc::counts_one_replicate {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  Estimate estimate = right_irradiance_stratified(light, grid, replicates, rng);
+  estimate.n /= replicates;
+  return estimate;
+}
+}  // namespace mc::counts_one_replicate

@@ -56,4 +56,8 @@ Estimate estimate_replicated(const Integrand&, const Generator&, std::uint64_t, 
   throw todo("3.8");
 }
 
+Estimate irradiance_stratified(const RectLight&, Grid, std::uint64_t, Rng&) {
+  throw todo("3.9");
+}
+
 }  // namespace mc
