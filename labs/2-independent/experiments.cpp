@@ -1,5 +1,6 @@
 #include "experiments.hpp"
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -26,6 +27,35 @@ std::vector<double> each(const std::vector<double>& x, Function function) {
   std::vector<double> all;
   for (const double value : x) all.push_back(function(value));
   return all;
+}
+
+Density density(const Sampling& sampling) {
+  const double parameter = sampling.parameter;
+  const auto one = [](double x) { return x >= 0 && x <= 1 ? 1.0 : 0.0; };
+  switch (sampling.p) {
+    case 0:
+      return {[](double u) { return u; }, one};
+    case 1:
+      return {[=](double u) { return mc::sample_power(u, parameter); },
+              [=](double x) { return mc::pdf_power(x, parameter); }};
+    case 2:
+      return {[=](double u) { return mc::sample_exponential(u, parameter); },
+              [=](double x) { return mc::pdf_exponential(x, parameter); }};
+    case 3:
+      return {[](double u) { return u; },
+              [=](double x) {
+                if (x < parameter / 2) return 0.0;
+                return x < parameter ? std::numeric_limits<double>::infinity() : 1.0;
+              }};
+    case 4:
+      return {[=](double u) {
+                const double slope = 1 - parameter;
+                return 2 * u / (slope + std::sqrt(slope * slope + 4 * parameter * u));
+              },
+              [=](double x) { return one(x) * (1 + parameter * (2 * x - 1)); }};
+    default:
+      throw std::out_of_range("p: must be 0 to 4");
+  }
 }
 
 }  // namespace
@@ -193,6 +223,35 @@ std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, st
                    [&](Rng& rng) { return mc::irradiance_hemisphere(light, n, rng); });
 }
 
+std::vector<Estimate> irradiance_combined(RectLight light, std::uint64_t n, std::uint64_t seed,
+                                          std::uint64_t replicates) {
+  return replicate(seed, replicates,
+                   [&](Rng& rng) { return mc::irradiance_combined(light, n, rng); });
+}
+
+namespace {
+
+using Irradiance = Estimate (*)(const RectLight&, std::uint64_t, Rng&);
+
+Irradiance irradiance_by(std::uint64_t way) {
+  constexpr Irradiance ways[] = {mc::irradiance_area, mc::irradiance_hemisphere,
+                                 mc::irradiance_combined};
+  if (way >= std::size(ways)) throw std::out_of_range("way: must be 0 to 2");
+  return ways[way];
+}
+
+}  // namespace
+
+std::vector<Estimate> irradiance_ways(std::vector<std::uint64_t> ways, RectLight light,
+                                      std::uint64_t n, std::uint64_t seed) {
+  std::vector<Estimate> all;
+  for (const std::uint64_t way : ways) {
+    Rng rng(seed);
+    all.push_back(irradiance_by(way)(light, n, rng));
+  }
+  return all;
+}
+
 std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes, double before) {
   Rng rng(seed);
   std::vector<double> all;
@@ -284,7 +343,7 @@ double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds) {
   Rng rng(1);
   double last = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    last = (way == 0 ? mc::irradiance_area : mc::irradiance_hemisphere)({}, n, rng).value;
+    last = irradiance_by(way)({}, n, rng).value;
   }
   return last;
 }
@@ -323,6 +382,11 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "2.7  estimates from n points on the light each"),
       MC_EXPERIMENT(irradiance_hemisphere, "light n seed replicates",
                     "2.7  estimates from n directions each"),
+      MC_EXPERIMENT(irradiance_combined, "light n seed replicates",
+                    "2.9  estimates from n pairs each, of a point and a direction"),
+      MC_EXPERIMENT(irradiance_ways, "ways light n seed",
+                    "2.7, 2.9  one estimate by each way: 0 points, 1 directions, 2 pairs",
+                    {.row_labels = "ways"}),
       MC_EXPERIMENT(uniforms, "seed sizes before",
                     "2.8  numbers of calls of these sizes, into spans filled with `before`",
                     {.columns = "u", .index = "i"}),
@@ -340,7 +404,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "2.8  size numbers, rounds times; returns the last one (timing)",
                     {.columns = "u", .points = "size"}),
       MC_EXPERIMENT(repeat_irradiance, "way n rounds",
-                    "2.7  irradiance by area (way 0) or hemisphere (1), rounds times (timing)"),
+                    "2.7, 2.9  irradiance by this way, rounds times (timing)"),
   };
   return all;
 }

@@ -6,7 +6,7 @@
 namespace mc::checks {
 namespace {
 
-CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]") {
+CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:6][main]") {
   Results ends;
   std::vector<double> levels{0.95, 0.6827, 0.5, 0.99, 0.999999, 1e-6};
   for (int i = 0; i < 10; ++i) levels.insert(levels.begin(), uniform(rng, 0.01, 0.93));
@@ -37,6 +37,9 @@ CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]"
                           "standard_error is that of the mean: it is already divided by sqrt(n)"},
                          {value + sign * reach * root,
                           "standard_error is that of the mean, not of one value"},
+                         {value, "the interval has length 0"},
+                         {value + sign * reach / 2,
+                          "the interval has half of its length: z standard errors to each side"},
                          {value - sign * reach, "low and high are swapped"},
                          {sign * reach, "the interval is around the value, not around 0"}};
                });
@@ -90,7 +93,7 @@ Coverage of_events(Rng& rng, const std::string& words, double p) {
   return {words, g, n, level, g.scale * p + g.offset, exact};
 }
 
-CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:6][needs:2.1][needs:2.2]") {
+CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:8][needs:2.1][needs:2.2]") {
   const std::uint64_t replicates = 4000;
   for (const auto& [words, g, n, level, truth, exact] :
        {of_normal(rng, "a few", 4 + rng() % 4), of_normal(rng, "some", 15 + rng() % 10),
@@ -164,7 +167,7 @@ void judge_plans(const std::vector<Plan>& plans) {
   samples.expect("the error falls as 1 / sqrt(n)", "n (standard error / target)^2, rounded up");
 }
 
-CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]") {
+CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:2][main]") {
   std::vector<Plan> plans;
   for (int i = 0; i < 10; ++i) {
     const Estimate pilot{uniform(rng, -9, 9), uniform(rng, 0.01, 1), 1000 + rng() % 100000};
