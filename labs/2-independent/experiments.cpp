@@ -8,6 +8,11 @@
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
 
+// Null if the submission does not define 2.9, which older submissions lack.
+namespace mc {
+[[gnu::weak]] Estimate irradiance_combined(const RectLight&, std::uint64_t, Rng&);
+}  // namespace mc
+
 namespace mc::experiments {
 namespace {
 
@@ -225,6 +230,7 @@ std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, st
 
 std::vector<Estimate> irradiance_combined(RectLight light, std::uint64_t n, std::uint64_t seed,
                                           std::uint64_t replicates) {
+  if (mc::irradiance_combined == nullptr) throw todo("2.9");
   return replicate(seed, replicates,
                    [&](Rng& rng) { return mc::irradiance_combined(light, n, rng); });
 }
@@ -234,20 +240,23 @@ namespace {
 using Irradiance = Estimate (*)(const RectLight&, std::uint64_t, Rng&);
 
 Irradiance irradiance_by(std::uint64_t way) {
-  constexpr Irradiance ways[] = {mc::irradiance_area, mc::irradiance_hemisphere,
-                                 mc::irradiance_combined};
+  const Irradiance ways[] = {mc::irradiance_area, mc::irradiance_hemisphere,
+                             mc::irradiance_combined};
   if (way >= std::size(ways)) throw std::out_of_range("way: must be 0 to 2");
+  if (ways[way] == nullptr) throw todo("2.9");
   return ways[way];
 }
 
 }  // namespace
 
-std::vector<Estimate> irradiance_ways(std::vector<std::uint64_t> ways, RectLight light,
-                                      std::uint64_t n, std::uint64_t seed) {
-  std::vector<Estimate> all;
+std::vector<ValueAndVariance> irradiance_ways(std::vector<std::uint64_t> ways, RectLight light,
+                                              std::uint64_t n, std::uint64_t seed) {
+  std::vector<ValueAndVariance> all;
   for (const std::uint64_t way : ways) {
     Rng rng(seed);
-    all.push_back(irradiance_by(way)(light, n, rng));
+    const Estimate one = irradiance_by(way)(light, n, rng);
+    const double error = one.standard_error;
+    all.push_back({one.value, error * error * static_cast<double>(one.n)});
   }
   return all;
 }
@@ -384,9 +393,10 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "2.7  estimates from n directions each"),
       MC_EXPERIMENT(irradiance_combined, "light n seed replicates",
                     "2.9  estimates from n pairs each, of a point and a direction"),
-      MC_EXPERIMENT(irradiance_ways, "ways light n seed",
-                    "2.7, 2.9  one estimate by each way: 0 points, 1 directions, 2 pairs",
-                    {.row_labels = "ways"}),
+      MC_EXPERIMENT(
+          irradiance_ways, "ways light n seed",
+          "2.7, 2.9  an estimate, and its variance per sample: 0 points, 1 directions, 2 pairs",
+          {.row_labels = "ways"}),
       MC_EXPERIMENT(uniforms, "seed sizes before",
                     "2.8  numbers of calls of these sizes, into spans filled with `before`",
                     {.columns = "u", .index = "i"}),

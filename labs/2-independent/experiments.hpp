@@ -50,6 +50,12 @@ struct IntervalTraces {
 };
 MC_FIELDS(IntervalTraces, intervals, values)
 
+/// An estimate, and the variance of one of its samples.
+struct ValueAndVariance {
+  double value = 0, variance = 0;
+};
+MC_FIELDS(ValueAndVariance, value, variance)
+
 /// The results of lab 1's functions for one list of values; NaN for a function that is still a
 /// TODO.
 struct ByLab1 {
@@ -103,11 +109,12 @@ std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, st
                                             std::uint64_t replicates);
 
 /// 2.9: `replicates` estimates from n pairs each. irradiance_ways: one estimate by each of `ways`,
-/// 0 for points on the light, 1 for directions, 2 for pairs, all with the same seed.
+/// 0 for points on the light, 1 for directions, 2 for pairs, all with the same seed; and the
+/// variance of one sample or pair that it reports, n standard_error^2.
 std::vector<Estimate> irradiance_combined(RectLight light, std::uint64_t n, std::uint64_t seed,
                                           std::uint64_t replicates);
-std::vector<Estimate> irradiance_ways(std::vector<std::uint64_t> ways, RectLight light,
-                                      std::uint64_t n, std::uint64_t seed);
+std::vector<ValueAndVariance> irradiance_ways(std::vector<std::uint64_t> ways, RectLight light,
+                                              std::uint64_t n, std::uint64_t seed);
 
 /// 2.8, uniforms: all numbers of consecutive calls, one call for each of `sizes`; every value of a
 /// span is `before` until the call. uniforms_in_turn: `size` numbers from Rng(seed) for each seed,
