@@ -165,7 +165,7 @@ array many[3] = [1, 4, 16]
 array high[3] = [0.5, 1.2, 2.8]
 do for [i=1:3] {
   set arrow from 0.5 - 1/sqrt(12. * many[i]),high[i] to 0.5 + 1/sqrt(12. * many[i]),high[i] heads lw 2 lc rgb ink
-  set label sprintf("N = %d: ± σ/√%d", many[i], many[i]) at 0.72,high[i] + (i == 1 ? 0.9 : i == 2 ? 1.3 : 1.1) left textcolor rgb ink
+  set label sprintf("N = %d: ± σ/√%d", many[i], many[i]) at (i == 1 ? 0.76 : 0.68),high[i] + (i == 1 ? 0.9 : i == 2 ? 1.3 : 1.1) left textcolor rgb ink
 }
 plot for [i=1:3] mean_density(many[i], x) with lines ls other+i title sprintf("N = %d", many[i])
 unset arrow
