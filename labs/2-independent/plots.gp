@@ -104,7 +104,7 @@ set ylabel "RMSE"
 set key at screen 80./width,0.01 left bottom maxrows 2 Left reverse samplen 3
 do for [s=1:count] {
   set title heading("Irradiance of 1.1333, estimated in three ways", s)
-  plot data[s]."/irradiance-area.tsv" using "us":"error" with linespoints ls other+1 title "2.7 points on the light", \
+  plot data[s]."/irradiance-area.tsv" using "us":"error" with linespoints ls other+1 title "2.7 points", \
        data[s]."/irradiance-hemisphere.tsv" using "us":"error" with linespoints ls other+2 title "2.7 directions", \
        data[s]."/irradiance-combined.tsv" using "us":"error" with linespoints ls other+3 lw 1 title "2.9 pairs"
   unset key

@@ -178,11 +178,12 @@ CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:2][main]")
   plans.push_back({{uniform(rng, -9, 9), 1.5 * target, 4 * (250 + rng() % 10000) + 1}, target});
   plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
   judge_plans(plans);
-  plans = {{{1, 0.1, 1000}, 0.7},       // fewer than the pilot had
-           {{1, 0.5, 5}, 1},            // 1.25, so two
-           {{1, 0.5, 1}, 0.25},         // the smallest pilot
-           {{1, 0.5, 4}, 1},            // one
-           {{1, 0.5, 1000000}, 1e-4}};  // 2.5e13
+  plans = {{{1, 0.1, 1000}, 0.7},  // fewer than the pilot had
+           {{1, 0.5, 5}, 1},       // 1.25, so two
+           {{1, 0.5, 1}, 0.25},    // the smallest pilot
+           {{1, 0.5, 4}, 1},       // one
+           {{1, 0.5, 2}, 0.5},     // equal errors: as many as the pilot had
+           {{1, 0.5, 3}, 0.5},    {{1, 0.5, 1000000}, 1e-4}};  // 2.5e13
   for (int i = 0; i < 5; ++i) {
     plans.push_back({{1, uniform(rng, 0.5, 50), rng() >> 24}, uniform(rng, 0.5, 1)});
   }
@@ -194,7 +195,8 @@ CHECK_CASE("2.6 at least one sample and at most 64 bits at any scale", "[2.6][po
                {{-5, 3e170, 17}, 1e169},               // the separate squares overflow
                {{-5, 3e-170, 17}, 1e-170},             // or underflow to 0
                {{1, 0.5, std::uint64_t{1} << 62}, 1},  // a huge pilot
-               {{1, 0.5, std::uint64_t{3} << 62}, 0.75}});
+               {{1, 0.5, std::uint64_t{3} << 62}, 0.75},
+               {{1, 0.5, ~std::uint64_t{0}}, 1}});  // the largest pilot
   for (const auto& [error, target] : {std::pair{1e-9, 1.0}, {0.0, 0.1}, {1.0, infinity}}) {
     const auto got = MEASURE(samples_for, {1, error, 100}, target);
     expect_that(got.value == 1, fmt::format("{} = {}", got.call, got.value), "1",

@@ -63,6 +63,7 @@ CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:4]") {
   std::vector<Pairs> pairs;
   for (const List& list : tame_lists(rng, 2, -1, 1))
     pairs.push_back(tame_pairs(rng, list.x.size()));
+  pairs.push_back({pairs[0].x, pairs[0].x});  // the variance
   judge_pairs(pairs, "sum (x - mean x)(y - mean y) and divide by n - 1");
 }
 
