@@ -35,6 +35,11 @@ for picture in motion stripes; do
   cp "$build/render/$picture-samples.png" "labs/6-sampler/pictures/$picture.png"
 done
 
+# Text in pictures: no single gray has a contrast of 4.5:1 on white and on dark pages.
+for picture in labs/*/pictures/*.svg; do
+  grep -q '<style>' "$picture" || sed -i '0,/<title>/s//<style>text { fill: #656d76 } @media (prefers-color-scheme: dark) { text { fill: #9198a1 } }<\/style>\n<title>/' "$picture"
+done
+
 # One failure as a student sees it: Welford with the old mean in both factors.
 cmake --build "$build" --target self_test >/dev/null
 "$build/bin/self_test" autograder/submissions/mistakes/variance/1.4.cpp welford_old_mean |

@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/points.hpp"
+
 namespace mc {
 namespace {
 
@@ -117,16 +119,43 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
 
 // 2.7 ---------------------------------------------------------------------------------------------
 
+namespace {
+
+Point2 point_on(const RectLight& light, Rng& rng) {
+  const double x = light.x0 + (light.x1 - light.x0) * to_unit(rng());
+  return {x, light.y0 + (light.y1 - light.y0) * to_unit(rng())};
+}
+
+/// Where a random direction with density cos / pi meets the plane at this height. The direction is
+/// a uniform point of the unit disk, projected up to the hemisphere (Malley).
+Point2 met_by_direction(double height, Rng& rng) {
+  const double u = to_unit(rng());
+  const double radius = std::sqrt(u), angle = 2 * std::numbers::pi * to_unit(rng());
+  const double scale = height / std::sqrt(1 - u);  // to the plane
+  return {radius * std::cos(angle) * scale, radius * std::sin(angle) * scale};
+}
+
+double area(const RectLight& light) {
+  return (light.x1 - light.x0) * (light.y1 - light.y0);
+}
+
+bool contains(const RectLight& light, Point2 at) {
+  return light.x0 <= at.x && at.x <= light.x1 && light.y0 <= at.y && at.y <= light.y1;
+}
+
+double distance_squared(const RectLight& light, Point2 at) {
+  return at.x * at.x + at.y * at.y + light.height * light.height;
+}
+
+}  // namespace
+
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   require_samples(n);
-  const double width = light.x1 - light.x0, depth = light.y1 - light.y0;
   Moments values;
   for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = light.x0 + width * to_unit(rng());
-    const double y = light.y0 + depth * to_unit(rng());
-    const double distance2 = x * x + y * y + light.height * light.height;
+    const double distance2 = distance_squared(light, point_on(light, rng));
     const double cosines = light.height * light.height / distance2;  // equal at both ends
-    add(values, width * depth * light.radiance * cosines / distance2);
+    add(values, area(light) * light.radiance * cosines / distance2);
   }
   return mean_of(values);
 }
@@ -135,14 +164,7 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
   require_samples(n);
   Moments values;
   for (std::uint64_t i = 0; i < n; ++i) {
-    // A uniform point of the unit disk, projected up to the hemisphere, has density cos / pi
-    // (Malley).
-    const double u = to_unit(rng());
-    const double radius = std::sqrt(u), angle = 2 * std::numbers::pi * to_unit(rng());
-    const double scale = light.height / std::sqrt(1 - u);  // to the plane of the light
-    const double x = radius * std::cos(angle) * scale;
-    const double y = radius * std::sin(angle) * scale;
-    const bool meets = light.x0 <= x && x <= light.x1 && light.y0 <= y && y <= light.y1;
+    const bool meets = contains(light, met_by_direction(light.height, rng));
     add(values, meets ? std::numbers::pi * light.radiance : 0);
   }
   return mean_of(values);
@@ -210,6 +232,28 @@ void uniforms(Rng& rng, std::span<double> out) {
   const std::size_t count = out.size() - i;
   for (std::size_t k = 0; k < count; ++k) words[k] = rng();
   for (std::size_t k = 0; k < count; ++k) rest[k] = to_unit_by_mantissa(words[k]);
+}
+
+// 2.9 ---------------------------------------------------------------------------------------------
+
+Estimate irradiance_combined(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  // f / (p_area + p_hemisphere) for the direction to a point of the light. Both densities are per
+  // solid angle: the area dA at this point covers cos(light) dA / distance^2.
+  const auto balanced = [&](Point2 at) {
+    const double distance2 = distance_squared(light, at);
+    const double cosine = light.height / std::sqrt(distance2);  // equal at both ends
+    const double p_area = distance2 / (cosine * area(light));
+    const double p_hemisphere = cosine / std::numbers::pi;
+    return light.radiance * cosine / (p_area + p_hemisphere);
+  };
+  Moments pairs;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double by_point = balanced(point_on(light, rng));
+    const Point2 met = met_by_direction(light.height, rng);
+    add(pairs, by_point + (contains(light, met) ? balanced(met) : 0));
+  }
+  return mean_of(pairs);
 }
 
 }  // namespace mc

@@ -133,15 +133,17 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   }
   if (!(total > 0)) throw std::invalid_argument("joint: the total is not positive");
 
-  const std::size_t rows = joint.size() / columns;
-  std::vector<double> p_x(rows), p_y(columns);
+  // The weights of rows and columns are added up first and divided once: a sum of quotients has the
+  // rounding error of every quotient.
+  std::vector<double> of_row(joint.size() / columns), of_column(columns);
   for (std::size_t i = 0; i < joint.size(); ++i) {
-    p_x[i / columns] += joint[i] / total;
-    p_y[i % columns] += joint[i] / total;
+    of_row[i / columns] += joint[i];
+    of_column[i % columns] += joint[i];
   }
   double largest = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
-    largest = std::max(largest, std::abs(joint[i] / total - p_x[i / columns] * p_y[i % columns]));
+    const double p_x = of_row[i / columns] / total, p_y = of_column[i % columns] / total;
+    largest = std::max(largest, std::abs(joint[i] / total - p_x * p_y));
   }
   return largest;
 }
@@ -161,7 +163,8 @@ Moments moments(std::span<const double> x) {
 //
 // * All deviations d are from one shift, a value near the data. Then the sums of d and of d^2 are
 //   enough; this is the textbook formula again. Its relative error grows with (mean - shift)^2 /
-//   variance, which can be large for shift = 0 and is small for a shift near the mean.
+//   variance, which is large for shift = 0 and small for a shift near the mean. If an outlier made
+//   the shift a bad one, the result shows it, and a second pass with the mean as the shift follows.
 // * Both sums are split into independent lanes, several per vector register. A single sum would
 //   have to wait four cycles for each addition before it could start the next.
 // * Blocks are short, so that no sum accumulates many rounding errors, and they are merged as in
@@ -171,26 +174,6 @@ Moments moments(std::span<const double> x) {
 namespace {
 
 constexpr std::size_t block_size = 4096;
-
-/// A value near the data, even if the data have an outlier: the mean of 32 values spread over the
-/// list, without the smallest and the largest of them. For up to 64 values, the mean of four is
-/// enough: if one of the four is an outlier at distance D, the shift is off by D/4, which adds n
-/// (D/4)^2 <= 4 D^2 to squares whose sum is about D^2.
-double shift_near(std::span<const double> x) {
-  constexpr std::size_t count = 32;
-  const std::size_t n = x.size();
-  if (n <= 2 * count) return (x[0] / 4 + x[n / 4] / 4) + (x[n / 2] / 4 + x[n - 1] / 4);
-  const std::size_t step = n / count;
-  const double share = 1 / static_cast<double>(count - 2);
-  double sum = 0, smallest = x[0], largest = x[0];
-  for (std::size_t i = 0; i < count; ++i) {
-    const double value = x[i * step];
-    sum += value * share;
-    smallest = std::min(smallest, value);
-    largest = std::max(largest, value);
-  }
-  return sum - smallest * share - largest * share;
-}
 
 /// A vector register of doubles, by an extension of GCC and Clang. (Arrays as in 2.8 would stay in
 /// memory, which takes five times as long.) Four registers take turns, since an addition has a
@@ -232,17 +215,28 @@ inline Moments moments_from(double shift, std::span<const double> block) {
   return {block.size(), offset, std::max(all_squares - all * offset, 0.0)};
 }
 
-}  // namespace
-
-Moments moments(std::span<const double> x) {
-  if (x.empty()) return {};
-  const double shift = shift_near(x);
+/// The moments of x, its mean as an offset from `shift`.
+Moments moments_in_blocks(double shift, std::span<const double> x) {
   Moments all = moments_from(shift, x.first(std::min(block_size, x.size())));
   for (std::size_t first = block_size; first < x.size(); first += block_size) {
     const std::size_t size = std::min(block_size, x.size() - first);
     all = merge(all, moments_from(shift, x.subspan(first, size)));
   }
-  return {all.count, shift + all.mean, all.m2};
+  return all;
+}
+
+}  // namespace
+
+Moments moments(std::span<const double> x) {
+  const std::size_t n = x.size();
+  if (n == 0) return {};
+  double shift = (x[0] / 4 + x[n / 4] / 4) + (x[n / 2] / 4 + x[n - 1] / 4);
+  Moments all = moments_in_blocks(shift, x);
+  if (static_cast<double>(n) * all.mean * all.mean > 10 * all.m2) {  // false for NaN
+    shift += all.mean;
+    all = moments_in_blocks(shift, x);
+  }
+  return {n, shift + all.mean, all.m2};
 }
 
 }  // namespace mc

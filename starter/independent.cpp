@@ -13,7 +13,7 @@
 
 namespace mc {
 
-/// An example of style, not a task: the density at x of the uniform distribution on [low, high).
+/// A finished example: the density at x of the uniform distribution on [low, high).
 [[maybe_unused]] static double pdf_uniform(double x, double low, double high) {
   if (!(low < high)) {  // also true if one of them is NaN
     throw std::invalid_argument("low: must be less than high");
@@ -66,7 +66,11 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 }
 
 void uniforms(Rng& rng, std::span<double> out) {
-  throw todo("2.8");  // TODO(2.8): the speed task; a loop over to_unit(rng()) is correct
+  throw todo("2.8");  // TODO(2.8): stretch, the speed task; a loop over to_unit(rng()) is correct
+}
+
+Estimate irradiance_combined(const RectLight& light, std::uint64_t n, Rng& rng) {
+  throw todo("2.9");  // TODO(2.9): stretch; f / (p_area + p_hemisphere) at a point and a direction
 }
 
 }  // namespace mc

@@ -14,7 +14,7 @@
 
 namespace mc {
 
-/// An example of style, not a task: the largest value minus the smallest; NaN for no values.
+/// A finished example: the largest value minus the smallest; NaN for no values.
 [[maybe_unused]] static double range(std::span<const double> x) {
   if (x.empty()) return std::numeric_limits<double>::quiet_NaN();
   double low = x[0], high = x[0];
@@ -59,7 +59,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }
 
 Moments moments(std::span<const double> x) {
-  throw todo("1.8");  // TODO(1.8): the speed task; a loop over add() is a start
+  throw todo("1.8");  // TODO(1.8): stretch, the speed task; a loop over add() is slow
 }
 
 }  // namespace mc

@@ -6,15 +6,15 @@ ext = "svg"
 count = 1
 
 # Importance weights: the samples of x² by two densities ------------------------------------------
-out = place."/2"; name = "weights"; width = 600; height = 370
+out = place."/2"; name = "weights"; width = 600; height = 385
 load draw
-set multiplot layout 1,2 margins 45./width, 1 - 15./width, 100./height, 1 - 34./height spacing 45./width, 0
+set multiplot layout 1,2 margins 45./width, 1 - 15./width, 115./height, 1 - 34./height spacing 45./width, 0
 set xrange [0:1]
 set xtics 0,0.5
 set ytics 0,0.5
 set yrange [0:2.2]
 set xlabel "x"
-set key at screen 10./width,0.01 left bottom maxrows 1 Left reverse samplen 2
+set key at screen 10./width,0.01 left bottom maxrows 2 Left reverse samplen 2
 array title_of[2] = ["uniform, p(x) = 1", "p(x) = 2x"]
 do for [k=1:2] {
   p(x) = k == 1 ? 1 : 2 * x
@@ -24,7 +24,7 @@ do for [k=1:2] {
   if (k == 2) { unset key }
   plot p(x) with lines ls theory title "density p", \
        x**2 with lines lw 2 lc rgb dot title "g(x) = x²", \
-       1./3 with lines lt 1 lw 1 lc rgb ink notitle, \
+       1./3 with lines lt 1 lw 1 lc rgb ink title "1/3", \
        [t=0:9] '+' using (place_of((t+0.5)/10)):(place_of((t+0.5)/10)**2/p(place_of((t+0.5)/10))) every 20 with impulses lw 1 lc rgb "#D55E00" notitle, \
        [t=0:9] '+' using (place_of((t+0.5)/10)):(place_of((t+0.5)/10)**2/p(place_of((t+0.5)/10))) every 20 with points pt 7 ps 0.8 lc rgb "#D55E00" title "g/p of samples"
 }
@@ -145,10 +145,12 @@ unset multiplot
 # Its density (Irwin-Hall), with a bar of one standard deviation, 1/sqrt(12 N), to either side.
 out = place."/2"; name = "means"; width = 560; height = 400
 load draw
-set lmargin at screen 55. / width
+set lmargin at screen 70. / width
 set rmargin at screen 1 - 15. / width
 set tmargin at screen 1 - 34. / height
 set bmargin at screen 95. / height
+set xlabel "mean"
+set ylabel "density"
 choose(n, k) = gamma(n + 1.) / gamma(k + 1.) / gamma(n - k + 1.)
 density(n, x) = n == 1 ? 1 : n / gamma(n) * sum [k=0:n] (k < n * x ? (-1)**k * choose(n, k) * (n * x - k)**(n - 1) : 0)
 # For 16, by symmetry from the side where no digits cancel.
@@ -164,7 +166,7 @@ array many[3] = [1, 4, 16]
 array high[3] = [0.5, 1.2, 2.8]
 do for [i=1:3] {
   set arrow from 0.5 - 1/sqrt(12. * many[i]),high[i] to 0.5 + 1/sqrt(12. * many[i]),high[i] heads lw 2 lc rgb ink
-  set label sprintf("2σ/√%d", many[i]) at 0.5 + 1/sqrt(12. * many[i]) + 0.015,high[i] left textcolor rgb ink
+  set label sprintf("N = %d: ± σ/√%d", many[i], many[i]) at (i == 1 ? 0.76 : 0.68),high[i] + (i == 1 ? 0.9 : i == 2 ? 1.3 : 1.1) left textcolor rgb ink
 }
 plot for [i=1:3] mean_density(many[i], x) with lines ls other+i title sprintf("N = %d", many[i])
 unset arrow

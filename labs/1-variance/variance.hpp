@@ -35,7 +35,8 @@ double variance_textbook(std::span<const double> x);
 /// 1.3  The sample variance by the corrected two-pass algorithm: first the mean, then the squared
 /// deviations from it, then the correction for the rounding of the mean. Never negative, and at
 /// most (eps c)^2 for up to 100,000 equal values c. Loses at most 10 n eps of the variance.
-/// requires: any number of values; NaN for fewer than two.
+/// requires: any number of values; NaN for fewer than two. Infinite or NaN where n - 1 times the
+///   variance does not fit into a double.
 /// source: Chan, Golub, LeVeque 1983, eq. 1.7.
 double variance_two_pass(std::span<const double> x);
 
@@ -47,7 +48,8 @@ struct Moments {
 };
 
 /// 1.4  Adds one value to `moments`, by Welford's update. Loses at most 10 n kappa eps of m2.
-/// requires: any x; after a NaN or an infinity, m2 is NaN or infinite. count + 1 fits into 64 bits.
+/// requires: any x; m2 is NaN or infinite after a NaN or an infinity, and after values whose
+///   distance does not fit into a double. count + 1 fits into 64 bits.
 /// cost: constant time and memory.
 /// source: Welford 1962, "Note on a method for calculating corrected sums of squares and products";
 ///   Knuth, "The art of computer programming", volume 2, section 4.2.2, eq. 15 and 16.
@@ -70,13 +72,15 @@ Moments merge(const Moments& a, const Moments& b);
 
 /// 1.6  The sample covariance of the pairs (x[i], y[i]), over n - 1. Its error is at most
 /// 10 n eps (kappa_x + kappa_y) sigma_x sigma_y, at any scales of x and y.
-/// requires: x and y of equal size; NaN for fewer than two pairs.
+/// requires: x and y of equal size; NaN for fewer than two pairs. All deviations, their products
+///   and the sums of both fit into a double.
 /// throws: std::invalid_argument if the sizes of x and y differ.
 /// source: Schubert, Gertz 2018, "Numerically stable parallel computation of (co-)variance".
 double covariance(std::span<const double> x, std::span<const double> y);
 
-/// 1.7  How far a joint distribution is from independence: the largest |p(x,y) - p(x) p(y)|. At
-/// most 4 eps where X and Y are independent.
+/// 1.7  How far a joint distribution is from independence: the largest |p(x,y) - p(x) p(y)|. Where
+/// X and Y are independent, only rounding is left: 4 eps, and eps more for each cell if the sums of
+/// the weights are rounded.
 /// requires: `joint` is a table of weights, row by row, `columns` wide: a row for each x, a column
 ///   for each y. Their total is positive and fits into a double; the function normalizes them.
 /// throws: std::invalid_argument if columns is 0, if the size is not a multiple of `columns`, if a
@@ -84,7 +88,7 @@ double covariance(std::span<const double> x, std::span<const double> y);
 /// source: the definition of independence, p(x,y) = p(x) p(y).
 double dependence(std::span<const double> joint, std::size_t columns);
 
-/// 1.8  The speed task: the moments of `x`, as fast as you can. m2 has at most one and a half
+/// 1.8  Stretch, the speed task: the moments of `x`, as fast as you can. m2 has at most one and a half
 /// digits fewer than 1.3 has for the same values (or than 15, if 1.3 has more). It is never
 /// negative, and at most n (eps c)^2 for up to 4096 equal values c.
 /// requires: any number of values; Moments{} for none. Of finite values beyond 1e150, whose squares

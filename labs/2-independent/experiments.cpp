@@ -1,11 +1,17 @@
 #include "experiments.hpp"
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
+
+// Null if the submission does not define 2.9, which older submissions lack.
+namespace mc {
+[[gnu::weak]] Estimate irradiance_combined(const RectLight&, std::uint64_t, Rng&);
+}  // namespace mc
 
 namespace mc::experiments {
 namespace {
@@ -26,6 +32,35 @@ std::vector<double> each(const std::vector<double>& x, Function function) {
   std::vector<double> all;
   for (const double value : x) all.push_back(function(value));
   return all;
+}
+
+Density density(const Sampling& sampling) {
+  const double parameter = sampling.parameter;
+  const auto one = [](double x) { return x >= 0 && x <= 1 ? 1.0 : 0.0; };
+  switch (sampling.p) {
+    case 0:
+      return {[](double u) { return u; }, one};
+    case 1:
+      return {[=](double u) { return mc::sample_power(u, parameter); },
+              [=](double x) { return mc::pdf_power(x, parameter); }};
+    case 2:
+      return {[=](double u) { return mc::sample_exponential(u, parameter); },
+              [=](double x) { return mc::pdf_exponential(x, parameter); }};
+    case 3:
+      return {[](double u) { return u; },
+              [=](double x) {
+                if (x < parameter / 2) return 0.0;
+                return x < parameter ? std::numeric_limits<double>::infinity() : 1.0;
+              }};
+    case 4:
+      return {[=](double u) {
+                const double slope = 1 - parameter;
+                return 2 * u / (slope + std::sqrt(slope * slope + 4 * parameter * u));
+              },
+              [=](double x) { return one(x) * (1 + parameter * (2 * x - 1)); }};
+    default:
+      throw std::out_of_range("p: must be 0 to 4");
+  }
 }
 
 }  // namespace
@@ -193,6 +228,39 @@ std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, st
                    [&](Rng& rng) { return mc::irradiance_hemisphere(light, n, rng); });
 }
 
+std::vector<Estimate> irradiance_combined(RectLight light, std::uint64_t n, std::uint64_t seed,
+                                          std::uint64_t replicates) {
+  if (mc::irradiance_combined == nullptr) throw todo("2.9");
+  return replicate(seed, replicates,
+                   [&](Rng& rng) { return mc::irradiance_combined(light, n, rng); });
+}
+
+namespace {
+
+using Irradiance = Estimate (*)(const RectLight&, std::uint64_t, Rng&);
+
+Irradiance irradiance_by(std::uint64_t way) {
+  const Irradiance ways[] = {mc::irradiance_area, mc::irradiance_hemisphere,
+                             mc::irradiance_combined};
+  if (way >= std::size(ways)) throw std::out_of_range("way: must be 0 to 2");
+  if (ways[way] == nullptr) throw todo("2.9");
+  return ways[way];
+}
+
+}  // namespace
+
+std::vector<ValueAndVariance> irradiance_ways(std::vector<std::uint64_t> ways, RectLight light,
+                                              std::uint64_t n, std::uint64_t seed) {
+  std::vector<ValueAndVariance> all;
+  for (const std::uint64_t way : ways) {
+    Rng rng(seed);
+    const Estimate one = irradiance_by(way)(light, n, rng);
+    const double error = one.standard_error;
+    all.push_back({one.value, error * error * static_cast<double>(one.n)});
+  }
+  return all;
+}
+
 std::vector<double> uniforms(std::uint64_t seed, std::vector<std::uint64_t> sizes, double before) {
   Rng rng(seed);
   std::vector<double> all;
@@ -284,7 +352,7 @@ double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds) {
   Rng rng(1);
   double last = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    last = (way == 0 ? mc::irradiance_area : mc::irradiance_hemisphere)({}, n, rng).value;
+    last = irradiance_by(way)({}, n, rng).value;
   }
   return last;
 }
@@ -323,6 +391,12 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "2.7  estimates from n points on the light each"),
       MC_EXPERIMENT(irradiance_hemisphere, "light n seed replicates",
                     "2.7  estimates from n directions each"),
+      MC_EXPERIMENT(irradiance_combined, "light n seed replicates",
+                    "2.9  estimates from n pairs each, of a point and a direction"),
+      MC_EXPERIMENT(
+          irradiance_ways, "ways light n seed",
+          "2.7, 2.9  an estimate, and its variance per sample: 0 points, 1 directions, 2 pairs",
+          {.row_labels = "ways"}),
       MC_EXPERIMENT(uniforms, "seed sizes before",
                     "2.8  numbers of calls of these sizes, into spans filled with `before`",
                     {.columns = "u", .index = "i"}),
@@ -340,7 +414,7 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     "2.8  size numbers, rounds times; returns the last one (timing)",
                     {.columns = "u", .points = "size"}),
       MC_EXPERIMENT(repeat_irradiance, "way n rounds",
-                    "2.7  irradiance by area (way 0) or hemisphere (1), rounds times (timing)"),
+                    "2.7, 2.9  irradiance by this way, rounds times (timing)"),
   };
   return all;
 }

@@ -50,6 +50,12 @@ struct IntervalTraces {
 };
 MC_FIELDS(IntervalTraces, intervals, values)
 
+/// An estimate, and the variance of one of its samples.
+struct ValueAndVariance {
+  double value = 0, variance = 0;
+};
+MC_FIELDS(ValueAndVariance, value, variance)
+
 /// The results of lab 1's functions for one list of values; NaN for a function that is still a
 /// TODO.
 struct ByLab1 {
@@ -102,6 +108,14 @@ std::vector<Estimate> irradiance_area(RectLight light, std::uint64_t n, std::uin
 std::vector<Estimate> irradiance_hemisphere(RectLight light, std::uint64_t n, std::uint64_t seed,
                                             std::uint64_t replicates);
 
+/// 2.9: `replicates` estimates from n pairs each. irradiance_ways: one estimate by each of `ways`,
+/// 0 for points on the light, 1 for directions, 2 for pairs, all with the same seed; and the
+/// variance of one sample or pair that it reports, n standard_error^2.
+std::vector<Estimate> irradiance_combined(RectLight light, std::uint64_t n, std::uint64_t seed,
+                                          std::uint64_t replicates);
+std::vector<ValueAndVariance> irradiance_ways(std::vector<std::uint64_t> ways, RectLight light,
+                                              std::uint64_t n, std::uint64_t seed);
+
 /// 2.8, uniforms: all numbers of consecutive calls, one call for each of `sizes`; every value of a
 /// span is `before` until the call. uniforms_in_turn: `size` numbers from Rng(seed) for each seed,
 /// in one process. first_uniforms: the first number of each of `calls` consecutive calls for `size`
@@ -119,8 +133,7 @@ std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t 
 
 /// For timing: makes `size` numbers `rounds` times and returns the last number. Round r uses a
 /// generator with the seed `seed` + r; source 0, whose seeding is slow, uses one generator for all
-/// rounds. repeat_irradiance: `rounds` estimates of 2.7 with n samples, over the area (`way` 0) or
-/// the hemisphere (`way` 1); returns the last value.
+/// rounds. repeat_irradiance: `rounds` estimates with n samples by this way; returns the last value.
 double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds, std::uint64_t seed);
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);
 

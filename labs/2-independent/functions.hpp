@@ -1,10 +1,10 @@
 #pragma once
 // The integrands and densities of lab 2's experiments, which a request selects by number.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -25,7 +25,7 @@ struct Function {
 MC_FIELDS(Function, g, parameter, scale, offset)
 
 /// The formulas of g; {} is the parameter.
-inline constexpr std::array<std::string_view, 9> function_names{
+inline constexpr std::array<std::string_view, 10> function_names{
     "1",
     "exp(x)",
     "x y",
@@ -34,9 +34,10 @@ inline constexpr std::array<std::string_view, 9> function_names{
     "exp(-((x - 0.3)^2 + (y - 0.7)^2) / (2 {}^2))",
     "normal_quantile(x)",
     "x exp(-x)",
-    "v w x y z"};
+    "v w x y z",
+    "min(x^-0.75, {})"};
 /// The number of dimensions of each g.
-inline constexpr std::array<std::size_t, 9> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5};
+inline constexpr std::array<std::size_t, 10> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5, 1};
 
 /// A density for importance sampling: `p` is an index into sampling_names.
 struct Sampling {
@@ -45,11 +46,13 @@ struct Sampling {
 };
 MC_FIELDS(Sampling, p, parameter)
 
-/// The formulas of p; {} is the parameter. Number 3 samples the uniform density but reports a pdf
-/// of 0 or infinity for some points: these must contribute 0 to the estimate (2.4).
-inline constexpr std::array<std::string_view, 4> sampling_names{
+/// The formulas of p; {} is the parameter. Numbers 1 and 2 are the submission's own functions of
+/// 2.3. Number 3 samples the uniform density but reports a pdf of 0 or infinity for some points:
+/// these must contribute 0 to the estimate (2.4).
+inline constexpr std::array<std::string_view, 5> sampling_names{
     "1 on [0, 1]", "({} + 1) x^{} on [0, 1]", "{} exp(-{} x) for x >= 0",
-    "1 on [0, 1], reported as 0 below {} / 2 and as infinite from there to {}"};
+    "1 on [0, 1], reported as 0 below {} / 2 and as infinite from there to {}",
+    "1 + {} (2 x - 1) on [0, 1]"};
 
 /// The formula of an integrand, such as "2 * x^0.5 + 1", and of a density.
 inline std::string spelled(const Function& function) {
@@ -82,13 +85,15 @@ inline double value_of(const Function& function, std::span<const double> x) {
       return normal_quantile(x[0]);
     case 7:
       return x[0] * std::exp(-x[0]);
-    default:
+    case 8:
       return x[0] * x[1] * x[2] * x[3] * x[4];
+    default:
+      return std::min(std::pow(x[0], -0.75), function.parameter);
   }
 }
 
 inline Integrand integrand(const Function& function) {
-  if (function.g >= dimensions.size()) throw std::out_of_range("g: must be 0 to 8");
+  if (function.g >= dimensions.size()) throw std::out_of_range("g: must be 0 to 9");
   const std::size_t dims = dimensions[function.g];
   return {dims, [=](std::span<const double> x) {
             if (x.size() != dims) {
@@ -98,28 +103,6 @@ inline Integrand integrand(const Function& function) {
             }
             return function.scale * value_of(function, x) + function.offset;
           }};
-}
-
-inline Density density(const Sampling& sampling) {
-  const double parameter = sampling.parameter;
-  switch (sampling.p) {
-    case 0:
-      return {[](double u) { return u; }, [](double x) { return x >= 0 && x <= 1 ? 1.0 : 0.0; }};
-    case 1:
-      return {[=](double u) { return std::pow(u, 1 / (parameter + 1)); },
-              [=](double x) { return (parameter + 1) * std::pow(x, parameter); }};
-    case 2:
-      return {[=](double u) { return -std::log1p(-u) / parameter; },
-              [=](double x) { return parameter * std::exp(-parameter * x); }};
-    case 3:
-      return {[](double u) { return u; },
-              [=](double x) {
-                if (x < parameter / 2) return 0.0;
-                return x < parameter ? std::numeric_limits<double>::infinity() : 1.0;
-              }};
-    default:
-      throw std::out_of_range("p: must be 0 to 3");
-  }
 }
 
 }  // namespace mc::experiments

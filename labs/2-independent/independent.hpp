@@ -38,9 +38,9 @@ double to_unit(std::uint64_t bits);
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng);
 
 /// 2.3  The quantile function (inverse CDF) at `u` of the exponential distribution, whose density
-/// is rate exp(-rate x) for x >= 0. Finite, non-decreasing in u, and within 4 ulp of -log1p(-u) /
-/// rate, also for the smallest u.
-/// requires: u in [0, 1), rate > 0.
+/// is rate exp(-rate x) for x >= 0. Non-decreasing in u, and within 4 ulp of -log1p(-u) / rate, also
+/// for the smallest u; so finite for every rate of at least 1e-306.
+/// requires: u in [0, 1), a finite rate > 0.
 /// throws: std::invalid_argument if rate is not positive, or NaN.
 /// source: Pharr, Jakob, Humphreys 2023, section 2.3; Owen, chapter 4.
 double sample_exponential(double u, double rate);
@@ -48,19 +48,19 @@ double sample_exponential(double u, double rate);
 /// 2.3  The quantile function at `u` of the density (a + 1) x^a on [0, 1]. In [0, 1],
 /// non-decreasing in u, and within 4 ulp and the rounding of the exponent 1 / (a + 1), or of the
 /// logarithm of u.
-/// requires: u in [0, 1), a > -1.
+/// requires: u in [0, 1), a finite a > -1.
 /// throws: std::invalid_argument if a is not above -1, or NaN.
 /// source: as sample_exponential.
 double sample_power(double u, double a);
 
 /// 2.3  The density that sample_exponential samples: rate exp(-rate x) for x >= 0, 0 below.
-/// requires: any x, rate > 0.
+/// requires: any x, a finite rate > 0.
 /// throws: std::invalid_argument if rate is not positive, or NaN.
 /// source: as sample_exponential.
 double pdf_exponential(double x, double rate);
 
 /// 2.3  The density that sample_power samples: (a + 1) x^a on [0, 1] with both ends, 0 outside.
-/// requires: any x, a > -1.
+/// requires: any x, a finite a > -1.
 /// throws: std::invalid_argument if a is not above -1, or NaN.
 /// source: as sample_exponential.
 double pdf_power(double x, double a);
@@ -82,10 +82,11 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 Interval confidence_interval(const Estimate& estimate, double level);
 
 /// 2.6  How many samples reduce the standard error to `target_error`, according to a pilot run:
-/// n (standard error / target)^2, rounded up, and at least 1. One sample too many is accepted.
+/// n (standard error / target)^2, rounded up, and at least 1. Computed in double: 8 eps of it more
+/// or fewer, and one sample too many, are accepted.
 /// requires: a pilot with samples and a standard error; target_error > 0.
 /// throws: std::invalid_argument if target_error is not positive, or NaN; if the pilot has n = 0 or
-///   its standard error is NaN; and if the answer does not fit into 64 bits.
+///   its standard error is NaN; and if the answer, computed in double, is 2^64 or more.
 /// source: Owen, chapter 2.
 std::uint64_t samples_for(const Estimate& pilot, double target_error);
 
@@ -103,12 +104,23 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng);
 /// source: Pharr, Jakob, Humphreys 2023, section 4.2, and appendix A.5.3 for Malley's method.
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng);
 
-/// 2.8  The speed task: fills `out` with independent uniform numbers in [0, 1), as fast as you can
+/// 2.8  Stretch, the speed task: fills `out` with independent uniform numbers in [0, 1), as fast as you can
 /// and in any order. Each has at least 53 random bits. The generator advances, so two calls are
 /// independent; equal generators give equal numbers.
 /// requires: a span of any size, also empty; any generator, also one that always returns the same
 ///   word (then the numbers only have to lie in [0, 1)).
 /// source: Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators".
 void uniforms(Rng& rng, std::span<double> out);
+
+/// 2.9  Stretch: the irradiance of 2.7 by both ways at once, from `n` independent pairs of a point
+/// on the light and a direction of the hemisphere. The value of a pair is the sum of two terms
+/// f / (p_area + p_hemisphere), one at the direction to the point and one at the direction; f =
+/// radiance · cos(receiver), 0 where no light is, and both densities are per solid angle.
+/// standard_error as in 2.2, over the n pairs; Estimate::n is n.
+/// requires: as irradiance_area.
+/// throws: std::invalid_argument for n = 0.
+/// source: Veach 1997, "Robust Monte Carlo methods for light transport simulation", section 9.2.2,
+///   the balance heuristic.
+Estimate irradiance_combined(const RectLight& light, std::uint64_t n, Rng& rng);
 
 }  // namespace mc

@@ -45,7 +45,7 @@ set xlabel "samples N"
 set ylabel "fraction of 500 intervals"
 set key at screen 0.5,0.01 center bottom vertical maxrows 3 Left reverse samplen 3
 do for [s=1:count] {
-  set title heading("How often a 95 % interval has the true value", s)
+  set title heading("How often a 95 % interval contains the true value", s)
   plot 0.95 ls theory title "95 %", data[s]."/coverage.tsv" using "N":"exact" with lines lt 1 lw 1 lc rgb ink title "Student's t", \
        for [i in "6 3 4 5"] data[s]."/coverage.tsv" using "N":"integrand_".i with points ls other+i ps 1.2 notitle, \
        for [i in "6 3 4 5"] keyentry with points ls other+i ps 1.2 title of[int(i)]
@@ -78,33 +78,35 @@ do for [s=1:count] {
     set title (k == 0 ? heading("Sixty estimates, 1000 samples each, 95 % intervals", s) : "")
     set label 1 sprintf("%s: %.0f of 60 miss", integrand_of[k+1], misses[2 * (s - 1) + k + 1]) at graph 0.02,0.9 tc rgb ink
     if (k == 0) { set yrange [0.945:1.055]; set ytics 0.95,0.05; set format y "%.2f" }
-    if (k == 1) { set yrange [0.35:1.95]; set ytics 0.5,0.5; set format y "%.1f"; set xlabel "estimates, sorted\n(orange squares: intervals that miss)" }
+    if (k == 1) { set yrange [0.35:1.95]; set ytics 0.5,0.5; set format y "%.1f"; set xlabel "estimates, sorted; orange squares: intervals that miss;\ntriangles: intervals that end above the picture" }
     if (s == 1) { set ylabel "value / true value" } else { set ylabel "" }
     file = data[s]."/intervals-".shown[k+1].".tsv"
     plot 1 lt 1 lw 1 lc rgb ink notitle, \
       file using 1:($4 == 1 ? $2 : NaN):3 every ::1 with yerrorbars lt 1 lw 1 pt 7 ps 0.4 lc rgb dot, \
-      file using 1:($4 == 0 ? $2 : NaN):3 every ::1 with yerrorbars lt 1 lw 1.5 pt 5 ps 0.7 lc rgb "#D55E00"
+      file using 1:($4 == 0 ? $2 : NaN):3 every ::1 with yerrorbars lt 1 lw 1.5 pt 5 ps 0.7 lc rgb "#D55E00", \
+      top = (k == 0 ? 1.055 : 1.95), file using 1:($2 + $3 > top ? top : NaN) every ::1 with points pt 9 ps 0.9 lc rgb dot
     set xlabel ""
   }
 }
 unset multiplot
 
-# Irradiance two ways -----------------------------------------------------------------------------
-name = "irradiance"; width = 80 + 420 * count; height = 420
+# Irradiance by points, directions, and (thin, a stretch task) pairs ------------------------------
+name = "irradiance"; width = 80 + 420 * count; height = 440
 load draw
 set termoption enhanced
-eval panels(80, 75, 90)
+eval panels(80, 75, 110)
 set logscale xy
 set format "10^{%L}"
-set xrange [0.1:3e3]
+set xrange [0.1:1e4]
 set yrange [1e-3:1]
 set xlabel "µs of CPU time"
 set ylabel "RMSE"
-set key at screen 80./width,0.01 left bottom maxrows 1 Left reverse samplen 3
+set key at screen 80./width,0.01 left bottom maxrows 2 Left reverse samplen 3
 do for [s=1:count] {
-  set title heading("Irradiance of 1.1333, estimated in two ways", s)
-  plot data[s]."/irradiance-area.tsv" using "us":"error" with linespoints ls other+1 title "points on the light", \
-       data[s]."/irradiance-hemisphere.tsv" using "us":"error" with linespoints ls other+2 title "directions"
+  set title heading("Irradiance of 1.1333, estimated in three ways", s)
+  plot data[s]."/irradiance-area.tsv" using "us":"error" with linespoints ls other+1 title "2.7 points", \
+       data[s]."/irradiance-hemisphere.tsv" using "us":"error" with linespoints ls other+2 title "2.7 directions", \
+       data[s]."/irradiance-combined.tsv" using "us":"error" with linespoints ls other+3 lw 1 title "2.9 pairs"
   unset key
   unset ylabel
 }

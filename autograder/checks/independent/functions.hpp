@@ -20,7 +20,7 @@ inline const std::string no_mean = "there is no mean of 0 samples";
 enum : unsigned { constant, exponential, product, step, power, peak, normal, gamma, five };
 
 /// Sampling::p
-enum : unsigned { by_uniform, by_power, by_exponential, by_holes };
+enum : unsigned { by_uniform, by_power, by_exponential, by_holes, by_line };
 
 inline std::size_t dims_of(const Function& g) {
   return g.g == product || g.g == peak ? 2 : g.g == five ? 5 : 1;

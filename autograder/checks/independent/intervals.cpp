@@ -6,7 +6,7 @@
 namespace mc::checks {
 namespace {
 
-CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]") {
+CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:6][main]") {
   Results ends;
   std::vector<double> levels{0.95, 0.6827, 0.5, 0.99, 0.999999, 1e-6};
   for (int i = 0; i < 10; ++i) levels.insert(levels.begin(), uniform(rng, 0.01, 0.93));
@@ -37,6 +37,9 @@ CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:4][main]"
                           "standard_error is that of the mean: it is already divided by sqrt(n)"},
                          {value + sign * reach * root,
                           "standard_error is that of the mean, not of one value"},
+                         {value, "the interval has length 0"},
+                         {value + sign * reach / 2,
+                          "the interval has half of its length: z standard errors to each side"},
                          {value - sign * reach, "low and high are swapped"},
                          {sign * reach, "the interval is around the value, not around 0"}};
                });
@@ -90,7 +93,7 @@ Coverage of_events(Rng& rng, const std::string& words, double p) {
   return {words, g, n, level, g.scale * p + g.offset, exact};
 }
 
-CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:6][needs:2.1][needs:2.2]") {
+CHECK_CASE("2.5 intervals cover as often as theory says", "[2.5][points:8][needs:2.1][needs:2.2]") {
   const std::uint64_t replicates = 4000;
   for (const auto& [words, g, n, level, truth, exact] :
        {of_normal(rng, "a few", 4 + rng() % 4), of_normal(rng, "some", 15 + rng() % 10),
@@ -164,7 +167,7 @@ void judge_plans(const std::vector<Plan>& plans) {
   samples.expect("the error falls as 1 / sqrt(n)", "n (standard error / target)^2, rounded up");
 }
 
-CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]") {
+CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:2][main]") {
   std::vector<Plan> plans;
   for (int i = 0; i < 10; ++i) {
     const Estimate pilot{uniform(rng, -9, 9), uniform(rng, 0.01, 1), 1000 + rng() % 100000};
@@ -175,11 +178,12 @@ CHECK_CASE("2.6 the samples that bring the error down", "[2.6][points:5][main]")
   plans.push_back({{uniform(rng, -9, 9), 1.5 * target, 4 * (250 + rng() % 10000) + 1}, target});
   plans.push_back({{1, 0.25, 1000}, 0.125});  // 4000 exactly
   judge_plans(plans);
-  plans = {{{1, 0.1, 1000}, 0.7},       // fewer than the pilot had
-           {{1, 0.5, 5}, 1},            // 1.25, so two
-           {{1, 0.5, 1}, 0.25},         // the smallest pilot
-           {{1, 0.5, 4}, 1},            // one
-           {{1, 0.5, 1000000}, 1e-4}};  // 2.5e13
+  plans = {{{1, 0.1, 1000}, 0.7},  // fewer than the pilot had
+           {{1, 0.5, 5}, 1},       // 1.25, so two
+           {{1, 0.5, 1}, 0.25},    // the smallest pilot
+           {{1, 0.5, 4}, 1},       // one
+           {{1, 0.5, 2}, 0.5},     // equal errors: as many as the pilot had
+           {{1, 0.5, 3}, 0.5},    {{1, 0.5, 1000000}, 1e-4}};  // 2.5e13
   for (int i = 0; i < 5; ++i) {
     plans.push_back({{1, uniform(rng, 0.5, 50), rng() >> 24}, uniform(rng, 0.5, 1)});
   }
@@ -191,7 +195,8 @@ CHECK_CASE("2.6 at least one sample and at most 64 bits at any scale", "[2.6][po
                {{-5, 3e170, 17}, 1e169},               // the separate squares overflow
                {{-5, 3e-170, 17}, 1e-170},             // or underflow to 0
                {{1, 0.5, std::uint64_t{1} << 62}, 1},  // a huge pilot
-               {{1, 0.5, std::uint64_t{3} << 62}, 0.75}});
+               {{1, 0.5, std::uint64_t{3} << 62}, 0.75},
+               {{1, 0.5, ~std::uint64_t{0}}, 1}});  // the largest pilot
   for (const auto& [error, target] : {std::pair{1e-9, 1.0}, {0.0, 0.1}, {1.0, infinity}}) {
     const auto got = MEASURE(samples_for, {1, error, 100}, target);
     expect_that(got.value == 1, fmt::format("{} = {}", got.call, got.value), "1",

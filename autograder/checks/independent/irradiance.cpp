@@ -1,112 +1,10 @@
 // 2.7: the irradiance from a light by two estimators.
 
 #include "checks/independent/functions.hpp"
-#include "checks/support/rect_light_exact.hpp"
+#include "checks/independent/lights.hpp"
 
 namespace mc::checks {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-using Estimates = std::vector<Estimate>;
-
-// Lights and their exact properties ---------------------------------------------------------------
-
-struct PlacedLight {
-  RectLight light;
-  std::string where;
-};
-
-PlacedLight above(Rng& rng) {
-  return {{.radiance = uniform(rng, 0.5, 5)}, "above the receiver"};
-}
-
-/// A light with a corner near the receiver's normal, but not so close that a few points dominate.
-PlacedLight aside(Rng& rng) {
-  RectLight light = light_in({0.1, 0.5}, {0.1, 0.5}, {0.5, 2}, {0.7, 2}, rng);
-  light.y0 = -std::exchange(light.y1, -light.y0);
-  return {light, "to one side"};
-}
-
-/// A low and distant light, at two to three degrees above the horizon.
-PlacedLight grazing(Rng& rng) {
-  return {light_in({4, 5}, {-1, 0}, {1, 2}, {0.2, 0.25}, rng), "at a grazing angle"};
-}
-
-/// Everything beyond the plane x = k h. It has a fraction (1 - sin(atan(k))) / 2 of the sky: 1 to
-/// 2.6 % for k from 3 to 5, and 24 to 36 of 1.6 million directions for k from 105 to 130.
-PlacedLight half_sky_aside(double least, double most, Rng& rng) {
-  RectLight light{0, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 0.5, 5)};
-  light.x0 = light.height * uniform(rng, least, most);
-  return {light, "at a grazing angle"};
-}
-
-PlacedLight quarter_sky(unsigned quadrant, Rng& rng) {
-  RectLight light{0, 1e15, 0, 1e15, uniform(rng, 0.5, 2), uniform(rng, 0.5, 5)};
-  if (quadrant % 2 == 1) light.x0 = -std::exchange(light.x1, 0);
-  if (quadrant / 2 == 1) light.y0 = -std::exchange(light.y1, 0);
-  return {light, "in quadrant " + std::to_string(quadrant)};
-}
-
-/// The value at a point of the light, given its squared distance from the point of the light's
-/// plane above the receiver: area · radiance · height^2 / (square + height^2)^2.
-double at_square_distance(const RectLight& light, double square) {
-  const double distance2 = square + light.height * light.height;
-  return area(light) * light.radiance * light.height * light.height / (distance2 * distance2);
-}
-
-/// The squared distance at which a point has this value; NaN if there is none.
-double square_distance_of(const RectLight& light, double value) {
-  const double h2 = light.height * light.height;
-  return std::sqrt(area(light) * light.radiance * h2 / value) - h2;
-}
-
-double nearest(const RectLight& light) {
-  const double x = std::max({light.x0, -light.x1, 0.0}), y = std::max({light.y0, -light.y1, 0.0});
-  return x * x + y * y;
-}
-double farthest(const RectLight& light) {
-  const double x = std::max(-light.x0, light.x1), y = std::max(-light.y0, light.y1);
-  return x * x + y * y;
-}
-
-/// The area of the disk of radius r around the origin inside [0, x] x [0, y]; odd in x and in y.
-double disk_in_corner(double x, double y, double r) {
-  const double sign = (x < 0) == (y < 0) ? 1 : -1;
-  const double a = std::min(std::abs(x), r), b = std::abs(y);
-  const auto under_arc = [=](double at) {  // the integral of sqrt(r^2 - x^2) from 0
-    return (at * std::sqrt(std::max(0.0, r * r - at * at)) +
-            r * r * std::asin(std::min(1.0, at / r))) /
-           2;
-  };
-  const double flat = b < r ? std::min(a, std::sqrt(r * r - b * b)) : 0;  // up to here bounded by y
-  return sign * (b * flat + under_arc(a) - under_arc(flat));
-}
-
-/// The fraction of the light within this squared distance of the point above the receiver.
-double share_within(const RectLight& light, double square) {
-  if (!(square > 0)) return 0;
-  const auto f = [r = std::sqrt(square)](double x, double y) { return disk_in_corner(x, y, r); };
-  return over_corners(light, f) / area(light);
-}
-
-double solid_angle(const RectLight& light) {
-  const double h = light.height;
-  return over_corners(light, [=](double x, double y) {
-    return std::atan(x * y / (h * std::sqrt(x * x + y * y + h * h)));
-  });
-}
-
-/// The value at one uniform point of the light.
-Population of_area(const RectLight& light) {
-  const auto moment = [&](double k) {
-    return mean_over(light, [&](double x, double y) {
-      return std::pow(at_square_distance(light, x * x + y * y), k);
-    });
-  };
-  Population x = population(moment(1), moment(2), moment(3), moment(4));
-  x.mean = irradiance(light);
-  return x;
-}
 
 // The area of the light ---------------------------------------------------------------------------
 
@@ -192,7 +90,7 @@ Numbers places_on_a_line(bool along_x) {
           }};
 }
 
-CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:4][needs:2.1][main]") {
+CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:6][needs:2.1][main]") {
   judge_formula(rng);
   for (const bool along_x : {true, false}) {
     judge_calls_in_turn(places_on_a_line(along_x), 1, 5000, rng);
@@ -275,7 +173,7 @@ void judge_sky(Rng& rng) {
                 "pi · radiance where a direction meets the light");
 }
 
-CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:4][needs:2.1]") {
+CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:6][needs:2.1]") {
   judge_sky(rng);
   // All quarters of the sky are equally likely. If angles were drawn as degrees and used as
   // radians, 57.3 turns, one quarter would have 1.2 % more: 9 standard deviations.
@@ -342,7 +240,7 @@ CHECK_CASE("2.7 the size of the scene does not matter", "[2.7][points:1][needs:2
   }
 }
 
-CHECK_CASE("2.7 both estimates know their error", "[2.7][points:1][needs:2.1]") {
+CHECK_CASE("2.7 both estimates know their error", "[2.7][points:3][needs:2.1]") {
   for (const PlacedLight& placed : {above(rng), aside(rng)}) {
     const RectLight& light = placed.light;
     // E{s^2} = sigma^2, and Var{s^2} = (kurtosis - (n-3)/(n-1)) sigma^4 / n for independent values.

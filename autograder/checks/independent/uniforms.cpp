@@ -44,13 +44,13 @@ void judge_words(const Words& words) {
   expect_each({got.call, got.exactly(words.size(), any_number)}, exact);
 }
 
-CHECK_CASE("2.1 the upper 53 bits of a word become a number", "[2.1][points:5][main]") {
+CHECK_CASE("2.1 the upper 53 bits of a word become a number", "[2.1][points:3][main]") {
   Words words;
   for (int i = 0; i < 1000; ++i) words.push_back(rng() >> (rng() % 53));
   judge_words(words);
 }
 
-CHECK_CASE("2.1 words at both ends and powers of two", "[2.1][points:3][edge]") {
+CHECK_CASE("2.1 words at both ends and powers of two", "[2.1][points:2][edge]") {
   Words words = domain::words(~std::uint64_t{0}, rng);
   for (std::uint64_t below = 0; below < 4096; below += 61) words.push_back(~below);
   judge_words(words);
@@ -105,8 +105,7 @@ void judge_beginnings(Rng& rng) {
   expect_independent_uniforms(first, {"the first numbers of calls", alpha, few_states, few_states});
 }
 
-CHECK_CASE("2.8 a span of any size is filled with new numbers",
-           "[2.8][points:5][needs:2.1][main]") {
+CHECK_CASE("2.8 a span of any size is filled with new numbers", "[2.8][stretch][needs:2.1][main]") {
   Sizes64 sizes = domain::sizes(4097, rng);
   sizes.push_back(0);
   const Uniforms one = filled(rng(), sizes), other = filled(rng(), sizes);
@@ -122,7 +121,7 @@ CHECK_CASE("2.8 a span of any size is filled with new numbers",
   judge_beginnings(rng);
 }
 
-CHECK_CASE("2.8 a generator of one word", "[2.8][points:2][edge][needs:2.1]") {
+CHECK_CASE("2.8 a generator of one word", "[2.8][stretch][edge][needs:2.1]") {
   for (const std::uint64_t word : domain::constant_words(rng)) {
     MEASURE(uniforms_constant, word, 1024).exactly(1024, unit);
   }
@@ -169,7 +168,7 @@ void judge_recurrences(const Uniforms& all) {
   }
 }
 
-CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:2.1]") {
+CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][stretch][needs:2.1]") {
   Uniforms many = filled(rng(), {131'072, 65'537});
   many.values.resize(196'608);
   judge_recurrences(many);
@@ -179,7 +178,7 @@ CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][points:2][needs:
   judge_last_bits(many, rng);
 }
 
-CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][points:2][needs:2.1]") {
+CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][stretch][needs:2.1]") {
   // Lanes with similar states begin with similar numbers: with one generator, and similar seeds.
   const std::size_t size = 160, positions = 40, calls = 1500;
   Sizes64 seeds = domain::in_a_row(rng() >> 1, calls);

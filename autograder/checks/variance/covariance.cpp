@@ -59,10 +59,11 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
       rule);
 }
 
-CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:3]") {
+CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:4]") {
   std::vector<Pairs> pairs;
   for (const List& list : tame_lists(rng, 2, -1, 1))
     pairs.push_back(tame_pairs(rng, list.x.size()));
+  pairs.push_back({pairs[0].x, pairs[0].x});  // the variance
   judge_pairs(pairs, "sum (x - mean x)(y - mean y) and divide by n - 1");
 }
 
@@ -77,7 +78,7 @@ CHECK_CASE("1.6 the covariance keeps its digits under large means", "[1.6][point
   judge_pairs(pairs, "E{XY} - E{X}E{Y} is the textbook formula again: subtract the means first");
 }
 
-CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:1][needs:1.1]") {
+CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:2][needs:1.1]") {
   std::vector<Pairs> pairs;
   constexpr std::pair<double, double> scales[] = {{1e-4, 1e4},    {1e4, 1e-4},     {1e-4, 1e-4},
                                                   {1e-9, 1e9},    {1e-150, 1e150}, {1e-100, 1e-100},

@@ -7,7 +7,7 @@
 namespace mc::checks {
 namespace {
 
-CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:5]") {
+CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:6]") {
   const auto judge = [](const std::vector<List>& lists, bool is_tame) {
     Results means;
     means.is_tame = is_tame;
@@ -85,7 +85,7 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
       "count; a float overflows at 3.4e38 already; means of parts of a list need their weights");
 }
 
-CHECK_CASE("1.1 the mean of infinities and NaNs is not finite", "[1.1][edge][points:1]") {
+CHECK_CASE("1.1 the mean of infinities and NaNs is not finite", "[1.1][edge][points:2]") {
   for (const Values& x : with_a_value_that_is_not_finite(rng)) {
     const auto got = MEASURE(mean, x);
     expect_not_finite(got.call, got.value, x);

@@ -105,6 +105,11 @@ CHECK_CASE("1.5 merging two parts equals adding all values", "[1.5][main][points
       parts.push_back({some_moments(rng, n), some_moments(rng, n + more)});
     }
   }
+  // Equal counts, equal means, and equal parts.
+  const Moments one = some_moments(rng, 40), other = some_moments(rng, 40);
+  for (const Moments& part : {one, other, {40, one.mean, other.m2}, {60, one.mean, other.m2}}) {
+    parts.push_back({one, part});
+  }
   // Parts of equal counts, which reveal state kept between calls.
   for (int i = 0; i < 3; ++i) parts.push_back({some_moments(rng, 40), some_moments(rng, 50)});
   judge_merges(parts);

@@ -13,7 +13,7 @@ const std::string because_textbook = "the difference magnifies n eps by E{X^2} /
 
 const auto by_textbook = [](const Values& x) { return MEASURE(variance_textbook, x); };
 
-CHECK_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][main][points:5]") {
+CHECK_CASE("1.2 the textbook formula gives the variance of tame data", "[1.2][main][points:6]") {
   const std::vector<List> lists = tame_lists(rng, 2, 0.5, 2.5), others = lists_of_any_scale(rng);
   Results variances = variances_of(lists, by_textbook, textbook_floor);
   variances.is_tame = true;
@@ -28,7 +28,7 @@ CHECK_CASE("1.2 the textbook formula is undefined or infinite where the variance
 }
 
 CHECK_CASE("1.2 the textbook formula loses two digits for each digit of the mean",
-           "[1.2][edge][points:4]") {
+           "[1.2][edge][points:5]") {
   constexpr std::size_t size = 4, lists = 40;
   double least = 0;
   for (const double offset : {1e9, 1e11, 1e3, 1e5, 1e7}) {
@@ -68,7 +68,7 @@ CHECK_CASE("1.2 the textbook formula loses two digits for each digit of the mean
 
 const auto by_two_passes = [](const Values& x) { return MEASURE(variance_two_pass, x); };
 
-CHECK_CASE("1.3 the two-pass variance of tame data", "[1.3][main][points:5][needs:1.1]") {
+CHECK_CASE("1.3 the two-pass variance of tame data", "[1.3][main][points:6][needs:1.1]") {
   const std::vector<List> lists = tame_lists(rng, 2, 0.5, 2.5);
   Results variances = variances_of(lists, by_two_passes, two_pass_floor);
   variances.is_tame = true;
@@ -141,7 +141,7 @@ CHECK_CASE("1.3 two passes on hard cases", "[1.3][points:3][needs:1.1]") {
 }
 
 CHECK_CASE("1.3 sigma of aX is the absolute value of a times sigma of X",
-           "[1.3][points:1][needs:1.1]") {
+           "[1.3][points:2][needs:1.1]") {
   std::vector<List> lists = lists_of_any_scale(rng);
   for (const double a : {1.0, 0x1p-100, -0x1p100, -0x1p-20}) {
     Values x(100);

@@ -39,15 +39,16 @@ inline std::vector<experiments::CountedEstimate> estimates_of(const LineIntegran
   return values_of(TRY_MEASURE(estimates, integrand.g, n, 1, replicates), replicates);
 }
 
-/// A way to the irradiance under a rectangular light, 2.7.
+/// A way to the irradiance under a rectangular light, 2.7 or 2.9.
 struct LightWay {
   unsigned number;
   const char *key, *name;
 
   ErrorSums errors(Count n, Count replicates, Count seed) const {
     const RectLight light;
-    const auto got = number == 0 ? TRY_MEASURE(irradiance_area, light, n, seed, replicates)
-                                 : TRY_MEASURE(irradiance_hemisphere, light, n, seed, replicates);
+    const auto got = number == 0   ? TRY_MEASURE(irradiance_area, light, n, seed, replicates)
+                     : number == 1 ? TRY_MEASURE(irradiance_hemisphere, light, n, seed, replicates)
+                                   : TRY_MEASURE(irradiance_combined, light, n, seed, replicates);
     ErrorSums errors;
     for (const Estimate& one : values_of(got, replicates, any_number)) {
       errors.add(one.value - irradiance(light));
@@ -61,6 +62,7 @@ struct LightWay {
   }
 };
 inline constexpr LightWay light_ways[] = {{0, "area", "points on the light"},
-                                          {1, "hemisphere", "directions"}};
+                                          {1, "hemisphere", "directions"},
+                                          {2, "combined", "pairs of both"}};
 
 }  // namespace mc::measurements

@@ -79,7 +79,7 @@ void plot_against_time(const std::string& name, Count least, const Rounds& round
   }
 }
 
-TEST_CASE("plot irradiance two ways", "[.plot][time]") {
+TEST_CASE("plot irradiance three ways", "[.plot][time]") {
   for (const LightWay& way : light_ways) {
     plot_against_time(fmt::format("irradiance-{}.tsv", way.key), 16, way.rounds(), [&](Count n) {
       return way.errors(n, n < 16384 ? 200 : 50, 1);  // 5 % of the RMSE, and 10 %

@@ -1,5 +1,5 @@
 // alternative: logarithms for powers, ldexp for products, the upper quantile, a direction from its
-// cosine
+// cosine, weights of the balance heuristic by densities per area
 #include "independent.hpp"
 
 #define to_unit right_to_unit
@@ -9,6 +9,7 @@
 #define confidence_interval right_confidence_interval
 #define samples_for right_samples_for
 #define irradiance_hemisphere right_irradiance_hemisphere
+#define irradiance_combined right_irradiance_combined
 #include "solutions/independent.cpp"
 
 #include <cmath>
@@ -19,6 +20,7 @@
 #undef confidence_interval
 #undef samples_for
 #undef irradiance_hemisphere
+#undef irradiance_combined
 
 namespace mc {
 
@@ -74,6 +76,30 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
   const auto size = static_cast<double>(n);
   const double share = static_cast<double>(met) / size, each = std::numbers::pi * light.radiance;
   return {each * share, each * std::sqrt(share * (1 - share) / (size - 1)), n};
+}
+
+Estimate irradiance_combined(const RectLight& light, std::uint64_t n, Rng& rng) {
+  require_samples(n);
+  const double by_area = 1 / area(light);
+  Moments pairs;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const Point2 met = met_by_direction(light.height, rng), on = point_on(light, rng);
+    double pair = 0;
+    const auto add_term = [&](Point2 at, double density_of_this, double density_of_other) {
+      const double distance2 = distance_squared(light, at);
+      const double cosines = light.height * light.height / distance2;
+      const double f = light.radiance * cosines / distance2;
+      pair += density_of_this / (density_of_this + density_of_other) * f / density_of_this;
+    };
+    const auto by_hemisphere = [&](Point2 at) {
+      const double distance2 = distance_squared(light, at);
+      return light.height / distance2 * (light.height / distance2) / std::numbers::pi;
+    };
+    add_term(on, by_area, by_hemisphere(on));
+    if (contains(light, met)) add_term(met, by_hemisphere(met), by_area);
+    add(pairs, pair);
+  }
+  return mean_of(pairs);
 }
 
 }  // namespace mc

@@ -45,3 +45,22 @@ Interval confidence_interval(const Estimate& estimate, double level) {
   return {estimate.value - reach, estimate.value + reach};
 }
 }  // namespace mc::quantile_of_the_lower_tail
+
+// mistake: z standard errors is the whole length
+// hint: the interval has half of its length
+namespace mc::interval_of_half_length {
+Interval confidence_interval(const Estimate& estimate, double level) {
+  const Interval right = right_confidence_interval(estimate, level);
+  const double reach = (right.high - right.low) / 4;
+  return {estimate.value - reach, estimate.value + reach};
+}
+}  // namespace mc::interval_of_half_length
+
+// mistake: returns the estimate as both ends
+// hint: the interval has length 0
+namespace mc::interval_of_length_zero {
+Interval confidence_interval(const Estimate& estimate, double level) {
+  right_confidence_interval(estimate, level);
+  return {estimate.value, estimate.value};
+}
+}  // namespace mc::interval_of_length_zero

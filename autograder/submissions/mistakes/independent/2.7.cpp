@@ -23,10 +23,6 @@ Estimate from_points(const RectLight& light, std::uint64_t n, Rng& rng, Value va
   return mean_of(values);
 }
 
-double area(const RectLight& light) {
-  return (light.x1 - light.x0) * (light.y1 - light.y0);
-}
-
 /// The mean over directions, given by their projection onto the ground: direction() returns its
 /// radius and its angle. As if the density were cos / pi.
 template <class Direction>
