@@ -46,7 +46,7 @@ struct ProcessResult {
   bool out_of_time = false;     ///< exceeded its wall_seconds
   std::string output;           ///< standard output
   std::string errors;           ///< standard error
-  double cpu_seconds = 0;       ///< of all processes that it started
+  double cpu_seconds = 0;       ///< of all that it started; of what it left, if it is confined
   std::size_t peak_memory = 0;  ///< resident, in bytes, of the largest
   std::size_t written = 0;      ///< bytes to disk, if the system counts them
   bool succeeded() const { return exit_code == 0; }

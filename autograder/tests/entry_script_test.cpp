@@ -212,7 +212,8 @@ TEST_CASE("--first does not stop at a stretch task that is not written", "[scrip
   const Layout layout = read_layout();
   const fs::path file = copy_of_solutions(layout, "first") / "sampler.cpp";
   const std::string unwritten =
-      ",\n                          {\"lattice\", one_of<fill_lattice>, two_of<fill_lattice>}";
+      ",\n                          {\"lattice\", dimensions_of<fill_lattice<true>>, &blocks},\n"
+      "                          {\"lattice_unfolded\", dimensions_of<fill_lattice<false>>, &blocks}";
   const std::string refusal =
       "    if (samples == 0) throw std::invalid_argument(\"samples: must be positive\");\n";
   write_text(file, with_change(with_change(read_text(file), unwritten, ""), refusal, ""));

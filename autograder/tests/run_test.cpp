@@ -75,7 +75,7 @@ TEST_CASE("the list of experiments has the names of the declarations", "[script]
   }
   const std::string sampler = lab({"run", "sampler", "--dir", layout.solutions().string()}).output;
   check_contains(sampler,
-                 {"--kind is one of\n    independent stratified blue_noise halton sobol lattice\n",
+                 {"--kind is one of\n    independent stratified blue_noise halton sobol lattice lattice_unfolded\n",
                   "\n    rect_light: x0 x1 y0 y1 height radiance\n"});
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("a lab and its task", "[script]") {
                              {"check", "1-variance", solutions, "--only", "1.3"}}) {
     CAPTURE(words);
     REQUIRE_RUN(run, lab(words));
-    CHECK(contains(run.output, "18 of 18 points"));
+    CHECK(contains(run.output, "20 of 20 points"));
     CHECK(!contains(run.output, " 1.2 "));
   }
 }

@@ -102,12 +102,12 @@ std::string endless() {
 TEST_CASE("watch judges at once and after each save, for any way of saving", "[script]") {
   const std::string solution = text_of(read_layout().solutions());
   WatchProcess watching(text_of(read_layout().starter()));
-  CHECK(contains(watching.until_judged(), "\n0 of 10 points; first open: 1.1"));
+  CHECK(contains(watching.until_judged(), "\n0 of 12 points; first open: 1.1"));
 
   {  // into the file
     std::ofstream(watching.file()) << solution;
   }
-  CHECK(contains(watching.until_judged(), "\n10 of 10 points; nothing is open"));
+  CHECK(contains(watching.until_judged(), "\n12 of 12 points; nothing is open"));
 
   watching.save("not C++\n");
   CHECK(contains(watching.until_judged(), "does not compile"));
@@ -115,7 +115,7 @@ TEST_CASE("watch judges at once and after each save, for any way of saving", "[s
   fs::remove(watching.file());  // removed and written anew
   CHECK(contains(watching.until("waiting for it"), "variance.cpp does not exist"));
   watching.save(solution);
-  CHECK(contains(watching.until_judged(), "\n10 of 10 points"));
+  CHECK(contains(watching.until_judged(), "\n12 of 12 points"));
 
   CHECK_FALSE(contains(watching.until(""), "\x1b["));
   CHECK(watching.interrupt() == 0);
@@ -126,8 +126,8 @@ TEST_CASE("a save stops the run in progress, whose verdict is never shown", "[sc
   watching.until(begun);
   watching.save(text_of(read_layout().solutions()));
   const std::string shown = watching.until_judged();
-  check_contains(shown, {"judging starts over", "\n10 of 10 points"});
-  CHECK_FALSE(contains(shown, "\n0 of 10 points"));
+  check_contains(shown, {"judging starts over", "\n12 of 12 points"});
+  CHECK_FALSE(contains(shown, "\n0 of 12 points"));
   CHECK(watching.children().empty());
   CHECK(watching.interrupt() == 0);
 }

@@ -59,8 +59,11 @@ TEST_CASE("a class with every hostile file gives a row for each, and each is rig
   expected["mallory"] = "unreadable ";  // which one counts?
 
   // Texts that make a compiler wait, write, or never end: three and more in a row.
-  for (const std::string file :
-       {"/proc/self/fd/0", "/proc/self/fd/1", "/proc/self/fd/2", "/dev/tty", "/dev/zero"}) {
+  for (const std::string file : {"/proc/self/fd/0", "/proc/self/fd/1", "/proc/self/fd/2"}) {
+    hand_in("reads" + std::to_string(expected.size()), "#include \"" + file + "\"\n" + starter,
+            "judged 0");  // its own input and output: empty
+  }
+  for (const std::string file : {"/dev/tty", "/dev/zero", "/proc/self/environ"}) {
     hand_in("reads" + std::to_string(expected.size()), "#include \"" + file + "\"\n" + starter,
             "no program 0");
   }
@@ -80,7 +83,14 @@ TEST_CASE("a class with every hostile file gives a row for each, and each is rig
   hand_in("right", solution, "judged 100");
 
   const fs::path csv = course.csv();
-  CHECK(outcomes(course.graded({"--seed", "1"})) == expected);
+  const auto compare = [&](const std::map<std::string, std::string>& found) {
+    CHECK(found.size() == expected.size());
+    for (const auto& [id, outcome] : expected) {
+      CAPTURE(id);
+      CHECK(found.at(id) == outcome);
+    }
+  };
+  compare(outcomes(course.graded({"--seed", "1"})));
   // What it prints is bounded, and never a line of the report.
   CHECK(fs::file_size(course.verdict_file("prints")) < (std::size_t{1} << 20));
   const Verdict printing = verdict_from_json(read_text(course.verdict_file("prints")));
@@ -90,7 +100,7 @@ TEST_CASE("a class with every hostile file gives a row for each, and each is rig
   }
   const auto again = course.grade({"--csv", csv, "--resume"});
   CHECK(contains(again.output, "0 judged"));
-  CHECK(outcomes(rows_of(csv)) == expected);
+  compare(outcomes(rows_of(csv)));
 }
 
 TEST_CASE("deep names in a zip are left out") {

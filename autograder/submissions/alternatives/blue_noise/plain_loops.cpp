@@ -1,6 +1,8 @@
 // alternative: 4.2 by three loops, 4.3 by darts at the whole square until 10,000 miss in a row, both
 // of which compare with all points
 // fails: 4.7
+#include <cmath>
+
 #include "blue_noise.hpp"
 #define best_candidate fast_best_candidate  // also in `definition`
 #define poisson_disk fast_poisson_disk
