@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -25,7 +26,7 @@ struct Function {
 MC_FIELDS(Function, g, parameter, scale, offset)
 
 /// The formulas of g; {} is the parameter.
-inline constexpr std::array<std::string_view, 10> function_names{
+inline constexpr std::array<std::string_view, 11> function_names{
     "1",
     "exp(x)",
     "x y",
@@ -35,9 +36,10 @@ inline constexpr std::array<std::string_view, 10> function_names{
     "normal_quantile(x)",
     "x exp(-x)",
     "v w x y z",
-    "min(x^-0.75, {})"};
+    "min(x^-0.75, {})",
+    "(the sum of 40 coordinates)"};
 /// The number of dimensions of each g.
-inline constexpr std::array<std::size_t, 10> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5, 1};
+inline constexpr std::array<std::size_t, 11> dimensions{1, 1, 2, 1, 1, 2, 1, 1, 5, 1, 40};
 
 /// A density for importance sampling: `p` is an index into sampling_names.
 struct Sampling {
@@ -87,13 +89,15 @@ inline double value_of(const Function& function, std::span<const double> x) {
       return x[0] * std::exp(-x[0]);
     case 8:
       return x[0] * x[1] * x[2] * x[3] * x[4];
-    default:
+    case 9:
       return std::min(std::pow(x[0], -0.75), function.parameter);
+    default:
+      return std::accumulate(x.begin(), x.end(), 0.0);
   }
 }
 
 inline Integrand integrand(const Function& function) {
-  if (function.g >= dimensions.size()) throw std::out_of_range("g: must be 0 to 9");
+  if (function.g >= dimensions.size()) throw std::out_of_range("g: must be 0 to 10");
   const std::size_t dims = dimensions[function.g];
   return {dims, [=](std::span<const double> x) {
             if (x.size() != dims) {

@@ -14,6 +14,59 @@ Measured<Estimates> by_pairs(const RectLight& light, std::uint64_t n, std::uint6
   return MEASURE(irradiance_combined, light, n, seed, replicates);
 }
 
+void judge_each_term(Rng& rng);
+void judge_single_pairs(const PlacedLight& placed, Rng& rng);
+
+CHECK_CASE("2.9 irradiance from pairs by the balance heuristic",
+           "[2.9][stretch][main][needs:2.1]") {
+  judge_each_term(rng);
+  const std::uint64_t replicates = 400;
+  const PlacedLight far{{-0.5, 0.5, -0.5, 0.5, uniform(rng, 3, 5), 3}, "far away"};
+  const PlacedLight near{{-4, 4, -4, 4, uniform(rng, 0.4, 0.6), 2}, "large and near"};
+  // Of the far light, 2 % of the directions: 20 of each estimate.
+  for (const auto& [placed, n] :
+       {std::pair{above(rng), 64u}, {aside(rng), 64u}, {far, 1024u}, {near, 64u}}) {
+    const auto got = by_pairs(placed.light, n, rng(), replicates);
+    const Values values = values_of(got.call, got.exactly(replicates, any_number));
+    const Known known = mean_of(of_pair(placed.light), n);
+    const Replicates sample{got.call, values, static_cast<double>(n)};
+    expect_mean(sample, known.exact, known.variance,
+                {"pairs for a light " + placed.where + " have the mean E", alpha},
+                {{{known.exact / 2, half}}, "the term of a direction that misses the light is 0"});
+    expect_variance(sample, known.exact, known.variance, known.kurtosis,
+                    {"pairs for a light " + placed.where + " have their exact variance", alpha},
+                    {{}, "each term is f / (p_area + p_hemisphere), at " + uniform_points});
+  }
+  judge_single_pairs(above(rng), rng);
+  judge_single_pairs(aside(rng), rng);
+}
+
+CHECK_CASE("2.9 pairs know their error", "[2.9][stretch][needs:2.1]") {
+  const RectLight light = above(rng).light;
+  const std::uint64_t three = 3, sets = 20'000;
+  const auto got = by_pairs(light, three, rng(), sets);
+  const Population x = of_pair(light);
+  Values squares;
+  for (const Estimate& one : got.exactly(sets, any_number)) {
+    expect_equal(got.call + ": n", one.n, three, "n counts pairs", "count every pair once");
+    squares.push_back(one.standard_error * one.standard_error * three / x.variance);
+  }
+  expect_mean({got.call + ", n standard_error^2 / variance", squares, three}, 1, x.kurtosis / 3,
+              {"squared standard errors of pairs have the mean variance / n", alpha},
+              {{{3, "this is s, not s / sqrt(n)"},
+                {0.5, "this is s / sqrt(2 n): there are n pairs, and a pair is one value"},
+                {1.5, "this is s / sqrt(n - 1): only s^2 divides by n - 1"},
+                {2. / 3, "s^2 divides by n: divide by n - 1"}},
+               "return s / sqrt(n) of the n values of pairs"});
+}
+
+CHECK_CASE("2.9 one pair and none", "[2.9][stretch][edge][needs:2.1]") {
+  const auto one = by_pairs({}, 1, rng(), 1);
+  expect_nan(one.call + ".standard_error", one.exactly(1, any_number)[0].standard_error,
+             "one value has no spread");
+  expect_refused_by_name({{MEASURE_OUTCOME(irradiance_combined, {}, 0, 1, 1), "n", no_mean}});
+}
+
 /// A light so small that no direction meets it, and one that fills the sky: only one term of a pair
 /// counts, and the estimate does not depend on the random numbers.
 void judge_each_term(Rng& rng) {
@@ -87,56 +140,6 @@ void judge_single_pairs(const PlacedLight& placed, Rng& rng) {
                               {.words = "points of pairs are uniform, light " + placed.where,
                                .rule = uniform_points,
                                .expected = "independent uniform points on the light"});
-}
-
-CHECK_CASE("2.9 irradiance from pairs by the balance heuristic",
-           "[2.9][stretch][main][needs:2.1]") {
-  judge_each_term(rng);
-  const std::uint64_t replicates = 400;
-  const PlacedLight far{{-0.5, 0.5, -0.5, 0.5, uniform(rng, 3, 5), 3}, "far away"};
-  const PlacedLight near{{-4, 4, -4, 4, uniform(rng, 0.4, 0.6), 2}, "large and near"};
-  // Of the far light, 2 % of the directions: 20 of each estimate.
-  for (const auto& [placed, n] :
-       {std::pair{above(rng), 64u}, {aside(rng), 64u}, {far, 1024u}, {near, 64u}}) {
-    const auto got = by_pairs(placed.light, n, rng(), replicates);
-    const Values values = values_of(got.call, got.exactly(replicates, any_number));
-    const Known known = mean_of(of_pair(placed.light), n);
-    const Replicates sample{got.call, values, static_cast<double>(n)};
-    expect_mean(sample, known.exact, known.variance,
-                {"pairs for a light " + placed.where + " have the mean E", alpha},
-                {{{known.exact / 2, half}}, "the term of a direction that misses the light is 0"});
-    expect_variance(sample, known.exact, known.variance, known.kurtosis,
-                    {"pairs for a light " + placed.where + " have their exact variance", alpha},
-                    {{}, "each term is f / (p_area + p_hemisphere), at " + uniform_points});
-  }
-  judge_single_pairs(above(rng), rng);
-  judge_single_pairs(aside(rng), rng);
-}
-
-CHECK_CASE("2.9 pairs know their error", "[2.9][stretch][needs:2.1]") {
-  const RectLight light = above(rng).light;
-  const std::uint64_t three = 3, sets = 20'000;
-  const auto got = by_pairs(light, three, rng(), sets);
-  const Population x = of_pair(light);
-  Values squares;
-  for (const Estimate& one : got.exactly(sets, any_number)) {
-    expect_equal(got.call + ": n", one.n, three, "n counts pairs", "count every pair once");
-    squares.push_back(one.standard_error * one.standard_error * three / x.variance);
-  }
-  expect_mean({got.call + ", n standard_error^2 / variance", squares, three}, 1, x.kurtosis / 3,
-              {"squared standard errors of pairs have the mean variance / n", alpha},
-              {{{3, "this is s, not s / sqrt(n)"},
-                {0.5, "this is s / sqrt(2 n): there are n pairs, and a pair is one value"},
-                {1.5, "this is s / sqrt(n - 1): only s^2 divides by n - 1"},
-                {2. / 3, "s^2 divides by n: divide by n - 1"}},
-               "return s / sqrt(n) of the n values of pairs"});
-}
-
-CHECK_CASE("2.9 one pair and none", "[2.9][stretch][edge][needs:2.1]") {
-  const auto one = by_pairs({}, 1, rng(), 1);
-  expect_nan(one.call + ".standard_error", one.exactly(1, any_number)[0].standard_error,
-             "one value has no spread");
-  expect_refused_by_name({{MEASURE_OUTCOME(irradiance_combined, {}, 0, 1, 1), "n", no_mean}});
 }
 
 }  // namespace

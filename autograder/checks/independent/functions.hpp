@@ -17,13 +17,25 @@ inline const std::string from_rng = "take all random numbers from rng";
 inline const std::string no_mean = "there is no mean of 0 samples";
 
 /// Function::g
-enum : unsigned { constant, exponential, product, step, power, peak, normal, gamma, five };
+enum : unsigned {
+  constant,
+  exponential,
+  product,
+  step,
+  power,
+  peak,
+  normal,
+  gamma,
+  five,
+  clamped,
+  many
+};
 
 /// Sampling::p
 enum : unsigned { by_uniform, by_power, by_exponential, by_holes, by_line };
 
 inline std::size_t dims_of(const Function& g) {
-  return g.g == product || g.g == peak ? 2 : g.g == five ? 5 : 1;
+  return experiments::dimensions.at(g.g);
 }
 
 /// g with a random scale and offset.

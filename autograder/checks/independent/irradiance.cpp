@@ -13,82 +13,9 @@ Measured<Estimates> by_area(const RectLight& light, std::uint64_t n, std::uint64
   return MEASURE(irradiance_area, light, n, seed, replicates);
 }
 
-/// For lights so small that all points have the same value, to ten digits, the estimate does not
-/// depend on the random numbers, and each wrong formula has its own value.
-void judge_formula(Rng& rng) {
-  Results values;
-  for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
-    const RectLight light = light_in({0.3, 0.9}, {-0.9, -0.3}, {1e-11, 2e-11}, {1.2, 1.9}, rng);
-    const double h = light.height, a = area(light), l = light.radiance;
-    const double aside2 = light.x0 * light.x0 + light.y0 * light.y0, d2 = aside2 + h * h;
-    const double d = std::sqrt(d2), exact = a * l * h * h / (d2 * d2);
-    const auto got = by_area(light, n, rng(), 1);
-    values.add(
-        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
-        [=]() -> std::vector<Suspect> {
-          return {{exact * static_cast<double>(n), "this is the sum over the samples: divide by n"},
-                  {exact * d / h, "a cosine is missing: the light is also seen at an angle"},
-                  {exact * d, "the distance is not squared: 1 / distance^2"},
-                  {exact * d2 / (h * h), "both cosines are missing: cos = height / distance"},
-                  {exact * d2, "the distance is missing: 1 / distance^2"},
-                  {exact / d2, "cos · cos = height^2 / distance^2: one distance^2 is too many"},
-                  {exact / a, "the density of points is 1 / area: the area is missing"},
-                  {exact / (a * a), "divide by the density 1 / area: multiply by the area"},
-                  {exact / l, "the radiance is missing"},
-                  {exact / (h * h), "cos = height / distance: the height is missing"},
-                  {exact / pi, "do not divide by pi"},
-                  {exact * pi, "do not multiply by pi: radiance is not integrated over directions"},
-                  {a * l * h * h / (aside2 * aside2), "the squared distance must include height^2"},
-                  {a * l / (h * h),
-                   "this puts the light straight above the receiver: points lie in x0 … x1 and y0 "
-                   "… y1"}};
-        });
-  }
-  values.expect("all points of such a small light give area · radiance · cos · cos / distance^2",
-                "area · radiance · cos(receiver) · cos(light) / distance^2, all over the light");
-}
-
-/// An estimate from one sample is the value at one point: returns the squared distance of each such
-/// point from the point of the light's plane above the receiver.
-Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
-                        std::size_t count) {
-  Values all;
-  for (const double value : values_of(ones.call, ones.exactly(count, any_number))) {
-    all.push_back(square_distance_of(light, value));
-    if (all.back() >= nearest(light) - 1e-9 && all.back() <= farthest(light) + 1e-9) continue;
-    expect_that(false, fmt::format("{} gave {}", ones.call, value),
-                fmt::format("the value at a point of the light: from {:.8g} to {:.8g}",
-                            at_square_distance(light, farthest(light)),
-                            at_square_distance(light, nearest(light))),
-                "an estimate from one sample is the value at one point of the light",
-                "x between x0 and x1, y between y0 and y1");
-  }
-  return all;
-}
-
-/// The position of one point on a light that is a line along x or y, accurate to 40 bits.
-Numbers places_on_a_line(bool along_x) {
-  return {along_x ? "the x of points on a light" : "the y of points on a light", 1,
-          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
-            RectLight line{0.5, 1.5, 0, 1e-17, 1, 1};
-            if (!along_x) line = {0, 1e-17, 0.5, 1.5, 1, 1};
-            const auto got = by_area(line, 1, seed, n * calls);
-            Uniforms places{got.call, 1};
-            places.bits = 40;
-            for (const double square : square_distances(got, line, n * calls)) {
-              places.values.push_back(std::clamp(std::sqrt(square) - 0.5, 0.0, 1 - 0x1p-53));
-            }
-            // A hundredth of the line stays empty once in 10^21 sets of 5,000 points.
-            const auto [least, largest] = std::ranges::minmax(places.values);
-            expect_that(
-                least < 0.01 || largest > 0.99,
-                fmt::format("{}: values of points from {:.3g} to {:.3g} of a light that is a line",
-                            got.call, least, largest),
-                "values of points from one end to the other", "points are uniform on the light",
-                "in the value at a point, the distance and both cosines are those of this point");
-            return places;
-          }};
-}
+void judge_formula(Rng& rng);
+Values square_distances(const Measured<Estimates>& ones, const RectLight& light, std::size_t count);
+Numbers places_on_a_line(bool along_x);
 
 CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:6][needs:2.1][main]") {
   judge_formula(rng);
@@ -132,46 +59,9 @@ Measured<Estimates> by_hemisphere(const RectLight& light, std::uint64_t n, std::
   return MEASURE(irradiance_hemisphere, light, n, seed, replicates);
 }
 
-/// How many of the n directions of each estimate met the light.
 Values directions_met(const Measured<Estimates>& measured, const RectLight& light, std::uint64_t n,
-                      std::uint64_t replicates) {
-  Values all;
-  const double each = pi * light.radiance / static_cast<double>(n);
-  for (const Estimate& one : measured.exactly(replicates, any_number)) {
-    const double met = one.value / each;
-    expect_that(
-        std::abs(met - std::round(met)) < 1e-6 && met > -0.5 && met < static_cast<double>(n) + 0.5,
-        fmt::format("{} gave {}", measured.call, one.value),
-        fmt::format("a multiple of pi · radiance / n = {:.8g}, up to n of it", each),
-        "a direction with density cos / pi contributes pi · radiance or 0",
-        "cos divided by the density cos / pi is pi, for each direction that meets the light");
-    all.push_back(std::round(met));
-  }
-  return all;
-}
-
-/// Every direction meets a light that fills the sky.
-void judge_sky(Rng& rng) {
-  Results values;
-  for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
-    const RectLight sky{-1e15, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 2, 9)};
-    const auto got = by_hemisphere(sky, n, rng(), 1);
-    const double radiance = sky.radiance, exact = pi * radiance;
-    values.add(
-        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-12 * exact,
-        [=]() -> std::vector<Suspect> {
-          return {
-              {exact * static_cast<double>(n), "this is the sum over the directions: divide by n"},
-              {radiance, "a factor pi is missing: radiance · cos, divided by the density cos / pi"},
-              {2 * exact, "2 pi is for uniform directions; these have density cos / pi"},
-              {radiance / pi, "multiply by pi instead of dividing"},
-              {pi, "the radiance is missing"},
-              {0, "no direction meets the light: follow each direction, with z up, to z = height"}};
-        });
-  }
-  values.expect("the light fills the sky: each direction meets it, and gives pi · radiance",
-                "pi · radiance where a direction meets the light");
-}
+                      std::uint64_t replicates);
+void judge_sky(Rng& rng);
 
 CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:6][needs:2.1]") {
   judge_sky(rng);
@@ -301,6 +191,126 @@ CHECK_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
   }
   expect_refused({{MEASURE_OUTCOME(irradiance_area, {}, 0, 1, 1), "n", no_mean},
                   {MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "n", no_mean}});
+}
+
+// What the cases above measure ---------------------------------------------------------------------
+
+/// For lights so small that all points have the same value, to ten digits, the estimate does not
+/// depend on the random numbers, and each wrong formula has its own value.
+void judge_formula(Rng& rng) {
+  Results values;
+  for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
+    const RectLight light = light_in({0.3, 0.9}, {-0.9, -0.3}, {1e-11, 2e-11}, {1.2, 1.9}, rng);
+    const double h = light.height, a = area(light), l = light.radiance;
+    const double aside2 = light.x0 * light.x0 + light.y0 * light.y0, d2 = aside2 + h * h;
+    const double d = std::sqrt(d2), exact = a * l * h * h / (d2 * d2);
+    const auto got = by_area(light, n, rng(), 1);
+    values.add(
+        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
+        [=]() -> std::vector<Suspect> {
+          return {{exact * static_cast<double>(n), "this is the sum over the samples: divide by n"},
+                  {exact * d / h, "a cosine is missing: the light is also seen at an angle"},
+                  {exact * d, "the distance is not squared: 1 / distance^2"},
+                  {exact * d2 / (h * h), "both cosines are missing: cos = height / distance"},
+                  {exact * d2, "the distance is missing: 1 / distance^2"},
+                  {exact / d2, "cos · cos = height^2 / distance^2: one distance^2 is too many"},
+                  {exact / a, "the density of points is 1 / area: the area is missing"},
+                  {exact / (a * a), "divide by the density 1 / area: multiply by the area"},
+                  {exact / l, "the radiance is missing"},
+                  {exact / (h * h), "cos = height / distance: the height is missing"},
+                  {exact / pi, "do not divide by pi"},
+                  {exact * pi, "do not multiply by pi: radiance is not integrated over directions"},
+                  {a * l * h * h / (aside2 * aside2), "the squared distance must include height^2"},
+                  {a * l / (h * h),
+                   "this puts the light straight above the receiver: points lie in x0 … x1 and y0 "
+                   "… y1"}};
+        });
+  }
+  values.expect("all points of such a small light give area · radiance · cos · cos / distance^2",
+                "area · radiance · cos(receiver) · cos(light) / distance^2, all over the light");
+}
+
+/// An estimate from one sample is the value at one point: returns the squared distance of each such
+/// point from the point of the light's plane above the receiver.
+Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
+                        std::size_t count) {
+  Values all;
+  for (const double value : values_of(ones.call, ones.exactly(count, any_number))) {
+    all.push_back(square_distance_of(light, value));
+    if (all.back() >= nearest(light) - 1e-9 && all.back() <= farthest(light) + 1e-9) continue;
+    expect_that(false, fmt::format("{} gave {}", ones.call, value),
+                fmt::format("the value at a point of the light: from {:.8g} to {:.8g}",
+                            at_square_distance(light, farthest(light)),
+                            at_square_distance(light, nearest(light))),
+                "an estimate from one sample is the value at one point of the light",
+                "x between x0 and x1, y between y0 and y1");
+  }
+  return all;
+}
+
+/// The position of one point on a light that is a line along x or y, accurate to 40 bits.
+Numbers places_on_a_line(bool along_x) {
+  return {along_x ? "the x of points on a light" : "the y of points on a light", 1,
+          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+            RectLight line{0.5, 1.5, 0, 1e-17, 1, 1};
+            if (!along_x) line = {0, 1e-17, 0.5, 1.5, 1, 1};
+            const auto got = by_area(line, 1, seed, n * calls);
+            Uniforms places{got.call, 1};
+            places.bits = 40;
+            for (const double square : square_distances(got, line, n * calls)) {
+              places.values.push_back(std::clamp(std::sqrt(square) - 0.5, 0.0, 1 - 0x1p-53));
+            }
+            // A hundredth of the line stays empty once in 10^21 sets of 5,000 points.
+            const auto [least, largest] = std::ranges::minmax(places.values);
+            expect_that(
+                least < 0.01 || largest > 0.99,
+                fmt::format("{}: values of points from {:.3g} to {:.3g} of a light that is a line",
+                            got.call, least, largest),
+                "values of points from one end to the other", "points are uniform on the light",
+                "in the value at a point, the distance and both cosines are those of this point");
+            return places;
+          }};
+}
+
+/// How many of the n directions of each estimate met the light.
+Values directions_met(const Measured<Estimates>& measured, const RectLight& light, std::uint64_t n,
+                      std::uint64_t replicates) {
+  Values all;
+  const double each = pi * light.radiance / static_cast<double>(n);
+  for (const Estimate& one : measured.exactly(replicates, any_number)) {
+    const double met = one.value / each;
+    expect_that(
+        std::abs(met - std::round(met)) < 1e-6 && met > -0.5 && met < static_cast<double>(n) + 0.5,
+        fmt::format("{} gave {}", measured.call, one.value),
+        fmt::format("a multiple of pi · radiance / n = {:.8g}, up to n of it", each),
+        "a direction with density cos / pi contributes pi · radiance or 0",
+        "cos divided by the density cos / pi is pi, for each direction that meets the light");
+    all.push_back(std::round(met));
+  }
+  return all;
+}
+
+/// Every direction meets a light that fills the sky.
+void judge_sky(Rng& rng) {
+  Results values;
+  for (const std::uint64_t n : {64u, 1u, 2u, 1000u}) {
+    const RectLight sky{-1e15, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 2, 9)};
+    const auto got = by_hemisphere(sky, n, rng(), 1);
+    const double radiance = sky.radiance, exact = pi * radiance;
+    values.add(
+        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-12 * exact,
+        [=]() -> std::vector<Suspect> {
+          return {
+              {exact * static_cast<double>(n), "this is the sum over the directions: divide by n"},
+              {radiance, "a factor pi is missing: radiance · cos, divided by the density cos / pi"},
+              {2 * exact, "2 pi is for uniform directions; these have density cos / pi"},
+              {radiance / pi, "multiply by pi instead of dividing"},
+              {pi, "the radiance is missing"},
+              {0, "no direction meets the light: follow each direction, with z up, to z = height"}};
+        });
+  }
+  values.expect("the light fills the sky: each direction meets it, and gives pi · radiance",
+                "pi · radiance where a direction meets the light");
 }
 
 }  // namespace
