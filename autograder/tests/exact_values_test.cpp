@@ -6,6 +6,7 @@
 #include "checks/support/catch.hpp"
 #include "checks/support/exact.hpp"
 #include "checks/support/exact_stratified.hpp"
+#include "checks/support/light_strata.hpp"
 
 using namespace mc;
 using namespace mc::checks;
@@ -60,4 +61,21 @@ TEST_CASE("exact variances of stratified estimates") {
       {variance_of_first(two, 2), stratified_variance(two)},
   };
   for (const auto& one : cases) CHECK(one.got == Approx(one.expected).epsilon(1e-10));
+}
+
+// By quadrature with 48 x 48 nodes per part in long double.
+TEST_CASE("exact variances within the strata of a light") {
+  const RectLight near{}, off_axis{0.25, 1.75, -0.5, 0.5, 0.75, 2}, far{-0.5, 0.5, -0.5, 0.5, 4, 3};
+  const struct {
+    RectLight light;
+    Grid grid;
+    double expected;
+  } cases[] = {{near, {1, 1}, 0.194078193347675},      {near, {3, 2}, 0.0127798491377495},
+               {near, {5, 1}, 0.0086495693603652},     {near, {8, 8}, 0.000166964609450934},
+               {off_axis, {3, 2}, 0.0380052741096373}, {off_axis, {12, 7}, 0.000186315799671413},
+               {far, {1, 1}, 5.68821231534276e-06},    {far, {16, 16}, 4.26021839163041e-10}};
+  for (const auto& [light, grid, expected] : cases) {
+    CHECK(stratified_variance(light_strata(light, grid)) == Approx(expected).epsilon(1e-9));
+  }
+  CHECK(irradiance(off_axis) == Approx(1.03025120834571112).epsilon(1e-14));
 }

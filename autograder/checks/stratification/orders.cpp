@@ -13,13 +13,16 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
     for (const std::size_t value : orders[k]) hash = mix_bits(hash ^ value);
     const auto [first, is_new] = seen.emplace(hash, k);
     if (is_new) continue;
-    fail(
-        Failure{fmt::format("{}: permutations {} and {} of {} are equal, with {} values each",
-                            orders.call, first->second, k, orders.size(), orders.n),
-                "different permutations",
-                fmt::format("two random permutations of {} are equal with probability 1 / {}!",
-                            orders.n, orders.n),
-                "few permutations occur at all: rotations, or a short seed; or " + claim.repeated});
+    const bool is_in_order = std::ranges::is_sorted(orders[k]);
+    fail(Failure{
+        fmt::format("{}: permutations {} and {} of {} are equal, with {} values each", orders.call,
+                    first->second, k, orders.size(), orders.n),
+        "different permutations",
+        fmt::format("two random permutations of {} are equal with probability 1 / {}!", orders.n,
+                    orders.n),
+        is_in_order
+            ? claim.repeated
+            : "few permutations occur at all: rotations, a short seed, or one order for several"});
   }
 }
 

@@ -24,12 +24,15 @@ bool are_undivided(View x, std::size_t strata) {
 
 }  // namespace
 
-void require_in_cube(const std::string& call, const std::string& name, View x, std::size_t strata) {
+void require_in_cube(const std::string& call, const std::string& name, View x, std::size_t strata,
+                     std::size_t other) {
   const auto odd =
       std::ranges::find_if_not(x, [](double value) { return value >= 0 && value < 1; });
   if (odd == x.end()) return;
   const auto at = static_cast<std::size_t>(odd - x.begin());
   const auto is_nan = [](double value) { return std::isnan(value); };
+  const auto is_in_turned_grid = [scale = static_cast<double>(other) / static_cast<double>(strata)](
+                                     double value) { return value >= 0 && value * scale < 1; };
   std::string likely;
   if (std::ranges::all_of(x, is_nan)) {
     likely = "all values are NaN: they were never written, or only added to (+=)";
@@ -39,11 +42,17 @@ void require_in_cube(const std::string& call, const std::string& name, View x, s
     likely = "this value was never written, or is 0/0";
   } else if (*odd == 1) {
     likely = "it was rounded up to 1: keep it below the upper edge of its stratum";
+  } else if (other > 1 && std::ranges::all_of(x, is_in_turned_grid)) {
+    likely =
+        fmt::format("divided by {}, the strata of the other axis: nx and ny are swapped", other);
   } else if (are_undivided(x, strata)) {
     likely = fmt::format("divide by the number of strata, {}", strata);
   }
-  refuse(call, {fmt::format("gave {}[{}] = {}", name, at, *odd),
-                "numbers in [0, 1): the upper faces of the unit cube do not belong to it", likely});
+  refuse(call,
+         {fmt::format("gave {}[{}] = {}", name, at, *odd),
+          *odd == 1 ? "numbers in [0, 1): the upper faces of the unit cube do not belong to it"
+                    : "numbers in [0, 1)",
+          "", likely});
 }
 
 SampleSets sets_from_xy(std::string call, View x, View y, std::span<const std::uint64_t> sizes) {

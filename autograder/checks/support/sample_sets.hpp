@@ -59,9 +59,10 @@ class SampleSets {
 SampleSets sets_from_xy(std::string call, View x, View y, std::span<const std::uint64_t> sizes);
 
 /// Ends the check if a value is not in [0, 1), with a hint: never written, rounded up to 1, not
-/// divided by the number of `strata`. `name` is that of the list.
+/// divided by the number of `strata`, divided by that of the `other` axis. `name` is that of the
+/// list.
 void require_in_cube(const std::string& call, const std::string& name, View x,
-                     std::size_t strata = 1);
+                     std::size_t strata = 1, std::size_t other = 1);
 
 /// From an experiment that returns sets column by column; `strata` along every axis is for hints.
 SampleSets sets_from_columns(const Measured<Values>& got, std::size_t n, std::size_t dims,
@@ -72,8 +73,8 @@ template <class Points>
 SampleSets sets_from_xy(const Measured<Points>& got, Grid grid, std::size_t sets) {
   const std::size_t n = grid.nx * grid.ny;
   const Points& points = got.exactly(n * sets, any_number);
-  require_in_cube(got.call, "x", points.x, grid.nx);
-  require_in_cube(got.call, "y", points.y, grid.ny);
+  require_in_cube(got.call, "x", points.x, grid.nx, grid.ny);
+  require_in_cube(got.call, "y", points.y, grid.ny, grid.nx);
   return sets_from_xy(got.call, points.x, points.y, std::vector<std::uint64_t>(sets, n));
 }
 

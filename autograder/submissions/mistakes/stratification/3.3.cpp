@@ -163,3 +163,15 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
   }
 }
 }  // namespace mc::streams_alike
+
+// mistake: divides the column by ny and the row by nx
+// hint: nx and ny are swapped
+namespace mc::divides_by_the_other_axis {
+void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  require_grid(x, y, grid);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    x[k] = (static_cast<double>(k % grid.nx) + to_unit(rng())) / static_cast<double>(grid.ny);
+    y[k] = (static_cast<double>(k / grid.nx) + to_unit(rng())) / static_cast<double>(grid.nx);
+  }
+}
+}  // namespace mc::divides_by_the_other_axis

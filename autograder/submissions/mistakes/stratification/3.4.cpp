@@ -135,7 +135,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::the_last_one_stays
 
 // mistake: permutes pattern 4 as pattern 1, pattern 5 as pattern 2, …
-// hint: shuffle each one separately
+// hint: one order for several
 namespace mc::three_orders_for_all_patterns {
 void stratified(PointSet& points, Rng& rng) {
   right_stratified(points, rng);

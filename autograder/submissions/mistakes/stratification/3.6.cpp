@@ -42,7 +42,7 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 }  // namespace mc::strata_drawn_with_replacement
 
 // mistake: permutes axis 3 as axis 0, axis 4 as axis 1, …
-// hint: shuffle each one separately
+// hint: one order for several
 namespace mc::three_orders_for_all_axes {
 void latin_hypercube(PointSet& points, Rng& rng) {
   const Rng start(rng());
