@@ -277,9 +277,9 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // is the lowest, sums and products flip all bits at once, each depending on the bits before it,
 // because carries propagate upward (Laine, Karras 2011). One step z -> m z + s with random m and s
 // makes all pairs of decisions independent, so the variance is Owen's; two of them, with a fixed
-// step z -> z ^ z c between, c = 2 mod 4, all triples of the first five bits. The other fixed step
-// helps larger groups (Vegdahl 2021). docs/going-faster.md says why. Vector registers multiply 32
-// bits at a time: a hash of the first 32 flips the other 21, which are zero in Sobol' points.
+// step z -> z ^ z c between, c = 2 mod 4, all threes and fours of the first four bits. The other
+// fixed step helps larger groups (Vegdahl 2021). docs/going-faster.md says why. Vector registers
+// multiply 32 bits at a time: a hash of the first 32 flips the others, which are 0 in Sobol' points.
 
 namespace {
 constexpr std::uint32_t mirrored(std::uint32_t word) {

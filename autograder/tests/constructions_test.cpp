@@ -7,6 +7,7 @@
 #include <bitset>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -110,28 +111,26 @@ TEST_CASE("6.8 uses four of the eight pairs of Sobol' dimensions without empty c
 
 using Scramble = void(std::span<double>, std::uint64_t);
 
-/// The largest correlations |E{product of signs}| of two, three and four of the 15 flips of the
-/// four bits after `before`, by how many are multiplied.
-std::array<double, 5> correlations(Scramble* scramble, double before, int depth,
-                                   std::size_t rounds) {
-  constexpr unsigned bits = 4, decisions = (1u << bits) - 1;
-  std::array<double, 5> largest{};
-  std::vector<double> sums(1u << decisions);  // rounds by decisions; then, transformed, by products
-  for (std::size_t round = 0; round < rounds; ++round) {
-    std::vector<double> column(1u << bits);
-    for (unsigned k = 0; k < column.size(); ++k) column[k] = before + std::ldexp(k, -depth - 4);
-    scramble(column, round);
-    unsigned flips = 0, decision = 0;
-    for (unsigned level = 0; level < bits; ++level) {
-      for (unsigned string = 0; string < 1u << level; ++string, ++decision) {
-        const unsigned k = string << (bits - level);  // the first value after this string
-        const auto scrambled =
-            static_cast<unsigned>(std::fmod(std::ldexp(column[k], depth), 1) * 16);
-        flips |= ((scrambled ^ k) >> (bits - 1 - level) & 1) << decision;
-      }
+/// Of 15 decisions, how often each of the 2^15 combinations of flips occurred.
+constexpr unsigned bits_shown = 4;
+using Histogram = std::vector<double>;
+
+/// The flips that turn each value of four bits into `scrambled(value)`, the first bit the lowest:
+/// one for each string of bits before a bit.
+template <class Scrambled>
+void count(Histogram& histogram, Scrambled scrambled) {
+  unsigned flips = 0, decision = 0;
+  for (unsigned level = 0; level < bits_shown; ++level) {
+    for (unsigned string = 0; string < 1u << level; ++string, ++decision) {
+      flips |= ((scrambled(string) ^ string) >> level & 1) << decision;
     }
-    ++sums[flips];
   }
+  ++histogram[flips];
+}
+
+/// The largest correlations |E{product of signs}| of one, two, three and four flips.
+std::array<double, 5> correlations(Histogram sums) {
+  const double rounds = std::accumulate(sums.begin(), sums.end(), 0.0);
   for (unsigned bit = 1; bit < sums.size(); bit *= 2) {  // Walsh-Hadamard transform
     for (unsigned i = 0; i < sums.size(); ++i) {
       if ((i & bit) != 0) continue;
@@ -140,11 +139,10 @@ std::array<double, 5> correlations(Scramble* scramble, double before, int depth,
       sums[i | bit] = a - b;
     }
   }
+  std::array<double, 5> largest{};
   for (unsigned set = 1; set < sums.size(); ++set) {
-    const int size = std::popcount(set);
-    if (size > 4) continue;
-    double& most = largest[static_cast<unsigned>(size)];
-    most = std::max(most, std::abs(sums[set]) / static_cast<double>(rounds));
+    const auto size = static_cast<unsigned>(std::popcount(set));
+    if (size <= 4) largest[size] = std::max(largest[size], std::abs(sums[set]) / rounds);
   }
   return largest;
 }
@@ -155,10 +153,51 @@ TEST_CASE("5.8 the flips of four bits are independent in pairs, in threes and in
   for (const auto& [before, depth] :
        {std::pair{0.0, 0}, {0.34375, 5}, {0.34375, 30}, {0.625, 40}}) {
     for (const auto scramble : {mc::owen_scramble, definition::owen_scramble}) {
-      const auto largest = correlations(scramble, before, depth, rounds);
-      for (const double correlation : largest) CHECK(correlation < chance);
+      Histogram histogram(1u << 15);
+      for (std::size_t round = 0; round < rounds; ++round) {
+        std::array<double, 16> column{};
+        const auto mirrored = [](unsigned k) {
+          return (k & 1) * 8 + (k & 2) * 2 + k / 4 % 2 * 2 + k / 8;
+        };
+        for (unsigned k = 0; k < 16; ++k) column[k] = before + std::ldexp(mirrored(k), -depth - 4);
+        scramble(column, round);
+        count(histogram, [&, depth = depth](unsigned k) {
+          return mirrored(static_cast<unsigned>(std::fmod(std::ldexp(column[k], depth), 1) * 16));
+        });
+      }
+      for (const double correlation : correlations(histogram)) CHECK(correlation < chance);
     }
   }
+}
+
+/// The correlations over all random numbers modulo 16 of the two random steps.
+template <class Steps>
+std::array<double, 5> exact_correlations(Steps steps) {
+  Histogram histogram(1u << 15);
+  for (std::uint32_t numbers = 0; numbers < 1u << 14; ++numbers) {
+    const std::uint32_t m = numbers << 1 | 1, s = numbers >> 3, n = numbers >> 6 | 1,
+                        t = numbers >> 10;
+    count(histogram, [&](std::uint32_t z) { return steps(z ^ z * 0x3d20adeau, m, s, n, t); });
+  }
+  return correlations(histogram);
+}
+
+TEST_CASE("5.8 what the steps of a hash do to three and to four decisions") {
+  const auto two_steps = [](std::uint32_t c) {
+    return exact_correlations([=](auto z, auto m, auto s, auto n, auto t) {
+      z = z * m + s;
+      return (z ^ z * c) * n + t;
+    });
+  };
+  for (const std::uint32_t c : {0x05526c56u, 2u}) {
+    CHECK(two_steps(c) == std::array{0., 0., 0., 0., 0.});
+  }
+  for (const std::uint32_t c : {4u, 0u}) CHECK(two_steps(c) == std::array{0., 0., 0., 0., 1.});
+  const auto mixed_after = exact_correlations([](auto z, auto m, auto s, auto, auto) {
+    z = z * m + s;
+    return z ^ z * 0x05526c56u;
+  });
+  CHECK(mixed_after == std::array{0., 0., 0., 1., 1.});
 }
 
 /// Mean 0, variance 1.

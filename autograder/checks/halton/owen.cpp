@@ -101,9 +101,9 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][needs:5.8][points:2][edge
 }
 
 /// Any three of the 15 decisions about four bits after the first `depth` bits are independent: the
-/// number of flips among the three is odd for half of all seeds. (A multiplication by a random
-/// number and an addition decide about three bits with five random bits instead of seven. Four of
-/// the eight results of three such decisions never occur.)
+/// number of flips among the three is odd for half of all seeds. (After one multiplication by a
+/// random number and one addition, three bits have five random bits for seven decisions. A fixed
+/// mixing step after it makes some three decisions depend: four of their eight results never occur.)
 void check_triples(int depth, Rng& rng) {
   constexpr std::size_t decisions = 15, seeds = 1500;
   constexpr double alpha = 1e-8 / 455 / 4;  // 455 triples, four depths: |odd - 750| >= 134
@@ -158,7 +158,7 @@ void check_triples(int depth, Rng& rng) {
       {{},
        "pairs of decisions are independent, but not triples: a decision must be random for each "
        "string of bits before. One random multiplication and addition is too little; add a second "
-       "one, with a step of another kind in between"});
+       "one, after the fixed steps"});
 }
 
 CHECK_CASE("5.8 each bit is flipped at random for each string before it",

@@ -111,7 +111,7 @@ CHECK_CASE("5.2 a column has the radical inverses of 0 1 2 and so on",
   for (const unsigned base :
        {3u, 2u, 5u, 16u, 29u, 31u, 131u, 256u, 1021u, 1024u, 1031u, 7919u, 65537u, 4294967295u}) {
     check_column(base, 0, 4096 + rng() % 100, as_single);
-    for (int i = 0; i < 4; ++i) check_column(base, 0, sizes[rng() % sizes.size()], as_single);
+    check_column(base, 0, sizes[rng() % sizes.size()], as_single);
   }
   for (const std::uint64_t count : sizes) check_column(count % 2 == 0 ? 2 : 3, 0, count, as_single);
   check_column(5, 0, 0, "");
@@ -131,7 +131,7 @@ CHECK_CASE("5.2 a column may begin anywhere", "[5.2][stretch][needs:5.1]") {
                  base < 65536 ? small : rule);
     check_column(base, power - 1 - rng() % 300, 1000, rule);  // nine digits change at once
     check_column(base, (rng() >> 20) | (std::uint64_t{1} << 43), 700, rule);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 3; ++i) {
       check_column(base, words[rng() % words.size()], 1 + rng() % 2000, rule);
     }
     check_column(base, last_index - 599, 600, rule);

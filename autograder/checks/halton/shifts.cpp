@@ -22,6 +22,12 @@ bool many_move_alike(View from, View to) {
   return false;
 }
 
+/// Point i moved by the same vector as point 0, modulo 1, to a place in the unit cube.
+bool moves_alike(View from, View to, std::size_t i) {
+  const double shift = to[0] - from[0], off = std::remainder(to[i] - from[i] - shift, 1.0);
+  return to[i] >= 0 && to[i] < 1 && std::abs(off) <= shift_tolerance;
+}
+
 /// The shifts of `times` copies of the points: one for all points of an axis, modulo 1.
 Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, std::uint64_t seed) {
   const std::size_t n = points.size() / dims;
@@ -33,18 +39,9 @@ Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, st
     const View from = View(points).subspan(k % dims * n, n), to = got.subspan(k * n, n);
     const double shift = wrapped(to[0] - from[0]);
     for (std::size_t i = 0; i < n; ++i) {
+      if (moves_alike(from, to, i)) continue;
       const bool inside = to[i] >= 0 && to[i] < 1;
-      const double off = std::abs(std::remainder(to[i] - from[i] - shift, 1.0));
-      if (inside && off <= shift_tolerance) continue;
-      expect_that(
-          false,
-          fmt::format(
-              "{}: coordinate {} of point {} went from {:.6g} to {:.17g}{}", measured.call,
-              k % dims, i, from[i], to[i],
-              i == 0 ? ""
-                     : fmt::format(", that of point 0 from {:.6g} to {:.17g}", from[0], to[0])),
-          "all points move by the same vector, modulo 1",
-          "the differences of points do not change, modulo 1",
+      const std::string rule =
           inside && to[i] > 1 - 1e-6   ? "wrap around at 1, not earlier"
           : inside && to[i] == from[i] ? "this point did not move: shift all points of an axis"
           : inside && many_move_alike(from, to)
@@ -53,7 +50,21 @@ Uniforms shifts_of(const Values& points, std::size_t dims, std::size_t times, st
           : to[i] == 1 ? "it was rounded up to 1: subtract 1 if the sum is 1"
           : to[i] > 1
               ? "it is outside [0, 1): subtract 1 if the sum is 1 or more"
-              : "it is outside [0, 1): add the shift, and subtract 1 if the sum is 1 or more");
+              : "it is outside [0, 1): add the shift, and subtract 1 if the sum is 1 or more";
+      const Values pair{from[0], from[i]};  // most often they fail alone: easier to repeat
+      const auto alone = MEASURE(random_shift, pair, 1, 1, seed);
+      const View moved = alone.exactly(2, any_number);
+      const bool is_pair = !moves_alike(pair, moved, 1);
+      const View before = is_pair ? View(pair) : from, after = is_pair ? moved : to;
+      const std::size_t at = is_pair ? 1 : i;
+      expect_that(
+          false,
+          fmt::format("{}: coordinate {} of point {} went from {:.6g} to {:.17g}, that of point 0 "
+                      "from {:.6g} to {:.17g}",
+                      is_pair ? alone.call : measured.call, is_pair ? 0 : k % dims, at, before[at],
+                      after[at], before[0], after[0]),
+          "all points move by the same vector, modulo 1",
+          "the differences of points do not change, modulo 1", rule);
     }
     shifts.values.push_back(std::min(shift, 1 - half_ulp));
   }
