@@ -33,10 +33,10 @@ std::string likely_of(const std::string& kind, const Uses& uses, Rng& rng) {
 
 /// Each of the first coordinates is another dimension of the sequence, in its order: seven, since a
 /// block of eight may leave half of a pair unused. The smallest number of samples that fails is
-/// reported.
+/// reported; of Halton's dimensions only many samples tell large primes from others.
 void check_sequence(const std::string& kind, Rng& rng) {
   for (const std::size_t n : {1u, 2u, 3u, 7u, 16u, 61u, 64u, 1025u}) {
-    for (const Uses& way : n == 1025 ? std::vector<Uses>{ways[0]} : ways) {
+    for (const Uses& way : ways) {
       const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, way);
       if (first_round(kind, got, way).size() >= 7) continue;
       expect_that(

@@ -70,6 +70,17 @@ void apart(const SampleDimension& dim, std::span<double> x, std::span<double> y,
 MAKE_SAMPLER(make_wrong<apart, nullptr>("sobol", kind))
 }  // namespace mc::dimensions_counted_apart
 
+// mistake: starts both next() and next2() with base 2
+// hint: with one counter for both
+namespace mc::primes_counted_apart {
+void apart(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  const std::size_t place = (y.empty() ? dim.number : 2 * dim.number) % joe_kuo.size();
+  dimensions_of<fill_halton>({dim.number, place, {}, {}, dim.tables}, x, y, rng);
+}
+
+MAKE_SAMPLER(make_wrong<apart, nullptr>("halton", kind))
+}  // namespace mc::primes_counted_apart
+
 // mistake: does not permute the digits of the Halton sequence
 // hint: an unscrambled sequence begins at the origin
 namespace mc::halton_as_it_is {
