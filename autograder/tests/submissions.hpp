@@ -100,6 +100,7 @@ inline void zip_content(const ZipFiles& files) {
     names.insert(entry.path().filename().string());
   }
   command.insert(command.end(), names.begin(), names.end());
+  // In the locale C, CMake finds no file whose name is not ASCII.
   REQUIRE_RUN(run, sandbox::run_process(command, {.directory = files.directory,
                                                   .environment = {{"LC_ALL", "C.UTF-8"}}}));
 }

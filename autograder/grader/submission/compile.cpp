@@ -125,15 +125,36 @@ sandbox::ProcessOptions compiler_limits(const fs::path& directory) {
   return options;
 }
 
+std::string lowered_limit_of(const sandbox::ProcessOptions& limits) {
+  return sandbox::lowered_limit(limits.cpu_seconds, limits.memory, limits.file_size);
+}
+
 /// Compilers run as a separate user when the judge is root.
 constexpr uid_t compiler_user = 65533;
 
-/// Can other users enter the directory? Not if one above it is closed to them.
-bool is_open(const fs::path& directory) {
-  for (fs::path at = fs::canonical(directory); at != at.root_path(); at = at.parent_path()) {
-    if ((fs::status(at).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
+/// Can other users read the file, or the directory? Not below a directory that is closed to them.
+bool is_open(const fs::path& file) {
+  fs::perms needed = fs::perms::others_read;
+  for (fs::path at = fs::canonical(file); at != at.root_path(); at = at.parent_path()) {
+    if ((fs::status(at).permissions() & needed) == fs::perms::none) return false;
+    needed = fs::perms::others_exec;
   }
   return true;
+}
+
+/// The user that runs the step, who then owns its directory; 0 for the user of the judge.
+uid_t user_of(const Step& step) {
+  if (!sandbox::may_become(compiler_user) || !is_open(standard_headers(step.layout)) ||
+      !is_open(step.layout.labs() / "runner" / "standard_headers.hpp") ||
+      !is_open(step.directory.parent_path())) {
+    return 0;
+  }
+  std::vector<fs::path> own{step.directory};
+  for (const auto& file : fs::directory_iterator(step.directory)) own.push_back(file.path());
+  for (const fs::path& one : own) {
+    if (lchown(one.c_str(), compiler_user, compiler_user) != 0) return 0;
+  }
+  return compiler_user;
 }
 
 sandbox::Places places_of(const Step& step) {
@@ -147,11 +168,7 @@ sandbox::ProcessResult run_confined(const Step& step) {
   sandbox::ProcessOptions options = compiler_limits(step.directory);
   const sandbox::Places places = places_of(step);
   options.places = &places;
-  if (sandbox::may_become(compiler_user) && is_open(step.layout.labs()) &&
-      is_open(step.directory.parent_path()) &&
-      chown(step.directory.c_str(), compiler_user, compiler_user) == 0) {
-    options.user = compiler_user;
-  }
+  options.user = user_of(step);
   return sandbox::run_process(step.command, options);
 }
 
@@ -179,7 +196,8 @@ std::string failure_of(const Unit& unit, const std::string& text, const fs::path
                        const std::string& errors) {
   const std::string name = unit.lab.file();
   // The assembler quotes files that .include reads.
-  if (errors.find("Assembler messages:") != std::string::npos) {
+  if (errors.find("Assembler messages:") != std::string::npos ||  // of GNU as, of clang
+      errors.find("<inline asm>:") != std::string::npos) {
     return fmt::format("The assembler rejects an asm statement in {}.", name);
   }
   const std::string shown = without_places(unit.layout, directory, errors);
@@ -298,6 +316,8 @@ void precompile_headers(const Layout& layout) {
 void require(const Step& step) {
   const auto run = run_confined(step);
   if (run.succeeded()) return;
+  const std::string low = lowered_limit_of(compiler_limits(step.directory));
+  if (!low.empty()) throw MachineError(low);
   const std::string why = without_places(step.layout, step.directory, run.errors);
   throw MachineError(
       fmt::format("the compiler fails on any file here: {}",
@@ -354,8 +374,7 @@ StepResult run_step(const Step& step, const std::function<void()>& probe,
   for (const bool is_last : {false, true}) {
     if (run.result.succeeded()) break;
     run.stopped = stopped(run.result, limits);
-    const std::string low =
-        sandbox::lowered_limit(limits.cpu_seconds, limits.memory, limits.file_size);
+    const std::string low = lowered_limit_of(limits);
     if (!run.stopped.empty() && !low.empty()) throw MachineError(low);
     const auto start = std::chrono::steady_clock::now();
     probe();

@@ -93,6 +93,8 @@ std::string identity_of_compiler(const Layout& layout) {
                                      fs::last_write_time(real).time_since_epoch().count());
   for (const auto& [name, value] : sandbox::fixed_environment()) identity += ' ' + value;
   for (const auto& [name, value] : compiler_environment({})) identity += ' ' + value;
+  // What was compiled without confinement may hold any file of that machine.
+  identity += sandbox::places_are_enforced() ? " confined" : " not confined";
   return identity;
 }
 

@@ -67,6 +67,11 @@ TEST_CASE("a class with every hostile file gives a row for each, and each is rig
     hand_in("reads" + std::to_string(expected.size()), "#include \"" + file + "\"\n" + starter,
             "no program 0");
   }
+  // The compiler's own input and output have nothing in them, and an end.
+  for (const char* descriptor : {"0", "1", "2"}) {
+    hand_in(std::string("reads_own") + descriptor,
+            std::string("#include \"/proc/self/fd/") + descriptor + "\"\n" + starter, "judged 0");
+  }
   hand_in("deep", "template <int n> struct A : A<n + 1> {}; A<0> a;\n" + starter, "no program 0");
   hand_in("wide", "#define A(x) x x x x x x x x\nint a[] = {A(A(A(A(A(A(A(A(A(A(1,))))))))))};\n",
           "no program 0");
