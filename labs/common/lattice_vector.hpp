@@ -15,8 +15,8 @@ namespace mc {
 ///     e^2 = -1 + 1/N sum_i prod_d (1 + w(x_id) / 20),   w(x) = 2 pi^2 (x^2 - x + 1/6).
 ///
 /// An odd prime has no divisor in common with N, so the coordinates along each axis are all
-/// multiples of 1/N. With so few candidates the search takes half a second; `./lab bench halton
-/// --tables` repeats it. (Nuyens, Cools 2006 search all integers by means of the fast Fourier
+/// multiples of 1/N. With so few candidates the search takes half a second; it is in
+/// autograder/tests/lattice_search.hpp. (Nuyens, Cools 2006 search all integers by means of the fast Fourier
 /// transform.)
 inline constexpr std::array<std::uint64_t, 16> lattice_vector{
     1,     60259, 61211, 63059, 64151, 60703, 61751, 64817,

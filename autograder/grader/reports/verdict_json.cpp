@@ -22,11 +22,10 @@ namespace mc::grader {
 using Json = nlohmann::ordered_json;
 
 /// Increment when the content of a verdict changes: older ones are then judged again.
-constexpr int verdict_format = 2;
+constexpr int verdict_format = 3;
 
 /// Keys that verdicts of version 1.0 lack.
-constexpr std::string_view newer_keys[] = {"delivery", "hours", "on_reference", "is_estimate",
-                                           "addition"};
+constexpr std::string_view newer_keys[] = {"delivery", "hours", "on_reference"};
 
 /// In the order of Status.
 constexpr std::string_view status_names[] = {"passed",  "failed",  "not written", "withheld",
@@ -71,13 +70,11 @@ template <class Field>
 void fields(Speed& speed, Field field) {
   field("name", speed.name);
   field("nanoseconds", speed.nanoseconds);
-  field("reference", speed.reference);
-  field("is_estimate", speed.is_estimate);
+  field("plain", speed.plain);
+  field("noise", speed.noise);
   field("error", speed.error);
-  field("reference_error", speed.reference_error);
   field("points", speed.points);
   field("integrand", speed.integrand);
-  field("addition", speed.addition);
 }
 
 template <class Field>
