@@ -114,3 +114,8 @@ for picture in motion stripes; do
   ./lab render "$picture" solutions >/dev/null
   cp "$build/render/$picture-samples.png" "labs/6-sampler/pictures/$picture.png"
 done
+
+# Text in pictures: no single gray has a contrast of 4.5:1 on white and on dark pages.
+for picture in labs/*/pictures/*.svg; do
+  grep -q '<style>' "$picture" || sed -i '0,/<title>/s//<style>text { fill: #656d76 } @media (prefers-color-scheme: dark) { text { fill: #9198a1 } }<\/style>\n<title>/' "$picture"
+done
