@@ -35,7 +35,7 @@ function(own_target target)
 endfunction()
 
 # in_parts(<target> <files>): compiles that many files together, so that one compiler takes at most
-# 500 MB (autograder/bench/limits.sh).
+# 500 MB.
 function(in_parts target files)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()

@@ -43,9 +43,11 @@ test_of(grader 100 grader_tests "~[script]~[.]")
 test_of(script 100 grader_tests "[script]~[.]")
 test_of(repository 5 self_test repository)
 # Not in --quick: tests that build a checkout or measure, and those as long as all others together.
-foreach(tag checkout handout gradescope interrupted machine class numbers demo sanitizers)
+foreach(tag checkout handout gradescope interrupted machine class demo sanitizers)
   test_of(${tag} 95 grader_tests "[${tag}]")
 endforeach()
+test_of(numbers 95 ${CMAKE_COMMAND} -E env MC_BUILD=${CMAKE_BINARY_DIR} MC_NO_BUILD=1
+  sh docs/refresh.sh --check)
 test_of(slurm 97 sh autograder/tests/slurm.sh ${CMAKE_BINARY_DIR})  # skipped without Slurm
 set(quick grader script repository)
 foreach(name ${quick})

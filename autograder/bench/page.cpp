@@ -8,11 +8,18 @@
 #include <fmt/ranges.h>
 
 #include "bench/bench.hpp"
-#include "bench/markdown.hpp"
 #include "grader/base/replace.hpp"
+#include "measurements/support/markdown.hpp"
 
 namespace mc::grader {
 namespace {
+
+using protocol::Comparison;
+using protocol::Row;
+using Names = std::vector<std::string>;
+
+/// Errors this close are equal: four standard errors (bench/ratios/samplers.cpp).
+constexpr double noise = 1.05;
 
 /// "0.83 µs", "12 ms"
 std::string duration(double seconds) {
@@ -20,8 +27,12 @@ std::string duration(double seconds) {
       {1e-9, "ns"}, {1e-6, "µs"}, {1e-3, "ms"}, {1, "s"}};
   const auto* unit = units;
   while (unit + 1 != std::end(units) && seconds >= 999.5 * unit->first) ++unit;
-  const double value = seconds / unit->first;
-  return fmt::format("{:.{}f} {}", value, value < 10 ? 2 : value < 100 ? 1 : 0, unit->second);
+  return two_digits(seconds / unit->first) + ' ' + unit->second;
+}
+
+std::string number(double value) {
+  if (std::isnan(value)) return "";
+  return value < 9999.5 ? two_digits(value) : fmt::format("{:.0e}", value);
 }
 
 std::string reached(const Curve* curve, double target) {
@@ -32,233 +43,242 @@ std::string reached(const Curve* curve, double target) {
   return (when->how == TimeToTarget::or_less ? "≤ " : "") + duration(when->seconds);
 }
 
-/// Two significant digits.
-std::string shown_number(double value) {
-  if (std::isnan(value)) return "";
-  if (value >= 9999.5) return fmt::format("{:.1e}", value);
-  if (value >= 99.5) return fmt::format("{:.0f}", value);
-  return fmt::format("{:.{}f}", value, value >= 9.95 ? 0 : value >= 0.995 ? 1 : 2);
-}
-
-std::string whose(const std::string& submission) {
-  return submission == "solutions" ? "these labs" : submission;
-}
-
-const Curve* find(const std::vector<Curve>& curves, const std::string& submission,
-                  const std::string& what, const std::string& on) {
-  for (const Curve& curve : curves) {
-    if (curve.submission == submission && curve.what == what && curve.on == on) return &curve;
-  }
-  return nullptr;
-}
-
-/// The point at 4,096 samples, or the last one before.
-const Curve::Point* at_4096(const Curve* curve) {
+/// The point with n samples; or with the most below, if there is none.
+const Curve::Point* at(const Curve* curve, double n) {
   const Curve::Point* best = nullptr;
   for (std::size_t i = 0; curve != nullptr && i < curve->points.size(); ++i) {
-    if (curve->points[i].n <= 4500) best = &curve->points[i];  // Poisson disks only come close
+    if (curve->points[i].n <= 1.1 * n) best = &curve->points[i];  // Poisson disks come close
   }
   return best;
 }
-
-/// Its error, and its N if that is not 4,096.
-std::string error_of(const Curve::Point& point, bool with_standard_error) {
-  std::string text = fmt::format("{:.1e}", point.rmse);
-  if (with_standard_error) text += fmt::format(" ± {:.0e}", point.error);
-  if (point.n < 4000) text += fmt::format(" (N = {:.0f})", point.n);
-  return text;
+double error_at(const std::vector<Curve>& curves, const std::string& method,
+                const std::string& integrand, double n) {
+  const Curve::Point* const point = at(find_curve(curves, method, integrand), n);
+  return point == nullptr || point->n != n ? protocol::unknown : point->rmse;
 }
 
-/// A sampler's row in the one-minute table, from any lab.
-struct Line {
-  const Curve *plane, *edge, *four;
-};
+/// The values of a field of all curves, in their order.
+Names all_of(const std::vector<Curve>& curves, std::string Curve::*field) {
+  Names names;
+  for (const Curve& curve : curves) enlist(names, curve.*field);
+  return names;
+}
 
-std::vector<Line> lines_of(const std::vector<Curve>& curves) {
-  std::vector<Line> lines;
-  for (const Curve& curve : curves) {
-    if (curve.on != "smooth 2D") continue;
-    // Jittered points of four dimensions are padded ones.
-    const std::string many = curve.what == "jittered" ? "jittered, padded" : curve.what;
-    lines.push_back({&curve, find(curves, curve.submission, curve.what, "edge 2D"),
-                     find(curves, curve.submission, many, "smooth 4D")});
+const Names ours{"independent", "stratified", "blue_noise", "halton", "sobol", "lattice"};
+bool is_ours(const std::string& sampler) {
+  return std::ranges::find(ours, sampler) != ours.end();
+}
+
+/// The errors of all samplers on a function in the time that `sobol` takes for n samples, if each
+/// sample takes `more` nanoseconds more.
+struct Race {
+  double seconds = protocol::unknown;
+  std::vector<std::pair<std::string, double>> errors{};  ///< NaN: not even one sample fits
+  /// The least error of the samplers that are `among`, and the samplers that have it.
+  template <class Among>
+  std::pair<double, Names> best(Among among) const {
+    double least = INFINITY;
+    for (const auto& [name, error] : errors) {
+      if (among(name)) least = std::fmin(least, error);
+    }
+    Names names;
+    for (const auto& [name, error] : errors) {
+      if (among(name) && error <= noise * least) names.push_back(name);
+    }
+    return {least, names};
   }
-  const auto key = [](const Line& line) {
-    const auto when = time_to(*line.plane, 1e-3);
-    return when ? when->seconds : 1e9 * line.plane->points.back().rmse;
-  };
-  std::stable_sort(lines.begin(), lines.end(),
-                   [&](const Line& a, const Line& b) { return key(a) < key(b); });
-  return lines;
+};
+Race race(std::vector<Curve> curves, const std::string& function, double n, double more) {
+  for (Curve& curve : curves) {
+    for (auto& point : curve.points) point.ns += more;
+  }
+  const Curve::Point* const sobol = at(find_curve(curves, "sobol", function), n);
+  Race all;
+  if (sobol == nullptr) return all;
+  all.seconds = sobol->seconds();
+  for (const Curve& curve : curves) {
+    if (curve.integrand != function) continue;
+    all.errors.emplace_back(
+        curve.method, curve.method == "sobol" ? sobol->rmse : error_within(curve, all.seconds));
+  }
+  return all;
+}
+constexpr double race_sizes[] = {4, 16, 64};
+
+/// What the samples of a renderer may cost at least.
+constexpr double tracing = 100;
+
+std::string which_sampler(const Bench& bench) {
+  const auto curves = curves_of(bench.samplers);
+  Markdown table("scene");
+  for (const std::string& function : all_of(curves, &Curve::integrand)) {
+    std::string times;
+    for (const double n : race_sizes) {
+      const Race one = race(curves, function, n, tracing);
+      const auto [least, first] = one.best([](auto&) { return true; });
+      const auto [error, own] = one.best(is_ours);
+      std::string& cell = table.cell(function, fmt::format("N = {}", n));
+      cell = fmt::format("{} {}", fmt::join(own, ", "), two_digits(error));
+      if (error > noise * least) {
+        cell += fmt::format(" ({} {})", fmt::join(first, ", "), two_digits(least));
+      }
+      times += (times.empty() ? "" : ", ") + number(one.seconds * 1e6);
+    }
+    table.cell(function, "µs") = times;
+  }
+  return table.text();
 }
 
-std::string one_minute(const Bench& bench) {
-  const auto curves = curves_of(bench);
-  Markdown table{{"sampler", "by", "ns per sample", "error", "smooth 2D to $10^{-3}$",
-                  "edge 2D to $10^{-3}$", "smooth 4D to $10^{-3}$", "efficiency"},
-                 2};
-  for (const Line& line : lines_of(curves)) {
-    const Curve::Point* const point = at_4096(line.plane);
+std::string equal_time(const Bench& bench) {
+  const auto curves = curves_of(bench.samplers);
+  Markdown table("scene, N of `sobol`");
+  for (const std::string& function : all_of(curves, &Curve::integrand)) {
+    for (const double n : race_sizes) {
+      const Race one = race(curves, function, n, 0);
+      const auto [least, first] = one.best([](auto&) { return true; });
+      for (const auto& [name, error] : one.errors) {
+        const bool wins = std::ranges::find(first, name) != first.end();
+        table.cell(fmt::format("{}, {}", function, n), name) =
+            wins ? "**" + number(error) + "**" : number(error);
+      }
+    }
+  }
+  return table.text();
+}
+
+/// Rows are functions and numbers of samples; the last column is the error of the best of the others
+/// by that of the first.
+std::string equal_samples(const std::vector<Curve>& curves, const Names& functions,
+                          const std::vector<double>& sizes, const Names& samplers,
+                          const std::string& last) {
+  Markdown table("scene, N");
+  for (const std::string& function : functions) {
+    for (const double n : sizes) {
+      const std::string row = fmt::format("{}, {}", function, n);
+      double others = INFINITY;
+      for (const std::string& sampler : samplers) {
+        const double error = error_at(curves, sampler, function, n);
+        table.cell(row, sampler) = number(error);
+        if (sampler != samplers[0]) others = std::fmin(others, error);
+      }
+      table.cell(row, last) = number(others / error_at(curves, samplers[0], function, n));
+    }
+  }
+  return table.text();
+}
+
+std::string one_minute(const std::vector<Curve>& curves) {
+  std::vector<std::pair<double, const Curve*>> order;
+  for (const Curve& curve : curves) {
+    if (curve.integrand != "smooth 2D" || at(&curve, 4096) == nullptr) continue;
+    const auto when = time_to(curve, 1e-3);
+    order.emplace_back(when ? when->seconds : 1e9 * curve.points.back().rmse, &curve);
+  }
+  std::ranges::stable_sort(order, {}, [](const auto& one) { return one.first; });
+  Markdown table("sampler");
+  for (const auto& [key, plane] : order) {
+    const Curve::Point& point = *at(plane, 4096);
+    // Jittered points of four dimensions are padded ones.
+    const std::string padded =
+        "jittered, padded" +
+        plane->method.substr(plane->method.starts_with("jittered") ? 8 : plane->method.size());
+    const std::string many = plane->method.starts_with("jittered") ? padded : plane->method;
+    const auto cell = [&, row = plane->method](const char* column) -> std::string& {
+      return table.cell(row, column);
+    };
+    cell("ns per sample") = number(point.ns);
+    cell("smooth 2D to $10^{-3}$") = reached(plane, 1e-3);
+    cell("edge 2D to $10^{-3}$") = reached(find_curve(curves, plane->method, "edge 2D"), 1e-3);
+    cell("smooth 4D to $10^{-3}$") = reached(find_curve(curves, many, "smooth 4D"), 1e-3);
+    cell("efficiency") = number(efficiency(curves, *plane, point));
+  }
+  return table.text();
+}
+
+/// The errors at 4,096 samples, or the most below.
+std::string errors(const std::vector<Curve>& curves) {
+  Markdown table("sampler");
+  for (const Curve& curve : curves) {
+    const Curve::Point* const point = at(&curve, 4096);
     if (point == nullptr) continue;
-    table.rows.push_back({line.plane->what, whose(line.plane->submission),
-                          shown_number(point->sample), error_of(*point, false),
-                          reached(line.plane, 1e-3), reached(line.edge, 1e-3),
-                          reached(line.four, 1e-3), shown_number(point->efficiency)});
+    table.cell(curve.method, curve.integrand) =
+        number(point->rmse) + (point->n < 4000 ? fmt::format(" (N = {})", point->n) : "");
   }
   return table.text();
 }
 
 std::string ratios(const Bench& bench) {
-  Markdown table{{"what", "against", "ns", "ns of the other", "ratio", "wanted",
-                  "ratio without AVX2", "AVX2 buys"},
-                 2};
-  for (const Ratio& one : bench.ratios) {
-    std::string without, buys;
-    for (const Ratio& other : bench.baseline) {
-      if (other.name != one.name || other.against != one.against) continue;
-      without = shown_number(other.ratio);
-      buys = fmt::format("× {:.1f}", other.ours / one.ours);
+  Markdown table("what");
+  for (const Comparison& one : bench.ratios) {
+    const auto cell = [&, row = one.task + ", against " + one.against](
+                          const char* column) -> std::string& { return table.cell(row, column); };
+    cell("ns") = fmt::format("{:.2f}", one.ns);
+    cell("of the other") = fmt::format("{:.2f}", one.other);
+    cell("ratio") = number(one.ratio);
+    cell("range") = number(one.low) + " to " + number(one.high);
+    for (const Comparison& other : bench.baseline) {
+      if (other.task != one.task || other.against != one.against) continue;
+      cell("without AVX2") = number(other.ratio);
     }
-    table.rows.push_back({one.name, one.against, fmt::format("{:.2f}", one.ours),
-                          fmt::format("{:.2f}", one.other), shown_number(one.ratio),
-                          one.wanted > 0 ? fmt::format("≥ {:g}", one.wanted) : "", without, buys});
   }
   return table.text();
 }
 
-std::string tables_of_times(const Bench& bench) {
-  const auto curves = curves_of(bench);
-  std::vector<std::string> integrands;
-  for (const Curve& curve : curves) enlist(integrands, curve.on);
-  std::string all;
-  for (const std::string& on : integrands) {
-    double cost = 0;
-    Markdown table{{"sampler", "by", "ns per sample", "RMSE at 4096", "to $10^{-2}$", "$10^{-3}$",
-                    "$10^{-4}$", "$10^{-5}$", "$10^{-6}$", "efficiency"},
-                   2};
-    for (const Curve& curve : curves) {
-      const Curve::Point* const point = at_4096(&curve);
-      if (curve.on != on || point == nullptr) continue;
-      cost = point->integrand;
-      table.rows.push_back({curve.what, whose(curve.submission), shown_number(point->sample),
-                            error_of(*point, true)});
-      for (int digits = 2; digits <= 6; ++digits) {
-        table.rows.back().push_back(reached(&curve, std::pow(10, -digits)));
-      }
-      table.rows.back().push_back(shown_number(point->efficiency));
-    }
-    all +=
-        fmt::format("### {}\n\n{}\n\n{}\n", on,
-                    cost > 0 ? fmt::format("The integrand itself takes {} ns.", shown_number(cost))
-                             : "The integrand is part of the sample.",
-                    table.text());
-  }
-  return all;
-}
-
+/// Ways to a variance: correct decimal digits, and nanoseconds per value.
 std::string variances(const Bench& bench) {
-  Markdown table{{"way", "by", "ns, in cache", "ns, out of it"}, 2};
-  std::vector<std::string> names;
-  for (const BenchRow& row : bench.of("digits")) {
-    const std::size_t y = enlist(names, row.what + '\n' + row.submission);
-    if (y == table.rows.size()) {
-      const auto time = [&](const char* where, std::uint64_t n) {
-        return shown_number(time_of(bench, row.submission, row.what, where, n));
-      };
-      table.rows.push_back({row.what, whose(row.submission), time("in cache", 4096),
-                            time("out of cache", std::uint64_t{1} << 23)});
-    }
-    table.cell(y, row.on) = fmt::format("{:.1f}", row.value);
+  Markdown table("way");
+  for (const Row& row : bench.rows) {
+    if (row.lab != "variance") continue;
+    table.cell(row.method, std::isnan(row.rmse) ? "ns, " + row.integrand : row.integrand) =
+        std::isnan(row.rmse) ? number(row.ns)
+                             : fmt::format("{:.1f}", std::fabs(std::log10(row.rmse)));
   }
   return table.text();
 }
 
-std::string libraries(const Bench& bench) {
-  Markdown table{{"library", "lab", "what of it", "fails", "because"}, 5};
-  for (const Peer& peer : bench.peers) {
-    const std::vector<std::string> start{
-        peer.library + (peer.installed ? "" : " (not installed here)"), peer.lab, peer.what};
-    const auto add = [&](const std::string& fails, const std::string& because) {
-      table.rows.push_back(start);
-      table.rows.back().insert(table.rows.back().end(), {fails, because});
-    };
-    if (peer.failures.empty()) add("nothing", "");
-    for (const Peer::Failure& failure : peer.failures) {
-      add(fmt::format("{}", fmt::join(failure.checks, "; ")), failure.because);
-    }
-  }
-  return table.text();
-}
-
-std::string growth(const Bench& bench) {
-  struct Series {
-    BenchRow first;
-    std::vector<std::pair<double, double>> times{}, bytes{};  // over n, or over dims
-  };
-  std::vector<std::string> names;
-  std::vector<Series> all;
-  for (const BenchRow& row : bench.rows) {
-    if (row.kind != "growth" && row.kind != "memory") continue;
-    const bool over_n = row.on == "n";
-    const std::size_t place = enlist(
-        names, fmt::format("{}|{}|{}|{}", row.submission, row.what, row.on, over_n ? row.dims : 0));
-    if (place == all.size()) all.push_back({row});
-    (row.kind == "growth" ? all[place].times : all[place].bytes)
-        .emplace_back(static_cast<double>(over_n ? row.n : row.dims), row.value);
-  }
-  Markdown table{
-      {"what", "over", "from", "to", "time grows as", "memory as", "ns at the largest", "bytes"},
-      2};
-  const auto shown = [](const std::optional<Exponent>& exponent, const char* of) {
-    return exponent ? fmt::format("{}^({:.2f} ± {:.2f})", of, exponent->slope, exponent->error)
-                    : std::string();
-  };
-  for (auto& [row, times, bytes] : all) {
-    const bool over_n = row.on == "n";
-    std::sort(times.begin(), times.end());
-    std::sort(bytes.begin(), bytes.end());
-    // Without the program's own memory; the remainder is noise.
-    for (std::size_t i = bytes.size(); i-- > 0;) bytes[i].second -= bytes[0].second;
-    std::erase_if(bytes, [](const auto& point) { return point.second < 5e5; });
-    const auto [largest, seconds] = times.back();
-    const double items = largest * static_cast<double>(over_n ? row.dims : row.n);
-    table.rows.push_back(
-        {row.what, over_n ? fmt::format("N, {}D", row.dims) : "dimensions, N = 4096",
-         fmt::format("{:g}", times.front().first), fmt::format("{:g}", largest),
-         shown(exponent_of(times), over_n ? "N" : "d"), shown(exponent_of(bytes), "N"),
-         fmt::format("{:.2f} a coordinate", seconds * 1e9 / items),
-         bytes.empty() ? "" : fmt::format("{:.0f} MB", bytes.back().second / 1e6)});
-  }
-  return table.text();
+/// The rows of samplers on scenes, in lab 6; and those of points on integrands.
+std::vector<Curve> curves_of(const Bench& bench, bool on_scenes) {
+  auto rows = bench.rows;
+  std::erase_if(rows, [&](const Row& row) { return (row.lab == "sampler") != on_scenes; });
+  return grader::curves_of(rows);
 }
 
 }  // namespace
 
 std::string bench_summary(const Bench& bench) {
   std::string all;
-  if (!lines_of(curves_of(bench)).empty()) all += one_minute(bench);
-  if (!bench.of("digits").empty()) all += (all.empty() ? "" : "\n") + variances(bench);
-  if (!bench.ratios.empty()) all += "\n" + ratios(bench);
-  if (const std::string tables = bench_tables(bench); !tables.empty()) all += "\n" + tables;
+  const auto points = curves_of(bench, false), scenes = curves_of(bench, true);
+  const auto add = [&](bool is_there, const char* title, const std::string& table) {
+    if (is_there) all += fmt::format("{}\n\n{}\n", title, table);
+  };
+  add(!bench.samplers.empty(), "Which sampler", which_sampler(bench));
+  add(!points.empty(), "Time to an error, integrand included", one_minute(points));
+  add(!points.empty(), "RMSE of 4096 samples, relative", errors(points));
+  add(!scenes.empty(), "RMSE of 4096 samples of a scene, relative", errors(scenes));
+  add(variances(bench).find("1.") != std::string::npos, "Correct digits of a variance",
+      variances(bench));
+  add(!bench.ratios.empty(), "Speed tasks against other code", ratios(bench));
   return all;
 }
 
 std::string bench_page(const Bench& bench, const std::string& outline,
                        const std::filesystem::path& pictures) {
+  const auto points = curves_of(bench, false);
+  const auto samplers = curves_of(bench.samplers);
   const std::pair<const char*, std::string> parts[] = {
-      {"run",
-       fmt::format("{}, {} cores, {}; {}; `{}`; version {}; {:.0f} s.{}", bench.processor,
-                   bench.cores, bench.system, bench.compiler, bench.flags, bench.version,
-                   bench.seconds,
-                   bench.whole ? "" : " It was cut short: what is missing was not measured.")},
-      {"one minute", one_minute(bench)},
+      {"run", bench.machine},
+      {"which sampler", which_sampler(bench)},
+      {"equal time", equal_time(bench)},
+      {"other sizes",
+       equal_samples(samplers, {"random half-planes", "random disks"}, {10, 16, 64, 100},
+                     {"stratified", "sobol", "halton"}, "best other / `stratified`")},
+      {"dimensions",
+       equal_samples(samplers, {"smooth 4D", "smooth 8D", "edge 4D", "edge 8D"}, {64, 256, 1024},
+                     {"sobol", "stratified", "OpenQMC's pmj"}, "best padded / `sobol`")},
+      {"one minute", one_minute(points)},
+      {"errors", errors(points)},
       {"ratios", ratios(bench)},
-      {"tables", bench_tables(bench)},
-      {"times", tables_of_times(bench)},
       {"variance", variances(bench)},
-      {"libraries", libraries(bench)},
-      {"growth", growth(bench)},
-      {"rounds", std::to_string(bench.rounds)},
       {"pictures", pictures.string()}};
   std::string page = outline;
   for (auto [name, text] : parts) {

@@ -11,7 +11,7 @@ array many[6] = ["independent", "jittered, padded", "Latin hypercube", "Poisson 
 method(k) = sum [j=1:|what|] (what[j][1:4] eq peerwhat[k][1:4] ? j : 0)
 curves = data."/curves.tsv"
 is_many(i) = i == 3 || i == 6
-block(i, k) = "solutions|".(is_many(i) ? many[k] : what[k])."|".on[i]
+block(i, k) = (is_many(i) ? many[k] : what[k])."|".on[i]
 
 do for [axis in "samples time"] {
   column_of = axis eq "samples" ? 1 : 2
@@ -29,13 +29,8 @@ do for [axis in "samples time"] {
     set title formula[i]
     set ylabel (i % 2 == 1 ? "RMSE, relative" : "")
     if (i == 6) { set key at screen 0.3,0.01 left bottom vertical maxrows 6 Left reverse samplen 3 } else { unset key }
-    if (axis eq "samples") {
-      plot for [k=1:6] curves index block(i, k) using column_of:3:4 with yerrorlines ls style[k] ps 0.8 notitle, \
-           for [k=1:6] keyentry with linespoints ls style[k] ps 0.8 title called[k]
-    } else {
-      plot for [k=1:6] curves index block(i, k) using column_of:3 with linespoints ls style[k] ps 0.8 notitle, \
-           for [k=1:6] keyentry with linespoints ls style[k] ps 0.8 title called[k]
-    }
+    plot for [k=1:6] curves index block(i, k) using column_of:3 with linespoints ls style[k] ps 0.8 notitle, \
+         for [k=1:6] keyentry with linespoints ls style[k] ps 0.8 title called[k]
   }
   unset multiplot
 }
@@ -59,27 +54,6 @@ do for [j=1:4] {
   plot curves index block(2, m) using 2:3 with linespoints ls theory lw 2 dt 1 pt 7 ps 0.6 notitle, \
        for [k=1:|peer|] curves index (method(k) == m ? peer[k]."|".on[2] : "none") using 2:3 with linespoints ls other+1+(k-1)%6 ps 0.8 notitle, \
        keyentry with linespoints ls theory lw 2 dt 1 pt 7 ps 0.6 title "the solutions", \
-       for [k=1:|peer|] keyentry with linespoints ls other+1+(k-1)%6 ps 0.8 title peer[k][1:strstrt(peer[k], "|")-1].": ".peerwhat[k]
+       for [k=1:|peer|] keyentry with linespoints ls other+1+(k-1)%6 ps 0.8 title peer[k]
 }
 unset multiplot
-
-# Variance: time against digits -------------------------------------------------------------------
-# who[i], the submissions, comes from the bench.
-name = "variance"; width = 600; height = 560
-load draw
-set lmargin at screen 80./width
-set rmargin at screen 1 - 25./width
-set tmargin at screen 1 - 34./height
-set bmargin at screen 175./height
-set title "Variance of 4096 values from 10⁹ to 10⁹ + 1, in cache"
-set logscale x
-set xrange [0.08:50]
-set yrange [-1.5:17.5]
-set ytics 0,2,16
-set xlabel "ns per value (less is better)"
-set ylabel "correct decimal digits (more is better)"
-set key at screen 0.05,0.01 left bottom vertical maxrows 5 Left reverse samplen 2
-set label "1.2 textbook\n1.3 two passes\n1.4 Welford\n1.5 merged parts\n1.8 moments" at screen 0.6,0.2 textcolor rgb ink
-set datafile separator "\t"
-plot for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2 with points ls other+i ps 1.8 title who[i], \
-     for [i=1:|who|] data."/variances.tsv" index who[i] using 1:2:3 with labels offset 0,(i % 2 == 1 ? 1 : -1) textcolor rgb ink notitle

@@ -4,20 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
-#include <cstdlib>
-
-#include <fmt/format.h>
+#include <map>
 
 #include "bench/bench.hpp"
-#include "bench/progress.hpp"
-#include "grader/base/errors.hpp"
-#include "grader/base/side_by_side.hpp"
-#include "grader/base/text_file.hpp"
 #include "grader/commands/command.hpp"
 #include "grader/judging/judge.hpp"
+#include "grader/reports/progress_line.hpp"
 #include "grader/submission/build.hpp"
 #include "grader/submission/compile.hpp"
 #include "protocol/environment.hpp"
@@ -25,30 +18,7 @@
 #include "sandbox/process.hpp"
 
 namespace mc::grader {
-namespace fs = std::filesystem;
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Ctrl-C ends the measuring, and what was measured is still written.
-std::atomic<bool> is_interrupted{false};
-
-/// During its lifetime, an interrupt sets `is_interrupted`; a second one ends the program.
-class StopOnInterrupt {
- public:
-  StopOnInterrupt() {
-    struct sigaction action {};
-    action.sa_handler = [](int) { is_interrupted = true; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, &before_);
-    sigaction(SIGTERM, &action, nullptr);
-  }
-  ~StopOnInterrupt() { sigaction(SIGINT, &before_, nullptr); }
-  StopOnInterrupt(const StopOnInterrupt&) = delete;
-
- private:
-  struct sigaction before_ {};
-};
 
 /// A lab's program of a submission, to be measured.
 struct Contender {
@@ -57,160 +27,79 @@ struct Contender {
   sandbox::Program program;
 };
 
-/// One run of a lab's bench cases on a contender's program.
-struct Job {
-  const Contender* entrant;
-  std::string kind;  ///< "error", "time", "growth", "table", "table-time"
-  fs::path rows;     ///< output file
-};
-
-std::string name_of(const Job& job) {
-  return fmt::format("{} {} {}", job.entrant->lab.name, job.kind, job.entrant->label);
-}
-
-class BenchRun {
- public:
-  BenchRun(const Context& context, fs::path place)
-      : context_(context), place_(std::move(place)), progress_(place_.string() + "-seconds.txt") {
-    fs::remove_all(place_);
-    fs::create_directories(place_ / "rows");
-  }
-
-  /// Everything measurable in one lab; adds a remark for contenders that cannot be measured.
-  void enter(const Lab& lab, const std::vector<Submission>& submissions) {
+/// Of the solutions, of `submissions` and of the libraries; a remark on those that do not compile.
+std::vector<Contender> contenders(const Context& context, const std::vector<Lab>& labs,
+                                  const std::vector<std::pair<std::string, Submission>>& others) {
+  std::vector<Contender> all;
+  for (const Lab& lab : labs) {
+    std::vector<Submission> submissions;
+    if (std::filesystem::exists(context.layout.solutions())) {
+      submissions.push_back(open_submission(context.labs, context.layout.solutions()));
+      submissions.back().label = "solutions";
+    }
+    for (const auto& [only, submission] : others) {
+      if (only.empty() || only == lab.name) submissions.push_back(submission);
+    }
+    for (const std::string& library : peer_libraries(context.layout)) {
+      const auto peer = peer_submission(context.layout, context.labs, lab, library);
+      if (peer) submissions.push_back(*peer);
+    }
     for (const Submission& submission : submissions) {
-      if (is_interrupted || !submission.files.contains(lab.name)) continue;
-      BuildResult built = build_program(context_.layout, lab, submission);
+      if (!submission.files.contains(lab.name)) continue;
+      BuildResult built = build_program(context.layout, lab, submission);
       if (built.program) {
-        entrants_.push_back({lab, submission.label, std::move(*built.program)});
+        all.push_back({lab, submission.label, std::move(*built.program)});
       } else {
         fmt::print("{} is not benched: {}\n", submission.label, built.failure);
       }
     }
   }
+  return all;
+}
 
-  /// Errors in parallel; times one by one, each round with all contenders in turn; growth last, so
-  /// that an interruption leaves the tables complete.
-  void measure(unsigned rounds, bool tables_only) {
-    std::vector<Job> errors, in_turn;
-    const auto add = [&](std::vector<Job>& jobs, const char* kind, unsigned round) {
-      for (const Contender& entrant : entrants_) {
-        if (kind == std::string("growth") && entrant.label != "solutions") continue;
-        if (has_cases(entrant.lab, kind)) jobs.push_back(job(entrant, kind, round));
-      }
-    };
-    if (!tables_only) add(errors, "error", 0);
-    add(errors, "table", 0);
-    for (unsigned round = 0; round < rounds; ++round) {
-      if (!tables_only) add(in_turn, "time", round);
-      add(in_turn, "table-time", round);
-    }
-    if (!tables_only) add(in_turn, "growth", 0);
-    if (errors.empty() && in_turn.empty()) {
-      fmt::print("There is nothing to measure: no submission, or a lab without a bench.\n");
-      return;
-    }
-    jobs_ = errors;
-    jobs_.insert(jobs_.end(), in_turn.begin(), in_turn.end());
-    constexpr unsigned workers = 2;
-    for (const Job& one : errors) progress_.expect(name_of(one), workers);
-    for (const Job& one : in_turn) progress_.expect(name_of(one));
-    fmt::print("About {:.0f} s; what it has is kept if you interrupt it.\n", progress_.expected());
-    run_side_by_side(errors.size(), workers, [&](std::size_t k) { run(errors[k], workers); });
-    for (const Job& one : in_turn) run(one);
+/// What a contender's hidden cases with this tag write.
+fs::path measured(const Context& context, const Contender& one, const std::string& tag,
+                  const fs::path& place) {
+  std::string name = one.lab.name + '-' + one.label;
+  std::ranges::replace(name, '/', '_');
+  const fs::path file = place / "rows" / (name + ".csv");
+  if (!fs::exists(context.layout.measurements(one.lab.name))) return file;  // none to run
+  run_hidden_cases(
+      context.layout, one.lab, CaseKind::measurements, one.program, tag,
+      {.environment = {{protocol::rows_variable, file.string()}}, .wall_seconds = 600});
+  return file;
+}
+
+/// What a program of autograder/bench/ratios prints.
+std::vector<protocol::Row> rows_of(const Context& context, const std::string& program,
+                                   const std::vector<std::string>& words = {}) {
+  std::vector<std::string> command{(context.layout.build / "bin" / program).string()};
+  if (!fs::exists(command[0])) return {};
+  command.insert(command.end(), words.begin(), words.end());
+  std::vector<protocol::Row> rows;
+  const auto result = sandbox::run_process(command, {.wall_seconds = 600});
+  for (const std::string_view line : text::split(result.output, '\n')) {
+    if (auto row = protocol::row_in(line)) rows.push_back(std::move(*row));
   }
+  return rows;
+}
 
-  std::vector<Ratio> ratios(const std::string& program) {
-    std::vector<Ratio> all;
-    const fs::path path = context_.layout.build / "bin" / program;
-    if (!fs::exists(path) || is_interrupted) return all;
-    const auto result =
-        sandbox::run_process({path.string()}, {.wall_seconds = 120, .stop = &is_interrupted});
-    for (const std::string_view line : text::split(result.output, '\n')) {
-      const auto parts = text::split(line, '\t');
-      if (parts.size() != 6) continue;
-      const auto number = [&](std::size_t i) { return std::strtod(parts[i].data(), nullptr); };
-      all.push_back({std::string(parts[0]), std::string(parts[1]), number(2), number(3), number(4),
-                     number(5)});
-    }
-    return all;
-  }
-
-  std::vector<BenchRow> rows() const {
-    std::vector<BenchRow> all;
-    for (const Contender& entrant : entrants_) {
-      std::vector<BenchRow> mine;
-      for (const Job& one : jobs_) {
-        if (one.entrant != &entrant) continue;
-        const auto some = read_bench_rows(one.rows, entrant.lab.name, entrant.label);
-        mine.insert(mine.end(), some.begin(), some.end());
-      }
-      std::stable_sort(mine.begin(), mine.end(),
-                       [](const BenchRow& a, const BenchRow& b) { return a.n < b.n; });
-      all.insert(all.end(), mine.begin(), mine.end());
-    }
-    return medians(all);
-  }
-
- private:
-  Job job(const Contender& entrant, const std::string& kind, unsigned round) const {
-    std::string label = entrant.label;
-    std::replace(label.begin(), label.end(), '/', '_');
-    return {&entrant, kind,
-            place_ / "rows" / fmt::format("{}-{}.{}-{}.tsv", entrant.lab.name, label, kind, round)};
-  }
-
-  bool has_cases(const Lab& lab, const std::string& kind) {
-    const auto [found, is_new] = has_cases_.try_emplace({lab.name, kind}, false);
-    if (is_new) {
-      found->second =
-          fs::exists(context_.layout.measurements(lab.name)) &&
-          !hidden_cases(context_.layout, lab, CaseKind::measurements, tag_of(kind)).empty();
-    }
-    return found->second;
-  }
-  static std::string tag_of(const std::string& kind) { return fmt::format("[.bench-{}]", kind); }
-
-  void run(const Job& one, double workers = 1) {
-    if (is_interrupted) return;
-    progress_.begin(name_of(one));
-    const auto start = Clock::now();
-    run_hidden_cases(context_.layout, one.entrant->lab, CaseKind::measurements,
-                     one.entrant->program, tag_of(one.kind),
-                     {.environment = {{protocol::rows_variable, one.rows.string()}},
-                      .wall_seconds = 300,
-                      .stop = &is_interrupted});
-    if (is_interrupted) return;
-    progress_.end(name_of(one), std::chrono::duration<double>(Clock::now() - start).count(),
-                  workers);
-  }
-
-  const Context& context_;
-  fs::path place_;
-  std::vector<Contender> entrants_;
-  std::vector<Job> jobs_;
-  std::map<std::pair<std::string, std::string>, bool> has_cases_;  // of a lab, of a kind
-  BenchProgress progress_;
-};
-
-/// The machine and the version that were measured.
-void describe_machine(const Layout& layout, Bench& bench) {
-  bench.processor = "an unknown processor";
+/// The machine and the version that are measured.
+std::string described_machine(const Layout& layout) {
+  std::string processor = "an unknown processor";
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) {
-      bench.processor = line.substr(line.find(':') + 2);
-      break;
-    }
+    if (!line.starts_with("model name")) continue;
+    processor = line.substr(line.find(':') + 2);
+    break;
   }
-  bench.cores = static_cast<unsigned>(sysconf(_SC_NPROCESSORS_ONLN));
   utsname system{};
   uname(&system);
-  bench.system = fmt::format("{} {}", system.sysname, system.machine);
   const auto version = sandbox::run_process({layout.compiler, "--version"}).output;
-  bench.compiler = version.substr(0, version.find('\n'));
-  bench.flags = fmt::format("{}", fmt::join(compile_flags(), " "));
-  bench.version = layout.version;
+  return fmt::format("{}, {} cores, {} {}; {}; `{}`; version {}", processor,
+                     sysconf(_SC_NPROCESSORS_ONLN), system.sysname, system.machine,
+                     version.substr(0, version.find('\n')), fmt::join(compile_flags(), " "),
+                     layout.version);
 }
 
 /// The lab of a file of the repository: autograder/submissions/<kind>/<lab>/<name>.cpp.
@@ -224,95 +113,89 @@ Lab lab_of_file(const Context& context, const fs::path& file) {
   return find_lab(context.labs, folder.filename().string());
 }
 
-int run_bench(const Context& context, const Arguments& arguments) {
-  std::vector<Lab> labs, named;
-  std::vector<Submission> submissions;
-  const bool has_solutions = fs::exists(context.layout.solutions());
-  if (has_solutions) {
-    submissions.push_back(open_submission(context.labs, context.layout.solutions()));
-    submissions.back().label = "solutions";
+/// The tables that a contender's cases wrote; of others than the solutions, each title says whose.
+void print_tables(const std::string& text, const std::string& label) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find("\n\n", at), text.size());
+    const std::string paragraph = text.substr(at, end - at);
+    const bool is_title = !paragraph.starts_with('|') && label != "solutions";
+    fmt::print("\n{}{}\n", paragraph, is_title ? ", " + label : "");
+    at = end + 2;
   }
-  std::map<std::string, std::vector<Submission>> single;  // by lab
+}
+
+int run_bench(const Context& context, const Arguments& arguments) {
+  std::vector<Lab> labs;
+  std::vector<std::pair<std::string, Submission>> others;  // the only lab of each, or all
   for (const std::string& word : arguments.words) {
     if (fs::path(word).extension() == ".cpp") {
-      const Lab lab = lab_of_file(context, word);
-      single[lab.name].push_back(
-          single_file_submission(context.layout, context.labs, lab, word, true));
-      single[lab.name].back().label = fs::path(word).stem().string();
-      named.push_back(lab);
+      labs.push_back(lab_of_file(context, word));
+      others.emplace_back(labs.back().name, single_file_submission(context.layout, context.labs,
+                                                                   labs.back(), word, true));
+      others.back().second.label = fs::path(word).stem().string();
     } else if (fs::is_directory(word)) {
-      submissions.push_back(open_submission(context.labs, word));
-      submissions.back().label = fs::path(word + "/").parent_path().string();
-      if (is_reference(context.layout, submissions.back()) && submissions.size() > 1)
-        submissions.pop_back();
+      Submission submission = open_submission(context.labs, word);
+      submission.label = fs::path(word + "/").parent_path().string();
+      if (!is_reference(context.layout, submission)) others.emplace_back("", submission);
     } else {
-      named.push_back(find_lab(context.labs, word));
+      labs.push_back(find_lab(context.labs, word));
     }
   }
-  for (const Lab& lab : context.labs) {  // in their order, each once
-    const auto is_named = [&](const Lab& other) { return other.name == lab.name; };
-    if (std::any_of(named.begin(), named.end(), is_named)) labs.push_back(lab);
-  }
-  Bench bench;
-  bench.whole = labs.empty();
-  bench.rounds = static_cast<unsigned>(
-      std::clamp<std::uint64_t>(arguments.number("rounds").value_or(5), 1, 99));
-  if (labs.empty()) labs = context.labs;
-  if (arguments.has("calibrate")) {
-    calibrate(context, labs, bench.rounds);
-    return 0;
-  }
+  const bool is_whole = labs.empty();
+  if (is_whole) labs = context.labs;
+  std::ranges::sort(labs, {}, &Lab::number);  // each once
+  labs.erase(std::ranges::unique(labs, {}, &Lab::number).begin(), labs.end());
 
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const bool tables_only = arguments.has("tables");
   const fs::path place = context.layout.build / (tables_only ? "bench-tables" : "bench");
+  fs::remove_all(place);
+  fs::create_directories(place / "rows");
+  Bench bench;
   {
-    const StopOnInterrupt interrupts;
-    BenchRun run(context, place);
-    for (const Lab& lab : labs) {
-      run.enter(lab, submissions);
-      run.enter(lab, single[lab.name]);
-      for (const std::string& library : peer_libraries(context.layout)) {
-        if (const auto peer = peer_submission(context.layout, context.labs, lab, library)) {
-          run.enter(lab, {*peer});
-        }
+    ProgressLine progress("bench");
+    const auto all = contenders(context, labs, others);
+    if (!tables_only && is_whole) {
+      progress.show(0, static_cast<double>(all.size()), "ratios");
+      bench.ratios = protocol::comparisons_in(rows_of(context, "bench_ratios"));
+      bench.baseline = protocol::comparisons_in(rows_of(context, "bench_ratios_baseline"));
+      bench.samplers = rows_of(context, "bench_ratios", {"samplers"});
+    }
+    double done = 0;
+    for (const Contender& one : all) {
+      progress.show(done++, static_cast<double>(all.size()), one.lab.name + ' ' + one.label);
+      const fs::path file =
+          measured(context, one, tables_only ? "[.bench-table]" : "[.bench]", place);
+      if (tables_only) {
+        progress.clear();
+        print_tables(read_text(file), one.label);
+        continue;
+      }
+      for (protocol::Row row : protocol::rows_in(file)) {
+        row.lab = one.lab.name;
+        if (one.label != "solutions") row.method += ", " + one.label;
+        bench.rows.push_back(row);
       }
     }
-    for (const std::string& library : peer_libraries(context.layout)) {
-      if (!context.layout.peers.contains(library)) {
-        fmt::print("{} is not installed: it is left out.\n", library);
-      }
-    }
-    describe_machine(context.layout, bench);
-    if (!tables_only) {
-      bench.ratios = run.ratios("bench_ratios");
-      bench.baseline = run.ratios("bench_ratios_baseline");
-    }
-    run.measure(bench.rounds, tables_only);
-    bench.rows = run.rows();
   }
-  if (tables_only) {
-    fmt::print("\n{}", bench_tables(bench));
-    return 0;
-  }
-  bench.whole = bench.whole && !is_interrupted;
-  bench.peers = peers_of(context.layout, context.labs);
-  bench.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (tables_only) return 0;
+  bench.machine =
+      fmt::format("{}; {:.0f} s.{}", described_machine(context.layout),
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                  is_whole ? "" : " Not all labs were measured.");
 
-  write_text(place / "results.csv", bench_csv(bench));
-  write_text(place / "results.json", bench_json(bench));
+  std::string all = std::string(protocol::rows_header) + '\n';
+  for (const auto& rows : {bench.rows, bench.samplers}) {
+    for (const protocol::Row& row : rows) all += line_of(row) + '\n';
+  }
+  write_text(place / "rows.csv", all);
   const Plots plots = draw_bench(context.layout, bench, place);
   for (const std::string& remark : plots.remarks) fmt::print("{}\n", remark);
-  fmt::print("\n{}\n", bench_summary(bench));
-  fmt::print("{:.0f} s{}; {} (and .json), {} pictures next to it\n", bench.seconds,
-             is_interrupted ? ", interrupted: results are partial" : "",
-             (place / "results.csv").string(), plots.pictures.size());
+  fmt::print("{}\n{}\n", bench_summary(bench), (place / "rows.csv").string());
   if (const auto page = arguments.get("page")) {
-    const fs::path file = fs::absolute(*page);
-    const fs::path pictures = file.parent_path() / file.stem();
+    const fs::path file = fs::absolute(*page), pictures = file.parent_path() / file.stem();
     fs::create_directories(pictures);
     for (const fs::path& picture : plots.pictures) {
-      if (picture.extension() != ".svg") continue;
       fs::copy_file(picture, pictures / picture.filename(), fs::copy_options::overwrite_existing);
     }
     const std::string outline = read_text(context.layout.root / "autograder" / "bench" / "page.md");
@@ -323,22 +206,14 @@ int run_bench(const Context& context, const Arguments& arguments) {
 }
 
 const RegisterCommand bench_command{
-    {.usage =
-         "bench [LAB...] [DIR...] [FILE...] [--tables] [--rounds N] [--page FILE] [--calibrate]",
+    {.usage = "bench [LAB...] [DIR...] [FILE...] [--tables] [--page FILE]",
      .about = "measure speed against error: solutions, submissions, libraries",
      .details =
          "Measures every lab, unless some are named: the solutions, the installed libraries, each "
-         "DIR and each FILE.cpp of autograder/submissions. Takes minutes, on an idle machine; an "
-         "interrupted run keeps its results. Numbers and pictures go to build/bench/.",
-     .options = {{"--tables",
-                  "only the small tables, in a minute: the worth of each next2() of a sampler, the "
-                  "cost of a number at small sample sizes, the tails of scrambling, and what "
-                  "handouts quote"},
-                 {"--rounds N", "time everything N times, in turn (5)"},
-                 {"--page FILE", "also write the page: docs/speed-against-error.md"},
-                 {"--calibrate",
-                  "only write labs/*/speed.tsv: the solutions' times, from which a handout "
-                  "estimates the reference's speed"}},
+         "DIR and each FILE.cpp of autograder/submissions. Takes minutes, on an idle machine. "
+         "Numbers and pictures go to build/bench/.",
+     .options = {{"--tables", "only the tables that documents show: numbers without times"},
+                 {"--page FILE", "also write the page: docs/speed-against-error.md"}},
      .run = run_bench,
      .for_instructors = true,
      .place = "autograder/bench",

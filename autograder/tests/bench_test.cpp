@@ -1,39 +1,57 @@
-// The evaluation of bench rows.
+// The evaluation of bench rows, and the page.
 
 #include <cmath>
-#include <limits>
 #include <regex>
 #include <set>
 #include <sstream>
-#include <utility>
 
 #include "bench/bench.hpp"
 #include "measurements/support/error_sums.hpp"
 #include "measurements/support/integrands.hpp"
+#include "measurements/support/markdown.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::grader {
 namespace {
 
-/// Errors c / n at 2 ns per sample, integrand included.
-Curve falling(double c) {
-  Curve curve{"lab", "anna", "points", "g", 2, 1.0, {}};
-  for (double n = 16; n <= 65536; n *= 4) curve.points.push_back({n, c / n, 0, 1.5, 0.5, 0});
-  return curve;
+using protocol::Row;
+
+/// Rows with errors c n^-slope at `ns` per sample.
+std::vector<Row> falling(const std::string& method, const std::string& integrand, double c,
+                         double slope, double ns) {
+  std::vector<Row> rows;
+  for (const std::uint64_t n : {1u, 4u, 16u, 64u, 256u, 1024u, 4096u}) {
+    const double rmse = c * std::pow(static_cast<double>(n), -slope);
+    rows.push_back({"lab", method, "", integrand, 2, n, rmse, ns});
+  }
+  return rows;
+}
+
+TEST_CASE("rows become curves by method and integrand; what lacks a number is left out") {
+  auto rows = falling("a", "g", 1, 1, 2);
+  std::ranges::reverse(rows);
+  rows.push_back({.method = "a", .integrand = "g", .n = 9, .rmse = 1});
+  const auto more = falling("b", "g", 1, 1, 2);
+  rows.insert(rows.end(), more.begin(), more.end());
+  const auto curves = curves_of(rows);
+  REQUIRE(curves.size() == 2);
+  REQUIRE(curves[0].points.size() == 7);
+  CHECK(curves[0].points[1].n == 4);
+  CHECK(find_curve(curves, "b", "g") == &curves[1]);
+  CHECK(find_curve(curves, "b", "h") == nullptr);
 }
 
 TEST_CASE("the time to an error is interpolated, or follows the law of independent points") {
-  const Curve curve = falling(1);
-  Curve independent = curve;
-  independent.what = "independent";
+  const Curve curve = curves_of(falling("points", "g", 1, 1, 2))[0];
+  const Curve independent = curves_of(falling("independent, std", "g", 1, 0.5, 2))[0];
   const struct {
     const Curve& curve;
     double error;
     decltype(TimeToTarget::between) how;
     double seconds;
   } cases[] = {{curve, 1e-3, TimeToTarget::between, 2e-6},               // n = 1000, 2 ns each
-               {curve, 0.5, TimeToTarget::or_less, 16 * 2e-9},           // the first size or less
-               {independent, 1e-6, TimeToTarget::by_law, 1e12 * 2e-9}};  // variance 1 over 1e-12
+               {curve, 2, TimeToTarget::or_less, 2e-9},                  // the first size or less
+               {independent, 1e-6, TimeToTarget::by_law, 1e12 * 2e-9}};  // 1 / 1e-12 points
   for (const auto& one : cases) {
     CAPTURE(one.error);
     const auto when = time_to(one.curve, one.error);
@@ -41,85 +59,70 @@ TEST_CASE("the time to an error is interpolated, or follows the law of independe
     CHECK(when->how == one.how);
     CHECK(when->seconds == Approx(one.seconds));
   }
-  CHECK_FALSE(time_to(curve, 1e-6));  // below all sizes
+  CHECK_FALSE(time_to(curve, 1e-6));                   // below all sizes
+  CHECK(error_within(curve, 200e-9) == Approx(0.01));  // 100 samples
+  CHECK(std::isnan(error_within(curve, 1e-9)));        // not one sample
 }
 
-TEST_CASE("an exponent is the slope of the logarithms") {
-  const auto exponent = exponent_of({{10, 300}, {100, 3000 * std::sqrt(10)}, {1000, 300000}});
-  REQUIRE(exponent);
-  CHECK(exponent->slope == Approx(1.5));
-  CHECK(exponent->error == Approx(0).margin(1e-9));
-  CHECK_FALSE(exponent_of({{1, 1}, {2, 2}}));
+TEST_CASE("efficiency is relative to independent points") {
+  auto rows = falling("independent", "g", 1, 0.5, 10);
+  const auto better = falling("better", "g", 0.1, 0.5, 20);  // a hundredth of the squared error
+  rows.insert(rows.end(), better.begin(), better.end());
+  const auto curves = curves_of(rows);
+  CHECK(efficiency(curves, curves[0], curves[0].points[2]) == Approx(1));
+  CHECK(efficiency(curves, curves[1], curves[1].points[2]) == Approx(50));
 }
 
-/// Rows of a sampler at n = 64 and 256, with errors c / sqrt(n) and a time on that integrand.
-void add_rows(Bench& bench, const std::string& what, double c, double nanoseconds) {
-  for (const std::uint64_t n : {64u, 256u}) {
-    const double rmse = c / std::sqrt(static_cast<double>(n));
-    bench.rows.push_back({{"error", what, "a scene", 2, n, rmse, 0}, "sampler", "solutions"});
-  }
-  bench.rows.push_back({{"time", what, "a scene", 2, 64, nanoseconds, 0}, "sampler", "solutions"});
-}
-
-TEST_CASE("efficiency is relative to independent points, by their exact variance if it is known") {
+/// One of ours that is good, a library that is better for few samples, and one that is within noise.
+TEST_CASE("the page names the sampler that wins at equal time") {
   Bench bench;
-  add_rows(bench, "independent", 1, 10);
-  add_rows(bench, "better", 0.1, 20);  // a hundredth of the squared error in twice the time
-  for (const Curve& curve : curves_of(bench)) {
-    for (const auto& point : curve.points) {
-      CHECK(point.efficiency == Approx(curve.what == "better" ? 50 : 1));
-    }
+  for (const auto& rows : {falling("sobol", "edge", 1, 1, 10), falling("halton", "edge", 1, 1, 40),
+                           falling("OpenQMC's pmj", "edge", 0.4, 0.5, 10)}) {
+    bench.samplers.insert(bench.samplers.end(), rows.begin(), rows.end());
   }
-  Bench known;
-  add_rows(known, "independent", 1, 10);
-  known.rows.push_back({{"variance", "a scene", "", 2, 0, 4, 0}, "lab", "solutions"});
-  const auto curves = curves_of(known);
-  REQUIRE(curves.size() == 1);
-  CHECK(curves[0].points[0].efficiency == Approx(4));  // by chance twice as good as expected
+  bench.machine = "this machine";
+  bench.ratios = {{"moments", "a loop", 1, 5, 5, 4, 6}};
+  const std::string page = bench_page(
+      bench, "{{run}}\n{{which sampler}}\n{{equal time}}\n{{ratios}}\n{{pictures}}/a.svg", "place");
+  tests::check_contains(page, {"this machine", "place/a.svg",
+                               "| edge | sobol 0.25 (OpenQMC's pmj 0.20) | sobol 6.2e-2 |",
+                               "| edge, 64 | **1.6e-2** |",
+                               "| moments, against a loop | 1.00 | 5.00 | 5.0 | 4.0 to 6.0 |"});
 }
 
-TEST_CASE("rounds of the same row become their median") {
-  std::vector<BenchRow> rows(5, {{"time", "points", "", 2, 64, 0, 0}, "lab", "anna"});
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].value = static_cast<double>(i * i);
-  rows.push_back({{"time", "points", "", 2, 256, 7, 0}, "lab", "anna"});
-  const auto all = medians(rows);
-  REQUIRE(all.size() == 2);
-  CHECK(all[0].value == 4);
-  CHECK(all[1].value == 7);
-}
-
-TEST_CASE("a truncated row is left out") {
-  const tests::Scratch place;
-  const auto rows = read_bench_rows(
-      place.write("rows.tsv", "time\tpoints\t\t2\t64\t1.5\tnan\ntime\tpoints\t\t2"), "lab", "anna");
-  REQUIRE(rows.size() == 1);
-  CHECK(rows[0].n == 64);
-  CHECK(rows[0].value == 1.5);
+TEST_CASE("the page needs every table of its outline, and is short") {
+  const Layout layout = read_layout();
+  const std::string page =
+      bench_page({}, read_text(layout.root / "autograder" / "bench" / "page.md"), "place");
+  CHECK_FALSE(tests::contains(page, "{{"));
+  const std::string written = read_text(layout.root / "docs" / "speed-against-error.md");
+  CHECK(std::ranges::count(written, '\n') <= 350);
 }
 
 TEST_CASE("a table has its rows and columns in their order of arrival") {
-  Bench bench;
-  const auto cell = [&](const char* row, const char* column, double value, double error) {
-    bench.rows.push_back(
-        {{"table of digits", row, column, 0, 0, value, error}, "lab", "solutions"});
-  };
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  cell("second", "b", 0.00012345, none);
-  cell("first", "a", 0.0999, 0.00999);  // rounded up into the next power of ten
-  cell("second", "a", 12.3, 0.123);
-  cell("third", "a", 52, 20);  // so uncertain that the cell shows its error
-  bench.rows.push_back({{"table of digits", "first", "a", 0, 0, 0.25, none}, "lab", "mine"});
-  bench.rows.push_back({{"table of digits", "law, exact", "b", 0, 0, 3, none}, "lab", "mine"});
-  bench.rows.push_back({{"error", "no", "table", 0, 0, 1, none}, "lab", "solutions"});
-  CHECK(bench_tables(bench) ==
-        "of digits (± 10 % at most)\n\n"
-        "| | b | a |\n|---|--:|--:|\n"
+  Markdown table("way");
+  table.cell("second", "b") = two_digits(0.00012345);
+  table.cell("first", "a") = two_digits(0.0999);  // rounded up into the next power of ten
+  table.cell("second", "a") = two_digits(12.3);
+  CHECK(table.text() ==
+        "| way | b | a |\n|---|--:|--:|\n"
         "| second | 1.2e-4 | 12 |\n"
-        "| first | | 1.0e-1 |\n"
-        "| third | | 52 ± 20 |\n"
-        "| first, mine | | 0.25 |\n"
-        "| law, exact | 3.0 | |\n");
-  CHECK(bench_tables({}).empty());
+        "| first | | 1.0e-1 |\n");
+}
+
+TEST_CASE("the bench takes a file of the repository's submissions, and no other") {
+  tests::check_refused(tests::lab({"bench", "variance", "solutions/variance.cpp", "--tables"}),
+                       "solutions/variance.cpp is not in autograder/submissions");
+  tests::check_refused(tests::lab({"bench", "variance", "missing.cpp"}),
+                       "there is no file missing.cpp");
+}
+
+TEST_CASE("the bench prints tables of what it is given, each with its name") {
+  const std::string definitions = "alternatives/stratification/plain_definitions.cpp";
+  REQUIRE_RUN(run, tests::lab({"bench", "autograder/submissions/" + definitions, "--tables"}));
+  const std::string title = "\nkurtosis of the error of exp(x + y) (± 2 % at most)";
+  tests::check_contains(run.output, {title + "\n\n| | N = 16 | N = 64 | N = 256 | N = 1024 |\n",
+                                     title + ", plain_definitions\n\n"});
 }
 
 TEST_CASE("sums of errors give RMSE and kurtosis, with standard errors") {

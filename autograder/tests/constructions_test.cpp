@@ -16,8 +16,8 @@
 #include "checks/support/catch.hpp"
 #include "common/lattice_vector.hpp"
 #include "halton.hpp"
-#include "measurements/halton/lattice_search.hpp"
 #include "measurements/sampler/anova.hpp"
+#include "tests/lattice_search.hpp"
 
 namespace mc::definition {
 void owen_scramble(std::span<double> column, std::uint64_t seed);

@@ -115,6 +115,41 @@ double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_
   return last;
 }
 
+double repeat_plain(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_t seed) {
+  std::vector<Point2> points;
+  const auto uniform = [](Rng& rng) { return static_cast<double>(rng() >> 11) * 0x1p-53; };
+  const auto nearest = [&](Point2 to) {
+    double least = 1;
+    for (const Point2& p : points) {
+      const double dx = std::abs(p.x - to.x), dy = std::abs(p.y - to.y);
+      const double tx = std::min(dx, 1 - dx), ty = std::min(dy, 1 - dy);
+      least = std::min(least, tx * tx + ty * ty);
+    }
+    return least;
+  };
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    Rng rng(seed + round);
+    points.clear();
+    for (std::uint64_t i = 0; task == 2 && i < n; ++i) {
+      Point2 best{};
+      double farthest = -1;
+      for (std::uint64_t candidate = 0; candidate <= i; ++candidate) {
+        const Point2 p{uniform(rng), uniform(rng)};
+        const double distance = nearest(p);
+        if (distance > farthest) farthest = distance, best = p;
+      }
+      points.push_back(best);
+    }
+    for (int misses = 0; task == 3 && misses < 10000; ++misses) {
+      const Point2 dart{uniform(rng), uniform(rng)};
+      if (nearest(dart) < 0.7 / static_cast<double>(n)) continue;
+      points.push_back(dart);
+      misses = -1;
+    }
+  }
+  return points.empty() ? unwritten : points.back().x;
+}
+
 }  // namespace mc::experiments
 
 std::span<const mc::runner::Experiment> mc::runner::experiments() {
@@ -140,6 +175,8 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(tile_of, "size dims copies", "4.6  the same for size points at the origin"),
       MC_EXPERIMENT(repeat, "task n rounds seed",
                     "points of 4.2 or 4.3, rounds times; returns the last x (timing)"),
+      MC_EXPERIMENT(repeat_plain, "task n rounds seed",
+                    "the same by plain loops over all points (timing)"),
   };
   return all;
 }

@@ -52,4 +52,8 @@ Points tile_of(std::uint64_t size, std::uint64_t dims, int copies);
 /// Round r uses a generator with the seed `seed` + r. Returns the last x.
 double repeat(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_t seed);
 
+/// The same by plain loops over all points, which 4.7 is compared with: every candidate by its
+/// distances to all points; darts until 10,000 in a row miss.
+double repeat_plain(unsigned task, std::uint64_t n, std::uint64_t rounds, std::uint64_t seed);
+
 }  // namespace mc::experiments

@@ -1,10 +1,12 @@
 #include "experiments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 #include <stdexcept>
 
+#include "common/rng.hpp"
 #include "common/todo.hpp"
 #include "runner/experiment.hpp"
 
@@ -206,6 +208,28 @@ double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::u
   return column.empty() ? unwritten : column.back();
 }
 
+double repeat_plain(unsigned task, std::uint64_t n, std::uint64_t rounds) {
+  std::vector<double> column(n, unwritten);
+  std::array<std::uint32_t, 32> directions{};  // of dimension 1
+  std::uint32_t m = 1;
+  for (unsigned k = 0; k < 32; ++k, m ^= m << 1) directions[k] = m << (31 - k);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    for (std::uint64_t i = 0; i < n; ++i) {
+      std::uint32_t bits = 0;
+      for (std::uint64_t index = 4096 * (round % 4096) + i, k = 0; index != 0; index >>= 1, ++k) {
+        if (index % 2 == 1) bits ^= directions[k];
+      }
+      std::uint64_t word = std::uint64_t{bits} << 32, flips = 0;
+      for (unsigned k = 0; task == 8 && k < 53; ++k) {
+        const std::uint64_t before = k == 0 ? 0 : word >> (64 - k);
+        flips |= mix_bits(mix_bits(round ^ before) + k) >> 63 << (63 - k);
+      }
+      column[i] = static_cast<double>((word ^ flips) >> 11) * 0x1p-53;
+    }
+  }
+  return column.empty() ? unwritten : column.back();
+}
+
 double repeat_points(unsigned task, std::uint64_t n, std::uint64_t dims, std::uint64_t rounds) {
   if (task != 3 && task != 5 && task != 8 && task != 9 && task != 10)
     throw std::out_of_range("task: must be 3, 5, 8, 9 or 10");
@@ -258,6 +282,9 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
                     {.columns = "folded", .row_labels = "x"}),
       MC_EXPERIMENT(repeat, "task base_or_dimension n rounds seed",
                     "a column of task 5.task, rounds times; returns the last x (timing)"),
+      MC_EXPERIMENT(
+          repeat_plain, "task n rounds",
+          "coordinates of Sobol' dimension 1, bit by bit; with task 8 scrambled (timing)"),
       MC_EXPERIMENT(repeat_points, "task n dims rounds",
                     "points of task 5.task, rounds times (timing)"),
   };

@@ -64,6 +64,10 @@ std::vector<double> tent(std::vector<double> x);
 double repeat(unsigned task, unsigned base_or_dimension, std::uint64_t n, std::uint64_t rounds,
               std::uint64_t seed);
 
+/// What 5.5 and 5.8 are compared with: coordinates of Sobol' dimension 1, bit by bit; with task 8
+/// each of 53 bits is flipped by a hash of those before it.
+double repeat_plain(unsigned task, std::uint64_t n, std::uint64_t rounds);
+
 /// For timing: makes n points in `dims` dimensions `rounds` times: 3 Halton points, 5 Sobol'
 /// points, 8 scrambled Sobol' points, 9 scrambled Halton points, 10 a lattice with the tent
 /// transform. The points are made in blocks of 32 KB (at least 1,024 points) that reuse the same

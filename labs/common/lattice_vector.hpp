@@ -19,8 +19,8 @@ namespace mc {
 /// 22.0. So it is the fourth here, not the one that a renderer's pixels get.
 ///
 /// An odd prime has no divisor in common with N, so the coordinates along each axis are all
-/// multiples of 1/N. With so few candidates the search takes half a second; `./lab bench halton
-/// --tables` repeats it. (Nuyens, Cools 2006 search all integers by means of the fast Fourier
+/// multiples of 1/N. With so few candidates the search takes half a second; it is in
+/// autograder/tests/lattice_search.hpp. (Nuyens, Cools 2006 search all integers by means of the fast Fourier
 /// transform.)
 inline constexpr std::array<std::uint64_t, 16> lattice_vector{
     61211, 63059, 64151, 60703, 61751, 64817, 1,     60259,

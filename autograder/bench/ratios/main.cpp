@@ -1,15 +1,13 @@
 // The project's ratios, measured in one process: the reference solutions against the strongest code
 // that a good engineer writes in ten lines, and against the library that one would call instead,
 // where it is installed. Nothing else may run between the two sides, because the differences are
-// tenths of a nanosecond.
+// tenths of a nanosecond. Prints rows (protocol/rows.hpp); with the word "samplers", those of the
+// samplers on scenes (samplers.cpp).
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <random>
@@ -18,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/ratios/ratios.hpp"
 #include "common/rng.hpp"
 #include "halton.hpp"
 #include "independent.hpp"
@@ -42,49 +41,25 @@ namespace {
 /// to the same few bytes: this times the generation of numbers, not their storage.
 constexpr std::size_t block = 4096;
 
-/// Every measured function stores a result here, so that the compiler cannot remove it.
-volatile double sink = 0;
-
-using Work = std::function<void()>;
-
 struct Opponent {
   std::string name;
   Work work;
-  double wanted = 0;  ///< the ratio that the project aims for; 0: none
 };
 
-/// Nanoseconds per call, over as many calls as take 0.2 ms.
-double nanoseconds(const Work& work) {
-  using Clock = std::chrono::steady_clock;
-  constexpr double least = 2e-4;
-  for (int calls = 1;; calls *= 2) {
-    const auto start = Clock::now();
-    for (int i = 0; i < calls; ++i) work();
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (seconds >= least) return seconds * 1e9 / calls;
-  }
-}
-
-/// Interleaved rounds against each opponent, the best of fifteen on either side; the median of five
-/// such ratios. Prints a row for each: name, against, wanted, ratio, nanoseconds per value of ours,
-/// of the other; tab-separated. One call of any side makes `values` numbers.
+/// Interleaved rounds against each opponent, the best of fifteen on either side, five times: rows
+/// of ours and of the other in turn. One call of any side makes `values` numbers.
 void compare(const std::string& name, double values, const Work& ours,
              const std::vector<Opponent>& opponents) {
   for (const Opponent& opponent : opponents) {
-    std::array<std::array<double, 3>, 5> ratios{};  // ratio, ours, the other's
-    for (auto& [ratio, best, other] : ratios) {
-      best = other = std::numeric_limits<double>::infinity();
+    for (int turn = 0; turn < 5; ++turn) {
+      double best = std::numeric_limits<double>::infinity(), other = best;
       for (int round = 0; round < 15; ++round) {
         best = std::min(best, nanoseconds(ours));
         other = std::min(other, nanoseconds(opponent.work));
       }
-      ratio = other / best;
+      print({.task = name, .ns = best / values});
+      print({.method = opponent.name, .task = name, .ns = other / values});
     }
-    std::sort(ratios.begin(), ratios.end());
-    const auto& [ratio, best, other] = ratios[2];
-    std::printf("%s\t%s\t%.4g\t%.4g\t%.4g\t%.4g\n", name.c_str(), opponent.name.c_str(),
-                opponent.wanted, ratio, best / values, other / values);
-    std::fflush(stdout);
   }
 }
 
@@ -99,11 +74,10 @@ void compare(const std::string& name, double values, const Work& ours,
   return (squares - sum * sum / n) / (n - 1);
 }
 
-void moments_of(const char* name, double wanted, std::size_t n) {
+void moments_of(const char* name, std::size_t n) {
   std::vector<double> x(n);
   for (std::size_t i = 0; i < n; ++i) x[i] = 1e9 + static_cast<double>(i * 7919 % 1000) * 1e-3;
-  std::vector<Opponent> all{
-      {"two sums in a loop", [&] { sink = variance_by_two_sums(x); }, wanted}};
+  std::vector<Opponent> all{{"two sums in a loop", [&] { sink = variance_by_two_sums(x); }}};
 #ifdef MC_HAVE_GSL
   all.push_back({"`gsl_stats_variance`", [&] { sink = gsl_stats_variance(x.data(), 1, n); }});
 #endif
@@ -111,7 +85,7 @@ void moments_of(const char* name, double wanted, std::size_t n) {
       name, static_cast<double>(n), [&] { sink = moments(x).m2; }, all);
 }
 
-// Labs 2, 3 and 6: the conversion of 2.1, or the standard library's distribution.
+// Labs 2 and 3: the conversion of 2.1, or the standard library's distribution.
 using Engine = std::mt19937_64;
 struct Converted {
   double operator()(Engine& engine) const { return to_unit(engine()); }
@@ -120,28 +94,27 @@ using Distributed = std::uniform_real_distribution<double>;
 constexpr const char *plainly = "`to_unit` of `mt19937_64`",
                      *library = "`uniform_real_distribution` of `mt19937_64`";
 
-/// The same loop with either; the library's is what the project's wishes are about.
+/// The same loop with either.
 template <class Loop>
-std::vector<Opponent> loops(double wanted, Loop loop) {
-  return {
-      {plainly, [=, engine = Engine(1)]() mutable { loop(engine, Converted{}); }},
-      {library, [=, engine = Engine(1)]() mutable { loop(engine, Distributed(0, 1)); }, wanted}};
+std::vector<Opponent> loops(Loop loop) {
+  return {{plainly, [=, engine = Engine(1)]() mutable { loop(engine, Converted{}); }},
+          {library, [=, engine = Engine(1)]() mutable { loop(engine, Distributed(0, 1)); }}};
 }
 
-void uniforms_of(double wanted) {
+void blocks_of_uniforms() {
   std::vector<double> x(block);
   Rng rng(1);
   const auto ours = [&] {
     uniforms(rng, x);
     sink = x.back();
   };
-  compare("uniforms", block, ours, loops(wanted, [&](Engine& engine, auto random) {
+  compare("uniforms", block, ours, loops([&](Engine& engine, auto random) {
             for (double& u : x) u = random(engine);
             sink = x.back();
           }));
 }
 
-void jittered(const char* name, double wanted, std::size_t side) {
+void jittered(const char* name, std::size_t side) {
   std::vector<double> x(side * side), y(side * side);
   Rng rng(1);
   const auto ours = [&] {
@@ -150,7 +123,7 @@ void jittered(const char* name, double wanted, std::size_t side) {
   };
   const double scale = 1 / static_cast<double>(side);
   compare(name, static_cast<double>(side * side), ours,
-          loops(wanted, [&, scale](Engine& engine, auto random) {
+          loops([&, scale](Engine& engine, auto random) {
             for (std::size_t j = 0, k = 0; j < side; ++j) {
               for (std::size_t i = 0; i < side; ++i, ++k) {
                 x[k] = (static_cast<double>(i) + random(engine)) * scale;
@@ -161,6 +134,7 @@ void jittered(const char* name, double wanted, std::size_t side) {
           }));
 }
 
+#ifdef MC_HAVE_OPENQMC
 /// Number by number through the interface: four dimensions by next2(), generation included.
 Work sampled(const char* kind, std::size_t n) {
   return [sampler = std::shared_ptr<Sampler>(make_sampler(kind)), n,
@@ -179,18 +153,6 @@ std::string name_of(const char* kind, std::size_t n) {
   return std::string("sampler, ") + kind + ", " + std::to_string(n) + " samples";
 }
 
-void samplers(std::size_t n, double wanted) {
-  for (const char* kind : {"independent", "stratified", "halton", "sobol"}) {
-    compare(name_of(kind, n), 4 * static_cast<double>(n), sampled(kind, n),
-            loops(wanted, [n](Engine& engine, auto random) {
-              double sum = 0;
-              for (std::size_t i = 0; i < 4 * n; ++i) sum += random(engine);
-              sink = sum;
-            }));
-  }
-}
-
-#ifdef MC_HAVE_OPENQMC
 /// One domain of four dimensions, in floats, pixel after pixel. Its tables are made beforehand.
 template <class Library>
 Opponent drawn(const char* name, std::size_t n) {
@@ -208,11 +170,9 @@ Opponent drawn(const char* name, std::size_t n) {
             sink = sum;
           }};
 }
-#endif
 
-/// Few samples beside OpenQMC, where its headers are found.
-void few_samples([[maybe_unused]] std::size_t n) {
-#ifdef MC_HAVE_OPENQMC
+/// Few samples beside OpenQMC.
+void few_samples(std::size_t n) {
   const auto pmj = drawn<oqmc::PmjSampler>("OpenQMC's pmj", n);
   const std::pair<const char*, std::vector<Opponent>> races[] = {
       {"stratified", {pmj}},
@@ -222,8 +182,8 @@ void few_samples([[maybe_unused]] std::size_t n) {
   for (const auto& [kind, opponents] : races) {
     compare(name_of(kind, n), 4 * static_cast<double>(n), sampled(kind, n), opponents);
   }
-#endif
 }
+#endif
 
 // Lab 5. Index i = d len + k with the leading digit d has one step more than i - len: from the
 // first values of a column all others follow, in loops without divisions.
@@ -277,7 +237,7 @@ std::uint32_t hashed(std::uint32_t value, std::uint32_t seed) {
   return mirrored(z);
 }
 
-void sequences(unsigned dims, bool has_wishes) {
+void sequences(unsigned dims) {
   const auto bases = primes(dims);
   std::vector<double> x(block);
   std::vector<SobolByBlocks> plain;
@@ -289,7 +249,7 @@ void sequences(unsigned dims, bool has_wishes) {
     };
   };
   const auto race = [&](const char* what, const Work& ours, const char* against, const Work& other,
-                        [[maybe_unused]] const char* kind, [[maybe_unused]] double wanted) {
+                        [[maybe_unused]] const char* kind) {
     std::vector<Opponent> all{{against, other}};
 #ifdef MC_HAVE_GSL
     const auto type = kind == std::string("Halton") ? gsl_qrng_halton : gsl_qrng_sobol;
@@ -299,20 +259,18 @@ void sequences(unsigned dims, bool has_wishes) {
            gsl_qrng_init(sequence);
            for (std::size_t i = 0; i < block; ++i) gsl_qrng_get(sequence, point.data());
            sink = point[0];
-         },
-         has_wishes ? wanted : 0});
+         }});
 #endif
     compare(std::string(what) + ", " + std::to_string(dims) + "D",
             static_cast<double>(block) * dims, ours, all);
   };
-  (void)has_wishes;
   race("radical_inverses", columns([&](unsigned d) { radical_inverses(bases[d], 0, x); }),
        "blocks, each a step from the one before",
-       columns([&](unsigned d) { inverses_by_blocks(bases[d], x.data(), block); }), "Halton", 50);
+       columns([&](unsigned d) { inverses_by_blocks(bases[d], x.data(), block); }), "Halton");
   const auto plain_columns =
       columns([&](unsigned d) { plain[d](x.data(), [](std::uint32_t value) { return value; }); });
   race("sobol", columns([&](unsigned d) { sobol(d, 0, x); }), "blocks, each by one XOR",
-       plain_columns, "Sobol'", 8);
+       plain_columns, "Sobol'");
   race("owen_scramble", columns([&](unsigned d) {
          sobol(d, 0, x);
          owen_scramble(x, d);
@@ -320,21 +278,25 @@ void sequences(unsigned dims, bool has_wishes) {
        "those blocks, 32 bits scrambled by a hash", columns([&](unsigned d) {
          plain[d](x.data(), [d](std::uint32_t value) { return hashed(value, d); });
        }),
-       "Sobol'", 1);
+       "Sobol'");
 }
 
 }  // namespace
 }  // namespace mc::ratios
 
-int main() {
+int main(int argc, char**) {
   using namespace mc::ratios;
-  moments_of("moments, in cache", 8, block);
-  moments_of("moments, out of cache", 1.8, std::size_t{1} << 23);  // 64 MB
-  uniforms_of(10);
-  jittered("stratified_2d, 64 points", 0, 8);
-  jittered("stratified_2d, 1024 points", 5, 32);
+  if (argc > 1) {
+    measure_samplers();
+    return 0;
+  }
+  moments_of("moments, in cache", block);
+  moments_of("moments, out of cache", std::size_t{1} << 23);  // 64 MB
+  blocks_of_uniforms();
+  jittered("stratified_2d, 64 points", 8);
+  jittered("stratified_2d, 1024 points", 32);
+#ifdef MC_HAVE_OPENQMC
   for (const std::size_t n : {1u, 4u, 16u, 64u}) few_samples(n);
-  samplers(64, 0);
-  samplers(1024, 2);
-  for (const unsigned dims : {2u, 4u, 8u}) sequences(dims, dims == 2);
+#endif
+  for (const unsigned dims : {2u, 8u}) sequences(dims);
 }

@@ -1,8 +1,6 @@
 #pragma once
-// The speed tasks of a submission compared with the reference: reported, never graded.
+// The speed tasks of a submission compared with plain code: reported, never graded.
 
-#include <filesystem>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,15 +16,10 @@ std::vector<protocol::Row> speed_rows(const Layout& layout, const Lab& lab,
                                       const sandbox::Program& program,
                                       const std::set<std::string>& tasks);
 
-/// The reference's times, in additions of a running sum (protocol/rows.hpp): a file of the lab,
-/// which ./lab bench --calibrate writes for checkouts without solutions.
-std::filesystem::path ratios_file(const Layout& layout, const Lab& lab);
+/// What such rows say.
+std::vector<Speed> speed_in(const std::vector<protocol::Row>& rows);
 
-/// The ratios in such a file, by the names of the speed tasks.
-std::map<std::string, double> kept_ratios(const std::filesystem::path& file);
-
-/// Measures the speed tasks whose checks all passed, and right after them the reference's; without
-/// the reference, estimates its time from the stored ratio.
+/// Measures the speed tasks whose checks all passed, each in turn with its plain definition or loop.
 std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,
                                  const sandbox::Program& program);
 

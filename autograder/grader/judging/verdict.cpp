@@ -30,11 +30,11 @@ double Verdict::points() const {
   return sum(labs, [](auto& lab) { return lab.points(); });
 }
 
-std::optional<double> LabVerdict::times_the_reference() const {
+std::optional<double> LabVerdict::times_plain() const {
   double logarithms = 0, count = 0;
   for (const Speed& one : speed) {
-    if (!one.reference) continue;
-    logarithms += std::log(*one.reference / one.nanoseconds);
+    if (!one.plain) continue;
+    logarithms += std::log(*one.plain / one.nanoseconds);
     ++count;
   }
   if (count == 0) return {};

@@ -59,15 +59,13 @@ struct CheckResult {
 
 /// The speed of a speed task and the error of its points. Reported, never graded.
 struct Speed {
-  std::string name;                       ///< "2.8 uniforms"
-  double nanoseconds = 0;                 ///< per number, value or point
-  std::optional<double> reference;        ///< the solution's
-  bool is_estimate = false;               ///< the reference comes from the lab's stored ratio
-  std::optional<double> error;            ///< RMSE of its points on `integrand`
-  std::optional<double> reference_error;  ///< the solution's, with as many points
+  std::string name;                  ///< "2.8 uniforms"
+  double nanoseconds = 0;            ///< per number, value or point
+  std::optional<double> plain = {};  ///< of the plain definition or loop, timed in turn
+  double noise = 0;                  ///< half the range of the ratios, as a part of the ratio
+  std::optional<double> error = {};  ///< RMSE of its points on `integrand`, relative
   std::uint64_t points = 0;
-  std::string integrand;
-  double addition = 0;  ///< nanoseconds per addition of a running sum, measured in the same run
+  std::string integrand = {};
 };
 
 struct LabVerdict {
@@ -81,8 +79,8 @@ struct LabVerdict {
   std::vector<std::string> on_reference = {};
   double earned() const;
   double points() const;
-  /// The speed relative to the solutions: the geometric mean over its speed tasks.
-  std::optional<double> times_the_reference() const;
+  /// The speed relative to plain code: the geometric mean over its speed tasks.
+  std::optional<double> times_plain() const;
 };
 
 struct Verdict {

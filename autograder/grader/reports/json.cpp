@@ -31,9 +31,8 @@ nlohmann::ordered_json as_json(const Speed& speed) {
   };
   return {{"name", speed.name},
           {"nanoseconds", speed.nanoseconds},
-          {"reference", number(speed.reference)},
+          {"plain", number(speed.plain)},
           {"error", number(speed.error)},
-          {"reference_error", number(speed.reference_error)},
           {"points", speed.points}};
 }
 

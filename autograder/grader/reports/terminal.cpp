@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -274,36 +275,28 @@ std::string report_lab(const LabVerdict& lab, const Verdict& verdict, const Term
 
 std::string report_speed(const LabVerdict& lab) {
   std::string all;
-  const auto line = [&](const std::string& name, const auto& print, double value,
-                        const std::optional<double>& reference = {}, const char* about = "") {
-    all += fmt::format("  {:<36}{:>14}", name, print(value));
-    all += reference ? fmt::format("   (the reference: {}{})\n", about, print(*reference)) : "\n";
-  };
   const auto nanoseconds = [](double value) {
     return value < 1000 ? fmt::format("{:.3g} ns", value) : fmt::format("{:.0f} ns", value);
   };
-  const auto digits = [](double value) { return fmt::format("{:.2g}", value); };
+  double noise = 0, compared = 0;
   for (const Speed& one : lab.speed) {
-    line(one.name, nanoseconds, one.nanoseconds, one.reference, one.is_estimate ? "about " : "");
-    if (!one.error) continue;
-    line(fmt::format("    error of {} on {}", one.points, one.integrand), digits, *one.error,
-         one.reference_error);
+    all += fmt::format("  {:<36}{:>14}", one.name, nanoseconds(one.nanoseconds));
+    if (one.plain) all += fmt::format("   (plain code: {})", nanoseconds(*one.plain));
+    all += '\n';
+    if (one.error) {
+      all +=
+          fmt::format("  {:<36}{:>14.2g}\n",
+                      fmt::format("    RMSE of {} on {}", one.points, one.integrand), *one.error);
+    }
+    noise = std::max(noise, one.noise);
+    compared += one.plain.has_value();
   }
-  double addition = 0;
-  bool is_estimate = false;
-  for (const Speed& one : lab.speed) {
-    addition = std::max(addition, one.addition);
-    is_estimate = is_estimate || one.is_estimate;
-  }
-  if (addition > 0) line("a running sum, to compare", nanoseconds, addition);
-  if (const auto times = lab.times_the_reference()) {
-    const bool is_slow = *times < 0.5;
-    const double ratio = is_slow ? 1 / *times : *times;
-    all += fmt::format("  {}{} the reference; speed is not graded.\n",
-                       is_estimate || ratio >= 10
-                           ? fmt::format("about {:.{}f} times", ratio, ratio < 10 ? 1 : 0)
-                           : fmt::format("{:.2f} times", ratio),
-                       is_slow ? " slower than" : " as fast as");
+  if (const auto times = lab.times_plain()) {
+    const bool is_slow = *times < 1;
+    const double factor = is_slow ? 1 / *times : *times;
+    all += fmt::format("  {:.{}f} times {} plain code{}, ± {:.0f} %; speed is not graded.\n",
+                       factor, factor < 10 ? 1 : 0, is_slow ? "slower than" : "as fast as",
+                       compared > 1 ? " (geometric mean)" : "", std::ceil(100 * noise));
   }
   return all;
 }

@@ -45,24 +45,6 @@ Method shifted(const Method& points) {
   return moved;
 }
 
-/// Calls measure(method, dims, sizes) for each method that the bench has, in each of its
-/// dimensions; the sizes are 16, 64, ….
-template <class Measure>
-void for_each_method(Measure measure) {
-  for (const Method& one : methods) {
-    const Method method = one.traits.is_random ? one : shifted(one);
-    for (const Count dims : method.traits.dims) {
-      std::vector<Count> sizes;
-      for (Count n = 16; n <= method.traits.most; n *= 4) {
-        const double side = std::pow(static_cast<double>(n), 1 / static_cast<double>(dims));
-        if (method.traits.power_of_root && std::abs(side - std::round(side)) > 1e-9) continue;
-        sizes.push_back(n);
-      }
-      measure(method, dims, sizes);
-    }
-  }
-}
-
 /// Replicates of an error: as many as fit into two million coordinates, which is what one
 /// measurement can carry, 32 at least and 400 at most. The error's own standard error is then a
 /// part 1/sqrt(2 · 32) = 12 % of it at most, if it is as good as normal.
@@ -70,37 +52,39 @@ Count replicates_for(Count coordinates) {
   return std::clamp<Count>((Count{1} << 20) / coordinates, 32, 400);
 }
 
-TEST_CASE("bench error of methods", "[.bench-error]") {
-  for_each_method([](const Method& method, Count dims, const std::vector<Count>& sizes) {
-    std::vector<Integrand> some;
-    std::copy_if(integrands().begin(), integrands().end(), std::back_inserter(some),
-                 [&](const Integrand& one) { return one.in_bench && one.dims == dims; });
-    for (const Count n : sizes) {
-      const auto errors = errors_of(method, some, n, replicates_for(n * dims), 1);
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        const double mean_n = std::round(errors[i].points / std::max(1.0, errors[i].count()));
-        bench_error(method.name, some[i].name, dims, static_cast<Count>(mean_n), errors[i],
-                    some[i].mean);
-      }
+/// Of each method that the bench has, in each of its dimensions: errors of 16, 64, … points, and
+/// what a point costs.
+void bench_method(const Method& method, Count dims) {
+  std::vector<Integrand> some;
+  std::ranges::copy_if(integrands(), std::back_inserter(some),
+                       [&](const Integrand& one) { return one.in_bench && one.dims == dims; });
+  double point =
+      method.traits.same_for_all_n ? nanoseconds_of(method.rounds_of(4096, dims), 4096) : missing;
+  for (Count n = 16; n <= method.traits.most; n *= 4) {
+    const double side = std::pow(static_cast<double>(n), 1 / static_cast<double>(dims));
+    if (method.traits.power_of_root && std::abs(side - std::round(side)) > 1e-9) continue;
+    if (!method.traits.same_for_all_n) point = nanoseconds_of(method.rounds_of(n, dims), n);
+    if (std::isnan(point)) return;
+    const auto errors = errors_of(method, some, n, replicates_for(n * dims), 1);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const double mean_n = std::round(errors[i].points / std::max(1.0, errors[i].count()));
+      bench_row({.method = method.name,
+                 .task = method.task,
+                 .integrand = some[i].name,
+                 .dimensions = dims,
+                 .n = static_cast<Count>(mean_n),
+                 .rmse = errors[i].rmse() / some[i].mean,
+                 .ns = point + nanoseconds_of(some[i])});
     }
-  });
+  }
 }
 
-TEST_CASE("bench time of methods", "[.bench-time]") {
-  const bool has_none = std::all_of(methods.begin(), methods.end(),
-                                    [](const Method& one) { return one.traits.dims.empty(); });
-  for (const Integrand& one : integrands()) {
-    if (has_none || !one.in_bench) continue;
-    bench_row({"integrand", one.name, "", one.dims, 0, nanoseconds_of(one)});
-    bench_row({"variance", one.name, "", one.dims, 0, one.variance / (one.mean * one.mean)});
-  }
-  for_each_method([](const Method& method, Count dims, std::vector<Count> sizes) {
-    if (method.traits.same_for_all_n) sizes = {4096};
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-      if (i % 2 == 1 && i + 1 < sizes.size()) continue;  // every other one, and the last
-      if (!bench_time(method.name, "", dims, sizes[i], method.rounds_of(sizes[i], dims))) break;
+TEST_CASE("bench of methods", "[.bench]") {
+  for (const Method& one : methods) {
+    for (const Count dims : one.traits.dims) {
+      bench_method(one.traits.is_random ? one : shifted(one), dims);
     }
-  });
+  }
 }
 
 }  // namespace

@@ -142,11 +142,15 @@ inline Rounds block_by(unsigned task, unsigned base_or_dimension) {
   return [=](Count rounds) { return column_by(task, base_or_dimension)(4096, 1, rounds, {}); };
 }
 
+inline Rounds plain_by(unsigned task) {
+  return [=](Count rounds) { return TRY_MEASURE(repeat_plain, task, 4096, rounds); };
+}
+
 inline const std::vector<SpeedTask> speed_tasks{
-    {"5.2", "radical inverses in base 3", 4096, block_by(2, 3)},
-    {"5.5", "Sobol' coordinates", 4096, block_by(5, 1)},
+    {"5.2", "radical inverses in base 3", 4096, block_by(2, 3), {}, 0, block_by(1, 3)},
+    {"5.5", "Sobol' coordinates", 4096, block_by(5, 1), {}, 0, plain_by(5)},
     {"5.8", "scrambled Sobol' coordinates", 4096, block_by(8, 1), methods["scrambled_sobol"].points,
-     1024}};
+     1024, plain_by(8)}};
 
 /// D* of the first set, by the submission.
 inline double star_discrepancy_of(const Sets& sets) {

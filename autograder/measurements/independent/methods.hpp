@@ -19,7 +19,9 @@ inline const Methods methods = [] {
 }();
 
 inline const std::vector<SpeedTask> speed_tasks{
-    {"2.8", "uniforms", 4096, methods["independent"].rounds_of(4096, 1)}};
+    {"2.8", "uniforms", 4096, methods["independent"].rounds_of(4096, 1), {}, 0, [](Count rounds) {
+       return TRY_MEASURE(repeat_source, 1, 4096, rounds, 1);
+     }}};
 
 /// An integrand of 2.2, as the experiments know it, and its mean.
 struct LineIntegrand {

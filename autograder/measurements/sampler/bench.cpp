@@ -1,5 +1,4 @@
-// Lab 6 in the bench: scenes, through the interface of a sampler; what each next2() is worth, and
-// what a number costs where samples are few.
+// Lab 6 in the bench: scenes, through the interface of a sampler; and what each next2() is worth.
 
 #include <cmath>
 #include <numeric>
@@ -11,49 +10,28 @@
 namespace mc::measurements {
 namespace {
 
-/// Scenes, and how many coordinates a sample asks for: one next2() to next2(), next(), next2().
-const std::vector<std::pair<std::string, Count>> scenes_of_bench{
-    {"pixel_edge", 2}, {"rect_light", 2},   {"penumbra_disk", 2},
-    {"ao_sphere", 2},  {"defocus_edge", 4}, {"pixel_time_lens", 5}};
-
-/// Calls run(method, scene, n) for each kind on each scene at sizes 16, 16 factor, …, for as long
-/// as it returns true; blue noise up to 256.
-template <class Run>
-void on_scenes(Count factor, Run run) {
-  for (const auto& [scene, dims] : scenes_of_bench) {
+TEST_CASE("bench of scenes", "[.bench]") {
+  for (const auto& [scene, dims] : {std::pair{"pixel_edge", 2},
+                                    {"rect_light", 2},
+                                    {"penumbra_disk", 2},
+                                    {"ao_sphere", 2},
+                                    {"defocus_edge", 2},
+                                    {"pixel_time_lens", 5}}) {
     for (const Method& method : methods) {
       const Count most = method.kind == "blue_noise" ? 256 : method.traits.most;
-      for (Count n = 16; n <= most && run(method, scene, dims, n); n *= factor) {
+      for (Count n = 16; n <= most; n *= 4) {
+        const double ns = nanoseconds_of(scene_rounds(method.kind, scene, n), n);
+        if (std::isnan(ns)) break;
+        bench_row({.method = method.kind,
+                   .task = method.task,
+                   .integrand = scene,
+                   .dimensions = static_cast<Count>(dims),
+                   .n = n,
+                   .rmse = scene_errors(method.kind, scene, n, 200, 1).rmse() /
+                           known_scene(scene, {}).exact,
+                   .ns = ns});
       }
     }
-  }
-}
-
-TEST_CASE("bench error of scenes", "[.bench-error]") {
-  for (const auto& [scene, dims] : scenes_of_bench) {
-    const Known known = known_scene(scene, {});
-    bench_row({"variance", scene, "", dims, 0, known.variance / (known.exact * known.exact)});
-  }
-  on_scenes(4, [](const Method& method, const std::string& scene, Count dims, Count n) {
-    bench_error(method.name, scene, dims, n, scene_errors(method.kind, scene, n, 200, 1),
-                known_scene(scene, {}).exact);
-    return true;
-  });
-}
-
-TEST_CASE("bench time of scenes", "[.bench-time]") {
-  on_scenes(16, [](const Method& method, const std::string& scene, Count dims, Count n) {
-    return bench_time(method.name, scene, dims, n, scene_rounds(method.kind, scene, n));
-  });
-}
-
-TEST_CASE("bench growth", "[.bench-growth]") {
-  for (Method one : methods) {
-    if (one.traits.most < 4096) continue;
-    one.name = "sampler: " + one.name;
-    bench_growth(one, 2, 10'000'000);
-    one.rounds = ROUNDS_BY(repeat, one.kind, 1, dims, n, rounds, 1);  // by next()
-    bench_growth_of_dims(one);
   }
 }
 
@@ -200,18 +178,6 @@ TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
         for (const PointSet& set : sets) empty.add(empty_cells(set, side, 2 * use));
         table.add(fmt::format("{}, {}", one.kind, use + 1), table.column_of_n(), empty.moment(1));
       }
-    }
-  }
-}
-
-/// Four dimensions by next2(), what generate() does included.
-TEST_CASE("bench table of times", "[.bench-table-time]") {
-  BenchTable table{"ns per number, four dimensions by next2(), generate() included"};
-  for (const Method& one : methods) {
-    for (const Count n : {1u, 4u, 16u, 64u, 256u, 1024u}) {
-      table.n = n;
-      table.add(one.kind, table.column_of_n(),
-                seconds_of(one.rounds_of(n, 4)) * 1e9 / static_cast<double>(4 * n));
     }
   }
 }

@@ -34,8 +34,13 @@ inline const std::vector<SpeedTask> speed_tasks = [] {
   for (const Method& one : methods) {
     if (one.kind == "blue_noise" || one.kind == "lattice") continue;
     for (const Count n : {16u, 64u}) {
-      all.push_back({"6.8", fmt::format("a number, {}, {} samples", one.kind, n), 4 * n,
-                     one.rounds_of(n, 4)});
+      all.push_back({"6.8",
+                     fmt::format("a number, {}, {} samples", one.kind, n),
+                     4 * n,
+                     one.rounds_of(n, 4),
+                     {},
+                     0,
+                     [=](Count rounds) { return TRY_MEASURE(repeat_textbook, 4, n, rounds); }});
     }
   }
   return all;

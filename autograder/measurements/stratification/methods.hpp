@@ -32,8 +32,8 @@ inline const Methods methods = [] {
        ROUNDS_BY(repeat_textbook, 2, n, rounds)}};
 }();
 
-inline const std::vector<SpeedTask> speed_tasks{{"3.10", "points of a jittered grid", 1024,
-                                                 methods["jittered"].rounds_of(1024, 2),
-                                                 methods["jittered"].points, 1024}};
+inline const std::vector<SpeedTask> speed_tasks{
+    {"3.10", "points of a jittered grid", 1024, methods["jittered"].rounds_of(1024, 2),
+     methods["jittered"].points, 1024, methods["textbook"].rounds_of(1024, 2)}};
 
 }  // namespace mc::measurements

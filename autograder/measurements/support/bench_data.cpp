@@ -2,41 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "measurements/support/markdown.hpp"
+#include "protocol/environment.hpp"
 
 namespace mc::measurements {
+namespace {
 
-void bench_error(const std::string& what, const std::string& on, Count dims, Count n,
-                 const ErrorSums& errors, double exact) {
-  bench_row({"error", what, on, dims, n, errors.rmse() / exact, errors.standard_error() / exact});
+/// A cell whose relative error exceeds this shows the error too.
+constexpr double uncertain = 0.15;
+
+struct Table {
+  std::string title;
+  Markdown cells{};
+  double largest = 0;  ///< relative error of the cells that do not show their own
+};
+
+}  // namespace
+
+double nanoseconds_of(const Rounds& rounds, Count n) {
+  return seconds_of(rounds, 0.025, 3) * 1e9 / static_cast<double>(n);
 }
 
-bool bench_time(const std::string& what, const std::string& on, Count dims, Count n,
-                const Rounds& rounds) {
-  const double round = seconds_of(rounds);
-  bench_row({"time", what, on, dims, n, round * 1e9 / static_cast<double>(n)});
-  return !std::isnan(round);
-}
-
-void bench_growth(const Method& method, Count dims, Count most, Count least, Count factor) {
-  for (Count n = least; n <= most; n *= factor) {
-    std::size_t memory = 0;
-    const double round = seconds_of([&](Count rounds) {
-      const Cost cost = method.rounds(n, dims, rounds, large);
-      memory = std::max(memory, cost.memory);
-      return cost;
-    });
-    if (std::isnan(round)) return;
-    bench_row({"growth", method.name, "n", dims, n, round});
-    bench_row({"memory", method.name, "n", dims, n, static_cast<double>(memory)});
+void BenchTable::add(const std::string& row, const std::string& column, double value,
+                     double error) const {
+  static std::vector<Table> tables;
+  if (std::isnan(value)) return;
+  auto table = std::ranges::find(tables, title, &Table::title);
+  if (table == tables.end()) table = tables.insert(table, {title});
+  std::string& shown = table->cells.cell(row, column);
+  shown = two_digits(value);
+  if (error > uncertain * value) {
+    shown += " ± " + two_digits(error);
+  } else if (!std::isnan(error)) {
+    table->largest = std::max(table->largest, error / value);
   }
-}
-
-void bench_growth_of_dims(const Method& method) {
-  const std::string name = method.name + (method.traits.is_random ? "" : ", shifted");
-  for (Count dims = 1; dims <= 32; dims *= 2) {
-    const double round = seconds_of(method.rounds_of(4096, dims));
-    if (std::isnan(round)) return;
-    bench_row({"growth", name, "dims", dims, 4096, round});
+  const char* const path = std::getenv(protocol::rows_variable);
+  std::ofstream file(path == nullptr ? "" : path);
+  for (const Table& one : tables) {
+    file << (one.title == tables[0].title ? "" : "\n") << one.title;
+    if (one.largest > 0) file << fmt::format(" (± {:.0f} % at most)", 100 * one.largest);
+    file << "\n\n" << one.cells.text();
   }
 }
 

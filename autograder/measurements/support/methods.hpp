@@ -44,12 +44,11 @@ inline const sandbox::Limits large{120, 240, std::size_t{1000} << 20};
 /// What a run of the program took.
 struct Cost {
   double seconds = missing;  ///< CPU time
-  std::size_t memory = 0;    ///< peak, in bytes
 
   Cost(double cpu_seconds) : seconds(cpu_seconds) {}
   template <class Result>
   Cost(const std::optional<Measured<Result>>& got) {
-    if (got) seconds = got->cpu_seconds, memory = got->peak_memory;
+    if (got) seconds = got->cpu_seconds;
   }
 };
 
@@ -115,14 +114,16 @@ class Methods : public std::vector<Method> {
   }
 };
 
-/// A speed task: `rounds` makes `values` numbers or points each time. If `points` is given, the
-/// error of `n` points in the plane is reported next to their time.
+/// A speed task: `rounds` makes `values` numbers or points each time, and so does `plain`, the plain
+/// definition or loop. If `points` is given, the error of `n` points in the plane is reported next
+/// to their time.
 struct SpeedTask {
   std::string task, name;
   Count values;
   Rounds rounds;
   MakePoints points = {};
   Count n = 0;
+  Rounds plain = {};
 };
 
 /// The points and the rounds of a method by an experiment, whose arguments may be n, dims, count

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <stdexcept>
 #include <vector>
@@ -13,32 +12,8 @@
 #include "runner/text.hpp"
 
 namespace mc::measurements {
-namespace {
 
-/// Nanoseconds per number of a running sum: what every machine does about as fast as its clock
-/// says. Divided by it, a time means the same on every machine, so the reference's time can be
-/// estimated where there is no reference. The shortest of several, for noise only adds.
-double nanoseconds_of_addition() {
-  static const std::vector<double> x(4096, 1 + 1e-9);  // 32 KB: in the first-level cache
-  constexpr int rounds = 64, attempts = 7;
-  double least = infinity;
-  volatile double sink = 0;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    const std::clock_t start = std::clock();
-    for (int round = 0; round < rounds; ++round) {
-      double sum = sink;
-      for (const double value : x) sum += value;
-      sink = sum;
-    }
-    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  return least * 1e9 / (rounds * static_cast<double>(x.size()));
-}
-
-}  // namespace
-
-void bench_row(const protocol::Row& row) {
-  if (std::isnan(row.value)) return;
+void bench_row(const Row& row) {
   static std::ofstream file = [] {
     const char* path = std::getenv(protocol::rows_variable);
     if (path == nullptr) throw std::runtime_error("MC_BENCH_DATA is not set");
@@ -83,12 +58,19 @@ void bench_speed(const SpeedTask& task) {
   const auto words = text::words_of(wanted == nullptr ? "" : wanted);
   if (std::find(words.begin(), words.end(), task.task) == words.end()) return;
   const std::string what = task.task + ' ' + task.name;
-  const double round = seconds_of(task.rounds, 0.025, 3);
-  if (!std::isnan(round)) {
-    bench_row({"speed unit", what, "", 0, 1, nanoseconds_of_addition()});
-    bench_row({"speed", what, "", 0, task.values, round * 1e9 / static_cast<double>(task.values)});
+  const auto nanoseconds = [&](const Rounds& run, Count& rounds) {
+    return rounds == 0
+               ? missing
+               : seconds_by_difference(run, rounds) * 1e9 / static_cast<double>(task.values);
+  };
+  Count own = rounds_for(task.rounds, 0.025),
+        plain = task.plain ? rounds_for(task.plain, 0.025) : 0;
+  for (int turn = 0; turn < 3 && own > 0; ++turn) {
+    bench_row({.task = what, .n = task.values, .ns = nanoseconds(task.rounds, own)});
+    bench_row(
+        {.method = "plain", .task = what, .n = task.values, .ns = nanoseconds(task.plain, plain)});
   }
-  if (!task.points) return;
+  if (!task.points || own == 0) return;
   const double integral = std::expm1(1.0) * std::expm1(1.0);
   ErrorSums errors;
   for (const PointSet& set : task.points(task.n, 2, 64, 1)) {
@@ -96,7 +78,11 @@ void bench_speed(const SpeedTask& task) {
     for (std::size_t i = 0; i < task.n; ++i) sum += std::exp(set.column(0)[i] + set.column(1)[i]);
     errors.add(sum / static_cast<double>(task.n) / integral - 1);
   }
-  bench_row({"speed error", what, "exp(x + y)", 2, task.n, errors.rmse(), errors.standard_error()});
+  bench_row({.task = what,
+             .integrand = "exp(x + y)",
+             .dimensions = 2,
+             .n = task.n,
+             .rmse = errors.rmse()});
 }
 
 }  // namespace mc::measurements

@@ -1,6 +1,6 @@
 #pragma once
-// Times, seen from outside the program; and the speed tasks, as check and grade report them: hidden
-// cases tagged [.speed]. Each number is a row (protocol/rows.hpp).
+// What methods cost: times, seen from outside the program; and the speed tasks, as check and grade
+// report them: hidden cases tagged [.speed]. Each number is in a row (protocol/rows.hpp).
 
 #include <string>
 
@@ -9,8 +9,10 @@
 
 namespace mc::measurements {
 
-/// Appends to the file that ./lab bench reads, and flushes it. A missing value has no row.
-void bench_row(const protocol::Row& row);
+using protocol::Row;
+
+/// Appends to the file that the grader reads, and flushes it.
+void bench_row(const Row& row);
 
 /// So many rounds that they take about `wanted` seconds, the start of the program included;
 /// `first` or more. 0 where the task is not written.
@@ -24,11 +26,12 @@ double seconds_by_difference(const Rounds& run, Count& rounds);
 
 /// The median of so many such differences, R rounds of which take about `wanted` seconds: the two
 /// runs of each are close together, since a shared machine changes its pace from one second to the
-/// next. (./lab bench comes back for more of them.) Missing where what came back was wrong.
+/// next. Missing where what came back was wrong.
 double seconds_of(const Rounds& run, double wanted = 0.025, int differences = 1, Count first = 1);
 
-/// Rows of kind speed, if the task is one that MC_SPEED_TASKS names (the grader does: those that
-/// passed), in a seventh of a second; and speed error, relative to the integral of exp(x + y).
+/// Rows of a speed task, if MC_SPEED_TASKS names its task (the grader does: those that passed): of
+/// its time and of its plain counterpart's in turn, three times each; and of the error of its
+/// points.
 void bench_speed(const SpeedTask& task);
 
 }  // namespace mc::measurements
