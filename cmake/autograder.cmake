@@ -67,7 +67,7 @@ endforeach()
 # nothing refers to them by name.
 file(GLOB sources CONFIGURE_DEPENDS autograder/grader/*/*.cpp autograder/classes/*.cpp
   autograder/bench/*.cpp)
-list(FILTER sources EXCLUDE REGEX "/submission/archive[.]cpp$|/bench/measurement[.]cpp$")
+list(FILTER sources EXCLUDE REGEX "/submission/archive[.]cpp$")
 add_library(judge OBJECT ${sources})
 own_target(judge)
 # Users wait for this: common headers are parsed once, and the templates of the JSON library are

@@ -91,7 +91,7 @@ TEST_CASE("each speed task has a plain counterpart") {
 TEST_CASE("speed is in the results and not in the score") {
   Verdict verdict;
   verdict.labs.push_back(passed_lab({{.name = "2.8 uniforms", .nanoseconds = 0.5, .plain = 1.0}}));
-  const auto results = nlohmann::json::parse(report_json(verdict, {}));
+  const auto results = nlohmann::json::parse(results_json(verdict));
   CHECK(results["score"] == 5);
   CHECK(results["extra_data"]["speed"][0]["name"] == "2.8 uniforms");
 }
