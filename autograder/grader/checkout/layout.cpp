@@ -76,6 +76,8 @@ Layout read_layout() {
   read("is_clang", layout.is_clang);
   read("link_flags", layout.link_flags);
   read("peers", layout.peers);
+  std::erase(layout.link_flags, "");  // CMake's empty lists
+  for (auto& [name, flags] : layout.peers) std::erase(flags, "");
   if (json.contains("root")) layout.root = json.at("root").get<std::string>();
   if (json.contains("objects")) {
     for (const auto& [lab, objects] : json.at("objects").items()) {

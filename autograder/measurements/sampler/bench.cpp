@@ -126,7 +126,7 @@ TEST_CASE("bench table of sixteen dimensions", "[.bench-table]") {
   }
 }
 
-/// Costs and gains of the choice of a block (6.3).
+/// Costs and gains of the choice of a block (6.8).
 TEST_CASE("bench table of blocks", "[.bench-table]") {
   BenchTable table{"mean squared error of exp(x + y + ...) by that of independent samples"};
   for (const auto& [name, dimensions] : {std::pair<std::string, std::vector<unsigned>>{
@@ -155,7 +155,7 @@ TEST_CASE("bench table of blocks", "[.bench-table]") {
   }
 }
 
-/// How early an integration may be stopped (6.3): the first and the second block.
+/// How early an integration may be stopped (6.8): the first and the second block.
 TEST_CASE("bench table of early stops", "[.bench-table]") {
   const BenchTable table{"first 256 of 1024 samples: RMSE of exp(x + y) by the k-th next2()", 256};
   for (const Method& one : methods.of({"multi_jittered", "scrambled_halton", "scrambled_sobol"})) {
@@ -166,7 +166,7 @@ TEST_CASE("bench table of early stops", "[.bench-table]") {
   }
 }
 
-/// Cells of a square grid of N cells that a next2() leaves empty (6.3), on average.
+/// Cells of a square grid of N cells that a next2() leaves empty (6.8), on average.
 TEST_CASE("bench table of empty cells of next2", "[.bench-table]") {
   BenchTable table{"empty cells of a grid of N, by call of next2()"};
   for (const Method& one : methods.of({"scrambled_halton", "scrambled_sobol"})) {
