@@ -161,6 +161,17 @@ TEST_CASE("without Landlock there is a grade, which says so, and no other file i
   }
 }
 
+TEST_CASE("what was compiled without Landlock is compiled again with it", "[.machine]") {
+  Course course(0);
+  course.hand_in("thief",
+                 "asm(\".incbin \\\"/etc/passwd\\\"\");\n" + text_of(course.layout.starter()));
+  const auto words = course.grade(course.build, "class/thief", {});
+  const auto before = course.with({"--refuse", "landlock_create_ruleset"}, words);
+  if (before.exit_code == 77 || contains(course.with({}, words).output, "no Landlock")) return;
+  CHECK(contains(before.output, "not written yet"));
+  CHECK(contains(course.with({}, words).output, "The assembler rejects an asm statement"));
+}
+
 TEST_CASE("as the only user of a user namespace, and with a lower stack, it judges", "[.machine]") {
   const Course course(1);
   for (const Words& how : {Words{"unshare", "--user", "--map-root-user"},
