@@ -1,5 +1,5 @@
-# The judge: the sandbox, the protocol, the checks of each lab, the grader, the bench. Includes
-# point downward only: bench -> grader -> protocol, sandbox <- checks.
+# The sandbox, the protocol, the checks of each lab, the judge, its commands, the bench. Includes
+# point downward only: bench, commands -> classes -> judge -> protocol, sandbox <- checks.
 
 file(GLOB sources CONFIGURE_DEPENDS autograder/sandbox/*.cpp)
 add_library(sandbox STATIC ${sources})
@@ -65,9 +65,9 @@ endforeach()
 
 # One program has all commands. It links object libraries, because commands register themselves:
 # nothing refers to them by name.
-file(GLOB sources CONFIGURE_DEPENDS autograder/grader/*/*.cpp autograder/classes/*.cpp
-  autograder/bench/*.cpp)
-list(FILTER sources EXCLUDE REGEX "/submission/archive[.]cpp$")
+file(GLOB sources CONFIGURE_DEPENDS autograder/judge/*/*.cpp autograder/classes/*.cpp
+  autograder/commands/*.cpp autograder/bench/*.cpp)
+list(FILTER sources EXCLUDE REGEX "/submission/archive[.]cpp$|/commands/main[.]cpp$")
 add_library(judge OBJECT ${sources})
 own_target(judge)
 # Users wait for this: common headers are parsed once, and the templates of the JSON library are
@@ -88,7 +88,7 @@ if(MC_UNITY)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${part})
   endforeach()
 endif()
-add_library(archives STATIC autograder/grader/submission/archive.cpp)  # a handout has none
+add_library(archives STATIC autograder/judge/submission/archive.cpp)  # a handout has none
 own_target(archives)
 target_link_libraries(archives PUBLIC sandbox)
 if(ARCHIVE_LIBRARY AND ARCHIVE_INCLUDE)
@@ -98,7 +98,7 @@ if(ARCHIVE_LIBRARY AND ARCHIVE_INCLUDE)
 endif()
 target_link_libraries(judge PUBLIC archives sandbox protocol nlohmann_json::nlohmann_json
   Threads::Threads)
-add_executable(lab autograder/grader/main.cpp)
+add_executable(lab autograder/commands/main.cpp)
 own_target(lab)
 target_link_libraries(lab PRIVATE judge)
 add_dependencies(judge_all lab)

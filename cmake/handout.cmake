@@ -35,7 +35,7 @@ set(below $<TARGET_FILE:protocol> $<TARGET_FILE:sandbox> ${static_fmt} ${SECCOMP
 
 # Without libarchive, which needs a dozen other libraries: students hand in zips and receive none.
 static_judge(lab lab judge)
-target_sources(handout_lab PRIVATE autograder/grader/submission/archive.cpp)
+target_sources(handout_lab PRIVATE autograder/judge/submission/archive.cpp)
 target_include_directories(handout_lab PRIVATE autograder labs)
 target_link_libraries(handout_lab PRIVATE ${below})
 foreach(lab ${LABS})

@@ -57,7 +57,7 @@ set(sanitized false)
 if(MC_SANITIZE OR CMAKE_CXX_FLAGS MATCHES -fsanitize)
   set(sanitized true)
 endif()
-# Where everything is, for the program (autograder/grader/checkout/layout.cpp).
+# Where everything is, for the program (autograder/judge/checkout/layout.cpp).
 list(JOIN LAYOUT_OBJECTS ",\n  " LAYOUT_OBJECTS)
 list(JOIN LAYOUT_PEERS ",\n  " LAYOUT_PEERS)
 file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/layout.json CONTENT "{

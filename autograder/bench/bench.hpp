@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/checkout/layout.hpp"
-#include "grader/pictures/gnuplot.hpp"
+#include "judge/checkout/layout.hpp"
+#include "judge/pictures/gnuplot.hpp"
 #include "protocol/rows.hpp"
 
 namespace mc::grader {

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "bench/bench.hpp"
-#include "grader/base/replace.hpp"
+#include "judge/base/replace.hpp"
 #include "measurements/support/markdown.hpp"
 
 namespace mc::grader {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "bench/bench.hpp"
-#include "grader/base/text_file.hpp"
+#include "judge/base/text_file.hpp"
 #include "measurements/support/markdown.hpp"
 
 namespace mc::grader {

@@ -8,11 +8,11 @@
 #include <map>
 
 #include "bench/bench.hpp"
-#include "grader/commands/command.hpp"
-#include "grader/judging/judge.hpp"
-#include "grader/reports/progress_line.hpp"
-#include "grader/submission/build.hpp"
-#include "grader/submission/compile.hpp"
+#include "commands/command.hpp"
+#include "judge/judging/judge.hpp"
+#include "judge/reports/progress_line.hpp"
+#include "judge/submission/build.hpp"
+#include "judge/submission/compile.hpp"
 #include "protocol/environment.hpp"
 #include "runner/text.hpp"
 #include "sandbox/process.hpp"

@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "grader/base/side_by_side.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/judging/budget.hpp"
-#include "grader/reports/progress_line.hpp"
-#include "grader/reports/report.hpp"
-#include "grader/submission/compile.hpp"
-#include "grader/submission/scratch.hpp"
-#include "grader/submission/source.hpp"
+#include "judge/base/side_by_side.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/judging/budget.hpp"
+#include "judge/reports/progress_line.hpp"
+#include "judge/reports/report.hpp"
+#include "judge/submission/compile.hpp"
+#include "judge/submission/scratch.hpp"
+#include "judge/submission/source.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;

@@ -2,9 +2,9 @@
 // Judges many submissions in parallel.
 
 #include "classes/verdict_store.hpp"
-#include "grader/judging/judge_submission.hpp"
-#include "grader/reports/csv.hpp"
-#include "grader/submission/intake.hpp"
+#include "judge/judging/judge_submission.hpp"
+#include "judge/reports/csv.hpp"
+#include "judge/submission/intake.hpp"
 
 namespace mc::grader {
 

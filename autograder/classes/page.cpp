@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "grader/base/text_file.hpp"
-#include "grader/reports/csv.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/reports/csv.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "grader/judging/verdict.hpp"
-#include "grader/reports/html.hpp"
+#include "judge/judging/verdict.hpp"
+#include "judge/reports/html.hpp"
 
 namespace mc::grader {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
+#include "judge/base/errors.hpp"
+#include "judge/base/text_file.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "classes/verdict_store.hpp"
-#include "grader/checkout/labs.hpp"
+#include "judge/checkout/labs.hpp"
 
 namespace mc::grader {
 

@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/reports/verdict_json.hpp"
+#include "judge/base/errors.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/reports/verdict_json.hpp"
 
 namespace mc::grader {
 namespace fs = std::filesystem;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/judging/verdict.hpp"
+#include "judge/judging/verdict.hpp"
 #include "sandbox/descriptor.hpp"
 
 namespace mc::grader {

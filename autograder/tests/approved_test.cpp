@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <regex>
 
-#include "grader/base/replace.hpp"
-#include "grader/commands/command.hpp"
+#include "judge/base/replace.hpp"
+#include "commands/command.hpp"
 #include "tests/classes/course.hpp"
 
 namespace mc::tests::approved {

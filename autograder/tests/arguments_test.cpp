@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
-#include "grader/commands/arguments.hpp"
+#include "judge/base/errors.hpp"
+#include "commands/arguments.hpp"
 
 namespace mc::tests::words {
 

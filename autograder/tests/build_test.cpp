@@ -1,7 +1,7 @@
 // How a submission is compiled, and the student's message if it does not compile.
 #include <thread>
 
-#include "grader/submission/toolchain.hpp"
+#include "judge/submission/toolchain.hpp"
 #include "sandbox/printable.hpp"
 #include "tests/submissions.hpp"
 

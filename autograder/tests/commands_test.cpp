@@ -6,8 +6,8 @@
 
 #include <fmt/ranges.h>
 
-#include "grader/commands/command.hpp"
-#include "grader/judging/judge.hpp"
+#include "commands/command.hpp"
+#include "judge/judging/judge.hpp"
 #include "runner/text.hpp"
 #include "tests/documents.hpp"
 #include "tests/submissions.hpp"

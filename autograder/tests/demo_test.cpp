@@ -1,6 +1,6 @@
 // The interactive page, in a browser.
 
-#include "grader/reports/html.hpp"
+#include "judge/reports/html.hpp"
 #include "tests/browser.hpp"
 #include "tests/submissions.hpp"
 

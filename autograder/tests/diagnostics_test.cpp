@@ -1,12 +1,12 @@
 // Original messages of compilers and linkers, and what students see of them.
-#include "grader/submission/diagnostics.hpp"
+#include "judge/submission/diagnostics.hpp"
 
 #include <filesystem>
 #include <map>
 #include <string>
 
 #include "checks/support/catch.hpp"
-#include "grader/submission/source.hpp"
+#include "judge/submission/source.hpp"
 #include "tests/text.hpp"
 
 namespace mc::tests::diagnostics {

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "grader/checkout/hints.hpp"
-#include "grader/reports/report.hpp"
-#include "grader/submission/archive.hpp"
+#include "judge/checkout/hints.hpp"
+#include "judge/reports/report.hpp"
+#include "judge/submission/archive.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests::entry_script {

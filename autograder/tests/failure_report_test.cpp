@@ -6,7 +6,7 @@
 #include "6-sampler/experiments.hpp"
 #include "checks/support/compare.hpp"
 #include "checks/support/validation.hpp"
-#include "grader/reports/report.hpp"
+#include "judge/reports/report.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests::report {

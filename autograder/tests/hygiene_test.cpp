@@ -15,8 +15,8 @@
 #include <system_error>
 #include <utility>
 
-#include "grader/judging/judge.hpp"
-#include "grader/pictures/plots.hpp"
+#include "judge/judging/judge.hpp"
+#include "judge/pictures/plots.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/programs.hpp"
 #include "tests/submissions.hpp"

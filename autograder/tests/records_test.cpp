@@ -6,8 +6,8 @@
 
 #include "checks/support/catch.hpp"
 #include "checks/support/measure.hpp"
-#include "grader/checkout/layout.hpp"
-#include "grader/judging/check_process.hpp"
+#include "judge/checkout/layout.hpp"
+#include "judge/judging/check_process.hpp"
 #include "tests/text.hpp"
 
 namespace mc::tests::records {

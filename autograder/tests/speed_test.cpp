@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "grader/judging/judge.hpp"
-#include "grader/judging/speed.hpp"
-#include "grader/reports/report.hpp"
+#include "judge/judging/judge.hpp"
+#include "judge/judging/speed.hpp"
+#include "judge/reports/report.hpp"
 #include "measurements/support/speed_data.hpp"
 #include "tests/submissions.hpp"
 

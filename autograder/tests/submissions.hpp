@@ -11,13 +11,13 @@
 #include <fmt/format.h>
 
 #include "checks/support/catch.hpp"
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
-#include "grader/judging/verdict.hpp"
-#include "grader/submission/build.hpp"
-#include "grader/submission/submission.hpp"
+#include "judge/base/errors.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/checkout/labs.hpp"
+#include "judge/checkout/layout.hpp"
+#include "judge/judging/verdict.hpp"
+#include "judge/submission/build.hpp"
+#include "judge/submission/submission.hpp"
 #include "sandbox/process.hpp"
 #include "tests/text.hpp"
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <thread>
 
-#include "grader/commands/watch.hpp"
+#include "commands/watch.hpp"
 #include "sandbox/descriptor.hpp"
 #include "tests/submissions.hpp"
 

@@ -1,5 +1,5 @@
 // The standard headers that most submissions include. The autograder compiles them once (see
-// autograder/grader/submission/compile.cpp). Include what you use nevertheless.
+// autograder/judge/submission/compile.cpp). Include what you use nevertheless.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "classes/verdict_store.hpp"
-#include "grader/reports/verdict_json.hpp"
-#include "grader/submission/compile.hpp"
-#include "grader/submission/scratch.hpp"
+#include "judge/reports/verdict_json.hpp"
+#include "judge/submission/compile.hpp"
+#include "judge/submission/scratch.hpp"
 #include "tests/classes/course.hpp"
 
 namespace mc::tests::batch {

@@ -4,10 +4,10 @@
 
 #include <iterator>
 
-#include "grader/commands/course_copy.hpp"
-#include "grader/reports/verdict_json.hpp"
-#include "grader/submission/archive.hpp"
-#include "grader/submission/cache.hpp"
+#include "commands/course_copy.hpp"
+#include "judge/reports/verdict_json.hpp"
+#include "judge/submission/archive.hpp"
+#include "judge/submission/cache.hpp"
 #include "tests/classes/course.hpp"
 
 namespace mc::tests::hostile {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "grader/reports/csv.hpp"
+#include "judge/reports/csv.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests {

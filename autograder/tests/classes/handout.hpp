@@ -1,7 +1,7 @@
 #pragma once
 // The students' handout.
 
-#include "grader/commands/course_copy.hpp"
+#include "commands/course_copy.hpp"
 #include "tests/classes/course.hpp"
 
 namespace mc::tests {

@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "grader/base/replace.hpp"
-#include "grader/base/shell.hpp"
-#include "grader/submission/archive.hpp"
-#include "grader/submission/intake.hpp"
-#include "grader/submission/platform_names.hpp"
+#include "judge/base/replace.hpp"
+#include "judge/base/shell.hpp"
+#include "judge/submission/archive.hpp"
+#include "judge/submission/intake.hpp"
+#include "judge/submission/platform_names.hpp"
 #include "tests/submissions.hpp"
 
 namespace mc::tests::intake {

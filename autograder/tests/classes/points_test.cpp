@@ -1,6 +1,6 @@
 // points.csv changes points without C++, and leaves tasks out everywhere.
 
-#include "grader/judging/points.hpp"
+#include "judge/judging/points.hpp"
 #include "tests/classes/course.hpp"
 
 namespace mc::tests::points {

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <fstream>
 
-#include "grader/base/errors.hpp"
+#include "judge/base/errors.hpp"
 #include "runner/text.hpp"
 #include "tests/self_test/proof.hpp"
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/submission/scratch.hpp"
+#include "judge/base/errors.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/submission/scratch.hpp"
 #include "tests/fuzz/plan.hpp"
 #include "tests/self_test/proof.hpp"
 

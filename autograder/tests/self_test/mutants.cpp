@@ -13,10 +13,10 @@
 #include <fmt/format.h>
 
 #include "common/rng.hpp"
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/judging/judge.hpp"
-#include "grader/submission/compile.hpp"
+#include "judge/base/errors.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/judging/judge.hpp"
+#include "judge/submission/compile.hpp"
 #include "tests/self_test/proof.hpp"
 
 namespace mc::self_test {

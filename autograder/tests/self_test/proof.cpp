@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "grader/base/errors.hpp"
-#include "grader/base/text_file.hpp"
-#include "grader/judging/judge.hpp"
-#include "grader/reports/report.hpp"
-#include "grader/submission/compile.hpp"
+#include "judge/base/errors.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/judging/judge.hpp"
+#include "judge/reports/report.hpp"
+#include "judge/submission/compile.hpp"
 #include "runner/text.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/process.hpp"

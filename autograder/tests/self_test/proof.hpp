@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "grader/checkout/labs.hpp"
-#include "grader/checkout/layout.hpp"
-#include "grader/judging/verdict.hpp"
-#include "grader/submission/build.hpp"
-#include "grader/submission/submission.hpp"
+#include "judge/checkout/labs.hpp"
+#include "judge/checkout/layout.hpp"
+#include "judge/judging/verdict.hpp"
+#include "judge/submission/build.hpp"
+#include "judge/submission/submission.hpp"
 
 namespace mc::self_test {
 

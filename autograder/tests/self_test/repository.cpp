@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "grader/base/text_file.hpp"
-#include "grader/checkout/hints.hpp"
-#include "grader/judging/judge.hpp"
+#include "judge/base/text_file.hpp"
+#include "judge/checkout/hints.hpp"
+#include "judge/judging/judge.hpp"
 #include "tests/self_test/proof.hpp"
 
 namespace mc::self_test {

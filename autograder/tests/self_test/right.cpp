@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "checks/support/distributions.hpp"
-#include "grader/judging/speed.hpp"
+#include "judge/judging/speed.hpp"
 #include "tests/self_test/proof.hpp"
 
 namespace mc::self_test {

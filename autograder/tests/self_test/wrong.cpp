@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "grader/base/shell.hpp"
-#include "grader/judging/judge.hpp"
-#include "grader/judging/repeat_commands.hpp"
+#include "judge/base/shell.hpp"
+#include "judge/judging/judge.hpp"
+#include "judge/judging/repeat_commands.hpp"
 #include "runner/text.hpp"
 #include "sandbox/printable.hpp"
 #include "sandbox/process.hpp"
