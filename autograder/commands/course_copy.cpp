@@ -121,7 +121,7 @@ void copy_compiled_judge(const Context& context, const std::set<std::string>& la
   copy_into(form / "CMakeLists.txt", to / "CMakeLists.txt");
   copy_into(layout.root / "cmake" / "tasks.cmake", to / "cmake" / "tasks.cmake");
   for (const char* name : {"demo.html", "demo.js", "demo_labs.js"}) {
-    const fs::path part = fs::path("autograder") / "grader" / "pictures" / name;
+    const fs::path part = fs::path("autograder") / "judge" / "pictures" / name;
     copy_into(layout.root / part, to / part);
   }
 }
