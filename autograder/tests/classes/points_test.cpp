@@ -44,6 +44,7 @@ TEST_CASE("points.csv sets tasks and checks, with any total, and leaves out thos
 TEST_CASE("points for a lab or a task that does not exist are refused with their line") {
   Layout layout = read_layout();
   const std::vector<Lab> labs = find_labs(layout);
+  const fs::path docs = layout.root / "docs" / "points";
   const Scratch place;
   for (const char* folder : {"labs", "autograder"}) {
     fs::create_directory_symlink(layout.root / folder, place.path() / folder);
@@ -60,6 +61,9 @@ TEST_CASE("points for a lab or a task that does not exist are refused with their
   };
   CHECK(refusal("what,points\n1.1,3\n6.2,0\n2.2 any check,4\n") == "");
   CHECK(refusal("1.1,3\n99.1,2\n") == "points.csv, row 2: there is no lab 99");
+  for (const char* example : {"20-hours.csv", "40-hours.csv"}) {
+    CHECK(refusal(read_whole_text(docs / example)) == "");
+  }
   CHECK(refusal("1.77,3\n") == "points.csv, row 1: lab 1 has no task 1.77");
 }
 
@@ -77,7 +81,7 @@ TEST_CASE("a task left out is in no table and no handout", "[.handout]") {
   Course course;
   const fs::path root = course.path() / "root", build = course.path() / "build";
   git(course.path(), {"clone", "-q", "--shared", course.layout.root, root});
-  write_text(root / points_file, "what,points\n1.8,0\n1.1,30\n");
+  write_text(root / points_file, "what,points\n1.7,0\n1.1,30\n");
   const fs::path program = built_for(root, build, "lab");
   for (const auto& entry : fs::directory_iterator(course.layout.build / "bin")) {
     const fs::path to = build / "bin" / entry.path().filename();
@@ -91,16 +95,16 @@ TEST_CASE("a task left out is in no table and no handout", "[.handout]") {
   course.hand_in("bob", "int 1;\n");
   run({"grade", "--class", course.place(), "--lab", "1", "--csv", course.csv()});
   const std::string table = read_text(course.csv());
-  CHECK(!contains(table, "\"1.8 "));
+  CHECK(!contains(table, "\"1.7 "));
   CHECK(contains(table, " points "));  // the version says so
   const fs::path handout = course.path() / "handout";
   run({"handout", handout, "--labs", "1", "--with-sources"});
   CHECK(fs::exists(handout / points_file));
-  CHECK(!contains(read_text(handout / "labs" / "1-variance" / "README.md"), "### 1.8"));
-  CHECK(!contains(read_text(handout / "labs" / "1-variance" / "hints.md"), "## 1.8"));
+  CHECK(!contains(read_text(handout / "labs" / "1-variance" / "README.md"), "### 1.7"));
+  CHECK(!contains(read_text(handout / "labs" / "1-variance" / "hints.md"), "## 1.7"));
   const std::string starter = read_text(handout / "starter" / "variance.cpp");
-  CHECK(contains(starter, "TODO(1.7)"));
-  CHECK(!contains(starter, "TODO(1.8)"));
+  CHECK(contains(starter, "TODO(1.6)"));
+  CHECK(!contains(starter, "TODO(1.7)"));
 }
 
 }  // namespace mc::tests::points

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,6 +35,41 @@ std::string listed(const std::set<std::string>& tasks) {
   std::string all;
   for (const std::string& task : tasks) all += task + ' ';
   return all;
+}
+
+/// A text with single blanks in place of line ends and of several.
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool is_blank = c == ' ' || c == '\n';
+    if (!is_blank) {
+      line += c;
+    } else if (!line.ends_with(' ')) {
+      line += ' ';
+    }
+  }
+  return line;
+}
+
+/// The questions that the answers quote ("> …") are the handout's.
+void compare_questions(const Layout& layout, const Lab& lab) {
+  const std::string handout =
+      on_one_line(read_text(layout.labs() / lab.folder / "README.md"));
+  const fs::path answers = layout.root / "docs" / "answers" / (lab.folder + ".md");
+  std::string quote;
+  std::istringstream lines(read_text(answers) + "\n\n");
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("> ")) {
+      quote += line.substr(2) + ' ';
+    } else if (!quote.empty()) {
+      std::string question = on_one_line(quote);
+      question.pop_back();
+      if (handout.find(question) == std::string::npos) {
+        complain(fmt::format("{} quotes what the handout does not ask: {}", answers.string(), question));
+      }
+      quote.clear();
+    }
+  }
 }
 
 }  // namespace
@@ -68,6 +104,7 @@ void prove_repository() {
         {layout.labs() / lab.folder / "hints.md", "\n## "},
         {layout.starter() / lab.file(), "TODO("},
         {layout.solutions() / lab.file(), "// "}};
+    compare_questions(layout, lab);
     for (const std::string& task : tasks) {
       const auto hints = hints_for(layout, lab, task);
       if (hints.size() != 3) {
