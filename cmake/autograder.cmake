@@ -102,3 +102,6 @@ add_executable(lab autograder/commands/main.cpp)
 own_target(lab)
 target_link_libraries(lab PRIVATE judge)
 add_dependencies(judge_all lab)
+# What ./lab builds at first: the program and, on the other cores, the checks of the first lab.
+list(GET LABS 0 first)
+add_custom_target(start DEPENDS lab checks_${first})

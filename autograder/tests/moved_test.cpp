@@ -16,7 +16,7 @@ file(APPEND ${CMAKE_SOURCE_DIR}/configured.txt "${CMAKE_BINARY_DIR}\n")
 file(WRITE ${CMAKE_BINARY_DIR}/layout.json "{}\n")
 file(WRITE ${CMAKE_BINARY_DIR}/bin/lab "#!/bin/sh\necho ${CMAKE_SOURCE_DIR}\n")
 file(CHMOD ${CMAKE_BINARY_DIR}/bin/lab PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
-add_custom_target(lab COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/built)
+add_custom_target(start COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/built)
 )";
 
 sandbox::ProcessResult run_lab(const fs::path& checkout, const Words& words = {"--version"},

@@ -25,9 +25,9 @@ std::string output_of(const CheckResult& result, const LabVerdict& lab, std::uin
   return text;
 }
 
-nlohmann::ordered_json as_json(const Speed& speed) {
+nlohmann::json as_json(const Speed& speed) {
   const auto number = [](const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+    return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
   };
   return {{"name", speed.name},
           {"nanoseconds", speed.nanoseconds},
@@ -39,7 +39,7 @@ nlohmann::ordered_json as_json(const Speed& speed) {
 }  // namespace
 
 std::string results_json(const Verdict& verdict) {
-  auto tests = nlohmann::ordered_json::array(), speed = tests;
+  auto tests = nlohmann::json::array(), speed = tests;
   std::string output = jail_warning(verdict);
   if (!verdict.found_in.empty()) output += fmt::format("found in {}\n", verdict.found_in);
   for (const LabVerdict& lab : verdict.labs) {
@@ -62,7 +62,7 @@ std::string results_json(const Verdict& verdict) {
     output += "This submission cannot be read: " + verdict.unreadable + "\n";
   } else if (verdict.labs.empty())
     output += "This submission contains no lab files.\n";
-  nlohmann::ordered_json all;
+  nlohmann::json all;
   all["score"] = verdict.earned();
   all["execution_time"] = verdict.seconds;
   all["output"] = output;
