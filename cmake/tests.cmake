@@ -43,7 +43,7 @@ test_of(grader 100 grader_tests "~[script]~[.]")
 test_of(script 100 grader_tests "[script]~[.]")
 test_of(repository 5 self_test repository)
 # Not in --quick: tests that build a checkout or measure, and those as long as all others together.
-foreach(tag checkout handout gradescope interrupted machine class demo sanitizers)
+foreach(tag checkout handout gradescope interrupted machine class demo sanitizers slow)
   test_of(${tag} 95 grader_tests "[${tag}]")
 endforeach()
 test_of(numbers 95 ${CMAKE_COMMAND} -E env MC_BUILD=${CMAKE_BINARY_DIR} MC_NO_BUILD=1

@@ -117,7 +117,7 @@ TEST_CASE("the bench takes a file of the repository's submissions, and no other"
                        "there is no file missing.cpp");
 }
 
-TEST_CASE("the bench prints tables of what it is given, each with its name") {
+TEST_CASE("the bench prints tables of what it is given, each with its name", "[.slow]") {
   const std::string definitions = "alternatives/stratification/plain_definitions.cpp";
   REQUIRE_RUN(run, tests::lab({"bench", "autograder/submissions/" + definitions, "--tables"}));
   tests::check_contains(run.output, {"\nkurtosis of the error of exp(x + y) (",

@@ -69,7 +69,7 @@ TEST_CASE("of several speed tasks the factor is their geometric mean, and says s
   CHECK_FALSE(passed_lab({{.name = "a", .nanoseconds = 1}}).times_plain());
 }
 
-TEST_CASE("each speed task has a plain counterpart") {
+TEST_CASE("each speed task has a plain counterpart", "[.slow]") {
   const Layout layout = read_layout();
   const auto labs = find_labs(layout);
   const Submission solutions = open_submission(labs, layout.solutions());
