@@ -144,7 +144,8 @@ int run_bench(const Context& context, const Arguments& arguments) {
   const bool is_whole = labs.empty();
   if (is_whole) labs = context.labs;
   std::ranges::sort(labs, {}, &Lab::number);  // each once
-  labs.erase(std::ranges::unique(labs, {}, &Lab::number).begin(), labs.end());
+  const auto is_same = [](const Lab& a, const Lab& b) { return a.number == b.number; };
+  labs.erase(std::unique(labs.begin(), labs.end(), is_same), labs.end());
 
   const auto start = std::chrono::steady_clock::now();
   const bool tables_only = arguments.has("tables");
