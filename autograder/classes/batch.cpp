@@ -29,10 +29,9 @@ constexpr int most_failures = 3;
 
 /// A hash of everything submitted that a verdict depends on, 128 bits long.
 std::string contents_hash(const IntakeEntry& entry, const JudgeOptions& options) {
-  const std::string all =
-      fmt::format("{}\n{}\n{}{}", entry.unreadable, entry.submission.found_in,
-                  contents_of(entry.submission.files),
-                  options.with_reference ? "on the reference's files\n" : "");
+  const std::string all = fmt::format("{}\n{}\n{}{}", entry.unreadable, entry.submission.found_in,
+                                      contents_of(entry.submission.files),
+                                      options.with_reference ? "on the reference's files\n" : "");
   return fmt::format("{:016x}{:016x}", hash_text(all), hash_text(all, hash_text("second")));
 }
 
@@ -67,8 +66,12 @@ class Batch {
  public:
   Batch(const Context& context, const std::vector<IntakeEntry>& entries, const VerdictStore* store,
         const BatchOptions& options)
-      : context_(context), entries_(entries), store_(store), options_(options),
-        verdicts_(entries.size()), parts_(entries.size(), 0) {
+      : context_(context),
+        entries_(entries),
+        store_(store),
+        options_(options),
+        verdicts_(entries.size()),
+        parts_(entries.size(), 0) {
     for (const IntakeEntry& one : entries) {
       widest_ = std::max(widest_, std::min<std::size_t>(columns_of(one.submission.label), 40));
     }

@@ -43,8 +43,8 @@ InTask in_task(const LabVerdict& lab, const std::string& task) {
     all.earned += result.earned();
     all.points += result.check.points;
     all.is_passed = all.is_passed && result.status == Status::passed;
-    all.is_attempted = all.is_attempted || (lab.no_program.empty() &&
-                                            result.status != Status::not_written);
+    all.is_attempted =
+        all.is_attempted || (lab.no_program.empty() && result.status != Status::not_written);
   }
   return all;
 }
@@ -92,18 +92,18 @@ std::string address_of(const std::string& name) {
 constexpr const char* pages_folder = "submissions";
 
 std::string student_row(const Verdict& verdict, const std::vector<LabGroup>& groups) {
-  std::string all = fmt::format(
-      "<tr><th scope=\"row\" class=\"name\"><a href=\"{}/{}\">{}</a>", pages_folder,
-      address_of(verdict.submission + ".html"), html_escaped(verdict.submission));
+  std::string all =
+      fmt::format("<tr><th scope=\"row\" class=\"name\"><a href=\"{}/{}\">{}</a>", pages_folder,
+                  address_of(verdict.submission + ".html"), html_escaped(verdict.submission));
   if (const std::string reason = reason_of(verdict); !reason.empty()) {
     all += "<br><span class=\"quiet\">" + html_escaped(reason) + "</span>";
   }
   all += "</th>";
   for (const LabGroup& group : groups) {
     const LabVerdict* const lab = lab_in(verdict, group.lab.name);
-    all += lab == nullptr ? "<td></td>"
-                          : fmt::format("<td class=\"number\"><strong>{:g}</strong></td>",
-                                        lab->earned());
+    all += lab == nullptr
+               ? "<td></td>"
+               : fmt::format("<td class=\"number\"><strong>{:g}</strong></td>", lab->earned());
     for (const TaskColumn& task : group.tasks) {
       const InTask in = lab == nullptr ? InTask() : in_task(*lab, task.task);
       if (!in.is_attempted) {
@@ -111,10 +111,11 @@ std::string student_row(const Verdict& verdict, const std::vector<LabGroup>& gro
         continue;
       }
       const double share = in.points > 0 ? in.earned / in.points : in.is_passed ? 1 : 0;
-      all += fmt::format(
-          "<td class=\"number\" style=\"background:rgba(0,114,178,{:.2f})\">{}</td>",
-          0.4 * std::clamp(share, 0.0, 1.0),
-          in.points > 0 ? fmt::format("{:g}", in.earned) : in.is_passed ? "✓" : "✗");
+      all += fmt::format("<td class=\"number\" style=\"background:rgba(0,114,178,{:.2f})\">{}</td>",
+                         0.4 * std::clamp(share, 0.0, 1.0),
+                         in.points > 0  ? fmt::format("{:g}", in.earned)
+                         : in.is_passed ? "✓"
+                                        : "✗");
     }
   }
   return all + "</tr>\n";
@@ -134,21 +135,23 @@ std::string summary_row(const char* name, const std::vector<LabGroup>& groups, C
 
 std::string index_page(const std::vector<Verdict>& verdicts) {
   const auto groups = groups_of(verdicts);
-  std::string labs = "<tr><td></td>", tasks = "<tr><th scope=\"col\" class=\"name\">submission</th>";
+  std::string labs = "<tr><td></td>",
+              tasks = "<tr><th scope=\"col\" class=\"name\">submission</th>";
   for (const LabGroup& group : groups) {
     labs += fmt::format("<th scope=\"colgroup\" colspan=\"{}\">{}</th>", group.tasks.size() + 1,
                         html_escaped(group.lab.title()));
     tasks += fmt::format("<th scope=\"col\" class=\"number\">of {:g}</th>", group.points);
     for (const TaskColumn& task : group.tasks) {
-      tasks += fmt::format("<th scope=\"col\" class=\"number\">{}<br><span class=\"quiet\">{}</span></th>",
-                           task.task,
-                           task.points > 0 ? fmt::format("{:g}", task.points) : "stretch");
+      tasks += fmt::format(
+          "<th scope=\"col\" class=\"number\">{}<br><span class=\"quiet\">{}</span></th>",
+          task.task, task.points > 0 ? fmt::format("{:g}", task.points) : "stretch");
     }
   }
   std::string all = fmt::format(
       "<h1>Grades</h1>\n<p>{} submissions. The darker a cell, the larger its part of the task's "
       "points; an empty one was not attempted.</p>\n"
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"points\"><table>\n{}</tr>\n"
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"points\"><table>\n{}</tr>\n"
       "{}</tr>\n",
       verdicts.size(), labs, tasks);
   all += summary_row("attempted", groups, [](const TaskColumn& task) { return task.attempted; });

@@ -53,11 +53,11 @@ std::string submit_tasks(const Context& context, const VerdictStore& store,
                      as_word((context.layout.bin / "lab").string());
   for (const std::string& word : words) text += ' ' + as_word(word);
   write_text(script, text + '\n');
-  const auto run = sandbox::run_process(
-      {"sbatch", "--parsable", fmt::format("--array=1-{}", count), "--requeue", "--job-name=grade",
-       "--open-mode=append", "--output=" + (store.directory() / "%a.log").string(),
-       script.string()},
-      for_slurm());
+  const auto run =
+      sandbox::run_process({"sbatch", "--parsable", fmt::format("--array=1-{}", count), "--requeue",
+                            "--job-name=grade", "--open-mode=append",
+                            "--output=" + (store.directory() / "%a.log").string(), script.string()},
+                           for_slurm());
   if (run.exit_code == 127) throw MachineError("sbatch not found: is Slurm installed?");
   if (!run.succeeded()) {
     throw MachineError("sbatch: " + sandbox::printable_line(without_line_end(run.errors)));
@@ -71,12 +71,12 @@ void require_finished_tasks(const VerdictStore& store) {
   if (!fs::exists(store.directory() / "job")) return;
   const std::string job = without_line_end(read_text(store.directory() / "job"));
   // Slurm forgets ended jobs after a while; then this fails, which means nothing.
-  const auto queue =
-      sandbox::run_process({"squeue", "--noheader", "--jobs=" + job}, for_slurm());
+  const auto queue = sandbox::run_process({"squeue", "--noheader", "--jobs=" + job}, for_slurm());
   if (queue.succeeded() && !without_line_end(queue.output).empty()) {
-    throw UsageError(fmt::format("job {0} is still running: wait for it (squeue), or cancel it "
-                                 "(scancel {0}) and judge the rest here",
-                                 job));
+    throw UsageError(
+        fmt::format("job {0} is still running: wait for it (squeue), or cancel it "
+                    "(scancel {0}) and judge the rest here",
+                    job));
   }
 }
 

@@ -54,8 +54,8 @@ std::optional<Verdict> read_verdict(const fs::path& file) {
 
 /// Held until this process ends in any way.
 sandbox::Descriptor lock_of(const fs::path& directory, const fs::path& csv) {
-  sandbox::Descriptor lock(
-      open((directory / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644), "opening the lock");
+  sandbox::Descriptor lock(open((directory / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644),
+                           "opening the lock");
   // A run that was just killed may have a child that has not called exec yet.
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(3);
   while (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
@@ -105,9 +105,9 @@ std::optional<Verdict> VerdictStore::known(const Verdict& wanted) const {
   if (!may_reuse_) return {};
   auto verdict = read_verdict(directory_ / (wanted.submission + ".json"));
   if (!verdict) return {};
-  const bool same_labs = std::ranges::equal(verdict->labs, wanted.labs, {},
-                                            [](auto& one) { return one.lab.name; },
-                                            [](auto& one) { return one.lab.name; });
+  const bool same_labs = std::ranges::equal(
+      verdict->labs, wanted.labs, {}, [](auto& one) { return one.lab.name; },
+      [](auto& one) { return one.lab.name; });
   const bool is_current = verdict->submission == wanted.submission && same_labs &&
                           verdict->contents == wanted.contents &&
                           verdict->version == wanted.version && verdict->seed == wanted.seed &&

@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "judge/checkout/hints.hpp"
 #include "commands/command.hpp"
 #include "commands/progress.hpp"
 #include "commands/watch.hpp"
+#include "judge/checkout/hints.hpp"
 #include "judge/judging/judge_submission.hpp"
 #include "judge/reports/progress_line.hpp"
 #include "judge/submission/compile.hpp"
@@ -51,8 +51,8 @@ int check(const Context& context, const Arguments& arguments) {
   const Submission& submission = intake.entries[0].submission;
   // For a machine that reads results.json, a missing file is a grade of 0 points.
   if (!submission.files.contains(lab.name) && !json) {
-    throw UsageError(fmt::format("{} has no {}{}", directory.string(), lab.file(),
-                                 what_is_there(submission)));
+    throw UsageError(
+        fmt::format("{} has no {}{}", directory.string(), lab.file(), what_is_there(submission)));
   }
   if (arguments.has("watch")) {
     if (json) throw UsageError("--watch cannot be combined with --json");

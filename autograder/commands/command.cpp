@@ -87,8 +87,8 @@ void build(const Layout& layout, const std::vector<std::string>& targets) {
       "opening the lock of " + layout.build.string());
   const ProgressLine line("building");
   (void)flock(lock.get(), LOCK_EX);
-  std::vector<std::string> command{"cmake", "--build", layout.build.string(), "--parallel",
-                                   std::to_string(cores()), "--target"};
+  std::vector<std::string> command{
+      "cmake", "--build", layout.build.string(), "--parallel", std::to_string(cores()), "--target"};
   command.insert(command.end(), targets.begin(), targets.end());
   const auto run = sandbox::run_process(command);
   if (run.succeeded()) return;
@@ -193,9 +193,8 @@ RegisterCommand::RegisterCommand(Command command) {
 }
 
 const std::vector<Command>& all_commands() {
-  std::ranges::sort(registry(), {}, [](const Command& one) {
-    return std::tuple(one.for_instructors, one.name);
-  });
+  std::ranges::sort(registry(), {},
+                    [](const Command& one) { return std::tuple(one.for_instructors, one.name); });
   return registry();
 }
 

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "commands/arguments.hpp"
 #include "judge/base/errors.hpp"
 #include "judge/base/text_file.hpp"
 #include "judge/checkout/labs.hpp"
-#include "commands/arguments.hpp"
 #include "judge/submission/submission.hpp"
 #include "sandbox/printable.hpp"
 
@@ -41,8 +41,7 @@ struct Command {
   bool for_instructors = false;  ///< listed only where there are solutions
   std::string place = {};        ///< the path it works on: without that, there is no such command
   /// The CMake targets that must be up to date before it runs, besides this program.
-  std::vector<std::string> (*targets)(const Context& context,
-                                      const Arguments& arguments) = nullptr;
+  std::vector<std::string> (*targets)(const Context& context, const Arguments& arguments) = nullptr;
   std::string name = usage.substr(0, usage.find(' '));
 
   Arguments parse(const std::vector<std::string>& words) const;

@@ -14,11 +14,22 @@ namespace mc::grader {
 namespace {
 
 /// Files that hold answers or are for instructors only.
-constexpr const char* kept_back[] = {
-    "solutions/",   "docs/",           "autograder/submissions/", "autograder/tests/",
-    "autograder/bench/", "autograder/gradescope/", "autograder/new-lab/", ".ci/", ".github/",
-    "README.md",    "SECURITY.md",     "REUSE.toml",              "CONTRIBUTING.md",
-    "CHANGELOG.md", "CITATION.cff",    "points.csv"};  // the last is copied where it belongs
+constexpr const char* kept_back[] = {"solutions/",
+                                     "docs/",
+                                     "autograder/submissions/",
+                                     "autograder/tests/",
+                                     "autograder/bench/",
+                                     "autograder/gradescope/",
+                                     "autograder/new-lab/",
+                                     ".ci/",
+                                     ".github/",
+                                     "README.md",
+                                     "SECURITY.md",
+                                     "REUSE.toml",
+                                     "CONTRIBUTING.md",
+                                     "CHANGELOG.md",
+                                     "CITATION.cff",
+                                     "points.csv"};  // the last is copied where it belongs
 
 /// What only a judge with sources needs.
 constexpr const char* sources_of_the_judge[] = {"autograder/", "cmake/", "CMakeLists.txt",

@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "judge/base/replace.hpp"
 #include "commands/command.hpp"
+#include "judge/base/replace.hpp"
 #include "judge/judging/judge.hpp"
 #include "judge/pictures/plots.hpp"
 #include "judge/reports/html.hpp"

@@ -7,8 +7,8 @@
 #include "classes/batch.hpp"
 #include "classes/page.hpp"
 #include "classes/slurm.hpp"
-#include "judge/base/side_by_side.hpp"
 #include "commands/command.hpp"
+#include "judge/base/side_by_side.hpp"
 #include "judge/judging/points.hpp"
 #include "judge/pictures/plots.hpp"
 #include "judge/reports/progress_line.hpp"
@@ -56,7 +56,8 @@ Intake intake_of(const Context& context, const Arguments& arguments) {
   if (!place && arguments.words.empty()) throw WrongUsage();
   Intake intake = place ? take_in_class(context, *place) : take_in(context, arguments.words);
   for (const std::string& file : intake.left_out) fmt::print("left out: {}\n", file);
-  if (place) fmt::print("{} submissions in {}\n", intake.entries.size(), sandbox::printable_line(*place));
+  if (place)
+    fmt::print("{} submissions in {}\n", intake.entries.size(), sandbox::printable_line(*place));
   if (intake.entries.empty()) throw UsageError("there is no submission in " + *place);
   return intake;
 }
@@ -200,7 +201,7 @@ int grade(const Context& context, const Arguments& arguments) {
   const Intake intake = intake_of(context, arguments);
   std::optional<VerdictStore> store;
   if (csv) {
-    store.emplace(*csv, is_task                    ? StoreMode::task
+    store.emplace(*csv, is_task                   ? StoreMode::task
                         : arguments.has("resume") ? StoreMode::resume
                                                   : StoreMode::anew);
   }
@@ -272,8 +273,10 @@ const RegisterCommand grade_command{
      .about = "grade whole submissions",
      .details =
          "Each DIR or ZIP is one submission: ./lab grade solutions, ./lab grade class/*. With "
-         "--class, each entry of one directory or archive is one student. Grades every lab that has "
-         "a file: at the top of a submission, in starter/, or anywhere below. One submission gets a "
+         "--class, each entry of one directory or archive is one student. Grades every lab that "
+         "has "
+         "a file: at the top of a submission, in starter/, or anywhere below. One submission gets "
+         "a "
          "report of each check, and plots; several get one line each.\n"
          "Exit status: 0 all are judged, 2 bad usage, 3 the machine failed: some submissions are "
          "not judged and have no points.",

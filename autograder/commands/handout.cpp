@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "judge/base/replace.hpp"
-#include "judge/checkout/hints.hpp"
 #include "commands/course_copy.hpp"
 #include "commands/git.hpp"
+#include "judge/base/replace.hpp"
+#include "judge/checkout/hints.hpp"
 #include "judge/judging/points.hpp"
 #include "judge/submission/scratch.hpp"
 #include "runner/text.hpp"
@@ -112,8 +112,9 @@ void leave_tasks_out(const fs::path& root, const Lab& lab, const fs::path& to) {
 /// "has three steps", with the number of this handout.
 void state_hints(const fs::path& readme, int steps) {
   constexpr const char* numbers[] = {"no steps", "one step", "two steps", "three steps"};
-  write_text(readme, with_replacements(read_whole_text(readme),
-                                       {{"has three steps", fmt::format("has {}", numbers[steps])}}));
+  write_text(readme,
+             with_replacements(read_whole_text(readme),
+                               {{"has three steps", fmt::format("has {}", numbers[steps])}}));
 }
 
 /// The pages of docs/ that a lab's README links to: "](../../docs/NAME.md)".
@@ -218,7 +219,8 @@ int handout(const Context& context, const Arguments& arguments) {
   }
   Settings settings;
   settings.form = arguments.has("with-sources") ? "sources" : "compiled";
-  if (!is_new) settings = nlohmann::json::parse(read_whole_text(to / settings_file)).get<Settings>();
+  if (!is_new)
+    settings = nlohmann::json::parse(read_whole_text(to / settings_file)).get<Settings>();
   if (is_new || arguments.has("labs")) {
     settings.labs.merge(labs_with_dependencies(context, arguments.get("labs")));
   }
@@ -249,7 +251,8 @@ const RegisterCommand handout_command{
          "Writes a git repository with one commit: the labs, the starters, the autograder as "
          "programs, a README for students, an editor's tasks, a dev container, and a workflow that "
          "grades each push. It has no solutions, checks or tests. Students need Linux on this "
-         "machine's architecture, and a compiler. If DIR is a handout already, adds one commit that "
+         "machine's architecture, and a compiler. If DIR is a handout already, adds one commit "
+         "that "
          "replaces everything but starter/ and answers/; students get it with git pull.",
      .options = {{"--labs LIST", "only these labs and those that they depend on"},
                  {"--hints N", "only the first N steps of each task's hints, 0 to 3"},

@@ -2,8 +2,8 @@
 
 #include <charconv>
 
-#include "judge/checkout/hints.hpp"
 #include "commands/command.hpp"
+#include "judge/checkout/hints.hpp"
 
 namespace mc::grader {
 namespace {

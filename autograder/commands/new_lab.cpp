@@ -17,8 +17,7 @@ int new_lab(const Context& context, const Arguments& arguments) {
   }
   const int number = context.labs.back().number + 1;
   const fs::path root = context.layout.root;
-  for (const fs::path& file :
-       write_new_lab(root / "autograder" / "new-lab", number, lab, root)) {
+  for (const fs::path& file : write_new_lab(root / "autograder" / "new-lab", number, lab, root)) {
     fmt::print("{}\n", file.string());
   }
   fmt::print(

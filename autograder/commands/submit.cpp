@@ -96,9 +96,10 @@ int submit(const Context& context, const Arguments& arguments) {
 const RegisterCommand submit_command{
     {.usage = "submit LAB",
      .about = "write the zip file to hand in",
-     .details = "Writes N-LAB.zip here: your file of that lab and of the labs it depends on, and "
-                "answers/N-LAB.md if it exists. Prints whether the file compiles, its last points, and "
-                "which questions are not answered.",
+     .details =
+         "Writes N-LAB.zip here: your file of that lab and of the labs it depends on, and "
+         "answers/N-LAB.md if it exists. Prints whether the file compiles, its last points, and "
+         "which questions are not answered.",
      .run = submit,
      .least_words = 1,
      .most_words = 1}};

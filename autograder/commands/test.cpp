@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "judge/base/side_by_side.hpp"
 #include "commands/command.hpp"
+#include "judge/base/side_by_side.hpp"
 
 namespace mc::grader {
 namespace {

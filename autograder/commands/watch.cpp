@@ -166,8 +166,8 @@ int watch(const WatchedWork& work) {
       commands.erase(commands.begin());
     } else if (!std::exchange(is_waiting, true)) {
       const auto at = static_cast<std::size_t>(missing - states.begin());
-      screen.say(fmt::format("{} does not exist: waiting for it",
-                             work.files[at].filename().string()));
+      screen.say(
+          fmt::format("{} does not exist: waiting for it", work.files[at].filename().string()));
     }
   }
   run.reset();

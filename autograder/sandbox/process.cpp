@@ -33,8 +33,8 @@ namespace {
 std::vector<std::string> variables_of(const Environment& additions) {
   std::vector<std::string> all;
   for (const auto& [name, value] : fixed_environment()) {
-    const bool is_replaced =
-        std::ranges::any_of(additions, [&name = name](const auto& one) { return one.first == name; });
+    const bool is_replaced = std::ranges::any_of(
+        additions, [&name = name](const auto& one) { return one.first == name; });
     if (!is_replaced) all.push_back(name + '=' + value);
   }
   for (const auto& [name, value] : additions) all.push_back(name + '=' + value);

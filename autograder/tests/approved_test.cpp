@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "judge/base/replace.hpp"
 #include "commands/command.hpp"
+#include "judge/base/replace.hpp"
 #include "tests/classes/course.hpp"
 
 namespace mc::tests::approved {
@@ -23,7 +23,8 @@ std::string comparable(std::string text, const Course& course) {
   text = std::regex_replace(text, std::regex(R"re("(seconds|execution_time)": [-0-9.e]+)re"),
                             R"("$1": S)");
   text = std::regex_replace(text, std::regex(R"(,"VERSION",[0-9.]+,)"), ",VERSION,S,");
-  text = std::regex_replace(text, std::regex(R"("contents": "[0-9a-f]+")"), R"("contents": "HASH")");
+  text =
+      std::regex_replace(text, std::regex(R"("contents": "[0-9a-f]+")"), R"("contents": "HASH")");
   // Speed is measured: its lines come last, behind an empty line.
   return std::regex_replace(text, std::regex("\n[^\n]* ns[^\n]*|\n[^\n]*speed is not graded[^\n]*"),
                             "");

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "checks/support/catch.hpp"
-#include "judge/base/errors.hpp"
 #include "commands/arguments.hpp"
+#include "judge/base/errors.hpp"
 
 namespace mc::tests::words {
 

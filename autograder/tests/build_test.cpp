@@ -135,7 +135,8 @@ TEST_CASE("what a build command depends on, in a make rule") {
 }
 
 // The compiler's own programs stand in for a machine that kills them, or that lacks something.
-TEST_CASE("a tool that was killed or found no room is the machine's fault, not the submission's", "[.slow]") {
+TEST_CASE("a tool that was killed or found no room is the machine's fault, not the submission's",
+          "[.slow]") {
   Labs labs;
   const OpenScratch place;
   const std::string compiler = labs.layout.compiler;

@@ -81,8 +81,7 @@ bool is_placeholder(const std::string& word) {
   return !word.empty() && word[0] >= 'A' && word[0] <= 'Z';
 }
 
-const std::set<std::string> takes_a_lab{"check", "run", "plot", "submit",
-                                        "gradescope"};
+const std::set<std::string> takes_a_lab{"check", "run", "plot", "submit", "gradescope"};
 
 /// Why this command is invalid; empty if it is valid.
 std::string objection(const Layout& layout, const std::vector<Lab>& labs, const Words& words) {

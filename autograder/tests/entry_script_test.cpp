@@ -46,8 +46,7 @@ TEST_CASE("bad usage gives one line with the error and the usage, and exit statu
       {{"grade", "--class", "/no/such/place"}, "no such directory"},
       {{"grade", "a", "--resume"}, "--resume needs the --csv"},
       {{"grade", "a", "--slurm"}, "--slurm needs --csv FILE"},
-      {{"grade", "a", "--slurm", "--csv", "x.csv", "--html", "x"},
-       "no --html"},
+      {{"grade", "a", "--slurm", "--csv", "x.csv", "--html", "x"}, "no --html"},
       {{"gradescope", "1"}, "usage: ./lab gradescope LAB"},
       {{"plot", "vriance"}, "did you mean 'variance'"},
       {{"render", "egde"}, "the pictures are edge, penumbra"},
@@ -213,7 +212,8 @@ TEST_CASE("--first does not stop at a stretch task that is not written", "[scrip
   const fs::path file = copy_of_solutions(layout, "first") / "sampler.cpp";
   const std::string unwritten =
       ",\n                          {\"lattice\", dimensions_of<fill_lattice<true>>, &blocks},\n"
-      "                          {\"lattice_unfolded\", dimensions_of<fill_lattice<false>>, &blocks}";
+      "                          {\"lattice_unfolded\", dimensions_of<fill_lattice<false>>, "
+      "&blocks}";
   const std::string refusal =
       "    if (samples == 0) throw std::invalid_argument(\"samples: must be positive\");\n";
   write_text(file, with_change(with_change(read_text(file), unwritten, ""), refusal, ""));

@@ -186,9 +186,8 @@ TEST_CASE("git runs without anybody's configuration, and gnuplot without ~/.gnup
 TEST_CASE("the CPU time of a confined program is that of all that it started and left") {
   const sandbox::Places everywhere{{"/"}, "/tmp"};
   const std::string burn = "i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done";
-  const auto left =
-      run_process({"sh", "-c", "(" + burn + "; sleep 60) & sleep 60"},
-                  {.wall_seconds = 3, .places = &everywhere});
+  const auto left = run_process({"sh", "-c", "(" + burn + "; sleep 60) & sleep 60"},
+                                {.wall_seconds = 3, .places = &everywhere});
   CHECK(left.out_of_time);
   CHECK(left.cpu_seconds > 0.05);
 }

@@ -74,9 +74,9 @@ TEST_CASE("the list of experiments has the names of the declarations", "[script]
     CHECK(found > 0);
   }
   const std::string sampler = lab({"run", "sampler", "--dir", layout.solutions().string()}).output;
-  check_contains(sampler,
-                 {"--kind is one of\n    independent stratified blue_noise halton sobol lattice lattice_unfolded\n",
-                  "\n    rect_light: x0 x1 y0 y1 height radiance\n"});
+  check_contains(sampler, {"--kind is one of\n    independent stratified blue_noise halton sobol "
+                           "lattice lattice_unfolded\n",
+                           "\n    rect_light: x0 x1 y0 y1 height radiance\n"});
 }
 
 // Not in --quick: compiles every program with the sanitizers.

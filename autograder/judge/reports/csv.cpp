@@ -56,12 +56,14 @@ std::string reason_of(const Verdict& verdict) {
     std::vector<std::string> missing;
     for (const LabVerdict& lab : verdict.labs) {
       const auto& absent = verdict.absent;
-      if (std::ranges::find(absent, lab.lab.name) != absent.end()) missing.push_back(lab.lab.file());
+      if (std::ranges::find(absent, lab.lab.name) != absent.end())
+        missing.push_back(lab.lab.file());
     }
     if (!missing.empty() || verdict.labs.empty()) {
-      reasons.push_back(fmt::format("no {}; there is: {}",
-                                    missing.empty() ? "lab's file" : fmt::format("{}", fmt::join(missing, ", ")),
-                                    fmt::join(verdict.others, ", ")));
+      reasons.push_back(
+          fmt::format("no {}; there is: {}",
+                      missing.empty() ? "lab's file" : fmt::format("{}", fmt::join(missing, ", ")),
+                      fmt::join(verdict.others, ", ")));
     }
   }
   if (!verdict.jail_complete) {
@@ -82,8 +84,9 @@ std::string grade_table(const std::vector<LabColumns>& labs, const std::vector<V
   }
   table += '\n';
   for (const Verdict& verdict : verdicts) {
-    table += fmt::format("{},{},{},{:.1f},{}", csv_field(verdict.submission), verdict.seed,
-                         csv_field(verdict.version), verdict.seconds, csv_field(reason_of(verdict)));
+    table +=
+        fmt::format("{},{},{},{:.1f},{}", csv_field(verdict.submission), verdict.seed,
+                    csv_field(verdict.version), verdict.seconds, csv_field(reason_of(verdict)));
     const bool is_grade = verdict.not_judged.empty() && verdict.unreadable.empty();
     for (const LabColumns& one : labs) {
       const LabVerdict* const judged = judged_in(verdict, one.lab);

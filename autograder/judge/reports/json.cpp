@@ -21,7 +21,8 @@ std::string output_of(const CheckResult& result, const LabVerdict& lab, std::uin
   } else if (!result.report.empty() && result.status != Status::not_written) {
     text += '\n' + result.report;
   }
-  if (!result.printed.empty()) text += "\nit printed\n" + sandbox::marked(sandbox::shortened(result.printed, 2000));
+  if (!result.printed.empty())
+    text += "\nit printed\n" + sandbox::marked(sandbox::shortened(result.printed, 2000));
   return text;
 }
 

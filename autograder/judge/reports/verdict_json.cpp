@@ -25,8 +25,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, check, status, report, printed, 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LabVerdict, lab, checks, no_program, unfinished, seconds,
                                    on_reference)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, submission, found_in, contents, seed, version, flags,
-                                   jail_complete, reads_confined, not_judged, unreadable, labs, absent, others,
-                                   seconds)
+                                   jail_complete, reads_confined, not_judged, unreadable, labs,
+                                   absent, others, seconds)
 
 std::string verdict_to_json(const Verdict& verdict) {
   nlohmann::json json = verdict;

@@ -40,8 +40,8 @@ namespace {
 
 /// The archive's extension, ".tar.gz"; empty if it has none.
 std::string_view archive_extension(std::string_view name) {
-  for (const std::string_view one : {".zip", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz",
-                                     ".txz", ".7z", ".rar"}) {
+  for (const std::string_view one :
+       {".zip", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".7z", ".rar"}) {
     if (name.size() <= one.size()) continue;
     const std::string_view end = name.substr(name.size() - one.size());
     if (std::equal(end.begin(), end.end(), one.begin(), [](char a, char b) {

@@ -85,9 +85,10 @@ BuildResult build_program(const Layout& layout, const Lab& lab, const Submission
     const Lab& owner = find_lab(labs, name);
     if (file == submission.files.end()) {
       const std::string others = what_is_there(submission);
-      built.failure = name == lab.name ? fmt::format("There is no {}{}.", owner.file(), others)
-                                       : fmt::format("{} depends on lab {}: it needs {} too{}.",
-                                                     lab.file(), owner.number, owner.file(), others);
+      built.failure = name == lab.name
+                          ? fmt::format("There is no {}{}.", owner.file(), others)
+                          : fmt::format("{} depends on lab {}: it needs {} too{}.", lab.file(),
+                                        owner.number, owner.file(), others);
       return built;
     }
     units.push_back({layout, owner, file->second, submission.trusted});

@@ -12,8 +12,7 @@ namespace {
 
 /// So many digits and nothing else.
 bool is_number(std::string_view text, std::size_t least = 1) {
-  return text.size() >= least &&
-         text.find_first_not_of("0123456789") == std::string_view::npos;
+  return text.size() >= least && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 /// Canvas renames a second "variance.cpp" to "variance-1.cpp".
@@ -60,14 +59,16 @@ std::optional<PlatformName> named_by_platform(const std::string& name) {
   constexpr std::string_view moodle = "_assignsubmission_file_", blackboard = "_attempt_";
   if (const auto at = name.find(moodle); at != std::string::npos && at > 0) {
     const std::string file = name.substr(at + moodle.size());
-    return file.empty() ? std::nullopt : std::optional(PlatformName{name.substr(0, at), name, file, 0});
+    return file.empty() ? std::nullopt
+                        : std::optional(PlatformName{name.substr(0, at), name, file, 0});
   }
   constexpr std::size_t time_size = sizeof "2026-01-02-03-04-05" - 1;
   if (const auto at = name.find(blackboard); at != std::string::npos && at > 0) {
     const std::size_t time = at + blackboard.size(), end = time + time_size;
     if (name.size() > end && is_time(std::string_view(name).substr(time, time_size)) &&
         (name[end] == '_' || name.substr(end) == ".txt")) {  // the latter is the platform's own
-      return PlatformName{name.substr(0, at), name, name[end] == '_' ? name.substr(end + 1) : "", 0};
+      return PlatformName{name.substr(0, at), name, name[end] == '_' ? name.substr(end + 1) : "",
+                          0};
     }
   }
   return named_by_canvas(name);

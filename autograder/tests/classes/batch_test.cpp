@@ -210,8 +210,8 @@ TEST_CASE("rows of a class: a missing file or program gives 0, an unreadable one
   course.write("class/broken.zip", "no zip");
   std::map<std::string, std::string> cells;
   for (auto& [id, row] : course.graded({})) {
-    cells[id] = fmt::format("{}|{}|{}", row["variance status"], row["variance total"],
-                            row["reason"]);
+    cells[id] =
+        fmt::format("{}|{}|{}", row["variance status"], row["variance total"], row["reason"]);
   }
   CHECK(cells == std::map<std::string, std::string>{
                      {"broken", "unreadable||unreadable: it is not a zip, tar or 7z archive"},

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "judge/base/replace.hpp"
 #include "commands/new_lab.hpp"
+#include "judge/base/replace.hpp"
 #include "tests/classes/handout.hpp"
 
 namespace mc::tests::checkout {

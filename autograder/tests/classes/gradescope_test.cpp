@@ -63,8 +63,7 @@ TEST_CASE("Gradescope's zip has the required files at its top, the version, and 
                             "autograder/checks", ".git", "build", "labs/2-independent"}) {
     CHECK_FALSE(fs::exists(plain.source / place));
   }
-  CHECK(contains(read_text(plain.source / "run_autograder"),
-                 "\nLAB=variance\n"));
+  CHECK(contains(read_text(plain.source / "run_autograder"), "\nLAB=variance\n"));
 }
 
 TEST_CASE("a lab's zip has the labs that it depends on") {
@@ -75,9 +74,7 @@ TEST_CASE("a lab's zip has the labs that it depends on") {
   check_contains(listed.output, {"labs/3-stratification/stratification.hpp", "/checks_sampler",
                                  "/checks_variance"});
   check_lacks(listed.output, {"solutions/", "autograder/checks/"});
-  for (const Words& wrong : {Words{"--out", zip},
-                             {"1"},
-                             {"1", "--out", "/no/such/place/a.zip"}}) {
+  for (const Words& wrong : {Words{"--out", zip}, {"1"}, {"1", "--out", "/no/such/place/a.zip"}}) {
     check_refused(lab(joined({"gradescope"}, wrong)));
   }
 }

@@ -75,7 +75,8 @@ TEST_CASE("neither a handout nor its history has an answer", "[.handout]") {
   REQUIRE(contains(judge, "TEST_CASE"));
   CHECK(answers_in(handout.layout, others, line) == Texts{});
   CHECK(answers_in(handout.layout, judge, four_lines) == Texts{});
-  for (const char* place : {"solutions", "docs/answers", "autograder/submissions", "autograder/tests"}) {
+  for (const char* place :
+       {"solutions", "docs/answers", "autograder/submissions", "autograder/tests"}) {
     CHECK_FALSE(fs::exists(handout.root / place));
   }
 }

@@ -88,7 +88,8 @@ TEST_CASE("a task left out is in no table and no handout", "[.handout]") {
     if (to != program) fs::create_symlink(entry.path(), to);
   }
   const auto run = [&](const Words& words) {
-    REQUIRE_RUN(done, sandbox::run_process(joined({program}, words), {.environment = {{"MC_NO_BUILD", "1"}}}));
+    REQUIRE_RUN(done, sandbox::run_process(joined({program}, words),
+                                           {.environment = {{"MC_NO_BUILD", "1"}}}));
     return done.output;
   };
   course.hand_in("anna", text_of(course.layout.solutions()));

@@ -76,8 +76,7 @@ void print_list() {
       const std::string lab = kind == folder ? "" : '/' + folder;
       int cost = kind == folder ? 50 : kind == "alternatives" ? 40 : is_catalog(file) ? 11 : 10;
       for (const Subject& subject : subjects_in(file)) {
-        const std::string last =
-            subject.section.empty() ? file.stem().string() : subject.section;
+        const std::string last = subject.section.empty() ? file.stem().string() : subject.section;
         const bool is_mistake = kind == "mistakes";
         const bool is_first = (is_mistake || file.string().find("variance") != std::string::npos) &&
                               groups.insert(is_mistake ? kind + lab : kind).second;

@@ -53,8 +53,7 @@ std::string on_one_line(const std::string& text) {
 
 /// The questions that the answers quote ("> …") are the handout's.
 void compare_questions(const Layout& layout, const Lab& lab) {
-  const std::string handout =
-      on_one_line(read_text(layout.labs() / lab.folder / "README.md"));
+  const std::string handout = on_one_line(read_text(layout.labs() / lab.folder / "README.md"));
   const fs::path answers = layout.root / "docs" / "answers" / (lab.folder + ".md");
   std::string quote;
   std::istringstream lines(read_text(answers) + "\n\n");
@@ -65,7 +64,8 @@ void compare_questions(const Layout& layout, const Lab& lab) {
       std::string question = on_one_line(quote);
       question.pop_back();
       if (handout.find(question) == std::string::npos) {
-        complain(fmt::format("{} quotes what the handout does not ask: {}", answers.string(), question));
+        complain(
+            fmt::format("{} quotes what the handout does not ask: {}", answers.string(), question));
       }
       quote.clear();
     }
