@@ -62,7 +62,7 @@ bool cannot_be_right(const Plan& plan) {
 
 void prove_against_lies(const std::string& name, unsigned count) {
   constexpr unsigned all_plans = 2 * fuzz::value_count * fuzz::size_count * 2;
-  if (number_from("MC_SEEDS", 0) >= 100) count = std::max(count, all_plans);  // --full
+  if (number_from("MC_SEEDS", 0) >= 100) count = std::max(count, all_plans);
   Proof proof;
   proof.lab = find_lab(proof.labs, name);
   proof.submission.label = "solutions";

@@ -71,7 +71,7 @@ void prove_right(const Proof& proof, const Subject& subject) {
   const bool is_reference = proof.submission.label.starts_with("solutions");
   const bool is_quick = std::getenv("MC_QUICK") != nullptr;
   const std::uint64_t seeds = number_from("MC_SEEDS", is_quick || !is_reference ? 1 : 5);
-  // Checks of fresh data without a random outcome: twice, or twice as often in --full.
+  // Checks of fresh data without a random outcome: twice, or twice as often with MC_SEEDS.
   const std::uint64_t fresh_seeds = is_full ? 2 * seeds : std::min<std::uint64_t>(seeds, 2);
   // An alternative may miss stretch tasks, as plain loops miss a speed task.
   const auto names = said(subject, "fails");
