@@ -1,5 +1,6 @@
 // A checkout that was moved or copied with its build, and one on a machine that lacks a package. A
 // stub replaces what the entry script builds: it says where it was configured.
+#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <thread>
@@ -112,6 +113,18 @@ TEST_CASE("a path that CMake cannot build in is one line", "[script]") {
     CHECK(lines(run.errors) == 1);
     CHECK(contains(run.errors, name));
   }
+}
+
+TEST_CASE("files of the future are named in one line, before a build that would never end",
+          "[script]") {
+  const Checkout checkout;
+  fs::remove_all(checkout.first / "build");
+  fs::last_write_time(checkout.first / "cmake" / "setup.sh",
+                      fs::file_time_type::clock::now() + std::chrono::hours(1));
+  const auto run = run_lab(checkout.first);
+  CHECK(run.exit_code == 3);
+  CHECK(lines(run.errors) == 1);
+  CHECK(contains(run.errors, "setup.sh is dated in the future: set the clock"));
 }
 
 TEST_CASE("the first call installs what is missing, and builds", "[script]") {

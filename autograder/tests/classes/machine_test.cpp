@@ -172,6 +172,30 @@ TEST_CASE("what was compiled without Landlock is compiled again with it", "[.mac
   CHECK(contains(course.with({}, words).output, "The assembler rejects an asm statement"));
 }
 
+TEST_CASE("where files cannot be locked, it judges and says so", "[.machine]") {
+  const Course course(1);
+  const auto run = course.with({"--refuse", "flock"},
+                               course.grade(course.build, "class", {"--csv", course.csv()}));
+  if (run.exit_code == 77) return;
+  CAPTURE(run.output, run.errors);
+  CHECK(run.exit_code == 0);
+  CHECK(contains(run.errors, "no locks on this file system"));
+  CHECK(rows_of(course.csv()).begin()->second["variance total"] == "100");
+}
+
+TEST_CASE("the files of another user in the build directory are named", "[.machine]") {
+  const Course course(1);
+  const auto own = sandbox::run_process({"chown", "-R", "12345", course.path().string()});
+  if (!own.succeeded()) return;  // only root can
+  fs::create_directories(course.build / "programs" / "another-user's");
+  const auto run = sandbox::run_process(
+      joined({"setpriv", "--reuid=12345", "--regid=12345", "--clear-groups"},
+             course.grade(course.build, "class", {})),
+      {.environment = {{"MC_NO_BUILD", "1"}}});
+  CHECK(run.exit_code == 3);
+  CHECK(contains(run.errors, "belongs to root, after a run as another user: remove"));
+}
+
 TEST_CASE("as the only user of a user namespace, and with a lower stack, it judges", "[.machine]") {
   const Course course(1);
   for (const Words& how : {Words{"unshare", "--user", "--map-root-user"},
