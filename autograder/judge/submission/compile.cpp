@@ -26,6 +26,7 @@
 #include "judge/submission/scratch.hpp"
 #include "judge/submission/source.hpp"
 #include "judge/submission/toolchain.hpp"
+#include "runner/text.hpp"
 #include "sandbox/child.hpp"
 #include "sandbox/jail.hpp"
 #include "sandbox/printable.hpp"
