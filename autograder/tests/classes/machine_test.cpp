@@ -188,10 +188,10 @@ TEST_CASE("the files of another user in the build directory are named", "[.machi
   const auto own = sandbox::run_process({"chown", "-R", "12345", course.path().string()});
   if (!own.succeeded()) return;  // only root can
   fs::create_directories(course.build / "programs" / "another-user's");
-  const auto run = sandbox::run_process(
-      joined({"setpriv", "--reuid=12345", "--regid=12345", "--clear-groups"},
-             course.grade(course.build, "class", {})),
-      {.environment = {{"MC_NO_BUILD", "1"}}});
+  const auto run =
+      sandbox::run_process(joined({"setpriv", "--reuid=12345", "--regid=12345", "--clear-groups"},
+                                  course.grade(course.build, "class", {})),
+                           {.environment = {{"MC_NO_BUILD", "1"}}});
   CHECK(run.exit_code == 3);
   CHECK(contains(run.errors, "belongs to root, after a run as another user: remove"));
 }
