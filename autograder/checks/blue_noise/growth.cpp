@@ -2,12 +2,12 @@
 // of points.
 //
 // Cost is judged by its growth from few to many points, in CPU time of the submission itself. The
-// limits are far from right answers and from wrong ones (self_test cost prints the growth of right
-// ones):
+// limits are far from right answers and from wrong ones (`self_test cost blue_noise`
+// prints the growth of right ones):
 //
 //                           few → many      right      limit   plain loops
-//   a candidate             250 → 64,000    3 to 4.3   32          95
-//   a point of a pattern    500 → 16,000    0.6 to 1.1 8           > 30
+//   a candidate             250 → 64,000    2.8 to 4.3 32          95
+//   a point of a pattern    500 → 32,000    0.8 to 1.1 16          > 30
 
 #include "checks/blue_noise/random_sets.hpp"
 #include "checks/support/disks.hpp"
@@ -79,8 +79,7 @@ TEST_CASE("4.7 a candidate costs the same among many points",
                       64000,
                       32,
                       "compare a candidate only with points nearby: in cells of a grid, which "
-                      "grows with the number "
-                      "of points",
+                      "grows with the number of points",
                       [&](double n) {
                         double candidates = 0;
                         for (double i = 0; i < n; ++i) candidates += std::ceil(c_for(n) * i) + 1;
@@ -113,8 +112,8 @@ TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
       32000,
       16,
       "compare a new point only with those in the cells around it (a cell of width radius / "
-      "sqrt(2) "
-      "holds at most one point), do not fill the last gaps by darts at the whole square, and move "
+      "sqrt(2) holds at most one point), do not fill the last gaps by darts at the whole square, "
+      "and move "
       "no list of points or cells as erase() does",
       [](double n) { return n < 1000 ? 3 * n : n; },  // three patterns of few points
       [&](double n, const sandbox::Limits& limits) {
