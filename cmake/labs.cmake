@@ -1,7 +1,7 @@
 # The common parts of a submission's program, compiled once: the runner and each lab's experiments.
 # Labs are the folders labs/N-name.
 
-# After the flags of whoever builds (CXXFLAGS): a submission is linked with these objects.
+# After the CXXFLAGS of the environment: a submission is linked with these objects.
 set(PROGRAM_FLAGS -O3 -ffp-contract=off -fno-lto -fno-sanitize=all)
 if(CMAKE_SYSTEM_NAME STREQUAL Linux AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
   set(PROGRAM_LINK_FLAGS -static)  # programs need no loader, and the jail no open()

@@ -46,11 +46,11 @@ struct TimeToTarget {
 /// Nothing if no size is good enough.
 std::optional<TimeToTarget> time_to(const Curve& curve, double target);
 
-/// The error that as many samples as fit into a time have, interpolated in the same way; NaN if none
-/// fits, or more than were measured.
+/// The error of as many samples as fit into a time, interpolated in the same way; NaN if none fits,
+/// or more than were measured.
 double error_within(const Curve& curve, double seconds);
 
-/// 1 / (MSE · time) of a point of a curve, relative to that of the same number of independent points.
+/// 1 / (MSE · time) of a point of a curve, relative to that of as many independent points.
 double efficiency(const std::vector<Curve>& curves, const Curve& curve, const Curve::Point& point);
 
 /// The page: `outline` (autograder/bench/page.md) with its tables, and its pictures from `pictures`

@@ -146,8 +146,8 @@ std::string equal_time(const Bench& bench) {
   return table.text();
 }
 
-/// Rows are functions and numbers of samples; the last column is the error of the best of the others
-/// by that of the first.
+/// Rows are functions and numbers of samples; the last column is the error of the best of the
+/// others, divided by that of the first.
 std::string equal_samples(const std::vector<Curve>& curves, const Names& functions,
                           const std::vector<double>& sizes, const Names& samplers,
                           const std::string& last) {

@@ -1,5 +1,5 @@
 #pragma once
-// Runs git in a directory, without the settings of whoever types.
+// Runs git in a directory, without the personal settings of the user.
 
 #include "commands/command.hpp"
 #include "sandbox/programs.hpp"

@@ -288,7 +288,7 @@ const RegisterCommand grade_command{
           {"--lab LAB,…", "grade only these labs (--lab 1,2); a missing file earns 0 points"},
           {"--csv FILE",
            "write a table with a row for each submission; each full verdict goes to FILE-verdicts/ "
-           "as soon as it is there"},
+           "as soon as it is complete"},
           {"--resume",
            "continue a run with the same FILE and its seed; changed submissions and those "
            "that were not judged are judged again"},

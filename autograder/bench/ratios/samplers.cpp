@@ -1,4 +1,4 @@
-// Every sampler behind the interface of lab 6, ours and those of libraries, on scenes and functions:
+// Samplers with the interface of lab 6, ours and those of libraries, on scenes and functions:
 // RMSE and time against the number of samples. All in one process and in turn, so that times can be
 // compared.
 

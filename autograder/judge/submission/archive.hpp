@@ -37,7 +37,7 @@ struct Unpacking {
 /// escapes `to`, is encrypted or exceeds the limits; std::system_error if the disk is full.
 void unpack(const Unpacking& paths, const ArchiveLimits& limits = {});
 
-/// Is this the name of something that nobody submits on purpose: .git, __MACOSX, build?
+/// Is this the name of something that is never submitted on purpose: .git, __MACOSX, build?
 bool is_ignored(const std::filesystem::path& name);
 
 }  // namespace mc::grader

@@ -380,7 +380,7 @@ StepResult run_step(const Step& step, const std::function<void()>& probe,
     const auto start = std::chrono::steady_clock::now();
     probe();
     const std::chrono::duration<double> probed = std::chrono::steady_clock::now() - start;
-    // Nobody is blamed for one pause of the machine, or for one moment without processes.
+    // A pause of the machine, or a moment without free processes, is not the student's fault.
     const bool was_killed =
         run.result.signal == SIGKILL && run.result.cpu_seconds < limits.cpu_seconds;
     const std::string fault = fault_of_machine(run.result.errors, limits.memory);
