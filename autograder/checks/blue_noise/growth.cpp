@@ -2,8 +2,8 @@
 // of points.
 //
 // Cost is judged by its growth from few to many points, in CPU time of the submission itself. The
-// limits are far from right answers and from wrong ones (`self_test cost blue_noise`
-// prints the growth of right ones):
+// limits are at least 7 times what right answers need (`self_test cost blue_noise` prints that),
+// and less than what plain loops need:
 //
 //                           few → many      right      limit   plain loops
 //   a candidate             250 → 64,000    2.8 to 4.3 32          95
@@ -113,8 +113,7 @@ TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
       16,
       "compare a new point only with those in the cells around it (a cell of width radius / "
       "sqrt(2) holds at most one point), do not fill the last gaps by darts at the whole square, "
-      "and move "
-      "no list of points or cells as erase() does",
+      "and move no list of points or cells as erase() does",
       [](double n) { return n < 1000 ? 3 * n : n; },  // three patterns of few points
       [&](double n, const sandbox::Limits& limits) {
         return MEASURE_OUTCOME_WITH(limits, poisson_disk, radius_for(n * stretch), n < 1000 ? 3 : 1,

@@ -360,8 +360,8 @@ std::string stopped(const sandbox::ProcessResult& run, const sandbox::ProcessOpt
   }
   if (run.out_of_time) return fmt::format("was stopped after waiting {} s", limits.wall_seconds);
   if (run.signal != 0) return fmt::format("crashed (signal {})", run.signal);
-  constexpr int gcc_lost_a_program =
-      4;  // the driver's exit code if the compiler or assembler died of a signal
+  // GCC's driver exits with 4 if the compiler or the assembler died of a signal.
+  constexpr int gcc_lost_a_program = 4;
   return run.exit_code == gcc_lost_a_program ? "crashed" : "";
 }
 
