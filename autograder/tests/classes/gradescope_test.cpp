@@ -106,12 +106,13 @@ TEST_CASE("Gradescope's zip never invents a score", "[.gradescope]") {
       {{"variance.cpp", "#include \"../autograder/checks/support/exact.hpp\"\n" + starter}});
   CHECK(curious["score"] == 0);
 
-  // One endless task, which few others call: the others count. The student can repeat the failures.
+  // One task is endless for some arguments: the others count. The student can repeat the failures.
   const std::string head =
       "double covariance(std::span<const double> x, std::span<const double> y) {\n";
   const auto late = container.results_of(
       {{"my lab/variance.cpp",
-        with_change(solution, head, head + "  for (volatile bool on = true; on;) {\n  }\n")}});
+        with_change(solution, head,
+                    head + "  for (volatile bool on = x.size() == 1; on;) {\n  }\n")}});
   CHECK(contains(late["output"], "found in my lab"));
   CHECK(late["score"] < 100);
   CHECK(late["score"] > 0);
