@@ -4,6 +4,7 @@
 //
 //   self_test load RUNS     all that run out of time or memory, under load: the same verdict
 //   self_test cost LAB      the cost of measurements of right answers, compiled for any x86-64
+//   self_test kills LAB     which check catches which of the lab's mistakes
 //   self_test list          all of them, as tests for CTest
 //   self_test repository    the repository itself: task numbers, points, names
 //   self_test mutants LAB COUNT SEED    small changes to right answers: a check fails each of them
@@ -97,6 +98,8 @@ int run(int argc, char** argv) {
     prove_under_load({argv + 3, argv + argc}, static_cast<unsigned>(std::atoi(argv[2])));
   } else if (what == "cost" && argc == 3) {
     prove_cost(argv[2]);
+  } else if (what == "kills" && argc == 3) {
+    print_kills(argv[2]);
   } else if (what == "fuzz" && argc == 4) {
     prove_against_lies(argv[2], static_cast<unsigned>(std::atoi(argv[3])));
   } else if (what == "mutants" && argc == 5) {
@@ -109,7 +112,7 @@ int run(int argc, char** argv) {
   } else {
     fmt::print(
         "usage: self_test FILE [MISTAKE] | load RUNS [FILE...] | fuzz LAB COUNT | cost LAB | "
-        "repository | mutants LAB COUNT SEED\n");
+        "kills LAB | repository | mutants LAB COUNT SEED\n");
     return 2;
   }
   return complaints() > 0 ? 1 : 0;

@@ -97,6 +97,9 @@ void prove_attack(const Proof& proof, const Subject& subject);
 /// A submission says "// limit: time" (or memory) if and only if a measurement runs out of it.
 void compare_limits(const Subject& subject, const LabVerdict& verdict);
 
+/// Which check catches which mistakes of the lab, and how many it alone catches.
+void print_kills(const std::string& lab);
+
 /// The verdict on a busy machine equals that on an idle one, for each of these submissions (without
 /// any: all that say "// limit:"), `runs` times each with 1, 2 and 4 workers next to four busy
 /// loops.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "judge/base/shell.hpp"
 #include "judge/judging/judge.hpp"
@@ -125,6 +128,36 @@ void prove_mistake(const Proof& proof, const Subject& subject) {
   }
   if (complaints() == before) fmt::print("caught with {} seeds\n", seeds);
   proof.show(verdict, seed);
+}
+
+/// Which check catches which mistakes of the lab, and which checks catch none that no other does.
+void print_kills(const std::string& name) {
+  const Layout layout = read_layout();
+  const auto labs = find_labs(layout);
+  const Lab& lab = find_lab(labs, name);
+  std::map<std::string, std::vector<std::string>> caught;  // by check
+  std::map<std::string, std::size_t> alone;
+  for (const Check& check : expected_checks(layout, lab)) caught[check.name];
+  const fs::path place = layout.submissions() / "mistakes" / lab.name;
+  for (const auto& file : fs::directory_iterator(place)) {
+    if (file.path().extension() != ".cpp") continue;
+    for (const Subject& subject : subjects_in(file.path())) {
+      const Proof proof = proof_of(subject);
+      const auto checks = checks_to_judge(proof, failing_tasks(subject));
+      std::vector<std::string> failed;
+      for (const CheckResult& result : proof.judge(1, checks).checks) {
+        if (result.status == Status::failed) failed.push_back(result.check.name);
+      }
+      const std::string mistake =
+          subject.section.empty() ? file.path().stem().string() : subject.section;
+      for (const std::string& check : failed) caught[check].push_back(mistake);
+      if (failed.size() == 1) ++alone[failed[0]];
+    }
+  }
+  for (const auto& [check, mistakes] : caught) {
+    fmt::print("{}: {}, {} alone\n    {}\n", check, mistakes.size(), alone[check],
+               fmt::join(mistakes, " "));
+  }
 }
 
 /// A library need not meet a lab's requirements, but deviations must be known, with a reason.
