@@ -3,13 +3,12 @@
 // what it should not see, print it in an error message, or never end. See docs/security.md.
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "judge/checkout/labs.hpp"
 #include "judge/checkout/layout.hpp"
-#include "sandbox/process.hpp"
+#include "judge/submission/step.hpp"
 
 namespace mc::grader {
 
@@ -43,38 +42,9 @@ std::vector<std::string> compile_flags();
 /// if wanted.
 std::vector<std::string> include_flags(const Layout& layout, bool with_repository);
 
-/// A run of a compiler or linker on untrusted text.
-struct Step {
-  const Layout& layout;
-  std::vector<std::string> command;
-  std::filesystem::path directory;              ///< where it runs; it writes only there
-  std::vector<std::filesystem::path> readable;  ///< besides the toolchain and `directory`
-  bool trusted;                                 ///< may read any file
-};
-
-/// How a step ended.
-struct StepResult {
-  sandbox::ProcessResult result;  ///< of the last attempt, with the CPU time of all
-  /// What stopped it early, for the student; empty if it ended by itself.
-  std::string stopped = {};
-};
-
-/// Runs the step within limits: its places only, no readable input, and a separate user when the
-/// judge is root. If it fails, runs `probe`, which repeats the step with a known text and throws
-/// MachineError if that fails, too; then, unless `is_text_at_fault`, tries once more. Throws
-/// MachineError if the machine fails.
-StepResult run_step(const Step& step, const std::function<void()>& probe,
-                    const std::function<bool(const std::string& errors)>& is_text_at_fault);
-
-/// Runs a step that must succeed. Throws MachineError if it fails.
-void require(const Step& step);
-
 /// Compiles a text that only includes the lab's header, as `unit` is compiled, to unit.o in
 /// `directory`. Throws MachineError if the machine cannot.
 void compile_known_text(const Unit& unit, const std::filesystem::path& directory);
-
-/// Compiles, links and starts a known program in the sandbox. Throws if the machine cannot.
-void probe_machine(const Layout& layout);
 
 /// The directory of everything built from a file.
 std::filesystem::path slot_of(const Unit& unit);
