@@ -137,7 +137,8 @@ const RegisterCommand check_command{
                   "judge again after each save, the first unsolved task on top; Ctrl-C ends"},
                  {"--seed S", "repeat the run with that seed; every report names its seed"},
                  {"--json FILE", "also write Gradescope's results.json"},
-                 {"--with-reference", "use the solutions of the labs that this one depends on"}},
+                 {"--with-reference", "use the solutions of the labs that this one depends on",
+                  "solutions"}},
      .run = check,
      .least_words = 1,
      .targets = target_of_lab<checks_target>}};

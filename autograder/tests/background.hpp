@@ -23,8 +23,8 @@ constexpr auto patience = std::chrono::minutes(2);
 class BackgroundProcess {
  public:
   /// Its descriptors `from` are read by until(); write() reaches its descriptor `to`.
-  explicit BackgroundProcess(Words command, const std::vector<int>& from = {STDOUT_FILENO,
-                                                                            STDERR_FILENO},
+  explicit BackgroundProcess(Words command,
+                             const std::vector<int>& from = {STDOUT_FILENO, STDERR_FILENO},
                              int to = STDIN_FILENO)
       : output_(sandbox::make_pipe()), input_(sandbox::make_pipe()) {
     pid_ = fork();
