@@ -89,7 +89,7 @@ cp -R "$work/documents/." .
 for folder in labs/[0-9]*-*; do
   lab=$(printf %s "${folder#*-}" | tr - _)
   ./lab plot "$lab" solutions >/dev/null
-  for picture in "$build"/plots/side-by-side/"$lab"-*.[sp][vn]g; do
+  for picture in "$build"/plots/solutions/"$lab"-*.[sp][vn]g; do
     name=${picture##*/}
     target=$folder/pictures/${name#"$lab"-}
     if [ -f "$target" ]; then cp "$picture" "$target"; fi  # only those that a handout shows

@@ -17,8 +17,7 @@ namespace mc::grader {
 namespace {
 
 /// The same command, judging once; `task` in place of all tasks, unless it is empty.
-std::vector<std::string> without_watch(const Context& context, const Arguments& arguments,
-                                       const std::string& task) {
+Job without_watch(const Context& context, const Arguments& arguments, const std::string& task) {
   std::vector<std::string> words{(context.layout.bin / "lab").string(), "check"};
   for (const auto& [option, value] : arguments.options) {
     if (option == "watch") continue;
@@ -27,7 +26,7 @@ std::vector<std::string> without_watch(const Context& context, const Arguments& 
   if (!task.empty()) words.push_back("--only=" + task);
   words.emplace_back("--");
   words.insert(words.end(), arguments.words.begin(), arguments.words.end());
-  return words;
+  return job_of(std::move(words));
 }
 
 /// The files that a verdict on this lab depends on.
@@ -60,15 +59,19 @@ int check(const Context& context, const Arguments& arguments) {
     // The task that the student works on is judged first, alone.
     const bool is_whole =
         is_own && named.task.empty() && !arguments.has("only") && !arguments.has("first");
-    return watch({files_of(submission, lab), [&] {
-                    std::vector<std::vector<std::string>> commands;
-                    const auto known = is_whole ? read_progress(context.layout, lab) : std::nullopt;
-                    if (known && !known->next.empty()) {
-                      commands.push_back(without_watch(context, arguments, known->next));
-                    }
-                    commands.push_back(without_watch(context, arguments, ""));
-                    return commands;
-                  }});
+    return watch({.files = files_of(submission, lab),
+                  .jobs =
+                      [&] {
+                        std::vector<Job> jobs;
+                        const auto known =
+                            is_whole ? read_progress(context.layout, lab) : std::nullopt;
+                        if (known && !known->next.empty()) {
+                          jobs.push_back(without_watch(context, arguments, known->next));
+                        }
+                        jobs.push_back(without_watch(context, arguments, ""));
+                        return jobs;
+                      },
+                  .subject = lab.file()});
   }
   const bool is_first_time = !fs::exists(context.layout.build / "programs");
   SubmissionOptions options;
@@ -134,7 +137,8 @@ const RegisterCommand check_command{
                   "judge again after each save, the first unsolved task on top; Ctrl-C ends"},
                  {"--seed S", "repeat the run with that seed; every report names its seed"},
                  {"--json FILE", "also write Gradescope's results.json"},
-                 {"--with-reference", "use the solutions of the labs that this one depends on"}},
+                 {"--with-reference", "use the solutions of the labs that this one depends on",
+                  "solutions"}},
      .run = check,
      .least_words = 1,
      .targets = target_of_lab<checks_target>}};

@@ -10,9 +10,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "judge/base/replace.hpp"
 #include "judge/base/side_by_side.hpp"
 #include "judge/reports/progress_line.hpp"
 #include "judge/reports/report.hpp"
@@ -27,15 +29,25 @@ std::vector<Command>& registry() {
   return commands;
 }
 
-bool is_here(const Layout& layout, const Command& command) {
-  return fs::exists(layout.root / command.place);
+bool is_here(const Layout& layout, const std::string& place) {
+  return fs::exists(layout.root / place);
+}
+
+/// Without the options that cannot work here.
+Command usable_part(const Layout& layout, Command command) {
+  std::erase_if(command.options, [&](const CommandOption& one) {
+    if (is_here(layout, one.place)) return false;
+    command.usage = with_replacements(command.usage, {{fmt::format(" [{}]", one.shown), ""}});
+    return true;
+  });
+  return command;
 }
 
 void print_overview(const Layout& layout) {
   const bool is_handout = !fs::exists(layout.solutions());
   fmt::print("usage: ./lab COMMAND ...   (details: ./lab COMMAND --help)\n\n");
   for (const Command& command : all_commands()) {
-    if ((command.for_instructors && is_handout) || !is_here(layout, command)) continue;
+    if ((command.for_instructors && is_handout) || !is_here(layout, command.place)) continue;
     fmt::print("  ./lab {:<10} {}\n", command.name, command.about);
   }
 }
@@ -62,11 +74,11 @@ void print_help(const Command& command) {
   }
 }
 
-const Command& find_command(const Context& context, const std::string& name) {
+Command find_command(const Context& context, const std::string& name) {
   std::vector<std::string> names;
   for (const Command& command : all_commands()) {
     if (command.name == name) {
-      if (is_here(context.layout, command)) return command;
+      if (is_here(context.layout, command.place)) return usable_part(context.layout, command);
       throw UsageError(fmt::format("./lab {} needs {}, which is not here", name, command.place));
     }
     if (!command.name.empty()) names.push_back(command.name);
@@ -140,14 +152,14 @@ int dispatch(char** argv) {
   const std::string name = words.empty() ? "" : words[0];
   if (!words.empty()) words.erase(words.begin());
   if (!words.empty() && words[0] == "-h") words[0] = "--help";
-  const Command* command = nullptr;
+  std::optional<Command> command;
   Arguments arguments;
   std::exception_ptr refusal;  // a new version of this program may know the word
   std::vector<std::string> targets;
   const bool is_overview = name == "--help" || name == "-h" || name == "help";
   if (!is_overview && name != "--version") {
     try {
-      command = &find_command(context, name);
+      command = find_command(context, name);
       arguments = command->parse(words);
       if (command->targets != nullptr && !arguments.has("help")) {
         targets = command->targets(context, arguments);
@@ -162,7 +174,7 @@ int dispatch(char** argv) {
     print_overview(context.layout);
     return 0;
   }
-  if (command == nullptr) {
+  if (!command) {
     fmt::print("Monte Carlo labs {}\n", context.layout.version);
     return 0;
   }

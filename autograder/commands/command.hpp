@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 struct CommandOption {
   std::string shown;  ///< "--seed S", as arguments.hpp reads it
   std::string help;
+  std::string place = {};  ///< a path that it needs: without that, there is no such option
 };
 
 /// A command takes the words after its name, writes to standard output, and returns its exit

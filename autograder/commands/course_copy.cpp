@@ -131,7 +131,7 @@ void copy_compiled_judge(const Context& context, const std::set<std::string>& la
   copy_into(form / "lab", to / "lab");
   copy_into(form / "CMakeLists.txt", to / "CMakeLists.txt");
   copy_into(layout.root / "cmake" / "tasks.cmake", to / "cmake" / "tasks.cmake");
-  for (const char* name : {"demo.html", "demo.js", "demo_labs.js"}) {
+  for (const char* name : {"demo.html", "demo.js", "demo_labs.js", "demo_watch.js"}) {
     const fs::path part = fs::path("autograder") / "judge" / "pictures" / name;
     copy_into(layout.root / part, to / part);
   }

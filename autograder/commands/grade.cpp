@@ -292,7 +292,7 @@ const RegisterCommand grade_command{
           {"--resume",
            "continue a run with the same FILE and its seed; changed submissions and those "
            "that were not judged are judged again"},
-          {"--with-reference", "use the solutions of the labs that a lab depends on"},
+          {"--with-reference", "use the solutions of the labs that a lab depends on", "solutions"},
           {"--html DIR",
            "write DIR/index.html, a table of submissions and tasks, and a page for each submission "
            "with its report and its plots"},

@@ -59,16 +59,15 @@ std::vector<FileState> states_of(const std::vector<fs::path>& files) {
   return states;
 }
 
-/// One run of the judge, concurrent with the watching; ended with this object.
+/// A job, concurrent with the watching; ended with this object.
 class Run {
  public:
-  Run(std::vector<std::string> command, sandbox::ProcessOptions options) {
-    options.stop = &stop_;
-    thread_ = std::thread([this, command = std::move(command), options = std::move(options)] {
+  explicit Run(Job job) {
+    thread_ = std::thread([this, job = std::move(job)] {
       try {
-        result_ = sandbox::run_process(command, options);
-      } catch (const std::system_error& error) {  // no process or descriptor is left
-        result_.errors = fmt::format("lab: {}\n", error.what());
+        text_ = job(stop_);
+      } catch (const std::exception& error) {  // the machine lacks something
+        text_ = fmt::format("lab: {}\n", error.what());
       }
       has_ended_ = true;
     });
@@ -81,14 +80,11 @@ class Run {
 
   bool has_ended() const { return has_ended_; }
   /// Call after it has ended.
-  std::string text() const {
-    const bool is_verdict = result_.exit_code == 0 || result_.exit_code == 1;
-    return result_.output + (is_verdict ? std::string() : result_.errors);
-  }
+  const std::string& text() const { return text_; }
 
  private:
   std::atomic<bool> stop_{false}, has_ended_{false};
-  sandbox::ProcessResult result_;
+  std::string text_;
   std::thread thread_;
 };
 
@@ -100,16 +96,16 @@ class Screen {
     fmt::print("{}", terminal.interactive ? "\r\x1b[K" + line : line + '\n');
     std::fflush(stdout);
   }
-  void show(const std::string& text) const {
+  void show(const std::string& text, const std::string& done) const {
     if (!terminal.interactive) {
       fmt::print("{}", text);
-      return say("judged " + clock_time());
+      return say(fmt::format("{} {}", done, clock_time()));
     }
     winsize size{};
     if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) size = {};
     fmt::print("\x1b[H\x1b[2J{}", first_rows(text, std::max<std::size_t>(size.ws_row, 10) - 1,
                                              std::max<std::size_t>(size.ws_col, 40)));
-    say(fmt::format("judged {}; Ctrl-C ends", clock_time()));
+    say(fmt::format("{} {}; Ctrl-C ends", done, clock_time()));
   }
 
   const Terminal terminal = this_terminal();
@@ -130,40 +126,50 @@ std::size_t rows_of(std::string_view line, std::size_t columns) {
 
 }  // namespace
 
+Job job_of(std::vector<std::string> command) {
+  const Terminal terminal = this_terminal();
+  sandbox::ProcessOptions options;
+  options.environment = {
+      {terminal_variable, fmt::format("{}{}", terminal.width, terminal.color ? "c" : "")}};
+  if (std::getenv("MC_NO_BUILD") != nullptr) options.environment.push_back({"MC_NO_BUILD", "1"});
+  return [command = std::move(command), options](const std::atomic<bool>& stop) mutable {
+    options.stop = &stop;
+    const auto result = sandbox::run_process(command, options);
+    const bool is_verdict = result.exit_code == 0 || result.exit_code == 1;
+    return result.output + (is_verdict ? std::string() : result.errors);
+  };
+}
+
 int watch(const WatchedWork& work) {
   struct sigaction action {};
   action.sa_handler = [](int) { is_interrupted = true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 
   const Screen screen;
-  sandbox::ProcessOptions options;
-  options.environment = {{terminal_variable, fmt::format("{}{}", screen.terminal.width,
-                                                         screen.terminal.color ? "c" : "")}};
-  if (std::getenv("MC_NO_BUILD") != nullptr) options.environment.push_back({"MC_NO_BUILD", "1"});
   auto states = states_of(work.files);
-  std::vector<std::vector<std::string>> commands = work.commands();  // still to be run
+  std::vector<Job> jobs = work.jobs();  // still to be done
   std::optional<Run> run;
   bool is_waiting = false;  // for a missing file
   for (; !is_interrupted; std::this_thread::sleep_for(50ms)) {
     if (auto now = states_of(work.files); now != states) {
       // An editor may save in several steps: look again after a moment.
-      if (run) screen.say("saved again: judging starts over");
+      if (run) screen.say(fmt::format("saved again: {} starts over", work.doing));
       run.reset();
       states = std::move(now);
-      commands = work.commands();
+      jobs = work.jobs();
       is_waiting = false;
       continue;
     }
     if (run && run->has_ended()) {
-      screen.show(run->text());
+      screen.show(run->text(), work.done);
       run.reset();
     }
-    if (run || commands.empty()) continue;
+    if (run || jobs.empty()) continue;
     const auto missing = std::ranges::find(states, FileState{});
     if (missing == states.end()) {
-      screen.say("judging " + work.files[0].filename().string());
-      run.emplace(std::move(commands.front()), options);
-      commands.erase(commands.begin());
+      screen.say(fmt::format("{} {}", work.doing, work.subject));
+      run.emplace(std::move(jobs.front()));
+      jobs.erase(jobs.begin());
     } else if (!std::exchange(is_waiting, true)) {
       const auto at = static_cast<std::size_t>(missing - states.begin());
       screen.say(

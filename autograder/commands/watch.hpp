@@ -1,6 +1,7 @@
 #pragma once
-// check --watch: judges again whenever a file is saved.
+// check --watch and demo --watch: judge or measure again whenever a file is saved.
 
+#include <atomic>
 #include <functional>
 
 #include "commands/command.hpp"
@@ -8,15 +9,21 @@
 
 namespace mc::grader {
 
+/// Ends soon after `stop` becomes true. Returns what to show.
+using Job = std::function<std::string(const std::atomic<bool>& stop)>;
+
+/// Runs a command of ./lab, which finds this terminal by watching_terminal().
+Job job_of(std::vector<std::string> command);
+
 struct WatchedWork {
-  std::vector<fs::path> files;
-  /// The commands that judge them, in order; asked for after each save. What comes first is shown
-  /// first.
-  std::function<std::vector<std::vector<std::string>>()> commands;
+  std::vector<fs::path> files = {};
+  /// What to do, in order; asked for after each save. What comes first is shown first.
+  std::function<std::vector<Job>()> jobs;
+  std::string subject, doing = "judging", done = "judged";  ///< "judging variance.cpp"
 };
 
-/// Judges at once and after each save of one of the files, until interrupted. A save stops a run in
-/// progress. Returns the exit status: 0.
+/// Does the jobs at once and after each save of one of the files, until interrupted. A save stops a
+/// job in progress. Returns the exit status: 0.
 int watch(const WatchedWork& work);
 
 /// The terminal of the `watch` that started this program; nothing if it was started otherwise.

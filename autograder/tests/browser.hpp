@@ -3,7 +3,9 @@
 
 #include <cstdlib>
 
-#include "tests/submissions.hpp"
+#include <nlohmann/json.hpp>
+
+#include "tests/background.hpp"
 
 namespace mc::tests {
 
@@ -36,6 +38,78 @@ inline PageState open_page(const fs::path& file, const std::string& option = "--
   }
   return opened;
 }
+
+/// A page that stays open: the DevTools protocol over a pipe.
+class Browser {
+ public:
+  using Json = nlohmann::json;
+  Browser() {
+    const Json target = call("Target.createTarget", {{"url", "about:blank"}});
+    session_ = call("Target.attachToTarget", {{"targetId", target["targetId"]}, {"flatten", true}})
+                   .at("sessionId");
+  }
+
+  struct Look {
+    int width;
+    bool is_dark;
+  };
+  void set(const Look& look) {
+    call("Emulation.setDeviceMetricsOverride",
+         {{"width", look.width}, {"height", 800}, {"deviceScaleFactor", 1}, {"mobile", false}});
+    const char* scheme = look.is_dark ? "dark" : "light";
+    call("Emulation.setEmulatedMedia",
+         {{"features", Json::array({{{"name", "prefers-color-scheme"}, {"value", scheme}}})}});
+  }
+  void open(const std::string& address) { call("Page.navigate", {{"url", address}}); }
+  void press(const std::string& key) {
+    for (const char* type : {"keyDown", "keyUp"}) {
+      const int code = key == "Tab" ? 9 : key == "ArrowRight" ? 39 : key.at(0);
+      call("Input.dispatchKeyEvent", {{"type", type},
+                                      {"key", key},
+                                      {"code", key},
+                                      {"windowsVirtualKeyCode", code},
+                                      {"text", key.size() == 1 ? key : ""}});
+    }
+  }
+  /// What a script's expression gives.
+  Json value_of(const std::string& script) {
+    return call("Runtime.evaluate", {{"expression", script}, {"returnByValue", true}})
+        .at("result")
+        .value("value", Json());
+  }
+  /// Waits until an expression is true.
+  void wait_for(const std::string& script) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (value_of(script) != true) {
+      if (std::chrono::steady_clock::now() > end) FAIL("never true: " << script);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+ private:
+  Json call(const std::string& method, const Json& parameters) {
+    Json request{{"id", ++calls_}, {"method", method}, {"params", parameters}};
+    if (!session_.empty()) request["sessionId"] = session_;
+    process_.write(request.dump() + '\0');
+    for (;;) {  // events come, too
+      std::string text = process_.until(std::string(1, '\0'));
+      text.pop_back();
+      const Json response = Json::parse(text);
+      if (response.value("id", 0) != calls_) continue;
+      if (!response.contains("result")) FAIL(method << ": " << text);
+      return response["result"];
+    }
+  }
+
+  Scratch profile_;
+  BackgroundProcess process_{
+      {chromium(), "--headless", "--no-sandbox", "--disable-gpu",
+       "--user-data-dir=" + profile_.path().string(), "--log-level=3", "--remote-debugging-pipe"},
+      {4},
+      3};
+  std::string session_;
+  int calls_ = 0;
+};
 
 /// Violations that axe-core, a collection of accessibility rules, finds on a page. MC_AXE is the
 /// path of its axe.min.js, which is not part of this repository; without it, or a browser, none.

@@ -111,8 +111,82 @@ TEST_CASE("a demo of a partly written lab says why the rest is missing", "[.demo
   CHECK(!contains(page, "\"name\":\"jittered\""));
   check_contains(
       page, {"\"name\":\"independent\"", "<li>lab 3: 3.3 is not written yet</li>",
-             "<li>lab 3: 3.6 is not written yet</li>", "<li>lab 5: there is no halton.cpp</li>"});
+             "<li>lab 3: 3.6 is not written yet</li>", "<li>lab 5: There is no halton.cpp.</li>"});
   if (!chromium().empty()) CHECK(open_page(file).console.empty());
+}
+
+TEST_CASE("an open page follows the code, and keeps what was chosen", "[.demo]") {
+  if (chromium().empty()) return;
+  const Layout layout = read_layout();
+  const Scratch place, pages;
+  for (const char* file : {"variance.cpp", "independent.cpp"}) {
+    fs::copy_file(layout.solutions() / file, place.path() / file);
+  }
+  const std::string all = read_text(layout.solutions() / "stratification.cpp");
+  const std::string grid = "  require_grid(x, y, grid);\n  const Strata";
+  const std::string without = with_change(all, grid, "throw 3.3;\n" + grid);
+  const auto save = [&](const std::string& text) { place.write("stratification.cpp", text); };
+  const fs::path page = pages.path() / "demo.html", before = pages.path() / "before.html",
+                 after = pages.path() / "after.html";
+  for (const auto& [text, file] : {std::pair{all, after}, {without, before}}) {
+    save(text);
+    REQUIRE_RUN(run, lab_demo({"--out", file, "--dir", place.path()}));
+  }
+
+  Browser browser;
+  // As a student without a mouse: lab 3, a larger N, the tab key to the points, and there "Latin
+  // hypercube", which 3.3 comes before in the list.
+  const auto choose = [&](const fs::path& file) {
+    browser.open("about:blank");
+    browser.open("file://" + file.string());
+    browser.wait_for("document.readyState === 'complete' && present.includes('3')");
+    browser.press("3");
+    browser.wait_for("lab === '3'");
+    browser.press("ArrowRight");
+    while (browser.value_of("document.activeElement.id") != "way-control") browser.press("Tab");
+    browser.press("L");
+    browser.value_of("scrollTo(0, 150)");
+  };
+  const std::string drawn =
+      "shown.map(one => one.toDataURL?.() ?? one.outerHTML).join() + at('now').textContent + "
+      "at('numbers').textContent";
+  const std::string chosen =
+      "[lab, ...inputs.map(one => one.selectedOptions?.[0].text ?? one.value), scrollY, "
+      "document.activeElement.id].join()";
+  BackgroundProcess watching(
+      {(layout.bin / "lab").string(), "demo", "--watch", "--out", page, "--dir", place.path()});
+  watching.until("\nmeasured ");
+  for (const Browser::Look look :
+       {Browser::Look{1280, false}, {1280, true}, {390, false}, {390, true}}) {
+    CAPTURE(look.width, look.is_dark);
+    browser.set(look);
+    choose(after);
+    const Browser::Json final_picture = browser.value_of(drawn);
+    choose(before);
+    const Browser::Json first_picture = browser.value_of(drawn);
+    CHECK(first_picture != final_picture);
+
+    choose(page);
+    CHECK(browser.value_of(drawn) == first_picture);
+    const Browser::Json choices = browser.value_of(chosen);
+    CHECK(choices == "3,Latin hypercube,edge: 1 below a line,5,4,0,150,way-control");
+    browser.value_of("window.last = " + drawn);
+    save(all);
+    browser.wait_for(drawn + " !== last");
+    CHECK(browser.value_of(drawn) == final_picture);
+    CHECK(browser.value_of(chosen) == choices);
+    CHECK(browser.value_of("document.documentElement.scrollWidth <= innerWidth") == true);
+
+    save("not C++\n");
+    browser.wait_for("news.textContent.includes('stratification.cpp does not compile: ')");
+    CHECK(browser.value_of(drawn) == final_picture);
+    CHECK(browser.value_of(chosen) == choices);
+
+    save(without);
+    browser.wait_for(drawn + " === last");
+  }
+  CHECK(watching.interrupt() == 0);
+  browser.wait_for("news.textContent.includes('has ended')");
 }
 
 }  // namespace mc::tests::demo

@@ -1,95 +1,45 @@
 // ./lab check --watch: started as by a user, with files saved as editors save them.
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "commands/watch.hpp"
-#include "sandbox/descriptor.hpp"
-#include "tests/submissions.hpp"
+#include "tests/background.hpp"
 
 namespace mc::tests::watching {
 
 namespace {
-
-/// Long enough for any machine: stops a hanging test, and does not measure speed.
-constexpr auto patience = std::chrono::minutes(2);
 
 constexpr const char* begun = "judging variance.cpp";
 
 /// A variance.cpp, and `check variance DIR --only 1.1 --watch` that runs and watches it.
 class WatchProcess {
  public:
-  explicit WatchProcess(const std::string& text) : output_(sandbox::make_pipe()) {
-    save(text);
-    const fs::path grader = read_layout().build / "bin" / "lab", place = place_.path();
-    pid_ = fork();
-    if (pid_ == 0) {
-      setenv("MC_NO_BUILD", "1", 1);
-      dup2(output_.write.get(), STDOUT_FILENO);
-      dup2(output_.write.get(), STDERR_FILENO);
-      execl(grader.c_str(), grader.c_str(), "check", "variance", place.c_str(), "--only", "1.1",
-            "--watch", "--seed", "1", nullptr);
-      _exit(127);
-    }
-    output_.write.reset();
-    sandbox::make_nonblocking(output_.read);
-  }
-  ~WatchProcess() {
-    if (pid_ > 0) kill(pid_, SIGKILL);
-    if (pid_ > 0) waitpid(pid_, nullptr, 0);
-  }
-  WatchProcess(const WatchProcess&) = delete;
+  explicit WatchProcess(const std::string& text) : file_(place_.write("variance.cpp", text)) {}
 
   /// As most editors do: writes a temporary file, and renames it.
   void save(const std::string& text) const { place_.write("variance.cpp", text); }
-  fs::path file() const { return place_.path() / "variance.cpp"; }
+  fs::path file() const { return file_; }
 
-  /// Reads until `text` arrives; returns all output so far. Fails if it never arrives.
-  std::string until(const std::string& text) {
-    const auto end = std::chrono::steady_clock::now() + patience;
-    for (;;) {
-      if (const auto at = unread_.find(text); at != std::string::npos) {
-        std::string all = unread_.substr(0, at + text.size());
-        unread_.erase(0, at + text.size());
-        return all;
-      }
-      const bool is_open = sandbox::read_available(output_.read, unread_, std::size_t{1} << 22);
-      if (!is_open || std::chrono::steady_clock::now() > end) {
-        FAIL("no '" << text << "' in:\n" << unread_);
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  }
-
+  std::string until(const std::string& text) { return process_.until(text); }
   std::string until_judged() { return until("\njudged "); }
-
-  /// The exit status after an interrupt; -1 if a signal ended it.
-  int interrupt() {
-    kill(pid_, SIGINT);
-    int status = 0;
-    waitpid(pid_, &status, 0);
-    pid_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
+  int interrupt() { return process_.interrupt(); }
 
   /// Its child processes that still run, as names in /proc.
   std::vector<fs::path> children() const {
     std::vector<fs::path> all;
-    std::istringstream found(sandbox::run_process({"pgrep", "-P", std::to_string(pid_)}).output);
+    std::istringstream found(
+        sandbox::run_process({"pgrep", "-P", std::to_string(process_.pid())}).output);
     for (std::string child; found >> child;) all.push_back(fs::path("/proc") / child);
     return all;
   }
 
  private:
   Scratch place_;
-  sandbox::Pipe output_;
-  pid_t pid_ = -1;
-  std::string unread_;
+  fs::path file_;
+  BackgroundProcess process_{{(read_layout().bin / "lab").string(), "check", "variance",
+                              place_.path(), "--only", "1.1", "--watch", "--seed", "1"}};
 };
 
 /// The solution with an endless 1.1.

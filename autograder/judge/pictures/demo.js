@@ -1,5 +1,5 @@
 "use strict";
-const records = JSON.parse(document.getElementById("data").textContent);
+let records, ways, columns, scrambles;  // what read() makes of the data
 const of = lab => records.filter(record => record.lab === lab);
 const at = id => document.getElementById(id);
 const maker = space => (tag, attributes = {}, ...children) => {
@@ -37,22 +37,26 @@ const part = (x, count) => Math.min(count - 1, Math.floor(x * count + 1e-6));
 
 const sizes = powers(4, 1024);
 const first = (set, n) => set.map(column => column.subarray(0, n));
-const ways = records.filter(record => record.points).map(({ name, sets, sequence, points }) => {
-  const all = points.map(text => {
-    const both = decoded(text, 3), n = both.length / 2;
-    return [both.subarray(0, n), both.subarray(n)];
-  });
-  return { name, sets, known: points.length / (sequence ? sets / sizes.length : sets),
-    set: (step, k) => sequence ? first(all[k], sizes[step]) : all[step * sets + k] };
-});
-const columns = Object.fromEntries(of(5).filter(record => record.columns).map(
-  ({ name, columns }) => [name, columns.map(text => decoded(text, 5))]));
-const scrambles = Math.max(0, ...Object.values(columns).map(one => one.length - 1));
 const sequence = (name, x, y) => ({ name, sets: scrambles, known: sizes.length,
   set: (step, k) => first([columns[x][k + 1], columns[y][k + 1]], sizes[step]) });
 const has = (...names) => names.every(name => columns[name]);
-if (has("base 2", "base 3")) ways.push(sequence("Halton", "base 2", "base 3"));
-if (has("base 2", "Sobol' 1")) ways.push(sequence("Sobol'", "base 2", "Sobol' 1"));
+function read(all) {
+  records = all;
+  ways = records.filter(record => record.points).map(({ name, sets, sequence, points }) => {
+    const all = points.map(text => {
+      const both = decoded(text, 3), n = both.length / 2;
+      return [both.subarray(0, n), both.subarray(n)];
+    });
+    return { name, sets, known: points.length / (sequence ? sets / sizes.length : sets),
+      set: (step, k) => sequence ? first(all[k], sizes[step]) : all[step * sets + k] };
+  });
+  columns = Object.fromEntries(of(5).filter(record => record.columns).map(
+    ({ name, columns }) => [name, columns.map(text => decoded(text, 5))]));
+  scrambles = Math.max(0, ...Object.values(columns).map(one => one.length - 1));
+  if (has("base 2", "base 3")) ways.push(sequence("Halton", "base 2", "base 3"));
+  if (has("base 2", "Sobol' 1")) ways.push(sequence("Sobol'", "base 2", "Sobol' 1"));
+  spectra.clear();
+}
 
 // Integrands of the plane, and their means.
 

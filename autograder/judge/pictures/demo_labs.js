@@ -17,6 +17,10 @@ const errorOf = (value, f) => `Estimate ${value.toPrecision(4)}, exact ${f.exact
 const scientific = x => x < 1e5 ? String(x) : `${x / 10 ** Math.floor(Math.log10(x) + 1e-9)}·10` +
   superscript(Math.floor(Math.log10(x) + 1e-9));
 
+/** Powers of 2, and products of powers of two bases. */
+const productsOf = ([a, b]) => [...new Set([...powers(2, 1024), ...powers(a, 1024).flatMap(
+  x => powers(b, 1024 / x).map(y => x * y))])].sort((a, b) => a - b);
+
 const views = {
   1: {
     title: "Lab 1: an offset costs digits",
@@ -150,8 +154,7 @@ const views = {
     choice("bases", "Bases", ({ kind }) => kind === "Halton" ? [[2, 3], [3, 5], [5, 7], [29, 31]].filter(
       pair => has(...pair.map(b => `base ${b}`))) : [[2, 2]], pair => pair.join(" and ")),
     slider("scramble", "Scramble", () => range(scrambles + 1), k => k ? `seed ${k}` : "none"),
-    slider("n", "N", ({ bases: [a, b] }) => [...new Set([...powers(2, 1024), ...powers(a, 1024).flatMap(
-      x => powers(b, 1024 / x).map(y => x * y))])].sort((a, b) => a - b), String,
+    slider("n", "N", ({ bases }) => productsOf(bases), String,
       values => values.includes(216) ? values.indexOf(216) : middle(values)),
     slider("shape", "Intervals", ({ bases: [a, b], n }) => powers(a, n).map(x => [x,
       powers(b, n / x).at(-1)]), ([x, y]) => `1/${x} × 1/${y}`,
@@ -167,14 +170,15 @@ const views = {
       const share = n / (nx * ny), wrong = count => Math.abs(count - share) >= 1;
       drawPoints(canvas, points, f, nx, ny, (column, row) => wrong(cells[column + nx * row]));
       canvas.setAttribute("aria-label", `${n} points in ${nx} times ${ny} intervals`);
-      const mine = { name: "these points", chosen: true, points: sizes.map((size, step) => [size,
-        scramble ? rmse({ sets: scrambles, set: (_, k) => first(pair.map(c => c[k + 1]), size) }, step, f)
-          : Math.abs(estimate(first(points.map((_, d) => pair[d][0]), size), f) - f.exact)]) };
+      const sets = scramble ? range(scrambles).map(k => k + 1) : [0];
+      // At all N of the slider: between two of them, a line would pass through no error.
+      const mine = { name: "these points", chosen: true, points: productsOf(bases).map(size => [size,
+        rms(sets.map(k => estimate(first(pair.map(c => c[k]), size), f) - f.exact))]) };
       return {
         now: `${nx * ny} intervals, ${short(share)} point${short(share) === "1" ? "" : "s"} each: ` +
           `${cells.filter(wrong).length} differ, ` +
           `${cells.filter(count => count === 0).length} are empty. ${errorOf(estimate(points, f), f)}.`,
-        chart: { now: n, label: "RMSE against N",
+        chart: { now: n, label: "RMSE against N", xs: sizes,
           curves: [mine, ...ways.map(one => curveOf(one, f, false))] } };
     } },
   6: {
@@ -208,20 +212,60 @@ const views = {
 
 // The page.
 
-const present = Object.keys(views).filter(lab => views[lab].controls[0].values({}).length > 0);
-const states = Object.fromEntries(present.map(lab => [lab, {}]));
-let lab = present[0], shown = [], inputs = [];
+const states = Object.fromEntries(Object.keys(views).map(lab => [lab, {}]));
+const touched = new Set();  // labs with a control that was moved
+let present = [], lab, shown = [], inputs = [];
+
+/** Draws data. What was chosen stays, by its text: there may be more or fewer values now. */
+function take(data, remarks) {
+  for (const one of present) {
+    const chosen = choose(one).filter(({ value }) => value !== undefined).map(
+      ({ control, value }) => [control.key, String(control.text(value))]);
+    states[one] = touched.has(one)
+      ? { ...states[one], ...Object.fromEntries(chosen), ...wishes(one) } : {};
+  }
+  const before = [lab, ...present].join();
+  read(data);
+  present = Object.keys(views).filter(lab => views[lab].controls[0].values({}).length > 0);
+  find();
+  if (lab && before === [lab, ...present].join()) update(); else build();
+  if (remarks !== undefined) at("remarks").innerHTML = remarks;
+}
+
+/** The choices of a lab that the data lacked since they were made: they may come back. */
+const wishes = lab => Object.fromEntries(Object.entries(states[lab]).filter(
+  ([, state]) => typeof state === "string"));
+
+/** The controls of a lab with their values; a state is an index, or the text of a value. */
+function choose(lab) {
+  const chosen = {}, state = states[lab];
+  return views[lab].controls.map(control => {
+    const { key } = control, values = control.values(chosen), start = control.start?.(values) ?? 0;
+    state[key] ??= start;
+    const found = values.findIndex(value => String(control.text(value)) === state[key]);
+    const index = typeof state[key] === "number" ? Math.min(state[key], values.length - 1)
+      : found < 0 ? start : found;
+    chosen[key] = values[index];
+    return { control, values, index, value: values[index] };
+  });
+}
 
 function build() {
-  const view = views[lab];
   at("labs").replaceChildren(...present.map(one => html("a", { href: `#${one}`,
     ...(one === lab ? { "aria-current": "page" } : {}) }, `Lab ${one}`)));
+  const view = views[lab] ?? { title: "Nothing is measured yet", task: "", controls: [], figures: [] };
   at("title").textContent = view.title;
   at("task").textContent = view.task;
   inputs = view.controls.map(control => {
     const input = html(control.range ? "input" : "select", { id: `${control.key}-control`,
       ...(control.range ? { type: "range", min: 0, step: 1 } : {}) });
-    input.addEventListener("input", () => { states[lab][control.key] = +input.value; update(); });
+    input.addEventListener("input", () => {
+      touched.add(lab);
+      for (const [i, { key }] of view.controls.entries()) {
+        if (!inputs[i].parentElement.hidden) states[lab][key] = +inputs[i].value;
+      }
+      update();
+    });
     return input;
   });
   at("controls").replaceChildren(...view.controls.map((control, i) => html("div",
@@ -235,27 +279,26 @@ function build() {
 }
 
 function update() {
-  const view = views[lab], state = states[lab], chosen = {};
-  view.controls.forEach((control, i) => {
-    const values = control.values(chosen), input = inputs[i];
-    state[control.key] ??= control.start?.(values) ?? 0;
-    const index = Math.min(state[control.key], values.length - 1), text = control.text;
-    chosen[control.key] = values[index];
+  const chosen = {};
+  for (const [i, { control, values, index, value }] of (lab ? choose(lab) : []).entries()) {
+    const input = inputs[i], texts = values.map(control.text);
+    chosen[control.key] = value;
     input.parentElement.hidden = values.length < 2;
-    if (values.length === 0) return;
+    if (values.length === 0) continue;
     if (control.range) {
       input.max = values.length - 1;
-      input.nextSibling.textContent = text(values[index]);
-      input.setAttribute("aria-valuetext", text(values[index]));
-    } else if (input.length !== values.length) {
-      input.replaceChildren(...values.map((value, k) => new Option(text(value), k)));
+      input.nextSibling.textContent = texts[index];
+      input.setAttribute("aria-valuetext", texts[index]);
+    } else if (texts.join() !== Array.from(input.options, option => option.text).join()) {
+      input.replaceChildren(...texts.map((text, k) => new Option(text, k)));
     }
     input.value = index;
-  });
-  const { now, chart: drawn } = view.draw(chosen, shown);
+  }
+  if (!lab) return at("now").replaceChildren(), at("numbers").replaceChildren();
+  const { now, chart: drawn } = views[lab].draw(chosen, shown);
   at("now").textContent = now;
   chart(shown.at(-1), drawn);
-  const xs = [...new Set(drawn.curves.flatMap(curve => curve.points.map(([x]) => x)))].slice(0, 40);
+  const xs = drawn.xs ?? [...new Set(drawn.curves.flatMap(curve => curve.points.map(([x]) => x)))].slice(0, 40);
   const few = xs.filter((_, i) => i % Math.ceil(xs.length / 8) === 0);
   at("numbers").replaceChildren(html("tr", {}, html("th", { scope: "col" }, drawn.label),
     ...few.map(x => html("th", { scope: "col" }, scientific(x)))), ...drawn.curves.map(curve =>
@@ -263,9 +306,12 @@ function update() {
       ...few.map(x => html("td", {}, short(curve.points.find(([at]) => at === x)?.[1] ?? NaN))))));
 }
 
+/** The lab to show: as the address says. */
+function find() {
+  lab = [location.hash.slice(1), lab, present[0]].find(one => present.includes(one));
+}
 function go() {
-  const asked = location.hash.slice(1);
-  lab = present.includes(asked) ? asked : present[0];
+  find();
   build();
 }
 addEventListener("hashchange", go);
@@ -275,9 +321,9 @@ addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT") return;
   if (present.includes(event.key)) location.hash = event.key;
   const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  const main = inputs[views[lab].controls.findIndex(control => ["offset", "n", "spp"].includes(control.key))];
-  if (!move || event.target.tagName === "INPUT") return;
+  const main = lab && inputs[views[lab].controls.findIndex(control => ["offset", "n", "spp"].includes(control.key))];
+  if (!main || !move || event.target.tagName === "INPUT") return;
   main.value = +main.value + move;
   main.dispatchEvent(new Event("input"));
 });
-go();
+take(JSON.parse(at("data").textContent));

@@ -13,6 +13,7 @@ namespace mc::grader {
 struct Plots {
   std::vector<std::filesystem::path> pictures;  ///< SVG and PNG of each plot
   std::vector<std::string> remarks;             ///< what could not be drawn, and why
+  std::vector<std::string> descriptions = {};  ///< "…/variance-digits.svg, .png: Digits kept …"
 };
 
 /// Is gnuplot installed?

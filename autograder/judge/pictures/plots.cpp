@@ -32,7 +32,7 @@ struct Panel {
 /// A part of plots.gp: those that begin with a line "# Title ------" draw a picture or two each,
 /// and run separately, so that a failure affects no other.
 struct Section {
-  std::string script;
+  std::string script, title;
   std::vector<std::string> names{}, labels{};  ///< of its pictures, of the panels in them
   std::string why_empty{};                     ///< set if no panel has anything to draw
 };
@@ -54,7 +54,9 @@ std::vector<Section> sections_of(const std::string& script) {
   std::string shared;
   for (const std::string_view piece : text::split(script, '\n')) {
     const std::string line(piece);
-    if (begins_section(line)) sections.push_back({shared});
+    if (begins_section(line)) {
+      sections.push_back({shared, line.substr(2, line.find_last_not_of("- ") - 1)});
+    }
     if (sections.empty() || is_definition(line)) shared += line + '\n';
     if (sections.empty()) continue;
     sections.back().script += line + '\n';
@@ -256,6 +258,12 @@ Plots draw_plots(const Layout& layout, const Lab& lab, const std::vector<Submiss
     }
   });
   collect(plots, place, lab.name + "-");
+  for (const Section& section : sections) {
+    for (const std::string& name : section.names) {
+      plots.descriptions.push_back(fmt::format(
+          "{}.svg, .png: {}", (place / (lab.name + '-' + name)).string(), section.title));
+    }
+  }
   return plots;
 }
 
