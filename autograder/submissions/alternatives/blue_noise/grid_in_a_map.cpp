@@ -67,8 +67,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
       for (long j = -2; j <= 2; ++j) {
         const long row = (cell(p.y) + i + side) % side, column = (cell(p.x) + j + side) % side;
         const auto other = taken.find(row * side + column);
-        if (other != taken.end() &&
-            toroidal_distance_squared(p, other->second) < radius * radius) {
+        if (other != taken.end() && toroidal_distance_squared(p, other->second) < radius * radius) {
           return;
         }
       }

@@ -175,3 +175,12 @@ double variance_two_pass(std::span<const double> x) {
   return variance < 1e-12 ? 0 : variance;
 }
 }  // namespace mc::two_pass_with_threshold
+
+// mistake: divides the sum, which overflows for large values
+// hint: take the mean of 1.1
+namespace mc::two_pass_sum_overflows {
+double variance_two_pass(std::span<const double> x) {
+  const double sum = std::accumulate(x.begin(), x.end(), 0.0);
+  return std::isfinite(sum) ? right_variance_two_pass(x) : nan;
+}
+}  // namespace mc::two_pass_sum_overflows
