@@ -109,30 +109,6 @@ std::vector<Estimate> estimates_in_turn(std::vector<Function> g, std::uint64_t n
   return all;
 }
 
-ByLab1 by_lab_1(std::vector<double> values) {
-  const auto or_nan = [](auto function) {
-    try {
-      return function();
-    } catch (const todo&) {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-  };
-  const auto added = [&] {
-    Moments all;
-    for (const double value : values) add(all, value);
-    return all;
-  };
-  ByLab1 by;
-  by.mean = or_nan([&] { return mean(values); });
-  by.variance_textbook = or_nan([&] { return variance_textbook(values); });
-  by.variance_two_pass = or_nan([&] { return variance_two_pass(values); });
-  by.mean_of_add = or_nan([&] { return added().mean; });
-  by.variance_of_add = or_nan([&] { return variance(added()); });
-  by.mean_of_moments = or_nan([&] { return moments(values).mean; });
-  by.variance_of_moments = or_nan([&] { return variance(moments(values)); });
-  return by;
-}
-
 std::vector<double> sample_exponential(std::vector<double> u, double rate) {
   return each(u, [=](double value) { return mc::sample_exponential(value, rate); });
 }
@@ -369,8 +345,6 @@ std::span<const mc::runner::Experiment> mc::runner::experiments() {
       MC_EXPERIMENT(estimates_in_turn, "g n seeds",
                     "2.2  one estimate per g, each with its own seed",
                     {.index = "seed", .row_labels = "seeds"}),
-      MC_EXPERIMENT(by_lab_1, "values",
-                    "2.2  mean and variance of the values by lab 1's functions"),
       MC_EXPERIMENT(sample_exponential, "u rate", "2.3  the quantile x at each u",
                     {.row_labels = "u"}),
       MC_EXPERIMENT(sample_power, "u a", "2.3  the quantile x at each u", {.row_labels = "u"}),

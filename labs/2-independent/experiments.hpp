@@ -56,28 +56,17 @@ struct ValueAndVariance {
 };
 MC_FIELDS(ValueAndVariance, value, variance)
 
-/// The results of lab 1's functions for one list of values; NaN for a function that is still a
-/// TODO.
-struct ByLab1 {
-  double mean = 0, variance_textbook = 0, variance_two_pass = 0;
-  double mean_of_add = 0, variance_of_add = 0;
-  double mean_of_moments = 0, variance_of_moments = 0;
-};
-MC_FIELDS(ByLab1, mean, variance_textbook, variance_two_pass, mean_of_add, variance_of_add,
-          mean_of_moments, variance_of_moments)
-
 /// 2.1: to_unit() of each word.
 std::vector<double> to_unit(std::vector<std::uint64_t> words);
 
 /// 2.2: `replicates` estimates of `g` from n samples each; and the same with every evaluation of g.
 /// estimates_in_turn: one estimate per integrand, g[i] with the generator Rng(seeds[i]), all in one
-/// process. by_lab_1: the statistics of `values` by lab 1's functions.
+/// process.
 std::vector<CountedEstimate> estimates(Function g, std::uint64_t n, std::uint64_t seed,
                                        std::uint64_t replicates);
 Traces traces(Function g, std::uint64_t n, std::uint64_t seed, std::uint64_t replicates);
 std::vector<Estimate> estimates_in_turn(std::vector<Function> g, std::uint64_t n,
                                         std::vector<std::uint64_t> seeds);
-ByLab1 by_lab_1(std::vector<double> values);
 
 /// 2.3: the quantile functions at each u, and the densities at each x.
 std::vector<double> sample_exponential(std::vector<double> u, double rate);

@@ -5,19 +5,7 @@
 namespace mc::checks {
 namespace {
 
-/// The coordinates of the points at which a random integrand is evaluated.
-Numbers points_of(unsigned g, Rng& rng) {
-  const Function function = fresh(g, rng);
-  const std::size_t dims = dims_of(function);
-  return {"the points of 2.2", dims,
-          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
-            const auto got = MEASURE(traces, function, n, seed, calls);
-            const auto& seen = got.list_by_list(
-                {{calls, any_number}, {calls * n * dims, unit}, {calls * n, any_number}});
-            return Uniforms{got.call, dims, seen.points};
-          },
-          "draw a number for each dimension: with one number for both, the points lie on a line"};
-}
+Numbers points_of(unsigned g, Rng& rng);
 
 CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:2.1][main]") {
   Results means;
@@ -37,9 +25,9 @@ CHECK_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:5][ne
   for_all_sizes(
       1, {exponential, product, five, constant}, rng, [](std::uint64_t n, const Trace& seen) {
         expect_equal(seen.call + ": evaluations of g", seen.values.size(), n,
-                     "the caller asked for n evaluations", "",
-                     seen.values.size() < n ? "too few: the loop may begin at 1"
-                                            : "too many: the loop may end at i <= n");
+                     "the caller asked for n evaluations",
+                     "if one is missing, the loop may begin at 1; if there is one too many, it may "
+                     "end at i <= n");
         expect_equal(seen.call + ": n", seen.estimate.n, n,
                      "the n of an Estimate counts evaluations", "count every sample once");
       });
@@ -93,6 +81,22 @@ CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:
   judge_period(rng(), [g = fresh(exponential, rng)](std::uint64_t n, std::uint64_t seed) {
     return MEASURE(estimates, g, n, seed, 1);
   });
+}
+
+// What the cases above use ------------------------------------------------------------------------
+
+/// The coordinates of the points at which a random integrand is evaluated.
+Numbers points_of(unsigned g, Rng& rng) {
+  const Function function = fresh(g, rng);
+  const std::size_t dims = dims_of(function);
+  return {"the points of 2.2", dims,
+          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+            const auto got = MEASURE(traces, function, n, seed, calls);
+            const auto& seen = got.list_by_list(
+                {{calls, any_number}, {calls * n * dims, unit}, {calls * n, any_number}});
+            return Uniforms{got.call, dims, seen.points};
+          },
+          "draw a number for each dimension: with one number for both, the points lie on a line"};
 }
 
 }  // namespace

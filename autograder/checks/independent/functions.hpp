@@ -91,8 +91,7 @@ inline void judge_calls_in_turn(const Numbers& numbers, std::uint64_t n, std::ui
   all.positions = numbers.dims * n;
   expect_independent_uniforms(all, {numbers.words + ", of calls in turn", alpha,
                                     "each call must continue where the last one left the generator",
-                                    "the generator must advance: do not use a copy of it",
-                                    "take new numbers from rng for each sample"});
+                                    "the generator must advance: do not use a copy of it"});
 }
 
 /// Estimates from n and from 2n samples, with the same seed, differ: they are equal if the numbers

@@ -15,81 +15,7 @@ struct WeightTrace {
   ImportanceTraces seen;
 };
 
-bool is_usable(double density) {
-  return density > 0 && std::isfinite(density);
-}
-
-WeightTrace weighted(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng) {
-  const auto measured = MEASURE(importance_traces, g, p, n, rng(), 1);
-  if (measured.if_exactly({1, 0, 0, 0, 0}, any_number) != nullptr) {
-    expect_that(false, measured.call + " never called p.sample()", fmt::format("{} samples", n),
-                "the points are distributed as p",
-                "x = p.sample(u), with a new uniform u each time");
-  }
-  const auto& seen = measured.list_by_list(
-      {{1, any_number}, {n, unit}, {n, any_number}, {n, any_number}, {n, any_number}});
-  const auto& one = seen.estimates[0];
-  Values weights;
-  for (std::size_t i = 0; i < n; ++i) {
-    weights.push_back(is_usable(seen.densities[i]) ? seen.values[i] / seen.densities[i] : 0);
-  }
-  const auto usable = static_cast<std::uint64_t>(std::ranges::count_if(seen.densities, is_usable));
-  expect_that(one.evaluations >= usable && one.evaluations <= n && one.n == n,
-              fmt::format("{} evaluated g {} times and returned n = {}", measured.call,
-                          one.evaluations, one.n),
-              fmt::format("{} evaluations and n = {}", usable, n), "the caller asked for n samples",
-              one.evaluations < usable
-                  ? "a tiny or huge density is valid: evaluate g at each sample"
-              : one.evaluations > n ? "evaluate g once for each sample, and use that value"
-                                    : "count every sample, including those of weight 0");
-  return {{measured.call, {one.value, one.standard_error, one.n}, weights, {}}, seen};
-}
-
-std::vector<Suspect> weight_suspects(const WeightTrace& all, const Function& g, const Sampling& p) {
-  const Values &w = all.weights.values, &of_g = all.seen.values, &of_p = all.seen.densities;
-  const std::size_t n = w.size();
-  const auto hits = static_cast<double>(std::ranges::count_if(of_p, is_usable));
-  const auto pdf = [p](double x) {
-    const double q = p.parameter;
-    return p.p == by_power         ? (q + 1) * std::pow(x, q)
-           : p.p == by_exponential ? q * std::exp(-q * x)
-           : p.p == by_line        ? 1 + q * (2 * x - 1)
-                                   : 1;
-  };
-  const Integrand integrand = experiments::integrand(g);
-  const auto g_at = [&](double x) { return integrand.f({&x, 1}); };
-  const Values &u = all.seen.u, &x = all.seen.points;
-  const auto of = [n](auto value) {
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += value(i);
-    return sum / static_cast<double>(n);
-  };
-  const std::string not_usable =
-      "where the pdf is 0 or infinite, add 0, not a NaN such as inf / inf";
-  std::vector<Suspect> suspects{
-      {of([&](auto i) { return of_g[i]; }),
-       "this is the mean of g: divide each value by p, because more points lie where p is large"},
-      {of([&](auto i) { return of_g[i] * of_p[i]; }), "this is the mean of g p: divide by p"},
-      {of([&](auto i) { return w[i]; }) / of([&](auto i) { return 1 / of_p[i]; }),
-       "this divides by the sum of the weights 1 / p: p is normalized, so divide by n"},
-      {of([&](auto i) { return w[i]; }) * static_cast<double>(n) / hits,
-       "divide by n, not by the number of samples with a usable density"},
-      {of([&](auto i) { return is_usable(of_p[i]) ? w[i] : nan; }), not_usable},
-      {of([&](auto i) { return of_g[i] / of_p[i]; }), not_usable},
-      {of([&](auto i) { return of_p[i] > 0 ? of_g[i] / of_p[i] : 0; }), not_usable},
-      {of([&](auto i) { return g_at(x[i]) / pdf(u[i]); }), "this divides by p(u): divide by p(x)"},
-      {of([&](auto i) { return g_at(u[i]) / pdf(x[i]); }),
-       "this is g(u) / p(x): evaluate g at x too"},
-      {of([&](auto i) { return g_at(u[i]) / pdf(u[i]); }),
-       "this is g(u) / p(u): evaluate both at x = p.sample(u)"},
-      {0, "every weight is 0: a tiny or huge density is valid"}};
-  for (const double most : {1.0, 10.0, 100.0, 1000.0}) {
-    suspects.push_back(
-        {of([&](auto i) { return std::clamp(w[i], -most, most); }),
-         fmt::format("weights beyond {} are clamped, which makes the estimate biased", most)});
-  }
-  return suspects;
-}
+WeightTrace weighted(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng);
 
 struct Case {
   Function g;
@@ -98,35 +24,9 @@ struct Case {
 };
 
 /// Estimates are the means of their weights; standard errors follow from the weights, too.
-void judge_weights(const std::vector<Case>& cases, Rng& rng) {
-  Results means;
-  Results errors;
-  for (const auto& [g, p, n] : cases) {
-    const WeightTrace seen = weighted(g, p, n, rng);
-    add_mean(means, seen.weights, [=, g = g, p = p] { return weight_suspects(seen, g, p); });
-    add_error(errors, seen.weights, [=]() -> std::vector<Suspect> {
-      const auto of_g = exact_moments(seen.seen.values);
-      return {{std::sqrt(of_g.variance / of_g.count),
-               "this is the standard error of g's values: the estimate is a mean of g / p"}};
-    });
-  }
-  judge_means(means, "g / p");
-  judge_errors(errors);
-}
+void judge_weights(const std::vector<Case>& cases, Rng& rng);
 
-Numbers u_of(const Sampling& p, Rng& rng) {
-  const Function g = fresh(exponential, rng);
-  return {"the u of 2.4", 1, [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
-            const auto got = MEASURE(importance_traces, g, p, n, seed, calls);
-            const std::size_t all = calls * n;
-            const auto& seen = got.list_by_list({{calls, any_number},
-                                                 {all, unit},
-                                                 {all, any_number},
-                                                 {all, any_number},
-                                                 {all, any_number}});
-            return Uniforms{got.call, 1, seen.u};
-          }};
-}
+Numbers u_of(const Sampling& p, Rng& rng);
 
 CHECK_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:6][needs:2.1][main]") {
   std::vector<Case> cases;
@@ -205,6 +105,96 @@ CHECK_CASE("2.4 the right density cures an infinite variance",
   results.expect(
       "x^-0.75 divided by its density is 4 for every x, up to a few rounding errors",
       "the mean of g(x) / p(x), x = p.sample(u); equal values have the standard error 0");
+}
+
+// What the cases above use ------------------------------------------------------------------------
+
+bool is_usable(double density) {
+  return density > 0 && std::isfinite(density);
+}
+
+WeightTrace weighted(const Function& g, const Sampling& p, std::uint64_t n, Rng& rng) {
+  const auto measured = MEASURE(importance_traces, g, p, n, rng(), 1);
+  expect_that(measured.if_exactly({1, 0, 0, 0, 0}, any_number) == nullptr,
+              measured.call + " never called p.sample()", fmt::format("{} samples", n),
+              "the points are distributed as p", "x = p.sample(u), with a new uniform u each time");
+  const auto& seen = measured.list_by_list(
+      {{1, any_number}, {n, unit}, {n, any_number}, {n, any_number}, {n, any_number}});
+  const auto& one = seen.estimates[0];
+  Values weights;
+  for (std::size_t i = 0; i < n; ++i) {
+    weights.push_back(is_usable(seen.densities[i]) ? seen.values[i] / seen.densities[i] : 0);
+  }
+  const auto usable = static_cast<std::uint64_t>(std::ranges::count_if(seen.densities, is_usable));
+  expect_that(one.evaluations >= usable && one.evaluations <= n && one.n == n,
+              fmt::format("{} evaluated g {} times and returned n = {}", measured.call,
+                          one.evaluations, one.n),
+              fmt::format("{} evaluations and n = {}", usable, n), "the caller asked for n samples",
+              "evaluate g once for each sample (a tiny or huge density is valid), and count every "
+              "sample, including those of weight 0");
+  return {{measured.call, {one.value, one.standard_error, one.n}, weights, {}}, seen};
+}
+
+std::vector<Suspect> weight_suspects(const WeightTrace& all, const Sampling& p) {
+  const Values &w = all.weights.values, &of_g = all.seen.values, &of_p = all.seen.densities;
+  const std::size_t n = w.size();
+  const auto pdf = [p](double x) {
+    const double q = p.parameter;
+    return p.p == by_power         ? (q + 1) * std::pow(x, q)
+           : p.p == by_exponential ? q * std::exp(-q * x)
+           : p.p == by_line        ? 1 + q * (2 * x - 1)
+                                   : 1;
+  };
+  const auto of = [n](auto value) {
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += value(i);
+    return sum / static_cast<double>(n);
+  };
+  std::vector<Suspect> suspects{
+      {of([&](auto i) { return of_g[i]; }),
+       "this is the mean of g: divide each value by p, because more points lie where p is large"},
+      {of([&](auto i) { return w[i]; }) / of([&](auto i) { return 1 / of_p[i]; }),
+       "this divides by the sum of the weights 1 / p: p is normalized, so divide by n"},
+      {of([&](auto i) { return is_usable(of_p[i]) ? w[i] : nan; }),
+       "where the pdf is 0 or infinite, add 0, not a NaN such as inf / inf"},
+      {of([&](auto i) { return of_g[i] / pdf(all.seen.u[i]); }),
+       "this divides by p(u): divide by p(x)"}};
+  for (const double most : {1.0, 10.0, 100.0, 1000.0}) {
+    suspects.push_back(
+        {of([&](auto i) { return std::clamp(w[i], -most, most); }),
+         fmt::format("weights beyond {} are clamped, which makes the estimate biased", most)});
+  }
+  return suspects;
+}
+
+void judge_weights(const std::vector<Case>& cases, Rng& rng) {
+  Results means;
+  Results errors;
+  for (const auto& [g, p, n] : cases) {
+    const WeightTrace seen = weighted(g, p, n, rng);
+    add_mean(means, seen.weights, [=, p = p] { return weight_suspects(seen, p); });
+    add_error(errors, seen.weights, [=]() -> std::vector<Suspect> {
+      const auto of_g = exact_moments(seen.seen.values);
+      return {{std::sqrt(of_g.variance / of_g.count),
+               "this is the standard error of g's values: the estimate is a mean of g / p"}};
+    });
+  }
+  judge_means(means, "g / p");
+  judge_errors(errors);
+}
+
+Numbers u_of(const Sampling& p, Rng& rng) {
+  const Function g = fresh(exponential, rng);
+  return {"the u of 2.4", 1, [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+            const auto got = MEASURE(importance_traces, g, p, n, seed, calls);
+            const std::size_t all = calls * n;
+            const auto& seen = got.list_by_list({{calls, any_number},
+                                                 {all, unit},
+                                                 {all, any_number},
+                                                 {all, any_number},
+                                                 {all, any_number}});
+            return Uniforms{got.call, 1, seen.u};
+          }};
 }
 
 }  // namespace

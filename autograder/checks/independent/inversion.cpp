@@ -5,19 +5,130 @@
 namespace mc::checks {
 namespace {
 
-/// A wrong function, and its hint.
-struct Mistake {
-  std::function<double(double)> value;
-  std::string hint;
-};
+using Function1 = std::function<double(double)>;
 
-/// A function of one argument.
+/// A function of one argument, and a well-known mistake in it.
 struct FunctionCase {
-  std::function<double(double)> exact, tolerance;
+  Function1 exact, tolerance;
   std::string because;
-  std::vector<Mistake> mistakes;
+  std::vector<std::pair<Function1, std::string>> mistakes;
   std::string rule;
 };
+
+void judge_values(const std::string& call, const Values& got, const char* argument, const Values& x,
+                  const FunctionCase& of);
+std::vector<Values> arguments(Rng& rng);
+
+CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:5][main]") {
+  for (const double rate :
+       {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0, 1e-300, 1e290, 1e-310}) {
+    const auto exact = [=](double at) { return -std::log1p(-at) / rate; };
+    for (Values u : arguments(rng)) {
+      std::erase_if(u, [&](double at) { return !std::isfinite(exact(at)); });
+      if (u.empty()) continue;
+      const auto got = MEASURE(sample_exponential, u, rate);
+      judge_values(got.call, got.exactly(u.size(), any_number), "u", u,
+                   {exact,
+                    [&](double at) { return 4 * eps * exact(at) + denormal; },
+                    "P(x) = 1 - exp(-rate x) = u, to 4 ulp",
+                    {{[=](double at) { return -std::log(at) / rate; },
+                      "this is -log(u) / rate: it decreases in u, and is infinite at u = 0"},
+                     {[=](double at) { return -std::log(1 - at) / rate; },
+                      "1 - u loses the last digits of a small u: use log1p(-u)"},
+                     {[=](double at) { return -std::log1p(-at) * rate; },
+                      "divide by the rate: a high rate means short times"}},
+                    "solve 1 - exp(-rate x) = u for x, for every u in [0, 1): clamp none"});
+    }
+  }
+}
+
+CHECK_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
+  for (const double a : {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, -0.75, -0.99,
+                         0.0, 1e6, -1e-4, 1e-9}) {
+    const auto exact = [=](double at) {
+      return static_cast<double>(std::pow(static_cast<long double>(at), 1 / (a + 1.0L)));
+    };
+    const auto tolerance = [=](double at) {  // the exponent or a logarithm is rounded
+      const double magnified = at > 0 ? std::abs(std::log(at)) / (a + 1) : 0;
+      return 4 * eps * (1 + magnified) * exact(at) + 2 * denormal;
+    };
+    for (const Values& u : arguments(rng)) {
+      const auto got = MEASURE(sample_power, u, a);
+      judge_values(got.call, got.exactly(u.size(), any_number), "u", u,
+                   {exact,
+                    tolerance,
+                    "P(x) = x^(a+1) = u, to 4 ulp plus a rounded exponent or logarithm",
+                    {{[=](double at) { return a == 0 ? nan : std::pow(at, 1 / a); },
+                      "integrating x^a raises the exponent: use 1 / (a + 1)"}},
+                    "solve x^(a+1) = u for x"});
+      got.exactly(u.size(), closed_unit);
+    }
+  }
+}
+
+CHECK_CASE("2.3 the densities of the samples", "[2.3][points:4]") {
+  for (const double rate :
+       {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0, 1e-300, 1e300}) {
+    Values x;
+    for (int i = 0; i < 100; ++i) x.push_back(uniform(rng, -1, 9) / rate);
+    for (const double far : {-1e9, 1.0, 40.0, 300.0, 700.0}) x.push_back(far / rate);
+    x.insert(x.end(), {-1, -1e-300, 0, infinity, -infinity});
+    const auto exact = [=](double at) { return at < 0 ? 0 : rate * std::exp(-rate * at); };
+    const auto tolerance = [=](double at) {
+      return exact(at) > 0 ? 4 * eps * (1 + rate * std::abs(at)) * exact(at) : 0;
+    };
+    const auto got = MEASURE(pdf_exponential, x, rate);
+    judge_values(
+        got.call, got.exactly(x.size(), any_number), "x", x,
+        {exact,
+         tolerance,
+         "rate exp(-rate x) for x >= 0, and 0 below",
+         {{[=](double at) { return rate * std::exp(-rate * at); }, "the density is 0 for x < 0"}},
+         "the derivative of P(x) = 1 - exp(-rate x); x = 0 belongs to the support"});
+  }
+  for (const double a : {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, 0.0, 1e-4}) {
+    Values x;
+    for (int i = 0; i < 100; ++i) x.push_back(uniform(rng, -0.5, 1.5));
+    x.insert(x.end(),
+             {-1, -1e-300, std::nextafter(1.0, 2.0), 2, infinity, -infinity, 1e-300, 0, 1});
+    const auto exact = [=](double at) { return at < 0 || at > 1 ? 0 : (a + 1) * std::pow(at, a); };
+    const auto tolerance = [=](double at) {
+      const double magnified = at > 0 ? std::abs(a * std::log(at)) : 0;
+      return std::isfinite(exact(at)) ? 8 * eps * (1 + magnified) * exact(at) + denormal : 0;
+    };
+    const auto got = MEASURE(pdf_power, x, a);
+    judge_values(got.call, got.exactly(x.size(), any_number), "x", x,
+                 {exact,
+                  tolerance,
+                  "(a + 1) x^a on [0, 1], including both ends, and 0 outside",
+                  {{[=](double at) { return at < 0 || at > 1 ? 0 : std::pow(at, a); },
+                    "a density integrates to 1: x^a alone gives 1 / (a + 1)"}},
+                  "the derivative of P(x) = x^(a+1), and 0 outside [0, 1]"});
+  }
+}
+
+CHECK_CASE("2.3 parameters without a density are refused", "[2.3][points:2][edge]") {
+  std::vector<InvalidCall> calls;
+  for (const double rate : {-1.0, 0.0, -1e-300, nan, -infinity}) {
+    for (const double u : {0.5, 0.0}) {  // 0 is the sample for any rate
+      calls.push_back(
+          {MEASURE_OUTCOME(sample_exponential, {u}, rate), "rate", "a rate is positive"});
+    }
+    for (const double x : {0.5, -2.0}) {  // the density is 0 for any rate
+      calls.push_back({MEASURE_OUTCOME(pdf_exponential, {x}, rate), "rate", "a rate is positive"});
+    }
+  }
+  const std::string because = "x^a has a finite integral over [0, 1] only for a > -1";
+  for (const double a : {-2.0, -1.0, -1 - eps, nan, -infinity}) {
+    for (const double x : {0.5, 0.0, -2.0, 2.0}) {
+      if (x >= 0 && x < 1) calls.push_back({MEASURE_OUTCOME(sample_power, {x}, a), "a", because});
+      calls.push_back({MEASURE_OUTCOME(pdf_power, {x}, a), "a", because});
+    }
+  }
+  expect_refused(calls);
+}
+
+// What the cases above use ------------------------------------------------------------------------
 
 void judge_values(const std::string& call, const Values& got, const char* argument, const Values& x,
                   const FunctionCase& of) {
@@ -43,145 +154,6 @@ std::vector<Values> arguments(Rng& rng) {
     others.push_back(1 - std::ldexp(1.0, -1 - static_cast<int>(rng() % 53)));
   }
   return {ordinary, others};
-}
-
-CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:5][main]") {
-  for (const double rate :
-       {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0, 1e-300, 1e290, 1e-310}) {
-    const auto exact = [=](double at) { return -std::log1p(-at) / rate; };
-    for (Values u : arguments(rng)) {
-      std::erase_if(u, [&](double at) { return !std::isfinite(exact(at)); });
-      if (u.empty()) continue;
-      const auto got = MEASURE(sample_exponential, u, rate);
-      judge_values(
-          got.call, got.exactly(u.size(), any_number), "u", u,
-          {exact,
-           [&](double at) { return 4 * eps * exact(at) + denormal; },
-           "P(x) = 1 - exp(-rate x) = u, to 4 ulp",
-           {{[=](double at) { return -std::log(at) / rate; },
-             "this is -log(u) / rate: it decreases in u, and is infinite at u = 0"},
-            {[=](double at) { return -std::log(1 - at) / rate; },
-             "1 - u loses the last digits of a small u: use log1p(-u)"},
-            {[=](double at) { return -std::log1p(-at) * rate; },
-             "divide by the rate: a high rate means short times"},
-            {[=](double at) { return std::log1p(-at) / rate; },
-             "the sign is wrong: log(1 - u) < 0"},
-            {[=](double at) { return -std::log1p(-at); }, "the rate is missing"},
-            {[=](double at) { return -std::log1p(-at) * (1 / rate); },
-             "1 / rate can overflow: divide by the rate"},
-            {[=](double at) { return -std::log(at) * rate; },
-             "this is -log(u) times the rate: divide by the rate, and use 1 - u instead of u"},
-            {[=](double at) { return rate * std::exp(-rate * at); },
-             "this is the density at u: inversion solves P(x) = u for x"},
-            {[=](double at) { return -std::expm1(-rate * at); },
-             "this is P(u): the task asks for its inverse"}},
-           "solve 1 - exp(-rate x) = u for x, with log1p, for every u in [0, 1): clamp none"});
-    }
-  }
-}
-
-CHECK_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
-  for (const double a : {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, -0.75, -0.99,
-                         0.0, 1e6, -1e-4, 1e-9}) {
-    for (const Values& u : arguments(rng)) {
-      const auto got = MEASURE(sample_power, u, a);
-      const auto exact = [=](double at) {
-        return static_cast<double>(std::pow(static_cast<long double>(at), 1 / (a + 1.0L)));
-      };
-      judge_values(got.call, got.exactly(u.size(), any_number), "u", u,
-                   {exact,
-                    [&](double at) {  // the exponent or a logarithm is rounded
-                      const double magnified = at > 0 ? std::abs(std::log(at)) / (a + 1) : 0;
-                      return 4 * eps * (1 + magnified) * exact(at) + 2 * denormal;
-                    },
-                    "P(x) = x^(a+1) = u, to 4 ulp plus a rounded exponent or logarithm",
-                    {{[=](double at) { return std::pow(at, a + 1); },
-                      "this is P(u): its inverse is u^(1/(a+1))"},
-                     {[=](double at) { return a == 0 ? nan : std::pow(at, 1 / a); },
-                      "integrating x^a raises the exponent: use 1 / (a + 1)"},
-                     {[=](double at) { return std::pow(1 - at, 1 / (a + 1)); },
-                      "x must increase with u: use u, not 1 - u"},
-                     {[=](double at) { return (a + 1) * std::pow(at, a); },
-                      "this is the density at u: inversion solves P(x) = u for x"},
-                     {[=](double at) { return std::pow((a + 1) * at, 1 / (a + 1)); },
-                      "the integral of (a + 1) x^a is x^(a+1), without a factor a + 1"}},
-                    "solve x^(a+1) = u for x"});
-      got.exactly(u.size(), closed_unit);
-    }
-  }
-}
-
-CHECK_CASE("2.3 the densities of the samples", "[2.3][points:4]") {
-  for (const double rate :
-       {uniform(rng, 1.5, 1000), uniform(rng, 0.001, 0.7), 1.0, 1e-300, 1e300}) {
-    Values x;
-    for (int i = 0; i < 100; ++i) x.push_back(uniform(rng, -1, 9) / rate);
-    for (const double far : {-1e9, 1.0, 40.0, 300.0, 700.0}) x.push_back(far / rate);
-    x.insert(x.end(), {-1, -1e-300, 0, infinity, -infinity});
-    const auto got = MEASURE(pdf_exponential, x, rate);
-    const auto exact = [=](double at) { return at < 0 ? 0 : rate * std::exp(-rate * at); };
-    judge_values(
-        got.call, got.exactly(x.size(), any_number), "x", x,
-        {exact,
-         [&](double at) {
-           return exact(at) > 0 ? 4 * eps * (1 + rate * std::abs(at)) * exact(at) : 0;
-         },
-         "rate exp(-rate x) for x >= 0, and 0 below",
-         {{[=](double at) { return at < 0 ? 0 : std::exp(-rate * at); },
-           "a density integrates to 1: the factor rate is missing"},
-          {[=](double at) { return rate * std::exp(-rate * at); }, "the density is 0 for x < 0"},
-          {[=](double at) { return at > 0 ? rate * std::exp(-rate * at) : 0; },
-           "x = 0 belongs to the support"}},
-         "the derivative of P(x) = 1 - exp(-rate x)"});
-  }
-  for (const double a : {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, 0.0, 1e-4}) {
-    Values x;
-    for (int i = 0; i < 100; ++i) x.push_back(uniform(rng, -0.5, 1.5));
-    x.insert(x.end(),
-             {-1, -1e-300, std::nextafter(1.0, 2.0), 2, infinity, -infinity, 1e-300, 0, 1});
-    const auto got = MEASURE(pdf_power, x, a);
-    const auto exact = [=](double at) { return at < 0 || at > 1 ? 0 : (a + 1) * std::pow(at, a); };
-    judge_values(
-        got.call, got.exactly(x.size(), any_number), "x", x,
-        {exact,
-         [&](double at) {
-           const double magnified = at > 0 ? std::abs(a * std::log(at)) : 0;
-           return std::isfinite(exact(at)) ? 8 * eps * (1 + magnified) * exact(at) + denormal : 0;
-         },
-         "(a + 1) x^a on [0, 1], including both ends, and 0 outside",
-         {{[=](double at) { return at < 0 || at > 1 ? 0 : std::pow(at, a); },
-           "a density integrates to 1: x^a alone gives 1 / (a + 1)"},
-          {[=](double at) { return at <= 0 || at >= 1 ? 0 : (a + 1) * std::pow(at, a); },
-           "x = 0 and x = 1 belong to the support"},
-          {[=](double at) { return at < 0 || at >= 1 ? 0 : (a + 1) * std::pow(at, a); },
-           "x = 1 belongs to the support"},
-          {[=](double at) { return at <= 0 || at > 1 ? 0 : (a + 1) * std::pow(at, a); },
-           "x = 0 belongs to the support"},
-          {[=](double at) { return (a + 1) * std::pow(at, a); },
-           "the density is 0 outside [0, 1]"}},
-         "the derivative of P(x) = x^(a+1), and 0 outside [0, 1]"});
-  }
-}
-
-CHECK_CASE("2.3 parameters without a density are refused", "[2.3][points:2][edge]") {
-  std::vector<InvalidCall> calls;
-  for (const double rate : {-1.0, 0.0, -1e-300, nan, -infinity}) {
-    for (const double u : {0.5, 0.0}) {  // 0 is the sample for any rate
-      calls.push_back(
-          {MEASURE_OUTCOME(sample_exponential, {u}, rate), "rate", "a rate is positive"});
-    }
-    for (const double x : {0.5, -2.0}) {  // the density is 0 for any rate
-      calls.push_back({MEASURE_OUTCOME(pdf_exponential, {x}, rate), "rate", "a rate is positive"});
-    }
-  }
-  const std::string because = "x^a has a finite integral over [0, 1] only for a > -1";
-  for (const double a : {-2.0, -1.0, -1 - eps, nan, -infinity}) {
-    for (const double x : {0.5, 0.0, -2.0, 2.0}) {
-      if (x >= 0 && x < 1) calls.push_back({MEASURE_OUTCOME(sample_power, {x}, a), "a", because});
-      calls.push_back({MEASURE_OUTCOME(pdf_power, {x}, a), "a", because});
-    }
-  }
-  expect_refused(calls);
 }
 
 }  // namespace

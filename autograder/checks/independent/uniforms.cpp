@@ -7,42 +7,7 @@ namespace {
 
 using Words = std::vector<std::uint64_t>;
 
-double as_double(std::uint64_t bits) {
-  return static_cast<double>(bits);
-}
-
-void judge_words(const Words& words) {
-  using Word = std::uint64_t;
-  const auto got = MEASURE(to_unit, words);
-  Comparison exact{each(words, [](Word w) { return as_double(w >> 11) * 0x1p-53; })};
-  exact.because =
-      "a shift, a conversion of 53 bits and a multiplication by a power of two are exact; the "
-      "largest result is (2^53 - 1) / 2^53, so that log(1 - u) is finite";
-  exact.rule = "floor(bits / 2^11) times 2^-53; both steps are exact";
-  exact.separate_calls = true;
-  exact.name = [&](std::size_t i) { return fmt::format("to_unit({})", words[i]); };
-  exact.suspects = {
-      {each(words, [](Word w) { return as_double(w) * 0x1p-64; }),
-       "a word has 64 bits and a double 53: bits / 2^64 is rounded; shift out 11 bits first"},
-      {each(words, [](Word w) { return as_double(w) / 0x1.fffffffffffffp63; }),
-       "dividing by the largest word makes 1 a possible result"},
-      {each(words, [](Word w) { return as_double(w >> 11) / (0x1p53 - 1); }),
-       "dividing by 2^53 - 1 makes 1 a possible result: divide by 2^53"},
-      {each(words, [](Word w) { return as_double(w >> 12) * 0x1p-52; }),
-       "these are 52 bits: use 53"},
-      {each(words, [](Word w) { return as_double(w >> 32) * 0x1p-32; }),
-       "these are 32 bits: too few to distinguish 10^-10 from 0"},
-      {each(words, [](Word w) { return as_double(w >> 40) * 0x1p-24; }),
-       "these are the 24 bits of a float"},
-      {each(words, [](Word w) { return as_double(w & 0xffffffffu) * 0x1p-32; }),
-       "these are the lower 32 bits: the word was converted to a 32-bit integer"},
-      {each(words, [](Word w) { return as_double(w & 0x1fffffffffffffu) * 0x1p-53; }),
-       "these are the lower 53 bits; in many generators the upper bits are better"},
-      {each(words, [](Word w) { return (as_double(w >> 11) + 0.5) * 0x1p-53; }),
-       "half a step is added: the largest words then round up to 1"},
-      {each(words, [](Word) { return 0; }), "an integer divided by an integer is an integer: 0"}};
-  expect_each({got.call, got.exactly(words.size(), any_number)}, exact);
-}
+void judge_words(const Words& words);
 
 CHECK_CASE("2.1 the upper 53 bits of a word become a number", "[2.1][points:3][main]") {
   Words words;
@@ -63,6 +28,91 @@ const std::string in_step =
     "all numbers are independent: in one call and between calls, in one lane and between lanes "
     "(whose states must be unrelated, not seed, seed + 1, seed + 2)";
 
+Uniforms filled(std::uint64_t seed, const Sizes64& sizes);
+Uniforms beginnings(Uniforms all, std::size_t size, std::size_t positions);
+void judge_beginnings(Rng& rng);
+void judge_last_bits(const Uniforms& numbers, Rng& rng);
+void judge_recurrences(const Uniforms& all);
+
+CHECK_CASE("2.8 a span of any size is filled with new numbers", "[2.8][stretch][needs:2.1][main]") {
+  Sizes64 sizes = domain::sizes(4097, rng);
+  sizes.push_back(0);
+  const Uniforms one = filled(rng(), sizes), other = filled(rng(), sizes);
+  const auto of_any_seed = [&] {
+    return common_values(one.values, other.values) > 2 ? from_rng : std::string();
+  };
+  expect_independent_uniforms(one, {.words = "the numbers of 2.8",
+                                    .rule = in_step,
+                                    .repeated = same_place,
+                                    .explain = of_any_seed});
+  expect_independent_uniforms(side_by_side(one, other), {"the numbers of 2.8 from two seeds", alpha,
+                                                         in_step, from_rng, from_rng});
+  judge_beginnings(rng);
+}
+
+CHECK_CASE("2.8 a generator of one word", "[2.8][stretch][edge][needs:2.1]") {
+  for (const std::uint64_t word : domain::constant_words(rng)) {
+    MEASURE(uniforms_constant, word, 1024).exactly(1024, unit);
+  }
+}
+
+CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][stretch][needs:2.1]") {
+  Uniforms many = filled(rng(), {131'072, 65'537});
+  many.values.resize(196'608);
+  judge_recurrences(many);
+  many.positions = 32;
+  expect_independent_uniforms(many,
+                              {"many numbers of a call", alpha, in_step, same_place, in_step});
+  judge_last_bits(many, rng);
+}
+
+CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][stretch][needs:2.1]") {
+  // Lanes with similar states begin with similar numbers: with one generator, and similar seeds.
+  const std::size_t size = 160, positions = 40, calls = 1500;
+  Sizes64 seeds = domain::in_a_row(rng() >> 1, calls);
+  for (const std::uint64_t seed : domain::seeds_by_bit(rng)) seeds.push_back(seed);
+  const auto in_turn = MEASURE(uniforms_in_turn, seeds, size);
+  const Uniforms by_seed{in_turn.call, 1, in_turn.exactly(seeds.size() * size, unit)};
+  expect_independent_uniforms(
+      beginnings(filled(rng(), Sizes64(calls, size)), size, positions),
+      {"the first numbers of calls from one generator", alpha, in_step, in_step, in_step});
+  expect_independent_uniforms(
+      beginnings(by_seed, size, positions),
+      {"the first numbers of calls from neighboring seeds", alpha, in_step, in_step, in_step});
+  for (const std::uint64_t few : {std::uint64_t{5}, std::uint64_t{37}, 100 + rng() % 28}) {
+    const Uniforms all = filled(rng(), Sizes64(calls, few));
+    expect_independent_uniforms(beginnings(all, few, few), {"the numbers of short calls", alpha,
+                                                            in_step, same_place, in_step});
+    judge_last_bits(all, rng);
+  }
+}
+
+// What the cases above use ------------------------------------------------------------------------
+
+double as_double(std::uint64_t bits) {
+  return static_cast<double>(bits);
+}
+
+void judge_words(const Words& words) {
+  using Word = std::uint64_t;
+  const auto got = MEASURE(to_unit, words);
+  Comparison exact{each(words, [](Word w) { return as_double(w >> 11) * 0x1p-53; })};
+  exact.because =
+      "a shift, a conversion of 53 bits and a multiplication by a power of two are exact; the "
+      "largest result is (2^53 - 1) / 2^53, so that log(1 - u) is finite";
+  exact.rule = "floor(bits / 2^11) times 2^-53; both steps are exact";
+  exact.separate_calls = true;
+  exact.name = [&](std::size_t i) { return fmt::format("to_unit({})", words[i]); };
+  exact.suspects = {
+      {each(words, [](Word w) { return as_double(w) * 0x1p-64; }),
+       "a word has 64 bits and a double 53: bits / 2^64 is rounded; shift out 11 bits first"},
+      {each(words, [](Word w) { return as_double(w >> 11) / (0x1p53 - 1); }),
+       "dividing by 2^53 - 1 makes 1 a possible result: divide by 2^53"},
+      {each(words, [](Word w) { return as_double(w & 0xffffffffu) * 0x1p-32; }),
+       "these are the lower 32 bits: the word was converted to a 32-bit integer"}};
+  expect_each({got.call, got.exactly(words.size(), any_number)}, exact);
+}
+
 /// Consecutive calls fill spans of these sizes, which contain NaN before, with numbers in [0, 1).
 Uniforms filled(std::uint64_t seed, const Sizes64& sizes) {
   const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
@@ -73,12 +123,12 @@ Uniforms filled(std::uint64_t seed, const Sizes64& sizes) {
   if (at < total) {
     const auto again = MEASURE(uniforms, seed, sizes, 5.0);
     const double now = again.exactly(total, any_number)[at];
-    expect_that(
-        false, fmt::format("{}: number {} is NaN", got.call, at), "numbers in [0, 1), all of them",
-        "the function fills a span of any size", "",
-        now == 5 ? "it was not filled: the NaN is from before the call; handle a shorter last block"
-        : now > 5 && now < 6 ? "the number is added to the previous contents: write = instead of +="
-                             : "some step computes 0/0");
+    const bool is_sum = now > 5 && now < 6;
+    fail(
+        Failure{fmt::format("{}: number {} is NaN", got.call, at), "numbers in [0, 1), all of them",
+                "the function fills a span of any size",
+                is_sum ? "the number is added to the previous contents: write = instead of +=" : "",
+                "every number must be written, also those of a shorter last block"});
   }
   return {got.call, 1, got.exactly(total, unit)};
 }
@@ -103,28 +153,6 @@ void judge_beginnings(Rng& rng) {
   const std::string few_states =
       "a call needs a 64-bit state: a 32-bit seed has only 2^32 initial states";
   expect_independent_uniforms(first, {"the first numbers of calls", alpha, few_states, few_states});
-}
-
-CHECK_CASE("2.8 a span of any size is filled with new numbers", "[2.8][stretch][needs:2.1][main]") {
-  Sizes64 sizes = domain::sizes(4097, rng);
-  sizes.push_back(0);
-  const Uniforms one = filled(rng(), sizes), other = filled(rng(), sizes);
-  const auto of_any_seed = [&] {
-    return common_values(one.values, other.values) > 2 ? from_rng : std::string();
-  };
-  expect_independent_uniforms(one, {.words = "the numbers of 2.8",
-                                    .rule = in_step,
-                                    .repeated = same_place,
-                                    .explain = of_any_seed});
-  expect_independent_uniforms(side_by_side(one, other), {"the numbers of 2.8 from two seeds", alpha,
-                                                         in_step, from_rng, from_rng});
-  judge_beginnings(rng);
-}
-
-CHECK_CASE("2.8 a generator of one word", "[2.8][stretch][edge][needs:2.1]") {
-  for (const std::uint64_t word : domain::constant_words(rng)) {
-    MEASURE(uniforms_constant, word, 1024).exactly(1024, unit);
-  }
 }
 
 /// The last 13 bits of the numbers, and the last 4, are independent, too. (In a linear congruential
@@ -165,37 +193,6 @@ void judge_recurrences(const Uniforms& all) {
                                all.call, near, far),
                    "independent numbers", "", "this is a lagged Fibonacci generator"});
     }
-  }
-}
-
-CHECK_CASE("2.8 many numbers of a call are independent", "[2.8][stretch][needs:2.1]") {
-  Uniforms many = filled(rng(), {131'072, 65'537});
-  many.values.resize(196'608);
-  judge_recurrences(many);
-  many.positions = 32;
-  expect_independent_uniforms(many,
-                              {"many numbers of a call", alpha, in_step, same_place, in_step});
-  judge_last_bits(many, rng);
-}
-
-CHECK_CASE("2.8 the first numbers of a call are independent", "[2.8][stretch][needs:2.1]") {
-  // Lanes with similar states begin with similar numbers: with one generator, and similar seeds.
-  const std::size_t size = 160, positions = 40, calls = 1500;
-  Sizes64 seeds = domain::in_a_row(rng() >> 1, calls);
-  for (const std::uint64_t seed : domain::seeds_by_bit(rng)) seeds.push_back(seed);
-  const auto in_turn = MEASURE(uniforms_in_turn, seeds, size);
-  const Uniforms by_seed{in_turn.call, 1, in_turn.exactly(seeds.size() * size, unit)};
-  expect_independent_uniforms(
-      beginnings(filled(rng(), Sizes64(calls, size)), size, positions),
-      {"the first numbers of calls from one generator", alpha, in_step, in_step, in_step});
-  expect_independent_uniforms(
-      beginnings(by_seed, size, positions),
-      {"the first numbers of calls from neighboring seeds", alpha, in_step, in_step, in_step});
-  for (const std::uint64_t few : {std::uint64_t{5}, std::uint64_t{37}, 100 + rng() % 28}) {
-    const Uniforms all = filled(rng(), Sizes64(calls, few));
-    expect_independent_uniforms(beginnings(all, few, few), {"the numbers of short calls", alpha,
-                                                            in_step, same_place, in_step});
-    judge_last_bits(all, rng);
   }
 }
 

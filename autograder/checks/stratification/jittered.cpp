@@ -1,5 +1,6 @@
-// 3.1, 3.2, 3.3, 3.10: strata of the line and the plane. The stratum of each point is tested exactly, with edges i / n divided in double; its position in the stratum is tested as a random
-// number. Nothing depends on the order in which a submission draws.
+// 3.1, 3.2, 3.3, 3.10: strata of the line and the plane. The stratum of each point is tested exactly,
+// with edges i / n divided in double; its position in the stratum is tested as a random number.
+// Nothing depends on the order in which a submission draws.
 
 #include "checks/stratification/common.hpp"
 
@@ -13,18 +14,7 @@ Sets lines(std::size_t n, std::size_t sets, std::uint64_t seed) {
 }
 
 /// Point i of n lies in stratum i, for all i.
-void require_order(const Sets& sets) {
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    const auto strata = expect_one_in_each_cell(sets, set, line_of(sets.n), one_in_each);
-    for (std::size_t i = 0; i < sets.n; ++i) {
-      if (strata[i] == i) continue;
-      fail(Failure{fmt::format("{}: x[{}] = {}", sets.call, i, sets.column(set, 0)[i]),
-                   fmt::format("a value in [{}/{}, {}/{})", i, sets.n, i + 1, sets.n),
-                   "point i lies in stratum i",
-                   "every stratum has its point, but the points are not in order"});
-    }
-  }
-}
+void require_order(const Sets& sets);
 
 CHECK_CASE("3.1 one point in each stratum and in order", "[3.1][main][points:4]") {
   for (const std::size_t n : {std::size_t{12}, std::size_t{100}, 20 + rng() % 1000}) {
@@ -78,39 +68,8 @@ CHECK_CASE("3.1 no point leaves its stratum whatever the bits", "[3.1][edge][poi
   }
 }
 
-/// The squarest grids, and the results of well-known mistakes: nx, ny, nx, ny, …
-Comparison most_square(const std::vector<std::uint64_t>& n, const std::string& likely) {
-  Comparison grids{
-      .exact = {},
-      .because = "nx * ny = n with nx >= ny, as close to each other as the factors of n allow",
-      .suspects = {{{}, "nx must be the larger one"},
-                   {{}, "nx * ny must be n: with fewer cells, points are left over"}},
-      .rule = likely};
-  for (const std::uint64_t cells : n) {
-    const Grid best = squarest(cells);
-    const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(cells)));
-    const auto add = [](Values& values, std::uint64_t nx, std::uint64_t ny) {
-      values.insert(values.end(), {static_cast<double>(nx), static_cast<double>(ny)});
-    };
-    add(grids.exact, best.nx, best.ny);
-    add(grids.suspects[0].values, best.ny, best.nx);
-    add(grids.suspects[1].values, cells / root, root);
-  }
-  grids.name = [n](std::size_t i) {
-    return fmt::format("strata({}).{}", n[i / 2], i % 2 == 0 ? "nx" : "ny");
-  };
-  return grids;
-}
-
 void compare_grids(const std::vector<std::uint64_t>& n,
-                   const std::string& likely = "ny is the largest divisor of n up to sqrt(n)") {
-  const auto got = MEASURE(strata, n);
-  Values values;
-  for (const Grid grid : got.exactly(n.size(), any_number)) {
-    values.insert(values.end(), {static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
-  }
-  expect_each({got.call, values}, most_square(n, likely));
-}
+                   const std::string& rule = "ny is the largest divisor of n up to sqrt(n)");
 
 CHECK_CASE("3.2 the grid is as square as n allows", "[3.2][main][points:2]") {
   std::vector<std::uint64_t> n(389);
@@ -259,6 +218,54 @@ CHECK_CASE("3.10 blocks of any length have their strata",
   for (const Grid grid : {Grid{1 + rng() % 30, some}, Grid{4099, 1}, Grid{1000, 500}}) {
     expect_one_in_each_cell(jittered(grid, 1, fresh_seed(rng)), 0, plane_of(grid), rest);
   }
+}
+
+// What the cases above use ------------------------------------------------------------------------
+
+void require_order(const Sets& sets) {
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const auto strata = expect_one_in_each_cell(sets, set, line_of(sets.n), one_in_each);
+    for (std::size_t i = 0; i < sets.n; ++i) {
+      if (strata[i] == i) continue;
+      fail(Failure{fmt::format("{}: x[{}] = {}", sets.call, i, sets.column(set, 0)[i]),
+                   fmt::format("a value in [{}/{}, {}/{})", i, sets.n, i + 1, sets.n),
+                   "point i lies in stratum i",
+                   "every stratum has its point, but the points are not in order"});
+    }
+  }
+}
+
+/// The squarest grids, and the results of well-known mistakes: nx, ny, nx, ny, …
+Comparison most_square(const std::vector<std::uint64_t>& n, const std::string& rule) {
+  Comparison grids{
+      .exact = {},
+      .because = "nx * ny = n with nx >= ny, as close to each other as the factors of n allow",
+      .suspects = {{{}, "nx must be the larger one"},
+                   {{}, "nx * ny must be n: with fewer cells, points are left over"}},
+      .rule = rule};
+  for (const std::uint64_t cells : n) {
+    const Grid best = squarest(cells);
+    const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(cells)));
+    const auto add = [](Values& values, std::uint64_t nx, std::uint64_t ny) {
+      values.insert(values.end(), {static_cast<double>(nx), static_cast<double>(ny)});
+    };
+    add(grids.exact, best.nx, best.ny);
+    add(grids.suspects[0].values, best.ny, best.nx);
+    add(grids.suspects[1].values, cells / root, root);
+  }
+  grids.name = [n](std::size_t i) {
+    return fmt::format("strata({}).{}", n[i / 2], i % 2 == 0 ? "nx" : "ny");
+  };
+  return grids;
+}
+
+void compare_grids(const std::vector<std::uint64_t>& n, const std::string& rule) {
+  const auto got = MEASURE(strata, n);
+  Values values;
+  for (const Grid grid : got.exactly(n.size(), any_number)) {
+    values.insert(values.end(), {static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
+  }
+  expect_each({got.call, values}, most_square(n, rule));
 }
 
 }  // namespace

@@ -16,31 +16,8 @@ ReplicatedEstimates estimates_of(const Measured<std::vector<Estimate>>& got, Gri
   return {got.call, got.exactly(times), grid.nx * grid.ny * replicates, replicates};
 }
 
-/// The ratios of variances that well-known mistakes give.
-std::vector<Suspect> wrong_variances(const RectLight& light, Grid grid, const WithinStrata& cells) {
-  const double right = stratified_variance(cells);
-  const std::size_t n = grid.nx * grid.ny;
-  return {{independent_variance(cells, n) / right,
-           "this is the variance of independent points on the light: the map must keep strata"},
-          {(right + paired_anew_variance(cells, grid)) / right,
-           "this is the variance of x and y paired anew: keep the x and the y of a point together"},
-          {stratified_variance(light_strata(light, {grid.ny, grid.nx})) / right,
-           "this is the variance of a grid of ny x nx cells: nx counts the cells along x"}};
-}
-
-/// The means of formulas that lack a factor.
-std::vector<Suspect> wrong_values(const RectLight& light, double exact) {
-  const auto mean_with = [&](double power) {  // of the distance, in place of 4
-    return area(light) * light.radiance * mean_over(light, [&](double x, double y) {
-             const double h = light.height, d = std::sqrt(x * x + y * y + h * h);
-             return std::pow(h, power - 2) / std::pow(d, power);
-           });
-  };
-  return {{exact / area(light), "the density of a point is 1 / area of the light: multiply by it"},
-          {exact / light.radiance, "the radiance is missing"},
-          {mean_with(3), "one of the two cosines is missing"},
-          {mean_with(2), "both cosines are missing"}};
-}
+std::vector<Suspect> wrong_variances(const RectLight& light, Grid grid, const WithinStrata& cells);
+std::vector<Suspect> wrong_values(const RectLight& light, double exact);
 
 CHECK_CASE("3.9 the variance is that within the strata of the light",
            "[3.9][main][points:3][needs:3.3][needs:3.8]") {
@@ -75,7 +52,6 @@ CHECK_CASE("3.9 the error bar is the spread of the replicates",
                 {.suspects = {{r,
                                "this is the standard deviation of one replicate: divide it by "
                                "sqrt(replicates)"},
-                              {(r - 1) / r, "a sample variance divides by replicates - 1"},
                               {independent_variance(cells, 12) / stratified_variance(cells),
                                "this is s / sqrt(n) over all points, as if they were identically "
                                "distributed: compute it from the replicates' means"}},
@@ -109,6 +85,30 @@ std::vector<InvalidCall> no_strata() {
 
 REFUSAL_CASES("3.9", "no cells and no replicates are refused", "0.25",
               "the refusals name the argument", "0.25", no_strata())
+
+// What the cases above use ------------------------------------------------------------------------
+
+/// The ratios of variances that well-known mistakes give.
+std::vector<Suspect> wrong_variances(const RectLight& light, Grid grid, const WithinStrata& cells) {
+  const double right = stratified_variance(cells);
+  const std::size_t n = grid.nx * grid.ny;
+  return {{independent_variance(cells, n) / right,
+           "this is the variance of independent points on the light: the map must keep strata"},
+          {(right + paired_anew_variance(cells, grid)) / right,
+           "this is the variance of x and y paired anew: keep the x and the y of a point together"},
+          {stratified_variance(light_strata(light, {grid.ny, grid.nx})) / right,
+           "this is the variance of a grid of ny x nx cells: nx counts the cells along x"}};
+}
+
+/// The means of formulas that lack a factor.
+std::vector<Suspect> wrong_values(const RectLight& light, double exact) {
+  const double one_cosine =
+      area(light) * light.radiance * mean_over(light, [h = light.height](double x, double y) {
+        return h / std::pow(std::hypot(x, y, h), 3);
+      });
+  return {{exact / area(light), "the density of a point is 1 / area of the light: multiply by it"},
+          {one_cosine, "one of the two cosines is missing"}};
+}
 
 }  // namespace
 }  // namespace mc::checks

@@ -51,17 +51,7 @@ CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1
   }
 }
 
-/// Whether the x, and the y, of all points lie in the strata of the canonical arrangement.
-std::array<bool, 2> are_canonical(const Uniforms& jitters, Grid grid) {
-  std::array<bool, 2> stay{true, true};
-  for (std::size_t i = 0; i < jitters.values.size(); ++i) {
-    const std::size_t n = grid.nx * grid.ny, cell = i % n, axis = i / n % 2;
-    const auto parts = static_cast<double>(axis == 0 ? grid.ny : grid.nx);
-    const auto part = static_cast<std::size_t>(jitters.values[i] * parts);
-    stay[axis] = stay[axis] && part == (axis == 0 ? cell / grid.nx : cell % grid.nx);
-  }
-  return stay;
-}
+std::string hint_of_arrangement(const Uniforms& jitters, Grid grid);
 
 CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]") {
   for (const Grid grid : {Grid{4, 3}, Grid{3, 3}, Grid{2, 2}, Grid{1, 5}, Grid{33, 2}, Grid{2, 35},
@@ -69,19 +59,11 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
     const std::size_t n = grid.nx * grid.ny, sets = std::min<std::size_t>(8000, 600'000 / n);
     const std::vector<Pattern> plane{plane_of(grid)};
     const Uniforms places = jitters_of(multi_jittered(grid, sets, rng), plane, fine_strata);
-    const auto [x_stays, y_stays] = are_canonical(places, grid);
-    const std::string of_x = "the strata of x to the cells of each column",
-                      of_y = "the strata of y to the cells of each row";
     const Randomness claim{
         .words =
             fmt::format("a point of {} x {} cells lies anywhere in its cell", grid.nx, grid.ny),
         .alpha = alpha,
-        .rule = x_stays && y_stays ? "this is the canonical arrangement, which is biased: assign " +
-                                         of_x + ", and " + of_y + ", by random permutations"
-                : y_stays ? "x is shuffled and y is not: assign " + of_y + " by random permutations"
-                : x_stays ? "y is shuffled and x is not: assign " + of_x + " by random permutations"
-                          : "random permutations, all equally likely, must assign " + of_x +
-                                ", and " + of_y,
+        .rule = hint_of_arrangement(places, grid),
         .expected = "a uniform point of the cell"};
     // Points may share permutations: cells are judged separately; if many, so are coordinates.
     const std::size_t judged = n <= 12 ? std::min<std::size_t>(n, 9) : 5;
@@ -106,6 +88,24 @@ REFUSAL_CASES("3.7", "grids of another size are refused", "0.75", "the refusals 
               "0.25", wrong_grids([](std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
                 return MEASURE_OUTCOME(multi_jittered_into, size_x, size_y, grid);
               }))
+
+// What the cases above use ------------------------------------------------------------------------
+
+/// Whether the x, and the y, of all points lie in the strata of the canonical arrangement.
+std::string hint_of_arrangement(const Uniforms& jitters, Grid grid) {
+  std::array<bool, 2> stay{true, true};
+  for (std::size_t i = 0; i < jitters.values.size(); ++i) {
+    const std::size_t n = grid.nx * grid.ny, cell = i % n, axis = i / n % 2;
+    const auto parts = static_cast<double>(axis == 0 ? grid.ny : grid.nx);
+    const auto part = static_cast<std::size_t>(jitters.values[i] * parts);
+    stay[axis] = stay[axis] && part == (axis == 0 ? cell / grid.nx : cell % grid.nx);
+  }
+  const std::string assign =
+      "random permutations, all equally likely, must assign the strata of x to the cells of each "
+      "column, and the strata of y to the cells of each row";
+  if (stay[0] && stay[1]) return "this is the canonical arrangement, which is biased: " + assign;
+  return (stay[1] ? "x is shuffled and y is not: " : "") + assign;
+}
 
 }  // namespace
 }  // namespace mc::checks

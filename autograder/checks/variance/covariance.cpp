@@ -11,53 +11,9 @@ struct Pairs {
   Values x, y;
 };
 
-/// Two negatively correlated variables, neither nearly constant: kappa is below 4 for both.
-Pairs tame_pairs(Rng& rng, std::size_t n, double of_x = 1, double of_y = 1) {
-  Pairs pairs{tame_values(rng, n, -1, 1), uniform_values(rng, n, -0.5, 0.5)};
-  for (std::size_t i = 0; i < n; ++i) pairs.y[i] = (pairs.y[i] - 2 * pairs.x[i]) * of_y;
-  for (double& x : pairs.x) x *= of_x;
-  return pairs;
-}
-
-/// Correlated integers far from zero.
-Pairs far_pairs(Rng& rng, double offset, std::size_t n) {
-  Pairs pairs{shifted_pattern(rng, offset, n), shifted_pattern(rng, offset, n)};
-  for (std::size_t i = 0; i < n; ++i) pairs.y[i] += 2 * (pairs.x[i] - offset);
-  return pairs;
-}
-
-/// The header's bound, for one pass or two.
-void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
-  Results covariances;
-  for (const auto& [x, y] : all) {
-    const auto n = static_cast<double>(x.size());
-    const auto of_x = exact_moments(x), of_y = exact_moments(y);
-    const double exact = static_cast<double>(exact_codeviation(x, y) / (n - 1));
-    const double sigma_x = std::sqrt(of_x.variance), sigma_y = std::sqrt(of_y.variance);
-    const double mean_x = static_cast<double>(of_x.mean), mean_y = static_cast<double>(of_y.mean);
-    const double scale =
-        std::hypot(sigma_x, mean_x) * sigma_y + std::hypot(sigma_y, mean_y) * sigma_x;
-    const double mean_product = exact * (n - 1) / n + mean_x * mean_y;
-    const auto got = MEASURE(covariance, x, y);
-    covariances.add(
-        got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
-          return {
-              {exact * (n - 1) / n,
-               "this divides by n; a sample covariance divides by n - 1 (no integer division)"},
-              {exact * n / (n - 1), "the factor n/(n-1) was applied twice"},
-              {exact * (n - 1), "this is the sum of products: divide it by n - 1"},
-              {-exact, "the sign is wrong: both deviations are value - mean"},
-              {std::max(0.0, exact), "a covariance may be negative: do not clamp it"},
-              {mean_product, "this is E{XY}: subtract E{X}E{Y}"},
-              {mean_product * n / (n - 1), "this is E{XY} n/(n-1): the means were not subtracted"},
-              {exact / (sigma_x * sigma_y),
-               "this is the correlation: do not divide by the standard deviations"}};
-        });
-  }
-  covariances.expect(
-      "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; 1 digit of slack",
-      rule);
-}
+Pairs tame_pairs(Rng& rng, std::size_t n, double of_x = 1, double of_y = 1);
+Pairs far_pairs(Rng& rng, double offset, std::size_t n);
+void judge_pairs(const std::vector<Pairs>& all, const std::string& rule);
 
 CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:4]") {
   std::vector<Pairs> pairs;
@@ -116,6 +72,50 @@ std::vector<InvalidCall> lists_of_two_sizes() {
 
 REFUSAL_CASES("1.6", "lists of different sizes are refused", "1", "the refusal names the argument",
               "1", lists_of_two_sizes())
+
+// What the cases above use ------------------------------------------------------------------------
+
+/// Two negatively correlated variables, neither nearly constant: kappa is below 4 for both.
+Pairs tame_pairs(Rng& rng, std::size_t n, double of_x, double of_y) {
+  Pairs pairs{tame_values(rng, n, -1, 1), uniform_values(rng, n, -0.5, 0.5)};
+  for (std::size_t i = 0; i < n; ++i) pairs.y[i] = (pairs.y[i] - 2 * pairs.x[i]) * of_y;
+  for (double& x : pairs.x) x *= of_x;
+  return pairs;
+}
+
+/// Correlated integers far from zero.
+Pairs far_pairs(Rng& rng, double offset, std::size_t n) {
+  Pairs pairs{shifted_pattern(rng, offset, n), shifted_pattern(rng, offset, n)};
+  for (std::size_t i = 0; i < n; ++i) pairs.y[i] += 2 * (pairs.x[i] - offset);
+  return pairs;
+}
+
+/// The header's bound, for one pass or two.
+void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
+  Results covariances;
+  for (const auto& [x, y] : all) {
+    const auto n = static_cast<double>(x.size());
+    const auto of_x = exact_moments(x), of_y = exact_moments(y);
+    const double exact = static_cast<double>(exact_codeviation(x, y) / (n - 1));
+    const double sigma_x = std::sqrt(of_x.variance), sigma_y = std::sqrt(of_y.variance);
+    const double mean_x = static_cast<double>(of_x.mean), mean_y = static_cast<double>(of_y.mean);
+    const double scale =
+        std::hypot(sigma_x, mean_x) * sigma_y + std::hypot(sigma_y, mean_y) * sigma_x;
+    const auto got = MEASURE(covariance, x, y);
+    covariances.add(
+        got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
+          return {{exact * (n - 1) / n,
+                   "this divides by n; a sample covariance divides by n - 1 (no integer division)"},
+                  {exact + mean_x * mean_y * n / (n - 1),
+                   "this is E{XY} n/(n-1): the means were not subtracted"},
+                  {exact / (sigma_x * sigma_y),
+                   "this is the correlation: do not divide by the standard deviations"}};
+        });
+  }
+  covariances.expect(
+      "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; 1 digit of slack",
+      rule);
+}
 
 }  // namespace
 }  // namespace mc::checks

@@ -16,74 +16,9 @@ Table random_table(Rng& rng, std::size_t rows, std::size_t columns, double low, 
   return {rows, columns, uniform_values(rng, rows * columns, low, high)};
 }
 
-/// p(x,y) - p(x) p(y) of every cell, by the definition. A wrong total gives the result for weights
-/// that were not normalized; a wrong number of columns, that for a transposed table.
-Values differences(const Values& joint, std::size_t columns, long double total) {
-  std::vector<long double> of_row(joint.size() / columns), of_column(columns);
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    of_row[i / columns] += joint[i];
-    of_column[i % columns] += joint[i];
-  }
-  Values all(joint.size());
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    const long double product = of_row[i / columns] / total * (of_column[i % columns] / total);
-    all[i] = static_cast<double>(joint[i] / total - product);
-  }
-  return all;
-}
-
-double largest_size(const Values& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-std::vector<Suspect> dependence_suspects(const Table& table) {
-  const Values& joint = table.joint;
-  const double total = sum_of(joint);
-  const Values right = differences(joint, table.columns, total);
-  double of_filled_cells = 0, sum = 0;
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    if (joint[i] > 0) of_filled_cells = std::max(of_filled_cells, std::abs(right[i]));
-    sum += std::abs(right[i]);
-  }
-  const auto [least, most] = std::ranges::minmax_element(right);
-  Values scaled = joint;
-  for (double& weight : scaled) weight *= 1 / total;
-  const std::string one_side = "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
-  return {
-      {largest_size(differences(joint, table.columns, 1)),
-       "the weights are not probabilities yet: divide by their total"},
-      {largest_size(differences(joint, table.rows, total)),
-       "rows and columns are swapped: cell i is in row i / columns and in column i % columns"},
-      {*most, one_side},
-      {-*least, one_side},
-      {of_filled_cells,
-       "the largest difference is in an empty cell, and negative: include empty cells"},
-      {largest_size(differences(scaled, table.columns, 1)),
-       "divide by the total: the reciprocal of a tiny total overflows"},
-      {sum, "this is the sum of all cells' differences: the task asks for the largest difference"}};
-}
-
 /// Compares each dependence with the definition. The first table may be known to be independent, up
 /// to so much eps.
-void judge_tables(const std::vector<Table>& tables, std::size_t eps_of_the_first = 0) {
-  Results dependences;
-  const bool first_is_independent = eps_of_the_first > 0;
-  for (const Table& table : tables) {
-    const bool is_independent = first_is_independent && &table == &tables[0];
-    const auto right = differences(table.joint, table.columns, sum_of(table.joint));
-    const double tolerance = is_independent ? static_cast<double>(eps_of_the_first) : 32;
-    const auto got = MEASURE(dependence, table.joint, table.columns);
-    dependences.add(got.call, got.value, is_independent ? 0 : largest_size(right), tolerance * eps,
-                    [&] { return dependence_suspects(table); });
-  }
-  dependences.expect(first_is_independent
-                         ? "p(x,y) = p(x) p(y) here, perhaps but for one cell; small is not zero"
-                         : "rounding errors of a few sums and products of probabilities",
-                     "p(x) is the sum of a row and p(y) that of a column, both of weights divided "
-                     "by their total; return the largest |p(x,y) - p(x)p(y)|");
-}
+void judge_tables(const std::vector<Table>& tables, std::size_t eps_of_the_first = 0);
 
 CHECK_CASE("1.7 the dependence of a joint table", "[1.7][main][points:3]") {
   std::vector<Table> tables;
@@ -194,6 +129,71 @@ std::vector<InvalidCall> invalid_tables() {
 
 REFUSAL_CASES("1.7", "invalid tables are refused", "1", "each refusal names the argument", "1",
               invalid_tables())
+
+// What the cases above use ------------------------------------------------------------------------
+
+/// p(x,y) - p(x) p(y) of every cell, by the definition. A wrong total gives the result for weights
+/// that were not normalized; a wrong number of columns, that for a transposed table.
+Values differences(const Values& joint, std::size_t columns, long double total) {
+  std::vector<long double> of_row(joint.size() / columns), of_column(columns);
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    of_row[i / columns] += joint[i];
+    of_column[i % columns] += joint[i];
+  }
+  Values all(joint.size());
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    const long double product = of_row[i / columns] / total * (of_column[i % columns] / total);
+    all[i] = static_cast<double>(joint[i] / total - product);
+  }
+  return all;
+}
+
+double largest_size(const Values& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+std::vector<Suspect> dependence_suspects(const Table& table) {
+  const Values& joint = table.joint;
+  const double total = sum_of(joint);
+  const Values right = differences(joint, table.columns, total);
+  double of_filled_cells = 0, sum = 0;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    if (joint[i] > 0) of_filled_cells = std::max(of_filled_cells, std::abs(right[i]));
+    sum += std::abs(right[i]);
+  }
+  const auto [least, most] = std::ranges::minmax_element(right);
+  const std::string one_side = "p(x,y) may be below p(x) p(y) as well as above: abs() is missing";
+  return {
+      {largest_size(differences(joint, table.columns, 1)),
+       "the weights are not probabilities yet: divide by their total"},
+      {largest_size(differences(joint, table.rows, total)),
+       "rows and columns are swapped: cell i is in row i / columns and in column i % columns"},
+      {*most, one_side},
+      {-*least, one_side},
+      {of_filled_cells,
+       "the largest difference is in an empty cell, and negative: include empty cells"},
+      {sum, "this is the sum of all cells' differences: the task asks for the largest difference"}};
+}
+
+void judge_tables(const std::vector<Table>& tables, std::size_t eps_of_the_first) {
+  Results dependences;
+  const bool first_is_independent = eps_of_the_first > 0;
+  for (const Table& table : tables) {
+    const bool is_independent = first_is_independent && &table == &tables[0];
+    const auto right = differences(table.joint, table.columns, sum_of(table.joint));
+    const double tolerance = is_independent ? static_cast<double>(eps_of_the_first) : 32;
+    const auto got = MEASURE(dependence, table.joint, table.columns);
+    dependences.add(got.call, got.value, is_independent ? 0 : largest_size(right), tolerance * eps,
+                    [&] { return dependence_suspects(table); });
+  }
+  dependences.expect(first_is_independent
+                         ? "p(x,y) = p(x) p(y) here, perhaps but for one cell; small is not zero"
+                         : "rounding errors of a few sums and products of probabilities",
+                     "p(x) is the sum of a row and p(y) that of a column, both of weights divided "
+                     "by their total; return the largest |p(x,y) - p(x)p(y)|");
+}
 
 }  // namespace
 }  // namespace mc::checks

@@ -98,7 +98,8 @@ Results variances_of(const std::vector<List>& lists, Measure measure, Floor floo
   return variances;
 }
 
-/// The variance is NaN for fewer than two values, and not finite if the exact one is not.
+/// The variance is NaN for fewer than two values, and not finite if the exact one is not. Each
+/// function that returns a variance can get this wrong: 0 for one value, std::max(0.0, NaN).
 template <class Measure>
 void expect_no_variance(Rng& rng, Measure measure) {
   for (const Values& x : {Values{uniform(rng, -1, 1)}, Values{}}) {

@@ -7,6 +7,8 @@
 namespace mc::checks {
 namespace {
 
+std::vector<Suspect> overflows(std::span<const double> x, double exact);
+
 CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:6]") {
   const auto judge = [](const std::vector<List>& lists, bool is_tame) {
     Results means;
@@ -27,21 +29,6 @@ CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:6]") {
 CHECK_CASE("1.1 the mean of nothing is NaN", "[1.1][edge][points:1]") {
   const auto nothing = MEASURE(mean, {});
   expect_nan(nothing.call, nothing.value, "the mean of nothing is 0/0; " + because_undefined);
-}
-
-/// The results of mistakes if a sum overflows.
-std::vector<Suspect> overflows(std::span<const double> x, double exact) {
-  const auto n = static_cast<double>(x.size());
-  double sum = 0, shares = 0;
-  for (const double value : x) {
-    sum += value;
-    shares += value / n;
-  }
-  const bool is_below = sum < 0 && std::isinf(sum);
-  return {{sum / n, "the sum overflows although the mean does not: then compute a running mean"},
-          {is_below ? sum : exact, "a sum can also overflow to -inf: test for both infinities"},
-          {std::isinf(shares) ? shares : exact,
-           "n terms x/n, each rounded up, can exceed the largest double; a running mean cannot"}};
 }
 
 CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points:3]") {
@@ -90,6 +77,18 @@ CHECK_CASE("1.1 the mean of infinities and NaNs is not finite", "[1.1][edge][poi
     const auto got = MEASURE(mean, x);
     expect_not_finite(got.call, got.value, x);
   }
+}
+
+// What the cases above use ------------------------------------------------------------------------
+
+/// The results of mistakes if a sum overflows.
+std::vector<Suspect> overflows(std::span<const double> x, double exact) {
+  const auto n = static_cast<double>(x.size());
+  double sum = 0;
+  for (const double value : x) sum += value;
+  const bool is_below = sum < 0 && std::isinf(sum);
+  return {{sum / n, "the sum overflows although the mean does not: then compute a running mean"},
+          {is_below ? sum : exact, "a sum can also overflow to -inf: test for both infinities"}};
 }
 
 }  // namespace

@@ -5,89 +5,18 @@
 namespace mc::checks {
 namespace {
 
-const std::string empty_part =
-    "a part without values changes nothing; its share of the count may be 0/0";
-const std::string merged_mean =
-    "weight the means by the counts, n_a / n mean_a + n_b / n mean_b, however small a part is";
-const std::string merged_m2 =
-    "a.m2 + b.m2 + (mean_b - mean_a)^2 n_a n_b / n; the product of the counts may overflow 64 bits";
-
-const std::string signed_count = "a count was converted to a signed integer: keep it unsigned";
-
-double as_signed(std::uint64_t count) {
-  return static_cast<double>(static_cast<std::int64_t>(count));
-}
-/// n_b / n of signed counts; 0 if n is 0.
-double signed_share(const Moments& a, const Moments& b) {
-  return a.count + b.count == 0 ? 0
-                                : as_signed(b.count) / (as_signed(a.count) + as_signed(b.count));
-}
-
-std::vector<Suspect> merged_mean_suspects(const Moments& a, const Moments& b) {
-  const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
-  const std::string whole = "the weight n_b / n of the other part is an integer division: 0";
-  return {{(a.mean + b.mean) / 2, "the mean of two means is correct only for equal counts"},
-          {n_a * a.mean + n_b * b.mean, "this is the sum of all values: divide by n"},
-          {a.mean + (b.mean - a.mean) * signed_share(a, b), signed_count},
-          {a.mean, "this is the first part's mean alone: " + whole},
-          {b.mean, "this is the second part's mean alone: " + whole}};
-}
-
-std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, double mean) {
-  const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
-  const double n = n_a + n_b, apart = b.mean - a.mean, within = a.m2 + b.m2;
-  const std::uint64_t whole_product = a.count * b.count, count = a.count + b.count;
-  return {
-      {within,
-       "parts with different means vary between each other: add (mean_b - mean_a)^2 n_a n_b / n"},
-      {a.m2 + n_a * (a.mean - mean) * (a.mean - mean) +  //
-           b.m2 + n_b * (b.mean - mean) * (b.mean - mean),
-       "both parts were measured from the merged mean, which is rounded: use mean_b - mean_a"},
-      {within + apart * apart * static_cast<double>(whole_product) / n,
-       "the counts were multiplied as 64-bit integers, and overflowed: multiply doubles"},
-      {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
-       "n_a n_b / n was an integer division, which truncates: divide doubles"},
-      {within + apart * apart * as_signed(a.count) * signed_share(a, b), signed_count},
-      {within + apart * apart,
-       "the squared distance of the means is not multiplied by its weight n_a n_b / n"},
-      {within + std::abs(apart) * n_a * n_b / n, "the distance of the means must be squared"},
-      {within + apart * apart * n_a * n_b, "divide n_a n_b by n_a + n_b"}};
-}
-
 struct Parts {
   Moments a, b;
 };
 
 /// Merges a with b and b with a; `scale` is that of the means, a power of two.
-void judge_merges(const std::vector<Parts>& all, const std::string& rule = {}, double scale = 1) {
-  constexpr double last_bits = 4 * std::numeric_limits<double>::denorm_min();
-  Results means, m2s;
-  const auto add = [&](const Moments& a, const Moments& b) {
-    const ExactMoments exact = exact_merge(a, b);
-    const double mean = static_cast<double>(exact.mean) * scale;
-    const double m2 = static_cast<double>(exact.m2) * scale * scale;
-    const Moments part_a{a.count, a.mean * scale, a.m2 * scale * scale};
-    const Moments part_b{b.count, b.mean * scale, b.m2 * scale * scale};
-    const auto got = MEASURE(merge, part_a, part_b);
-    expect_equal(got.call + ".count", got.value.count, a.count + b.count, "",
-                 "add the counts as 64-bit integers",
-                 got.value.count == a.count || got.value.count == b.count
-                     ? "one part was left out: a part is empty only if its count is 0"
-                     : "");
-    means.add(got.call + ".mean", got.value.mean, mean,
-              16 * eps * scale * std::max(std::abs(a.mean), std::abs(b.mean)) + last_bits,
-              [=] { return merged_mean_suspects(part_a, part_b); });
-    // The difference of the two means is rounded only once.
-    m2s.add(got.call + ".m2", got.value.m2, m2, 64 * eps * m2 + last_bits,
-            [=] { return merged_m2_suspects(part_a, part_b, got.value.mean); });
-  };
-  for (const auto& [a, b] : all) add(a, b);
-  for (const auto& [a, b] : all) add(b, a);
-  const std::string because = "a dozen operations, each rounded once";
-  means.is_tame = m2s.is_tame = rule.empty();
-  means.expect(because, rule.empty() ? merged_mean : rule);
-  m2s.expect(because, rule.empty() ? merged_m2 : rule);
-}
+void judge_merges(const std::vector<Parts>& all, const std::string& rule = {}, double scale = 1);
+
+const std::string merged_mean =
+    "weight the means by the counts, n_a / n mean_a + n_b / n mean_b, however small a part is";
+const std::string merged_m2 =
+    "add the variation between the parts, (mean_b - mean_a)^2 n_a n_b / n, to m2; the product of "
+    "the counts may overflow 64 bits";
 
 Moments some_moments(Rng& rng, std::uint64_t count) {
   return {count, uniform(rng, -9, 9), count == 1 ? 0 : uniform(rng, 0, 99)};
@@ -126,12 +55,12 @@ CHECK_CASE("1.5 parts of real data merge to the whole", "[1.5][points:2][needs:1
     all.add(got.call, got.value, list, one_pass_floor(list.exact));
   }
   all.expect(because_one_pass, merged_mean + "; do not divide by the count of an empty part",
-             "add the variation between the parts, (mean_b - mean_a)^2 n_a n_b / n, to m2");
+             merged_m2);
 }
 
 CHECK_CASE("1.5 merging with an empty part changes nothing", "[1.5][edge][points:3]") {
   judge_merges({{some_moments(rng, 2 + rng() % 100), {}}, {some_moments(rng, 1), {}}, {{}, {}}},
-               empty_part);
+               "a part without values changes nothing; its share of the count may be 0/0");
 }
 
 CHECK_CASE("1.5 merging very unequal and very long parts", "[1.5][edge][points:3]") {
@@ -178,6 +107,62 @@ CHECK_CASE("1.5 merging parts with means of any size", "[1.5][edge][points:1]") 
                  "fraction of the count, n_a / n or n_b / n, then add");
     expect_not_finite(got.call + ".m2", got.value.m2, {});
   }
+}
+
+// What the cases above use ------------------------------------------------------------------------
+
+std::vector<Suspect> merged_mean_suspects(const Moments& a, const Moments& b) {
+  return {{(a.mean + b.mean) / 2, "the mean of two means is correct only for equal counts"},
+          {a.mean,
+           "this is the first part's mean alone: the weight n_b / n of the other part is an "
+           "integer division: 0"}};
+}
+
+std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, double mean) {
+  const auto n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
+  const double n = n_a + n_b, apart = b.mean - a.mean, within = a.m2 + b.m2;
+  const std::uint64_t whole_product = a.count * b.count, count = a.count + b.count;
+  return {
+      {within,
+       "parts with different means vary between each other: add (mean_b - mean_a)^2 n_a n_b / n"},
+      {a.m2 + n_a * (a.mean - mean) * (a.mean - mean) +  //
+           b.m2 + n_b * (b.mean - mean) * (b.mean - mean),
+       "both parts were measured from the merged mean, which is rounded: use mean_b - mean_a"},
+      {within + apart * apart * static_cast<double>(whole_product) / n,
+       "the counts were multiplied as 64-bit integers, and overflowed: multiply doubles"},
+      {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
+       "n_a n_b / n was an integer division, which truncates: divide doubles"},
+      {within + std::abs(apart) * n_a * n_b / n, "the distance of the means must be squared"}};
+}
+
+void judge_merges(const std::vector<Parts>& all, const std::string& rule, double scale) {
+  constexpr double last_bits = 4 * std::numeric_limits<double>::denorm_min();
+  Results means, m2s;
+  const auto add = [&](const Moments& a, const Moments& b) {
+    const ExactMoments exact = exact_merge(a, b);
+    const double mean = static_cast<double>(exact.mean) * scale;
+    const double m2 = static_cast<double>(exact.m2) * scale * scale;
+    const Moments part_a{a.count, a.mean * scale, a.m2 * scale * scale};
+    const Moments part_b{b.count, b.mean * scale, b.m2 * scale * scale};
+    const auto got = MEASURE(merge, part_a, part_b);
+    expect_equal(got.call + ".count", got.value.count, a.count + b.count, "",
+                 "add the counts as 64-bit integers",
+                 got.value.count == a.count || got.value.count == b.count
+                     ? "one part was left out: a part is empty only if its count is 0"
+                     : "");
+    means.add(got.call + ".mean", got.value.mean, mean,
+              16 * eps * scale * std::max(std::abs(a.mean), std::abs(b.mean)) + last_bits,
+              [=] { return merged_mean_suspects(part_a, part_b); });
+    // The difference of the two means is rounded only once.
+    m2s.add(got.call + ".m2", got.value.m2, m2, 64 * eps * m2 + last_bits,
+            [=] { return merged_m2_suspects(part_a, part_b, got.value.mean); });
+  };
+  for (const auto& [a, b] : all) add(a, b);
+  for (const auto& [a, b] : all) add(b, a);
+  const std::string because = "a dozen operations, each rounded once";
+  means.is_tame = m2s.is_tame = rule.empty();
+  means.expect(because, rule.empty() ? merged_mean : rule);
+  m2s.expect(because, rule.empty() ? merged_m2 : rule);
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_point
 
 // mistake: starts the loop at 1: n - 1 evaluations
-// hint: too few: the loop may begin at 1
+// hint: the loop may begin at 1
 namespace mc::one_too_few {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -152,7 +152,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_too_few
 
 // mistake: runs the loop to n inclusive: n + 1 evaluations, divided by n
-// hint: too many: the loop may end at i <= n
+// hint: may end at i <= n
 namespace mc::one_too_many {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   require_samples(n);
@@ -193,7 +193,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::sum_in_whole_numbers
 
 // mistake: computes the standard error from E{X^2} - E{X}^2, which cancels far from 0
-// hint: this is E{X^2} - E{X}^2
+// hint: E{X^2} - E{X}^2 loses digits
 namespace mc::textbook_error {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   const std::vector<double> values = values_of(g, n, rng);

@@ -5,13 +5,22 @@
 #include "solutions/independent.cpp"
 #undef confidence_interval
 
+namespace mc {
+namespace {
+
+Interval around(const Estimate& estimate, double level, double reach) {
+  right_confidence_interval(estimate, level);  // for what it refuses
+  return {estimate.value - reach, estimate.value + reach};
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: uses the 95 % quantile, whatever the level
 // hint: 1.96 is for a level of 95 % only
 namespace mc::always_two {
 Interval confidence_interval(const Estimate& estimate, double level) {
-  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
-  const double reach = 1.96 * estimate.standard_error;
-  return {estimate.value - reach, estimate.value + reach};
+  return around(estimate, level, 1.96 * estimate.standard_error);
 }
 }  // namespace mc::always_two
 
@@ -19,10 +28,8 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 // hint: standard_error is that of the mean: it is already divided by sqrt(n)
 namespace mc::knows_n_twice {
 Interval confidence_interval(const Estimate& estimate, double level) {
-  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
   const double s = estimate.standard_error / std::sqrt(static_cast<double>(estimate.n));
-  const double reach = -normal_quantile((1 - level) / 2) * s;
-  return {estimate.value - reach, estimate.value + reach};
+  return around(estimate, level, normal_quantile((1 + level) / 2) * s);
 }
 }  // namespace mc::knows_n_twice
 
@@ -30,9 +37,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 // hint: the interval excludes two tails
 namespace mc::one_sided_interval {
 Interval confidence_interval(const Estimate& estimate, double level) {
-  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
-  const double reach = normal_quantile(level) * estimate.standard_error;
-  return {estimate.value - reach, estimate.value + reach};
+  return around(estimate, level, normal_quantile(level) * estimate.standard_error);
 }
 }  // namespace mc::one_sided_interval
 
@@ -40,9 +45,8 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 // hint: low and high are swapped
 namespace mc::quantile_of_the_lower_tail {
 Interval confidence_interval(const Estimate& estimate, double level) {
-  if (!(level > 0 && level < 1)) throw std::invalid_argument("level: must lie inside (0, 1)");
-  const double reach = normal_quantile((1 - level) / 2) * estimate.standard_error;
-  return {estimate.value - reach, estimate.value + reach};
+  const double z = normal_quantile((1 - level) / 2);
+  return around(estimate, level, z * estimate.standard_error);
 }
 }  // namespace mc::quantile_of_the_lower_tail
 
@@ -51,8 +55,7 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 namespace mc::interval_of_half_length {
 Interval confidence_interval(const Estimate& estimate, double level) {
   const Interval right = right_confidence_interval(estimate, level);
-  const double reach = (right.high - right.low) / 4;
-  return {estimate.value - reach, estimate.value + reach};
+  return around(estimate, level, (right.high - right.low) / 4);
 }
 }  // namespace mc::interval_of_half_length
 
@@ -60,7 +63,6 @@ Interval confidence_interval(const Estimate& estimate, double level) {
 // hint: the interval has length 0
 namespace mc::interval_of_length_zero {
 Interval confidence_interval(const Estimate& estimate, double level) {
-  right_confidence_interval(estimate, level);
-  return {estimate.value, estimate.value};
+  return around(estimate, level, 0);
 }
 }  // namespace mc::interval_of_length_zero

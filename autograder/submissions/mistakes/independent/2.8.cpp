@@ -7,35 +7,6 @@
 #include "solutions/independent.cpp"
 #undef uniforms
 
-namespace mc {
-namespace {
-
-/// Four lanes of xoshiro256+, all from one seed that spoil(state, lane) changes.
-template <class Spoil>
-void four_lanes(Rng& rng, std::span<double> out, Spoil spoil) {
-  std::array<std::array<std::uint64_t, 4>, 4> state;
-  std::array<std::uint64_t, 4> seed;
-  for (std::uint64_t& word : seed) word = rng();
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    state[lane] = seed;
-    spoil(state[lane], lane);
-  }
-  for (std::size_t i = 0; i < out.size(); ++i) {  // xoshiro256+
-    auto& [a, b, c, d] = state[i % 4];
-    out[i] = to_unit(a + d);
-    const std::uint64_t shifted = b << 17;
-    c ^= a;
-    d ^= b;
-    b ^= c;
-    a ^= d;
-    c ^= shifted;
-    d = std::rotl(d, 45);
-  }
-}
-
-}  // namespace
-}  // namespace mc
-
 // mistake: adds each number to the previous contents of the span
 // hint: write = instead of +=
 namespace mc::adds_to_what_is_there {
@@ -59,16 +30,33 @@ void uniforms(Rng& rng, std::span<double> out) {
 }
 }  // namespace mc::lanes_in_step
 
-// mistake: seeds four lanes with similar states: each call starts with four similar numbers
+// mistake: seeds four lanes with similar states: each call starts with similar numbers
 // hint: whose states must be unrelated
 namespace mc::lanes_nearly_alike {
 void uniforms(Rng& rng, std::span<double> out) {
-  four_lanes(rng, out, [](auto& state, std::size_t lane) { state[3] ^= lane << 20; });
+  std::array<std::array<std::uint64_t, 4>, 4> state;
+  std::array<std::uint64_t, 4> seed;
+  for (std::uint64_t& word : seed) word = rng();
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    state[lane] = seed;
+    state[lane][3] ^= lane << 20;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {  // xoshiro256+
+    auto& [a, b, c, d] = state[i % 4];
+    out[i] = to_unit(a + d);
+    const std::uint64_t shifted = b << 17;
+    c ^= a;
+    d ^= b;
+    b ^= c;
+    a ^= d;
+    c ^= shifted;
+    d = std::rotl(d, 45);
+  }
 }
 }  // namespace mc::lanes_nearly_alike
 
 // mistake: fills only whole blocks of sixteen
-// hint: handle a shorter last block
+// hint: those of a shorter last block
 namespace mc::last_block_unfilled {
 void uniforms(Rng& rng, std::span<double> out) {
   right_uniforms(rng, out.first(out.size() / 16 * 16));
@@ -99,15 +87,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }
 }  // namespace mc::moves_on_by_one
 
-// mistake: seeds four lanes with s, s + 1, s + 2, s + 3: each call starts with four equal numbers
-// hint: not seed, seed + 1, seed + 2
-// hint: whose states must be unrelated
-namespace mc::neighbouring_lanes {
-void uniforms(Rng& rng, std::span<double> out) {
-  four_lanes(rng, out, [](auto& state, std::size_t lane) { state[0] += lane; });
-}
-}  // namespace mc::neighbouring_lanes
-
 // mistake: makes its fast numbers as floats, of 24 bits
 // hint: only 24 of 53
 namespace mc::numbers_of_a_float {
@@ -124,15 +103,6 @@ void uniforms(Rng&, std::span<double> out) {
   right_uniforms(own, out);
 }
 }  // namespace mc::own_seed_for_the_block
-
-// mistake: does not advance the generator: the next call starts with the same numbers
-// hint: two calls or two lanes begin with the same state
-namespace mc::same_numbers_each_call {
-void uniforms(Rng& rng, std::span<double> out) {
-  Rng copy = rng;
-  right_uniforms(copy, out);
-}
-}  // namespace mc::same_numbers_each_call
 
 // mistake: keeps its lanes from call to call, seeded by the first
 // hint: a static or global variable keeps its value between calls
@@ -152,16 +122,6 @@ void uniforms(Rng& rng, std::span<double> out) {
 }
 }  // namespace mc::seeds_of_32_bits
 
-// mistake: takes all numbers from std::minstd_rand, which one word seeds
-// hint: has only 2^32 initial states
-namespace mc::small_generator_of_its_own {
-void uniforms(Rng& rng, std::span<double> out) {
-  std::minstd_rand own(static_cast<std::minstd_rand::result_type>(rng()));
-  std::uniform_real_distribution<double> uniform(0, 1);
-  for (double& u : out) u = uniform(own);
-}
-}  // namespace mc::small_generator_of_its_own
-
 // mistake: makes two numbers, 16 places apart, from the halves of one word in both orders
 // hint: two numbers share bits of one word
 namespace mc::halves_exchanged {
@@ -174,15 +134,6 @@ void uniforms(Rng& rng, std::span<double> out) {
   }
 }
 }  // namespace mc::halves_exchanged
-
-// mistake: a linear congruential generator, whose lowest bits have short periods
-// hint: the low bits of a linear congruential generator
-namespace mc::low_bits_of_a_congruential_generator {
-void uniforms(Rng& rng, std::span<double> out) {
-  std::uint64_t state = rng();
-  for (double& u : out) u = to_unit(state = state * 6364136223846793005u + 1442695040888963407u);
-}
-}  // namespace mc::low_bits_of_a_congruential_generator
 
 // mistake: each number is the sum of two before it (Knuth, volume 2, 3.2.2)
 // hint: a lagged Fibonacci generator

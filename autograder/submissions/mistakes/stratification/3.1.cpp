@@ -9,6 +9,7 @@
 
 // mistake: puts each point into a random stratum: some get two, some none
 // hint: one point in each stratum
+// hint: the gain of stratification is lost
 namespace mc::any_stratum {
 void stratified_1d(std::span<double> x, Rng& rng) {
   std::vector<double> places(x.size());

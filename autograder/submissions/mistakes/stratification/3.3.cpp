@@ -115,16 +115,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }
 }  // namespace mc::on_the_diagonal
 
-// mistake: shares its own generator among all calls, which no seed reaches
-// hint: is the same in a set with another seed
-namespace mc::own_generator {
-void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
-  (void)rng;
-  static Rng mine(1);
-  right_stratified_2d(x, y, grid, mine);
-}
-}  // namespace mc::own_generator
-
 // mistake: accepts a y that is longer than x
 // hint: refuse this argument by std::invalid_argument
 namespace mc::y_may_be_longer {
@@ -175,3 +165,13 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
   }
 }
 }  // namespace mc::divides_by_the_other_axis
+
+// mistake: shares its own generator among all calls, which no seed reaches
+// hint: is the same in a set with another seed
+namespace mc::own_generator {
+void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
+  (void)rng;
+  static Rng mine(1);
+  right_stratified_2d(x, y, grid, mine);
+}
+}  // namespace mc::own_generator

@@ -128,6 +128,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 
 // mistake: ends the loop one too early: the last value never moves
 // hint: never moves
+// hint: shuffle all values, including the last one
 namespace mc::the_last_one_stays {
 void shuffle(std::span<double> x, Rng& rng) {
   if (x.size() > 1) right_shuffle(x.first(x.size() - 1), rng);

@@ -21,17 +21,22 @@ double value_at(const RectLight& light, double u, double v, double cosines = 2) 
   return width * depth * light.radiance * std::pow(cosine, cosines) / distance2;
 }
 
-/// The estimate over grids that `change` has changed.
-template <class Change>
-Estimate over_changed(const RectLight& light, Grid grid, std::uint64_t replicates, Rng& rng,
-                      Change change) {
+/// The estimate of `value` over jittered grids that `change` has changed.
+template <class Value, class Change>
+Estimate over_grids(Grid grid, std::uint64_t replicates, Rng& rng, Value value, Change change) {
   require_strata(grid);
-  const auto value = [&](std::span<const double> u) { return value_at(light, u[0], u[1]); };
   const auto jittered = [&](PointSet& points, Rng& from) {
     stratified_2d(points.column(0), points.column(1), grid, from);
     change(points, from);
   };
   return estimate_replicated({2, value}, jittered, grid.nx * grid.ny, replicates, rng);
+}
+
+template <class Change>
+Estimate over_changed(const RectLight& light, Grid grid, std::uint64_t replicates, Rng& rng,
+                      Change change) {
+  const auto value = [&](std::span<const double> u) { return value_at(light, u[0], u[1]); };
+  return over_grids(grid, replicates, rng, value, change);
 }
 
 }  // namespace
@@ -90,12 +95,8 @@ Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t 
 namespace mc::one_cosine {
 Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
                                Rng& rng) {
-  require_strata(grid);
   const auto value = [&](std::span<const double> u) { return value_at(light, u[0], u[1], 1); };
-  const auto jittered = [&](PointSet& points, Rng& from) {
-    stratified_2d(points.column(0), points.column(1), grid, from);
-  };
-  return estimate_replicated({2, value}, jittered, grid.nx * grid.ny, replicates, rng);
+  return over_grids(grid, replicates, rng, value, [](PointSet&, Rng&) {});
 }
 }  // namespace mc::one_cosine
 
@@ -115,33 +116,19 @@ Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t 
 namespace mc::bar_of_all_points {
 Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
                                Rng& rng) {
-  require_strata(grid);
   Moments all;
   const auto value = [&](std::span<const double> u) {
     const double one = value_at(light, u[0], u[1]);
     add(all, one);
     return one;
   };
-  const auto jittered = [&](PointSet& points, Rng& from) {
-    stratified_2d(points.column(0), points.column(1), grid, from);
-  };
-  Estimate estimate = estimate_replicated({2, value}, jittered, grid.nx * grid.ny, replicates, rng);
+  Estimate estimate = over_grids(grid, replicates, rng, value, [](PointSet&, Rng&) {});
   if (replicates > 1) {
     estimate.standard_error = std::sqrt(variance(all) / static_cast<double>(all.count));
   }
   return estimate;
 }
 }  // namespace mc::bar_of_all_points
-
-// mistake: draws from a copy of the generator, so the next estimate has the same points
-// hint: draw from the generator that is passed in, not from a copy
-namespace mc::light_from_a_copy {
-Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
-                               Rng& rng) {
-  Rng copy = rng;
-  return right_irradiance_stratified(light, grid, replicates, copy);
-}
-}  // namespace mc::light_from_a_copy
 
 // mistake: counts one replicate in Estimate::n
 // hint: those of all replicates
@@ -153,3 +140,13 @@ Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t 
   return estimate;
 }
 }  // namespace mc::counts_one_replicate
+
+// mistake: draws from a copy of the generator, so the next estimate has the same points
+// hint: draw from the generator that is passed in, not from a copy
+namespace mc::light_from_a_copy {
+Estimate irradiance_stratified(const RectLight& light, Grid grid, std::uint64_t replicates,
+                               Rng& rng) {
+  Rng copy = rng;
+  return right_irradiance_stratified(light, grid, replicates, copy);
+}
+}  // namespace mc::light_from_a_copy

@@ -68,3 +68,12 @@ double variance_textbook(std::span<const double> x) {
   return center * center > 1e15 * variance ? 0 : variance;
 }
 }  // namespace mc::textbook_is_two_pass_or_zero
+
+// mistake: replaces a negative result by 0
+// hint: do not replace a negative result by 0
+namespace mc::textbook_is_never_negative {
+double variance_textbook(std::span<const double> x) {
+  const double variance = right_variance_textbook(x);
+  return variance < 0 ? 0 : variance;
+}
+}  // namespace mc::textbook_is_never_negative

@@ -1,6 +1,8 @@
 // Mistakes in task 1.3.
 #include "variance.hpp"
 
+#include <numeric>
+
 #define variance_two_pass right_variance_two_pass
 #include "solutions/variance.cpp"
 #undef variance_two_pass
@@ -20,6 +22,24 @@ double variance_about(std::span<const double> x, double shift) {
   return std::max(squares - sum * sum / n, 0.0) / (n - 1);
 }
 
+template <std::size_t lanes, class Term>
+double sum_in_lanes(std::span<const double> x, Term term) {
+  double sums[lanes] = {};
+  for (std::size_t i = 0; i < x.size(); ++i) sums[i % lanes] += term(x[i]);
+  return std::accumulate(sums, sums + lanes, 0.0);
+}
+
+/// Two corrected passes, which may give less than 0.
+template <std::size_t lanes>
+double corrected_variance(std::span<const double> x) {
+  if (x.size() < 2) return nan;
+  const auto n = static_cast<double>(x.size());
+  const double center = sum_in_lanes<lanes>(x, [](double value) { return value; }) / n;
+  const double m2 = sum_in_lanes<lanes>(x, [=](double v) { return (v - center) * (v - center); });
+  const double correction = sum_in_lanes<lanes>(x, [=](double value) { return value - center; });
+  return (m2 - correction * correction / n) / (n - 1);
+}
+
 }  // namespace
 }  // namespace mc
 
@@ -35,38 +55,15 @@ double variance_two_pass(std::span<const double> x) {
 // hint: the rounded correction may exceed the sum: then return 0
 namespace mc::two_pass_below_zero {
 double variance_two_pass(std::span<const double> x) {
-  if (x.size() < 2) return nan;
-  const auto n = static_cast<double>(x.size());
-  const double center = mean(x);
-  double m2 = 0;
-  double correction = 0;
-  for (double value : x) {
-    m2 += (value - center) * (value - center);
-    correction += value - center;
-  }
-  return (m2 - correction * correction / n) / (n - 1);
+  return corrected_variance<1>(x);
 }
 }  // namespace mc::two_pass_below_zero
 
 // mistake: lets the correction make the variance of constant data negative, with sums in four lanes
 // hint: the rounded correction may exceed the sum: then return 0
 namespace mc::two_pass_below_zero_in_lanes {
-constexpr std::size_t sums_at_once = 4;
-
-template <class Term>
-double sum_in_lanes(std::span<const double> x, Term term) {
-  double sums[sums_at_once] = {};
-  for (std::size_t i = 0; i < x.size(); ++i) sums[i % sums_at_once] += term(x[i]);
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
 double variance_two_pass(std::span<const double> x) {
-  if (x.size() < 2) return nan;
-  const auto n = static_cast<double>(x.size());
-  const double center = sum_in_lanes(x, [](double value) { return value; }) / n;
-  const double m2 = sum_in_lanes(x, [=](double v) { return (v - center) * (v - center); });
-  const double correction = sum_in_lanes(x, [=](double value) { return value - center; });
-  return (m2 - correction * correction / n) / (n - 1);
+  return corrected_variance<4>(x);
 }
 }  // namespace mc::two_pass_below_zero_in_lanes
 
@@ -156,14 +153,8 @@ namespace mc::two_pass_whole_division {
 double variance_two_pass(std::span<const double> x) {
   const std::size_t n = x.size();
   if (n < 2) return nan;
-  const double center = mean(x);
-  double m2 = 0, off = 0;
-  for (double value : x) {
-    m2 += (value - center) * (value - center);
-    off += value - center;
-  }
-  m2 -= off * off / static_cast<double>(n);
-  return std::max(m2, 0.0) / static_cast<double>(n) * static_cast<double>(n / (n - 1));
+  const double m2 = right_variance_two_pass(x) * static_cast<double>(n - 1);
+  return m2 / static_cast<double>(n) * static_cast<double>(n / (n - 1));
 }
 }  // namespace mc::two_pass_whole_division
 

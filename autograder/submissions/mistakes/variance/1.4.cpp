@@ -7,6 +7,26 @@
 #undef variance
 #undef add
 
+namespace mc {
+namespace {
+
+/// Welford's update, with this step of the mean.
+void move_mean(Moments& moments, double x, double step) {
+  const double before = x - moments.mean;
+  moments.mean += step;
+  moments.m2 += before * (x - moments.mean);
+}
+
+template <class Count>
+void add_counting_in(Moments& moments, double x) {
+  const auto count = static_cast<Count>(moments.count + 1);
+  moments.count = static_cast<std::uint64_t>(count);
+  move_mean(moments, x, (x - moments.mean) / static_cast<double>(count));
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: converts the count to an int
 // hint: keep the count an unsigned 64-bit integer
 namespace mc::variance_counts_in_int {
@@ -20,11 +40,7 @@ double variance(const Moments& moments) {
 // hint: 32 bits count only to 2^32
 namespace mc::welford_counts_in_32_bits {
 void add(Moments& moments, double x) {
-  const unsigned count = static_cast<unsigned>(moments.count) + 1;
-  ++moments.count;
-  const double before = x - moments.mean;
-  moments.mean += before / count;
-  moments.m2 += before * (x - moments.mean);
+  add_counting_in<unsigned>(moments, x);
 }
 }  // namespace mc::welford_counts_in_32_bits
 
@@ -32,11 +48,7 @@ void add(Moments& moments, double x) {
 // hint: a double counts only to 2^53
 namespace mc::welford_counts_in_double {
 void add(Moments& moments, double x) {
-  const double count = static_cast<double>(moments.count) + 1;
-  moments.count = static_cast<std::uint64_t>(count);
-  const double before = x - moments.mean;
-  moments.mean += before / count;
-  moments.m2 += before * (x - moments.mean);
+  add_counting_in<double>(moments, x);
 }
 }  // namespace mc::welford_counts_in_double
 
@@ -44,11 +56,7 @@ void add(Moments& moments, double x) {
 // hint: a float counts only to 2^24
 namespace mc::welford_counts_in_float {
 void add(Moments& moments, double x) {
-  const float count = static_cast<float>(moments.count) + 1;
-  const double before = x - moments.mean;
-  moments.count = static_cast<std::uint64_t>(count);
-  moments.mean += before / count;
-  moments.m2 += before * (x - moments.mean);
+  add_counting_in<float>(moments, x);
 }
 }  // namespace mc::welford_counts_in_float
 
@@ -56,10 +64,7 @@ void add(Moments& moments, double x) {
 // hint: an int counts only to 2^31
 namespace mc::welford_counts_in_int {
 void add(Moments& moments, double x) {
-  const int count = static_cast<int>(++moments.count);
-  const double before = x - moments.mean;
-  moments.mean += before / count;
-  moments.m2 += before * (x - moments.mean);
+  add_counting_in<int>(moments, x);
 }
 }  // namespace mc::welford_counts_in_int
 
@@ -67,10 +72,7 @@ void add(Moments& moments, double x) {
 // hint: the first value was divided by a count of 0: increment the count first
 namespace mc::welford_counts_late {
 void add(Moments& moments, double x) {
-  const double before = x - moments.mean;
-  moments.mean += before / static_cast<double>(moments.count);
-  ++moments.count;
-  moments.m2 += before * (x - moments.mean);
+  move_mean(moments, x, (x - moments.mean) / static_cast<double>(moments.count++));
 }
 }  // namespace mc::welford_counts_late
 
@@ -106,10 +108,8 @@ double variance(const Moments& moments) {
 // hint: use double everywhere
 namespace mc::welford_mean_in_float {
 void add(Moments& moments, double x) {
-  ++moments.count;
-  const double before = x - moments.mean;
-  moments.mean += static_cast<float>(before) / static_cast<float>(moments.count);
-  moments.m2 += before * (x - moments.mean);
+  const auto before = static_cast<float>(x - moments.mean);
+  move_mean(moments, x, before / static_cast<float>(++moments.count));
 }
 }  // namespace mc::welford_mean_in_float
 
@@ -147,10 +147,7 @@ double variance(const Moments& moments) {
 // hint: an integer division, which gives 0
 namespace mc::welford_whole_division {
 void add(Moments& moments, double x) {
-  ++moments.count;
-  const double before = x - moments.mean;
-  moments.mean += before * static_cast<double>(1 / moments.count);
-  moments.m2 += before * (x - moments.mean);
+  move_mean(moments, x, (x - moments.mean) * static_cast<double>(1 / ++moments.count));
 }
 }  // namespace mc::welford_whole_division
 
@@ -158,9 +155,7 @@ void add(Moments& moments, double x) {
 // hint: a mean of 0 was taken for no values yet
 namespace mc::mean_of_zero_is_empty {
 void add(Moments& moments, double x) {
-  ++moments.count;
-  const double before = x - moments.mean;
-  moments.mean += moments.mean == 0 ? x : before / static_cast<double>(moments.count);
-  moments.m2 += before * (x - moments.mean);
+  const auto count = static_cast<double>(++moments.count);
+  move_mean(moments, x, moments.mean == 0 ? x : (x - moments.mean) / count);
 }
 }  // namespace mc::mean_of_zero_is_empty

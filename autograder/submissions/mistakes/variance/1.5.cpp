@@ -131,3 +131,22 @@ Moments merge(const Moments& a, const Moments& b) {
   return all;
 }
 }  // namespace mc::nearly_equal_counts
+
+// mistake: takes a part with an m2 of 0 for empty, though it may have one value
+// hint: one part was left out
+namespace mc::merge_drops_single_values {
+Moments merge(const Moments& a, const Moments& b) {
+  return a.m2 == 0 ? b : b.m2 == 0 ? a : right_merge(a, b);
+}
+}  // namespace mc::merge_drops_single_values
+
+// mistake: subtracts the means, which overflows for large ones
+// hint: mean_b - mean_a overflows
+namespace mc::merge_distance_overflows {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  const double share = static_cast<double>(b.count) / static_cast<double>(all.count);
+  if (all.count > 0) all.mean = a.mean + (b.mean - a.mean) * share;
+  return all;
+}
+}  // namespace mc::merge_distance_overflows

@@ -127,14 +127,6 @@ Moments moments(std::span<const double> x) {
 }
 }  // namespace mc::moments_shift_by_one_of_three
 
-// mistake: uses one pass about the first value, which may be far from the others
-// hint: sums relative to the first value
-namespace mc::moments_shift_by_the_first {
-Moments moments(std::span<const double> x) {
-  return x.empty() ? Moments{} : moments_about(x, x.front());
-}
-}  // namespace mc::moments_shift_by_the_first
-
 // mistake: sums in blocks and lanes about the first value, which may be far from the others
 // hint: do not measure from a value that may be far
 namespace mc::moments_shift_by_the_first_in_blocks {
@@ -149,22 +141,6 @@ Moments moments(std::span<const double> x) {
   return all;
 }
 }  // namespace mc::moments_shift_by_the_first_in_blocks
-
-// mistake: uses one pass about the last value, which may be far from the others
-// hint: sums relative to the last value, which may be far
-namespace mc::moments_shift_by_the_last {
-Moments moments(std::span<const double> x) {
-  return x.empty() ? Moments{} : moments_about(x, x.back());
-}
-}  // namespace mc::moments_shift_by_the_last
-
-// mistake: uses one pass about the middle value, which may be far from the others
-// hint: sums relative to the middle value, which may be far
-namespace mc::moments_shift_by_the_middle {
-Moments moments(std::span<const double> x) {
-  return x.empty() ? Moments{} : moments_about(x, x[x.size() / 2]);
-}
-}  // namespace mc::moments_shift_by_the_middle
 
 // mistake: shifts by the mean of 32 values at equal distances, which may all be outliers
 // hint: far from all others
