@@ -70,10 +70,9 @@ void require_distinct(const SampleSets& sets) {
   fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
                            sets.call, index, set, other_index, other_set, x, y),
                "points that are all different", "random points are never equal",
-               index == 0 && other_index == 0 && std::fmod(x * 128, 1) == 0
+               index == 0 && other_index == 0
                    ? "the first point of a set must be random, too"
-               : x == 0 && y == 0 ? "a point at (0, 0) was never written"
-                                  : "draw every point anew, and keep it once; use 53 random bits"});
+                   : "draw every point anew, and keep it once; use 53 random bits"});
 }
 
 SampleSets require_random(SampleSets sets) {
@@ -102,13 +101,6 @@ std::string too_close_hint(View x, View y, double radius, double least) {
   const double by_chance = 4 / std::numbers::pi * radius;
   if (across == pairs && static_cast<double>(pairs) * std::log(by_chance) < std::log(1e-4)) {
     return "they are close only across an edge: measure distances on the torus";
-  }
-  // A distance below the radius is above a part q of it with probability 1 - q^2.
-  const double part = least / radius;
-  if (static_cast<double>(pairs) * std::log(1 - part * part) < std::log(1e-4)) {
-    return fmt::format(
-        "no two are closer than {:.3g} of the radius: keep all of it, and search all cells within",
-        part);
   }
   return {};
 }
@@ -212,137 +204,6 @@ void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_
       "where points may fall anywhere that is free, no power has a mean above 1.9",
       "points must fall anywhere that is free: not on a lattice, even if it is shifted, not only "
       "into a part of each cell or on the rims of disks");
-}
-
-namespace {
-
-/// Whether each of the points is the best of this number of candidates; wrong once in 10,000 times.
-bool explains(const Nearness& all, const Count& count) {
-  const Uniforms u = by_candidates("", all, count);
-  for (std::size_t position = 0; position < u.positions; ++position) {
-    Values of_point;
-    for (std::size_t r = 0; r < u.replicates(); ++r) {
-      of_point.push_back(u.values[r * u.positions + position]);
-    }
-    const double distance = distance_from_uniform(of_point);
-    if (!(kolmogorov_tails(distance, of_point.size()).upper > 1e-4)) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::size_t rows,
-                  Rng& rng, Metric metric) {
-  Nearness all{std::move(points)};
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    const View all_x = sets.column(set, 0), all_y = sets.column(set, 1);
-    std::vector<std::size_t> by_x(all_x.size());  // uncovered_area() is faster in this order
-    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-    std::ranges::sort(by_x, [&](auto a, auto b) { return all_x[a] < all_x[b]; });
-    for (const std::size_t i : all.points) {
-      const std::size_t first = metric.to_last_only ? i - 1 : 0;
-      Values x, y;
-      double least = infinity;
-      for (const std::size_t p : by_x) {
-        if (p < first || p >= i) continue;
-        x.push_back(all_x[p]), y.push_back(all_y[p]);
-        const double dx = all_x[p] - all_x[i], dy = all_y[p] - all_y[i];
-        least = std::min(
-            least, metric.on_torus ? std::hypot(short_way(dx), short_way(dy)) : std::hypot(dx, dy));
-      }
-      all.parts.push_back(1 - uncovered_area(x, y, least, rows, uniform(rng), metric.on_torus));
-    }
-  }
-  return all;
-}
-
-Uniforms by_candidates(const std::string& call, const Nearness& all, const Count& candidates) {
-  // Areas are accurate to about three digits.
-  Uniforms u{call, all.points.size(), {}, 12, [points = all.points](std::size_t position) {
-               return fmt::format("nearness of point {}", points[position]);
-             }};
-  for (std::size_t k = 0; k < all.parts.size(); ++k) {
-    const auto i = static_cast<double>(all.points[k % all.points.size()]);
-    u.values.push_back(std::clamp(std::pow(all.parts[k], candidates(i)), 0.0, below_one));
-  }
-  return u;
-}
-
-std::vector<std::size_t> later_points(std::size_t n) {
-  std::vector<std::size_t> points(n - 1);
-  std::iota(points.begin(), points.end(), 1);
-  return points;
-}
-
-void judge_points(const SampleSets& set, double c, std::size_t first, std::size_t last,
-                  std::size_t count, Rng& rng) {
-  std::vector<std::size_t> points;
-  for (std::size_t k = 0; k < count; ++k) {  // one from each of `count` equal parts
-    const std::size_t low = first + k * (last - first) / count;
-    const std::size_t high = first + (k + 1) * (last - first) / count;
-    points.push_back(low + rng() % std::max<std::size_t>(high - low, 1));
-  }
-  Uniforms u = by_candidates(set.call, nearness(set, points, c < 1 ? 150 : 300, rng), promised(c));
-  u.positions = 1;  // one set: its points are the replicates
-  u.name = {};
-  expect_independent_uniforms(
-      u, best_of_candidates(
-             "the search misses the nearest point: search all cells that can contain it"));
-}
-
-Count promised(double c) {
-  return [=](double i) { return std::ceil(c * i) + 1; };
-}
-
-Randomness best_of_candidates(const std::string& rule) {
-  return {.words = "the nearness of point i, to the power of ceil(c i) + 1, is uniform",
-          .rule = rule,
-          .expected = "each point i is the best of ceil(c i) + 1 uniform candidates"};
-}
-
-std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
-  const auto measured = [&](Metric metric) {
-    return nearness(sets, later_points(sets.n), 200, rng, metric);
-  };
-  const Nearness all = measured({});
-  Nearness opposite = all;
-  for (double& part : opposite.parts) part = 1 - part;
-  // If all points had the same number of candidates, -1 / mean(log(part)) would estimate it.
-  double logarithms = 0;
-  for (const double part : all.parts) logarithms -= std::log(std::max(part, 1e-300));
-  const double constant = std::round(static_cast<double>(all.parts.size()) / logarithms);
-  const bool is_whole = c == std::floor(c);  // then a missing candidate does not come from rounding
-  struct Mistake {
-    Nearness seen;
-    Count count;
-    const char* hint;
-  };
-  const Mistake mistakes[] = {
-      {all, [=](double i) { return std::ceil(c * i); },
-       is_whole ? "there are only ceil(c i) candidates: one is missing"
-                : "there are floor(c i) + 1 candidates: round c i up, with c a double"},
-      {all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
-      // Just above 1 the first mistake gives the same.
-      {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },
-       "there are i + 1 candidates: c is unused, or rounded"},
-      {all, [=](double) { return constant; },
-       constant == 1 ? "as irregular as uniform points: keep the farthest of several candidates, "
-                       "which are new for each point"
-                     : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
-      {opposite, promised(c),
-       "this keeps the candidate that is nearest to earlier points: keep the farthest"},
-      {measured({.on_torus = false}), promised(c),
-       "distances are measured within the square: measure them on the torus"},
-      {measured({.to_last_only = true}), promised(c),
-       "the candidates are far from the last point: they must be far from all earlier points"}};
-  std::string found;
-  for (const Mistake& mistake : mistakes) {
-    if (!explains(mistake.seen, mistake.count)) continue;
-    if (!found.empty()) return {};
-    found = mistake.hint;
-  }
-  return found;
 }
 
 }  // namespace mc::checks

@@ -10,34 +10,6 @@
 namespace mc {
 namespace {
 
-/// The first i points, each compared with a candidate, until one is nearer than the best so far.
-double nearest_of_all(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate,
-                      double best) {
-  double nearest = 1;
-  for (std::size_t p = 0; p < i && nearest > best; ++p) {
-    nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-  }
-  return nearest;
-}
-
-/// Best candidates, each compared with all points, or until it is known to be worse than the best.
-void compare_all(std::span<double> x, std::span<double> y, double c, Rng& rng, bool stops_early) {
-  require_pairs(x.size(), y.size());
-  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double best = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      const double nearest = nearest_of_all(x, y, i, candidate, stops_early ? best : -1);
-      if (nearest <= best) continue;
-      best = nearest;
-      x[i] = candidate.x;
-      y[i] = candidate.y;
-    }
-  }
-}
-
 /// Darts on a grid whose cells hold one point, until misses(number of points) in a row.
 template <class Misses>
 PointSet darts_on_grid(double radius, Rng& rng, Misses misses) {
@@ -75,17 +47,25 @@ PointSet darts_on_grid(double radius, Rng& rng, Misses misses) {
 // hint: compare a candidate only with points nearby
 namespace mc::compares_until_too_near {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  compare_all(x, y, c, rng, true);
+  require_pairs(x.size(), y.size());
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
+    double best = -1;
+    for (double k = 0; k < candidates; ++k) {
+      const Point2 candidate = uniform_point(rng);
+      double nearest = 1;
+      for (std::size_t p = 0; p < i && nearest > best; ++p) {
+        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
+      }
+      if (nearest <= best) continue;
+      best = nearest;
+      x[i] = candidate.x;
+      y[i] = candidate.y;
+    }
+  }
 }
 }  // namespace mc::compares_until_too_near
-
-// mistake: compares each of N^2 / 2 candidates with all points
-// hint: compare a candidate only with points nearby
-namespace mc::compares_with_all {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  compare_all(x, y, c, rng, false);
-}
-}  // namespace mc::compares_with_all
 
 // mistake: compares each dart with all points
 // hint: compare a new point only with those in the cells around it
@@ -95,13 +75,10 @@ PointSet poisson_disk(double radius, Rng& rng) {
   PointSet points = right_poisson_disk(radius, rng);
   const auto x = points.column(0), y = points.column(1);
   double closest = 1;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t tries = 0; tries < 30; ++tries) {
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        if (p != i) {
-          closest = std::min(closest, toroidal_distance_squared({x[i], y[i]}, {x[p], y[p]}));
-        }
-      }
+  for (std::size_t i = 0; i < 30 * x.size(); ++i) {
+    for (std::size_t p = 0, q = i % x.size(); p < x.size(); ++p) {
+      if (p != q)
+        closest = std::min(closest, toroidal_distance_squared({x[q], y[q]}, {x[p], y[p]}));
     }
   }
   if (x.size() > 1 && closest < radius * radius / 2) x[0] = 0;
