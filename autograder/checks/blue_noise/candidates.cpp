@@ -44,7 +44,8 @@ CHECK_CASE("4.2 any number of points and candidates", "[4.2][edge][points:3][nee
   const auto got = MEASURE(best_candidate, 1, 1, 2000, fresh_seed(rng));
   const SampleSets first = random_sets(got, 1, 2000);
   expect_independent_uniforms({got.call, 2, first.values()},
-                              {.words = "the first point is uniform in the square", .rule = ""});
+                              {.words = "the first point is uniform in the square",
+                               .rule = "it has one candidate, uniform in the square"});
 }
 
 CHECK_CASE("4.2 also among a thousand points", "[4.2][points:2][needs:4.1]") {

@@ -8,7 +8,7 @@
 #undef radical_inverses
 
 // mistake: sums in a float
-// hint: only the digits of a float are correct
+// hint: only about seven digits are correct
 namespace mc::in_floats {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);

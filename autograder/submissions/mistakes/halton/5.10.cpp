@@ -13,10 +13,10 @@
 // hint: this is i / N on every axis
 namespace mc::lattice_on_the_diagonal {
 void lattice(PointSet& points, std::uint64_t seed) {
-  const auto n = static_cast<double>(points.size());
   for (std::size_t d = 0; d < points.dims(); ++d) {
-    const auto x = points.column(d);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(i) / n;
+    std::size_t i = 0;
+    for (double& x : points.column(d))
+      x = static_cast<double>(i++) / static_cast<double>(points.size());
   }
   Rng rng(seed);
   random_shift(points, rng);
