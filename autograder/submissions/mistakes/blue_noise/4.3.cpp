@@ -131,12 +131,6 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }
 }  // namespace mc::at_the_rim
 
-// mistake: uses cells as wide as the radius, which can hold two points but store only the last
-// hint: must not have room for two
-namespace mc::cells_of_the_radius {
-POISSON_DISK(darts_on_grid(radius, rng, 1 / radius, 1, enough_misses))
-}  // namespace mc::cells_of_the_radius
-
 // mistake: rounds the number of cells down, so a cell can hold two points but stores only the last
 // hint: must not have room for two
 namespace mc::cells_rounded_down {

@@ -157,21 +157,6 @@ OWEN_SCRAMBLE {
 }
 }  // namespace mc::seed_xor_string
 
-// mistake: the hash of Vegdahl with one random multiplication and addition: correct in pairs
-// hint: pairs of decisions are independent, but not triples
-namespace mc::one_multiplication {
-OWEN_SCRAMBLE {
-  const std::uint64_t add = mix_bits(mix_bits(seed) ^ 0x5bf03635u),
-                      multiply = mix_bits(add + 1) | 1;
-  hash_mirrored(column, [=](std::uint64_t z) {
-    z ^= z * 0x3d20adea3d20adeau;
-    z = z * multiply + add;
-    z ^= z * 0x05526c5605526c56u;
-    return z ^ z * 0x53a2286453a22864u;
-  });
-}
-}  // namespace mc::one_multiplication
-
 // mistake: does not mix: a flip is the lowest bit of a sum
 // hint: mix seed, position and bits by a hash
 namespace mc::unmixed {

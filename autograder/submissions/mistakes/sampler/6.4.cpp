@@ -126,36 +126,6 @@ struct Wrong : ColumnSampler {
 MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
 }  // namespace mc::old_counters
 
-// mistake: reuses a column's permutation in the next integration with as many samples
-// hint: the previous integration left something behind
-namespace mc::old_order {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  double next() override {
-    if (next_ != ready_ || ready_ >= 4) return ColumnSampler::next();
-    ColumnSampler::next();
-    std::vector<double>& x = ones_[ready_ - 1].x;
-    std::vector<double>& order = orders_[ready_ - 1];
-    if (order.size() != x.size()) {
-      order.resize(x.size());
-      for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<double>(i);
-      shuffle(order, rng_);
-    }
-    std::vector<double> in_strata = x;
-    stratified_1d(in_strata, rng_);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      x[i] = in_strata[static_cast<std::size_t>(order[i])];
-    }
-    return x[sample_];
-  }
-
- private:
-  std::vector<double> orders_[4];
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
-}  // namespace mc::old_order
-
 // mistake: does not go back to sample 0 in generate()
 // hint: reset counters, columns
 namespace mc::old_sample_number {
@@ -238,33 +208,6 @@ struct Wrong : ColumnSampler {
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seed_of_32_bits
 
-// mistake: seeds with a hash of the seed plus a counter
-// hint: the number of a dimension, not their sum
-namespace mc::seed_plus_counter {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    seed_ = seed;
-  }
-  double next() override {
-    require_sample();
-    return number(next_++);
-  }
-  Point2 next2() override {
-    require_sample();
-    next2_ += 2;
-    return {number(next2_ + 510), number(next2_ + 511)};
-  }
-
- private:
-  double number(std::size_t use) const { return to_unit(mix_bits(seed_ + 1024 * sample_ + use)); }
-  std::uint64_t seed_ = 0;
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
-}  // namespace mc::seed_plus_counter
-
 // mistake: seeds a sample dimension by the sample that first requests it
 // hint: from the seed and its own number only
 namespace mc::seeded_by_the_first_request {
@@ -285,8 +228,7 @@ namespace mc::seed_plus_use {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    seed_ = seed;
+    ColumnSampler::generate(samples, seed_ = seed);
   }
   double next() override {
     if (next_ == ready_) rng_ = Rng(seed_ + ready_ + ready2_);
@@ -316,18 +258,12 @@ struct Wrong : ColumnSampler {
     shared = rng_;
   }
   double next() override {
-    if (next_ != ready_) return ColumnSampler::next();
-    rng_ = shared;
-    const double x = ColumnSampler::next();
-    shared = rng_;
-    return x;
+    if (next_ == ready_) rng_ = Rng(shared());
+    return ColumnSampler::next();
   }
   Point2 next2() override {
-    if (next2_ != ready2_) return ColumnSampler::next2();
-    rng_ = shared;
-    const Point2 point = ColumnSampler::next2();
-    shared = rng_;
-    return point;
+    if (next2_ == ready2_) rng_ = Rng(shared());
+    return ColumnSampler::next2();
   }
 };
 

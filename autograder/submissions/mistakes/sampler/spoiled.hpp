@@ -53,6 +53,14 @@ std::unique_ptr<Sampler> make_other_kind(std::string_view other, std::string_vie
   return right_make_sampler(kind);
 }
 
+/// The solution's sampler, but one kind fills columns or takes dimensions of a sequence otherwise.
+template <Fill* fill, const Sequence* sequence = &one_sequence>
+std::unique_ptr<Sampler> make_wrong(std::string_view other, std::string_view kind) {
+  static const Kind wrong{other, fill, sequence};
+  if (kind == other) return std::make_unique<ColumnSampler>(wrong);
+  return right_make_sampler(kind);
+}
+
 [[maybe_unused]] void stratified1(const SampleDimension& dim, std::span<double> x, Rng& rng) {
   stratified(dim, x, {}, rng);
 }
